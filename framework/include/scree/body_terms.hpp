@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/energy_audit.hpp>
+#include <scree/particles.hpp>
+#include <scree/plugin_host.hpp>
+
+namespace scree {
+
+// Forces that act on each body by itself, such as gravity and background damping.
+class BodyTerms {
+ public:
+  struct Entry {
+    std::string name;
+    Parameters parameters;
+  };
+
+  BodyTerms(const std::vector<Entry>& entries, int dimension);
+
+  // Adds to the bodies' forces and torques.
+  BodySums apply(Particles& particles) const;
+  void reconfigure(const std::string& name, const Parameters& parameters);
+
+ private:
+  struct Member {
+    std::string name;
+    ConfiguredBodyTerm plugin;
+  };
+  int dimension_;
+  std::vector<Member> members_;
+};
+
+}  // namespace scree

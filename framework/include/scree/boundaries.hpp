@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/domain.hpp>
+#include <scree/plugin_host.hpp>
+
+namespace scree {
+
+// All boundaries of a scene: their planes, the loads on them, their state, and the periodic domain.
+class Boundaries {
+ public:
+  struct Entry {
+    std::string name;
+    std::uint32_t material = 0;
+    Parameters parameters;
+  };
+
+  // Throws Error if a plug-in refuses or two make the same axis periodic. Box of the bodies: lower, upper (m).
+  Boundaries(const std::vector<Entry>& entries, int dimension, const Vec3& lower, const Vec3& upper);
+
+  // Moves the planes from t to t + step, knowing the loads at t.
+  void drift(double time, double step);
+  // Completes velocities and energies with the loads at t + step.
+  void kick(double time, double step);
+  // New parameters for a boundary; its clock for programs starts again at `time`, state and planes stay.
+  void reconfigure(const std::string& name, const Parameters& parameters, double time);
+
+  const Domain& domain() const { return domain_; }
+  const std::vector<scree_plane>& planes() const { return planes_; }
+  const std::vector<scree_load>& loads() const { return loads_; }
+  std::vector<scree_load>& loads() { return loads_; }
+  const std::vector<std::uint32_t>& plane_materials() const { return materials_; }
+  // "<boundary>.<plane>" of each plane.
+  const std::vector<std::string>& plane_names() const { return names_; }
+  // Sum over all boundaries.
+  scree_boundary_energy energy() const;
+  // Largest speed of a plane along its normal in the last drift (m/s).
+  double largest_speed() const;
+  void add_to_hash(class StateHash& hash) const;
+
+ private:
+  struct Member {
+    Entry entry;
+    ConfiguredBoundary plugin;
+    std::size_t first_plane;
+    double clock_start = 0;  // (s)
+    std::vector<double> state = {};
+    scree_boundary_energy energy = {};
+  };
+  scree_boundary_step step_of(Member& member, double time, double step);
+  void add_domain(const Member& member);
+
+  int dimension_;
+  double lower_[3], upper_[3];
+  Domain domain_;
+  std::vector<Member> members_;
+  std::vector<scree_plane> planes_;
+  std::vector<scree_load> loads_;
+  std::vector<std::uint32_t> materials_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace scree

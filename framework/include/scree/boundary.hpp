@@ -1,0 +1,46 @@
+#pragma once
+
+#include <scree/declaration.hpp>
+#include <scree/plugin_abi.h>
+
+// How to write a boundary: plugins/README.md. An author's struct has
+//   static constexpr scree::About about;
+//   void declare(scree::Declaration&);              its parameters
+//   void prepare(const scree::Setup&);              (optional) derived values, refusals
+//   void describe(scree_boundary_instance&) const;  how many planes and state doubles, what is periodic
+//   void start(const scree_boundary_step&) const;   planes and state at the start
+//   void drift(const scree_boundary_step&) const;   planes from t to t + step, velocities at mid-step and predicted
+//   void kick(const scree_boundary_step&) const;    velocities at t + step with the loads there, energies;
+//                                                   called once with step 0 for the loads at the start
+
+namespace scree::detail {
+
+template <class Author>
+int configure_boundary(const scree_setup* setup, void* storage, scree_boundary_instance* instance) {
+  if (const int failed = configure_author<Author>(setup, storage)) return failed;
+  *instance = {};
+  instance->struct_size = sizeof(*instance);
+  static_cast<const Author*>(storage)->describe(*instance);
+  return 0;
+}
+template <class Author>
+void start_boundary(const void* storage, const scree_boundary_step* step) {
+  static_cast<const Author*>(storage)->start(*step);
+}
+template <class Author>
+void drift_boundary(const void* storage, const scree_boundary_step* step) {
+  static_cast<const Author*>(storage)->drift(*step);
+}
+template <class Author>
+void kick_boundary(const void* storage, const scree_boundary_step* step) {
+  static_cast<const Author*>(storage)->kick(*step);
+}
+
+}  // namespace scree::detail
+
+#define SCREE_BOUNDARY_PLUGIN(Author)                                                                \
+  static const scree_boundary scree_interface = {                                                    \
+      sizeof(scree_boundary),                  sizeof(Author),                                       \
+      &scree::detail::configure_boundary<Author>, &scree::detail::start_boundary<Author>,            \
+      &scree::detail::drift_boundary<Author>,  &scree::detail::kick_boundary<Author>};               \
+  SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BOUNDARY, scree_interface)))

@@ -1,0 +1,210 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include <scree/declaration.hpp>
+#include <scree/plugin_abi.h>
+#include <scree/vec.hpp>
+
+// How to write a contact law: plugins/README.md. The author's `force` is a pure, branch-free function of one
+// contact; this header turns it into a vectorised batch. Selections are written with ?:, std::max, std::min.
+
+namespace scree {
+
+// One touching pair, as far as the kernel's `reads` asks for it; the rest is 0.
+template <int D, class T = double>
+struct Contact {
+  Vec<D, T> normal;                             // unit, from b to a
+  T overlap;                                    // (m) > 0
+  Vec<D, T> relative_velocity;                  // (m/s) of the contact points, a minus b, at the end of the step
+  Vec<D, T> tangential_increment;               // (m) moved while touching in this step,
+                                                // perpendicular to the mid-step normal
+  Vec<spin_components<D>, T> relative_spin;     // (rad/s) a minus b
+  T reduced_mass;                               // (kg)
+  T effective_radius;                           // (m)
+  double step;                                  // (s)
+};
+
+// Factor for forces that jump at first touch, such as dashpots: 1, but in the step in which the surfaces meet or
+// part the share of that step in which they touch, between 1/2 and 3/2. The impulse of a jump in mid-step is
+// then exact to the integrator's order instead of being off by up to half a step.
+template <int D, class T>
+T onset_weight(const Contact<D, T>& c) {
+  const T normal_velocity = dot(c.relative_velocity, c.normal);
+  const T travel = (normal_velocity < T(0) ? -normal_velocity : normal_velocity) * c.step;
+  return c.overlap < travel ? T(0.5) + c.overlap / travel : T(1);
+}
+
+// What a law answers. Everything starts at 0.
+template <int D, class T = double>
+struct Response {
+  Vec<D, T> force;                      // (N) on a, the opposite on b
+  Vec<spin_components<D>, T> couple;    // (N m) on a beyond force × arm, the opposite on b
+  T elastic_normal;                     // (J) stored
+  T elastic_tangential;                 // (J) stored
+  T dissipated_normal;                  // (W)
+  T dissipated_tangential;              // (W)
+  T dissipated_friction;                // (J) during the step
+};
+
+// The history of a law that keeps none.
+template <int D, class T>
+struct NoHistory {};
+
+inline constexpr std::uint32_t reads_normal = 1u << SCREE_NORMAL;
+inline constexpr std::uint32_t reads_overlap = 1u << SCREE_OVERLAP;
+inline constexpr std::uint32_t reads_relative_velocity = 1u << SCREE_RELATIVE_VELOCITY;
+inline constexpr std::uint32_t reads_tangential_increment = 1u << SCREE_TANGENTIAL_INCREMENT;
+inline constexpr std::uint32_t reads_relative_spin = 1u << SCREE_RELATIVE_SPIN;
+inline constexpr std::uint32_t reads_reduced_mass = 1u << SCREE_REDUCED_MASS;
+inline constexpr std::uint32_t reads_effective_radius = 1u << SCREE_EFFECTIVE_RADIUS;
+
+// Base of every law; a kernel states what differs.
+struct ContactLaw {
+  static constexpr std::uint32_t reads = reads_overlap | reads_normal;
+  static constexpr bool tangential = false;     // has forces off the normal: bodies must carry spin
+  static constexpr bool writes_couple = false;
+  static constexpr scree_arms arms = SCREE_ARM_CONTACT_POINT;
+};
+
+namespace detail {
+
+template <int N, class T>
+inline void load(Vec<N, T>& vector, const double* const* columns, std::uint32_t i) {
+  for (int k = 0; k < N; ++k) vector[k] = columns[k][i];
+}
+
+template <class Kernel, int D>
+inline Contact<D> load_contact(const scree_contact_batch& batch, std::uint32_t i) {
+  Contact<D> c{};
+  const double* const* in = batch.input;
+  if constexpr (Kernel::reads & reads_normal) load(c.normal, in + SCREE_NORMAL, i);
+  c.overlap = in[SCREE_OVERLAP][i];
+  c.step = batch.step;
+  if constexpr (Kernel::reads & reads_relative_velocity) load(c.relative_velocity, in + SCREE_RELATIVE_VELOCITY, i);
+  if constexpr (Kernel::reads & reads_tangential_increment)
+    load(c.tangential_increment, in + SCREE_TANGENTIAL_INCREMENT, i);
+  if constexpr (Kernel::reads & reads_relative_spin) load(c.relative_spin, in + SCREE_RELATIVE_SPIN, i);
+  if constexpr (Kernel::reads & reads_reduced_mass) c.reduced_mass = in[SCREE_REDUCED_MASS][i];
+  if constexpr (Kernel::reads & reads_effective_radius) c.effective_radius = in[SCREE_EFFECTIVE_RADIUS][i];
+  return c;
+}
+
+// A history struct is `width` doubles in declared order.
+template <class Kernel, int D>
+inline constexpr std::uint32_t history_width =
+    std::is_empty_v<typename Kernel::template History<D, double>>
+        ? 0
+        : sizeof(typename Kernel::template History<D, double>) / sizeof(double);
+
+// Calls visit(k, component) for the `width` doubles that a history struct consists of.
+template <std::uint32_t width, class History, class Visit>
+inline void each_component(History& history, Visit visit) {
+  double* components = reinterpret_cast<double*>(&history);
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (visit(std::uint32_t(k), components[k]), ...);
+  }(std::make_index_sequence<width>{});
+}
+
+// Energy let go when a contact opens with its springs stretched.
+template <class Kernel, class History>
+inline double released_energy(const Kernel& kernel, const History& history) {
+  if constexpr (requires { kernel.stored_energy(history); })
+    return kernel.stored_energy(history);
+  else
+    return 0;
+}
+
+// Flattened: the loop vectorises only when the author's functions are inlined whole.
+template <class Kernel, int D, bool audit>
+[[gnu::flatten]] void evaluate_batch(const Kernel& kernel, const scree_contact_batch& shared) {
+  using History = typename Kernel::template History<D, double>;
+  constexpr std::uint32_t width = history_width<Kernel, D>;
+  const scree_contact_batch batch = shared;
+  const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Contact<D> contact = load_contact<Kernel, D>(batch, i);
+    History history{};
+    each_component<width>(history, [&](std::uint32_t k, double& value) { value = batch.history[k][i]; });
+    const double released = audit ? released_energy(kernel, history) : 0;
+
+    Response<D> response{};
+    kernel.force(contact, history, response);
+
+    const bool touching = contact.overlap > 0;
+    each_component<width>(
+        history, [&](std::uint32_t k, double& value) { batch.history[k][i] = touching ? value : 0.0; });
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = touching ? response.force[k] : 0.0;
+    if constexpr (Kernel::writes_couple)
+      for (int k = 0; k < spin_components<D>; ++k)
+        batch.output[SCREE_COUPLE + k][i] = touching ? response.couple[k] : 0.0;
+    if constexpr (audit) {
+      batch.output[SCREE_ELASTIC_NORMAL][i] = touching ? response.elastic_normal : 0.0;
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = touching ? response.elastic_tangential : 0.0;
+      batch.output[SCREE_DISSIPATED_NORMAL][i] = touching ? response.dissipated_normal : 0.0;
+      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = touching ? response.dissipated_tangential : 0.0;
+      batch.output[SCREE_DISSIPATED_FRICTION][i] = touching ? response.dissipated_friction : released;
+    }
+  }
+}
+
+template <class Parameters, class Kernel, int D>
+void evaluate_contacts(const void* storage, const scree_contact_batch* batch) {
+  const Kernel kernel{*static_cast<const Parameters*>(storage)};
+  if (batch->output[SCREE_ELASTIC_NORMAL])
+    evaluate_batch<Kernel, D, true>(kernel, *batch);
+  else
+    evaluate_batch<Kernel, D, false>(kernel, *batch);
+}
+
+template <class Parameters, class Kernel, int D>
+scree_contact_instance describe_kernel() {
+  using History = typename Kernel::template History<D, double>;
+  scree_contact_instance instance = {};
+  instance.struct_size = sizeof(instance);
+  instance.reads = Kernel::reads | reads_overlap;
+  instance.writes_couple = Kernel::writes_couple;
+  instance.tangential = Kernel::tangential;
+  instance.arms = Kernel::arms;
+  instance.history_width = history_width<Kernel, D>;
+  instance.sliding_column = -1;
+  if constexpr (requires { History::sliding_column; }) instance.sliding_column = History::sliding_column;
+  if constexpr (requires { History::names; }) instance.history_names = History::names.data();
+  instance.evaluate = &evaluate_contacts<Parameters, Kernel, D>;
+  return instance;
+}
+
+template <class Parameters, class... Kernels>
+int configure_law(const scree_setup* setup, void* storage, scree_contact_instance* instance) {
+  if (const int failed = configure_author<Parameters>(setup, storage)) return failed;
+  const std::size_t choice = static_cast<const Parameters*>(storage)->kernel();
+  const bool plane = setup->dimension == 2;
+  std::size_t k = 0;
+  ((k++ == choice ? void(*instance = plane ? describe_kernel<Parameters, Kernels, 2>()
+                                           : describe_kernel<Parameters, Kernels, 3>())
+                  : void()),
+   ...);
+  return 0;
+}
+
+template <class Parameters>
+std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* encounter, scree_closed_form* forms,
+                                  std::uint32_t capacity) {
+  return static_cast<const Parameters*>(storage)->closed_forms(*encounter, forms, capacity);
+}
+
+}  // namespace detail
+
+// Parameters: a ContactLaw with `about`, `declare`, `kernel() -> index of the kernel to use`, `closed_forms`.
+// Kernels: derived from Parameters without data of their own, cheapest first; a scene pays for the one that it needs.
+#define SCREE_CONTACT_LAW_PLUGIN(Parameters, ...)                                                        \
+  static const scree_contact_law scree_interface = {                                                     \
+      sizeof(scree_contact_law), sizeof(Parameters), &scree::detail::configure_law<Parameters, __VA_ARGS__>, \
+      &scree::detail::closed_forms_of_law<Parameters>};                                                  \
+  SCREE_EXPORT_PLUGIN((scree::manifest_of<Parameters>(SCREE_CONTACT_LAW, scree_interface)))
+
+}  // namespace scree

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <scree/contacts.hpp>
+#include <scree/forces.hpp>
+
+namespace scree {
+
+// All touching pairs at one moment, for probes and snapshots.
+struct ContactList {
+  std::vector<std::uint32_t> a, b;        // b >= body count: plane b − body count
+  std::vector<double> normal, force;      // (contacts, 3) force on a (N)
+  std::vector<double> overlap;            // (m)
+  std::vector<std::uint8_t> sliding;
+  std::vector<std::size_t> pair;          // index into the pair arrays
+
+  std::size_t size() const { return a.size(); }
+};
+
+ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const Forces& forces,
+                              const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
+                              const Domain& domain);
+
+}  // namespace scree

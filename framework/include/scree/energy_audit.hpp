@@ -1,0 +1,47 @@
+#pragma once
+
+#include <scree/forces.hpp>
+#include <scree/plugin_abi.h>
+
+namespace scree {
+
+// What body terms report in one evaluation.
+struct BodySums {
+  double potential = 0;               // (J)
+  double dissipated_translation = 0;  // (W)
+  double dissipated_rotation = 0;     // (W)
+};
+
+// Keeps the books of a run: where energy is, where it went, what was put in.
+class EnergyAudit {
+ public:
+  // Adds one step: powers are integrated by the trapezoidal rule.
+  void add_step(double step, const ContactSums& contacts, const BodySums& bodies);
+  // Sets what is stored in contacts and potentials without passing time: at the start, or when a stage changes
+  // parameters; a jump then counts as work.
+  void restate(const ContactSums& contacts, const BodySums& bodies);
+
+  // Fixes the start against which the residual is taken.
+  void start(double kinetic_translation, double kinetic_rotation, const scree_boundary_energy& boundaries);
+  // The books at this moment.
+  scree_energy balance(double kinetic_translation, double kinetic_rotation,
+                       const scree_boundary_energy& boundaries) const;
+
+ private:
+  void store(const ContactSums& contacts, const BodySums& bodies);
+
+  scree_energy totals_ = {};
+  ContactSums contacts_;
+  BodySums bodies_;
+  double stored_at_start_ = 0;
+  bool started_ = false;
+};
+
+// Sums of the books (J).
+double kinetic_energy(const scree_energy& energy);
+double elastic_energy(const scree_energy& energy);
+double dissipated_energy(const scree_energy& energy);
+// What a residual is measured against: the work put in, or all energy that is stored or went if that is more (J).
+double energy_turnover(const scree_energy& energy);
+
+}  // namespace scree

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <scree/boundaries.hpp>
+#include <scree/contacts.hpp>
+#include <scree/particles.hpp>
+
+namespace scree {
+
+// Decides when contacts must be searched anew, and does it.
+// Pairs are listed while their surfaces are nearer than the skin; none can touch unlisted as long as the two
+// displacements since the search add up to less than the skin.
+class NeighbourList {
+ public:
+  NeighbourList(double skin, Contacts::Lookup lookup) : skin_(skin), lookup_(lookup) {}
+
+  // Advances the displacement bound by one step at these largest speeds (m/s), and searches if it ran out.
+  void update(double body_speed, double plane_speed, double step, Particles& particles, const Boundaries& boundaries,
+              Contacts& contacts);
+  // Searches now; bodies that left a periodic domain come in again at the other side.
+  void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts);
+
+  double skin() const { return skin_; }
+  std::uint64_t rebuilds() const { return rebuilds_; }
+  void set_lookup(Contacts::Lookup lookup) { lookup_ = lookup; }
+
+ private:
+  bool exhausted() const { return travelled_ + std::max(travelled_, planes_travelled_) >= skin_; }
+  void measure(const Particles& particles, const Boundaries& boundaries);
+
+  double skin_;
+  Contacts::Lookup lookup_;
+  double travelled_ = 0, planes_travelled_ = 0;  // (m) upper bounds since the search
+  Column<double> searched_position_[3];
+  std::vector<scree_plane> searched_planes_;
+  std::uint64_t rebuilds_ = 0;
+};
+
+}  // namespace scree

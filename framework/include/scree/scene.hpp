@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/body_terms.hpp>
+#include <scree/boundaries.hpp>
+#include <scree/parameters.hpp>
+#include <scree/particles.hpp>
+
+namespace scree {
+
+// Bounds beyond which a run is stopped as blown up.
+struct Limits {
+  double overlap_ratio = 0.5;  // of the smaller radius
+  double speed = 0;            // (m/s), 0: one smallest radius per step
+};
+
+// Everything the kernel needs to know to set up a simulation.
+struct Scene {
+  struct Law {
+    std::string name;  // unique; materials and stages refer to it
+    Parameters parameters;
+  };
+
+  int dimension = 3;
+  double step = 0;                // (s)
+  double skin = 0;                // (m), 0: a tenth of the mean radius
+  unsigned threads = 1;
+  bool audit = true;              // keep the energy books
+  bool spin = false;              // carry spins even if no law needs them now, because a later stage does
+  Limits limits;
+  std::vector<std::string> materials;
+  std::vector<Body> bodies;
+  std::vector<Law> laws;
+  std::vector<std::uint32_t> law_of;  // (materials, materials), symmetric: index into laws
+  std::vector<Boundaries::Entry> boundaries;
+  std::vector<BodyTerms::Entry> body_terms;
+};
+
+// Whether a law with these parameters turns bodies, so that a scene must carry spins.
+bool turns_bodies(const Parameters& law, int dimension);
+
+}  // namespace scree

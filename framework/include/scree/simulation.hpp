@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <scree/body_terms.hpp>
+#include <scree/boundaries.hpp>
+#include <scree/contact_list.hpp>
+#include <scree/contacts.hpp>
+#include <scree/energy_audit.hpp>
+#include <scree/forces.hpp>
+#include <scree/integrator.hpp>
+#include <scree/neighbour_list.hpp>
+#include <scree/scene.hpp>
+
+namespace scree {
+
+// What a scene carries, for people to see that it pays for nothing else.
+struct Footprint {
+  std::size_t degrees_of_freedom, bytes_per_body, bytes_per_pair;
+  std::uint32_t history_width;
+};
+
+// One scene in motion: neighbours -> contacts -> laws -> forces, boundaries, integrator, in this order each step.
+class Simulation {
+ public:
+  // Sets everything up and evaluates the forces at t = 0. Throws Error for a scene that cannot be.
+  explicit Simulation(const Scene& scene);
+
+  // Advances by one time step. Throws Error(blow_up) naming particle, contact, time and cure.
+  void step();
+
+  // New parameters for a law, boundary or body term by name, between steps; histories and walls stay.
+  void reconfigure_law(const std::string& name, const Parameters& parameters);
+  void reconfigure_boundary(const std::string& name, const Parameters& parameters);
+  void reconfigure_body_term(const std::string& name, const Parameters& parameters);
+  // To be called after reconfigurations, before the next step.
+  void apply_reconfiguration();
+
+  int dimension() const { return scene_.dimension; }
+  double time() const { return time_; }            // (s)
+  double step_length() const { return scene_.step; }  // (s)
+  std::uint64_t steps() const { return steps_; }
+  const Particles& particles() const { return particles_; }
+  const Boundaries& boundaries() const { return boundaries_; }
+  const Contacts& contacts() const { return contacts_; }
+  const Scene& scene() const { return scene_; }
+  ContactList contact_list() const;
+
+  scree_energy energy() const;
+  // |residual| over the turnover of energy; 0 without an audit.
+  double energy_residual() const;
+  // Momentum made by the contact handling, which pairs and planes must cancel, over the momentum exchanged.
+  double momentum_residual() const;
+  double max_overlap_ratio() const { return max_overlap_ratio_; }
+  std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
+  double skin() const { return neighbours_.skin(); }
+  // Shortest undamped-to-damped contact of the lightest pair of each law, over the step; infinite without pairs.
+  double min_steps_per_contact() const;
+  std::uint64_t state_hash() const;
+  Footprint footprint() const;
+
+ private:
+  Contacts make_contacts() const;
+  Contacts::Lookup lookup() const;
+  void configure_laws();
+  void evaluate_forces(double step);
+  void add_momentum_error(double step);
+  void check_health(double largest_square_speed) const;
+
+  Scene scene_;
+  std::vector<ConfiguredLaw> configured_laws_;
+  std::vector<LawInstance> laws_;
+  Boundaries boundaries_;
+  BodyTerms body_terms_;
+  Particles particles_;
+  Contacts contacts_;
+  NeighbourList neighbours_;
+  Forces forces_;
+  VelocityVerlet integrator_;
+  std::unique_ptr<ThreadPool> threads_;
+
+  double time_ = 0;
+  std::uint64_t steps_ = 0;
+  ContactSums contact_sums_;
+  BodySums body_sums_;
+  EnergyAudit audit_;
+  double max_overlap_ratio_ = 0;
+  double speed_limit_ = 0;
+  double momentum_error_[3] = {}, momentum_exchanged_ = 0;
+};
+
+// Shortest contact of the lightest pair that each law may meet (s); infinite if the scene has no pairs.
+double shortest_contact_time(const Scene& scene, double speed);
+
+}  // namespace scree

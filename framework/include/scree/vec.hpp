@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+
+namespace scree {
+
+// Small vector of D components. T is double, float, or a dual number; every operation is branch-free.
+template <int D, class T = double>
+struct Vec {
+  T component[D];
+
+  constexpr T& operator[](int k) { return component[k]; }
+  constexpr const T& operator[](int k) const { return component[k]; }
+
+  constexpr Vec& operator+=(const Vec& b) {
+    for (int k = 0; k < D; ++k) component[k] += b[k];
+    return *this;
+  }
+  constexpr Vec& operator-=(const Vec& b) {
+    for (int k = 0; k < D; ++k) component[k] -= b[k];
+    return *this;
+  }
+  friend constexpr Vec operator+(Vec a, const Vec& b) { return a += b; }
+  friend constexpr Vec operator-(Vec a, const Vec& b) { return a -= b; }
+  friend constexpr Vec operator*(const T& s, Vec a) {
+    for (int k = 0; k < D; ++k) a[k] = s * a[k];
+    return a;
+  }
+  friend constexpr Vec operator*(const Vec& a, const T& s) { return s * a; }
+  friend constexpr Vec operator-(const Vec& a) { return T(-1) * a; }
+  friend constexpr bool operator==(const Vec&, const Vec&) = default;
+};
+
+using Vec2 = Vec<2>;
+using Vec3 = Vec<3>;
+
+// Number of components of an angular velocity, torque or couple in D dimensions.
+template <int D>
+inline constexpr int spin_components = D == 2 ? 1 : 3;
+
+// The first of the axes x, y, z about which bodies turn in D dimensions.
+template <int D>
+inline constexpr int first_spin_axis = D == 2 ? 2 : 0;
+
+template <int D, class T>
+constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
+  T sum = a[0] * b[0];
+  for (int k = 1; k < D; ++k) sum += a[k] * b[k];
+  return sum;
+}
+
+template <int D, class T>
+T norm(const Vec<D, T>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+
+template <class T>
+constexpr Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+// In the plane a spin is its z component: s × a and a × b.
+template <class T>
+constexpr Vec<2, T> cross(const Vec<1, T>& s, const Vec<2, T>& a) {
+  return {{-s[0] * a[1], s[0] * a[0]}};
+}
+template <class T>
+constexpr Vec<1, T> cross(const Vec<2, T>& a, const Vec<2, T>& b) {
+  return {{a[0] * b[1] - a[1] * b[0]}};
+}
+
+// Part of a that is perpendicular to the unit vector n.
+template <int D, class T>
+constexpr Vec<D, T> tangential_part(const Vec<D, T>& a, const Vec<D, T>& n) {
+  return a - dot(a, n) * n;
+}
+
+}  // namespace scree

@@ -1,0 +1,110 @@
+#include <scree/boundaries.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <scree/error.hpp>
+#include <scree/state_hash.hpp>
+
+namespace scree {
+
+Boundaries::Boundaries(const std::vector<Entry>& entries, int dimension, const Vec3& lower, const Vec3& upper)
+    : dimension_(dimension), lower_{lower[0], lower[1], lower[2]}, upper_{upper[0], upper[1], upper[2]} {
+  for (const Entry& entry : entries) {
+    members_.push_back({entry, ConfiguredBoundary(entry.parameters, dimension, lower_, upper_), planes_.size()});
+    Member& member = members_.back();
+    const scree_boundary_instance& instance = member.plugin.instance();
+    add_domain(member);
+    member.state.assign(instance.state_width, 0.0);
+    for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
+      names_.push_back(instance.plane_names ? fmt::format("{}.{}", entry.name, instance.plane_names[k]) : entry.name);
+      materials_.push_back(entry.material);
+    }
+    planes_.resize(planes_.size() + instance.plane_count);
+    loads_.resize(planes_.size());
+    const scree_boundary_step start = step_of(member, 0, 0);
+    member.plugin.interface().start(member.plugin.storage(), &start);
+  }
+}
+
+void Boundaries::add_domain(const Member& member) {
+  const scree_boundary_instance& instance = member.plugin.instance();
+  for (int k = 0; k < dimension_; ++k) {
+    if (!instance.periodic[k]) continue;
+    if (domain_.periodic[k])
+      throw Error(fmt::format("boundary '{}': axis {} is periodic already; give each axis once", member.entry.name, "xyz"[k]));
+    domain_.periodic[k] = true;
+    domain_.lower[k] = instance.lower[k];
+    domain_.upper[k] = instance.upper[k];
+  }
+}
+
+scree_boundary_step Boundaries::step_of(Member& member, double time, double step) {
+  scree_boundary_step s = {};
+  s.struct_size = sizeof(s);
+  s.dimension = std::uint32_t(dimension_);
+  s.time = time - member.clock_start;
+  s.step = step;
+  s.loads = loads_.data() + member.first_plane;
+  s.planes = planes_.data() + member.first_plane;
+  s.state = member.state.data();
+  s.energy = &member.energy;
+  return s;
+}
+
+void Boundaries::drift(double time, double step) {
+  for (Member& member : members_) {
+    const scree_boundary_step s = step_of(member, time, step);
+    member.plugin.interface().drift(member.plugin.storage(), &s);
+  }
+}
+
+void Boundaries::kick(double time, double step) {
+  for (Member& member : members_) {
+    const scree_boundary_step s = step_of(member, time, step);
+    member.plugin.interface().kick(member.plugin.storage(), &s);
+  }
+}
+
+void Boundaries::reconfigure(const std::string& name, const Parameters& parameters, double time) {
+  for (Member& member : members_) {
+    if (member.entry.name != name) continue;
+    ConfiguredBoundary changed(parameters, dimension_, lower_, upper_);
+    if (changed.instance().plane_count != member.plugin.instance().plane_count ||
+        changed.instance().state_width != member.plugin.instance().state_width)
+      throw Error(fmt::format("boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
+    member.plugin = std::move(changed);
+    member.clock_start = time;
+    return;
+  }
+  throw Error(fmt::format("no boundary '{}'", name));
+}
+
+scree_boundary_energy Boundaries::energy() const {
+  scree_boundary_energy sum = {};
+  for (const Member& member : members_) {
+    sum.kinetic += member.energy.kinetic;
+    sum.work += member.energy.work;
+    sum.dissipated += member.energy.dissipated;
+  }
+  return sum;
+}
+
+double Boundaries::largest_speed() const {
+  double largest = 0;
+  for (const scree_plane& plane : planes_) {
+    double speed = 0;
+    for (int k = 0; k < dimension_; ++k) speed += plane.mid_velocity[k] * plane.normal[k];
+    largest = std::max(largest, std::abs(speed));
+  }
+  return largest;
+}
+
+void Boundaries::add_to_hash(StateHash& hash) const {
+  for (const Member& member : members_) hash.add(member.state.data(), member.state.size());
+  for (const scree_plane& plane : planes_) hash.add(plane.point, 3), hash.add(plane.velocity, 3);
+}
+
+}  // namespace scree

@@ -1,0 +1,50 @@
+#include "cell_level.hpp"
+
+#include <cmath>
+
+namespace scree {
+
+CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
+                     double reach, const std::vector<std::uint32_t>& bodies)
+    : lower_(lower), periodic_(domain.periodic) {
+  const int dimension = particles.dimension();
+  // A few bodies far out must not make the grid large: no more cells along an axis than keep the total near n.
+  const double most = std::max(3.0, std::ceil(std::pow(4.0 * double(bodies.size()), 1.0 / dimension)));
+  std::size_t total = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double length = upper[k] - lower[k];
+    cells_[k] = k < dimension ? int(std::clamp(std::floor(length / reach), 1.0, most)) : 1;
+    inverse_width_[k] = length > 0 ? cells_[k] / length : 0;
+    total *= std::size_t(cells_[k]);
+  }
+
+  std::vector<std::uint32_t> cell(bodies.size());
+  first_.assign(total + 1, 0);
+  for (std::size_t s = 0; s < bodies.size(); ++s) {
+    std::array<int, 3> index = {};
+    for (int k = 0; k < dimension; ++k) index[k] = cell_of(k, particles.position[k][bodies[s]]);
+    cell[s] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
+    ++first_[cell[s] + 1];
+  }
+  for (std::size_t c = 0; c < total; ++c) first_[c + 1] += first_[c];
+  bodies_.resize(bodies.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t s = 0; s < bodies.size(); ++s) bodies_[next[cell[s]]++] = bodies[s];
+}
+
+int CellLevel::axis_cells(int axis, double x, std::array<int, 3>& cells) const {
+  const int n = cells_[axis], middle = cell_of(axis, x);
+  int count = 0;
+  cells[count++] = middle;
+  if (n == 1) return count;
+  if (periodic_[axis]) {
+    cells[count++] = (middle + 1) % n;
+    if (n > 2) cells[count++] = (middle + n - 1) % n;
+    return count;
+  }
+  if (middle > 0) cells[count++] = middle - 1;
+  if (middle < n - 1) cells[count++] = middle + 1;
+  return count;
+}
+
+}  // namespace scree

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include <scree/nearest.hpp>
+
+namespace scree {
+namespace {
+
+constexpr std::size_t shortest_prefix = 3;
+constexpr std::size_t largest_distance = 4;
+
+std::string folded(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c == '-') c = '_';
+  }
+  return result;
+}
+
+// Restricted Damerau–Levenshtein distance: no letter takes part in two edits.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, replaced});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+bool begins_with_the_other(std::string_view a, std::string_view b) {
+  const std::size_t shorter = std::min(a.size(), b.size());
+  return shorter >= shortest_prefix && a.substr(0, shorter) == b.substr(0, shorter);
+}
+
+}  // namespace
+
+std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string wanted = folded(word);
+  std::optional<std::string> best, prefix;
+  std::size_t best_distance = 0;
+  for (const std::string& candidate : candidates) {
+    const std::string offered = folded(candidate);
+    if (!prefix && begins_with_the_other(wanted, offered)) prefix = candidate;
+    const auto [shorter, longer] = std::minmax({wanted.size(), offered.size()});
+    const std::size_t limit = std::min(longer / 3, largest_distance);
+    if (longer - shorter > limit) continue;
+    const std::size_t distance = edit_distance(wanted, offered);
+    if (distance > limit || (best && distance >= best_distance)) continue;
+    best = candidate;
+    best_distance = distance;
+  }
+  return best ? best : prefix;
+}
+
+}  // namespace scree

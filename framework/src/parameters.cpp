@@ -1,0 +1,131 @@
+#include <scree/parameters.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include <scree/error.hpp>
+
+namespace scree {
+
+namespace {
+
+bool out_of_range(const scree_parameter& p, double x) {
+  const bool low = (p.flags & SCREE_MINIMUM_EXCLUDED) ? !(x > p.minimum) : !(x >= p.minimum);
+  const bool high = (p.flags & SCREE_MAXIMUM_EXCLUDED) ? !(x < p.maximum) : !(x <= p.maximum);
+  return low || high;
+}
+
+std::string kind_of(const scree_parameter& p) {
+  switch (scree_type(p.type)) {
+    case SCREE_INTEGER: return "whole number";
+    case SCREE_BOOLEAN: return "true or false";
+    case SCREE_CHOICE: return fmt::format("one of {}", fmt::join(choices_of(p), ", "));
+    case SCREE_VECTOR: return "vector";
+    case SCREE_LIST: return "list of numbers";
+    case SCREE_PROGRAM: return "number or program of time";
+    case SCREE_NUMBER: break;
+  }
+  return "number";
+}
+
+std::optional<std::string> program_problem(const scree_parameter& p, const std::vector<double>& data) {
+  const auto bad = [&](double x) { return !std::isfinite(x) || out_of_range(p, x); };
+  std::vector<double> extremes;
+  switch (int(data[0])) {
+    case 1: extremes = {data[1] - std::abs(data[2]), data[1] + std::abs(data[2])}; break;
+    case 4:
+      for (std::size_t k = 2; k < data.size(); k += 2) extremes.push_back(data[k]);
+      break;
+    case 0: extremes = {data[1]}; break;
+    default: extremes = {data[1], data[2]};
+  }
+  for (const double x : extremes)
+    if (bad(x)) return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> choices_of(const scree_parameter& parameter) {
+  std::vector<std::string> words(1);
+  for (const char* c = parameter.choices ? parameter.choices : ""; *c; ++c)
+    *c == '|' ? words.emplace_back() : words.back() += *c, void();
+  return words;
+}
+
+std::string describe_range(const scree_parameter& p) {
+  std::string text = kind_of(p);
+  const char* at_least = (p.flags & SCREE_MINIMUM_EXCLUDED) ? "above" : "from";
+  const char* at_most = (p.flags & SCREE_MAXIMUM_EXCLUDED) ? "below" : "to";
+  const bool ranged = p.type == SCREE_NUMBER || p.type == SCREE_INTEGER || p.type == SCREE_LIST || p.type == SCREE_PROGRAM;
+  if (ranged && std::isfinite(p.minimum)) text += fmt::format(" {} {:g}", at_least, p.minimum);
+  if (ranged && std::isfinite(p.maximum)) text += fmt::format(" {} {:g}", at_most, p.maximum);
+  if (*p.unit) text += fmt::format(" ({})", p.unit);
+  return text;
+}
+
+Parameters::Parameters(const scree_plugin& plugin)
+    : plugin_(&plugin), data_(plugin.parameter_count), given_(plugin.parameter_count, false) {
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    const scree_parameter& p = plugin.parameters[k];
+    if (p.flags & (SCREE_REQUIRED | SCREE_OPTIONAL)) continue;
+    if (p.type == SCREE_NUMBER || p.type == SCREE_INTEGER || p.type == SCREE_BOOLEAN || p.type == SCREE_CHOICE)
+      data_[k] = {p.default_value};
+  }
+}
+
+std::size_t Parameters::index_of(const std::string& key) const {
+  for (std::uint32_t k = 0; k < plugin_->parameter_count; ++k)
+    if (key == plugin_->parameters[k].key) return k;
+  throw Error(fmt::format("{} has no parameter '{}'; see scree describe {}", plugin_->name, key, plugin_->name));
+}
+
+const scree_parameter* Parameters::find(const std::string& key) const {
+  for (std::uint32_t k = 0; k < plugin_->parameter_count; ++k)
+    if (key == plugin_->parameters[k].key) return &plugin_->parameters[k];
+  return nullptr;
+}
+
+std::optional<std::string> Parameters::problem(const scree_parameter& p, const std::vector<double>& data) {
+  if (data.empty()) return fmt::format("is empty; give a {}", describe_range(p));
+  if (p.type == SCREE_PROGRAM) return program_problem(p, data);
+  for (const double x : data)
+    if (!std::isfinite(x) || (p.type != SCREE_CHOICE && out_of_range(p, x)))
+      return fmt::format("= {:g} is out of range; give a {}", x, describe_range(p));
+  return {};
+}
+
+void Parameters::set(const std::string& key, std::vector<double> data) {
+  const std::size_t k = index_of(key);
+  if (const auto wrong = problem(plugin_->parameters[k], data))
+    throw Error(fmt::format("{}.{} {}", plugin_->name, key, *wrong));
+  data_[k] = std::move(data);
+  given_[k] = true;
+}
+
+bool Parameters::given(const std::string& key) const { return given_[index_of(key)]; }
+
+void Parameters::check_complete() const {
+  for (std::uint32_t k = 0; k < plugin_->parameter_count; ++k) {
+    const scree_parameter& p = plugin_->parameters[k];
+    if (p.excludes) {
+      const bool other = given(p.excludes);
+      if (given_[k] && other)
+        throw Error(fmt::format("{}: '{}' and '{}' are both given; keep one of them", plugin_->name, p.key, p.excludes));
+      if (!given_[k] && !other)
+        throw Error(fmt::format("{}: neither '{}' nor '{}' is given; add one of them", plugin_->name, p.key, p.excludes));
+    } else if ((p.flags & SCREE_REQUIRED) && !given_[k]) {
+      throw Error(fmt::format("{}: '{}' is missing; add {} = <{}>", plugin_->name, p.key, p.key, describe_range(p)));
+    }
+  }
+}
+
+std::vector<scree_value> Parameters::values() const {
+  std::vector<scree_value> values;
+  for (const auto& data : data_) values.push_back({data.data(), data.size()});
+  return values;
+}
+
+}  // namespace scree

@@ -1,0 +1,250 @@
+#include <scree/simulation.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <scree/error.hpp>
+#include <scree/state_hash.hpp>
+
+#include "health.hpp"
+
+namespace scree {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double nowhere[3] = {0, 0, 0};
+
+struct Box {
+  Vec3 lower = {}, upper = {};
+};
+
+// Bounding box of the bodies' surfaces.
+Box box_of(const Scene& scene) {
+  Box box;
+  for (int k = 0; k < scene.dimension && !scene.bodies.empty(); ++k) {
+    box.lower[k] = infinite, box.upper[k] = -infinite;
+    for (const Body& body : scene.bodies) {
+      box.lower[k] = std::min(box.lower[k], body.position[k] - body.radius);
+      box.upper[k] = std::max(box.upper[k], body.position[k] + body.radius);
+    }
+  }
+  return box;
+}
+
+bool needs_spin(const Scene& scene) {
+  const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                    [](const Body& b) { return !(b.spin == Vec3{}); });
+  const bool turning = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
+    return turns_bodies(law.parameters, scene.dimension);
+  });
+  return scene.spin || spinning || turning;
+}
+
+double skin_of(const Scene& scene) {
+  if (scene.skin > 0 || scene.bodies.empty()) return scene.skin;
+  double sum = 0;
+  for (const Body& body : scene.bodies) sum += body.radius;
+  return 0.1 * sum / double(scene.bodies.size());
+}
+
+double speed_limit_of(const Scene& scene) {
+  if (scene.limits.speed > 0) return scene.limits.speed;
+  double smallest = infinite;
+  for (const Body& body : scene.bodies) smallest = std::min(smallest, body.radius);
+  return smallest / scene.step;
+}
+
+Boundaries make_boundaries(const Scene& scene) {
+  const Box box = box_of(scene);
+  return Boundaries(scene.boundaries, scene.dimension, box.lower, box.upper);
+}
+
+}  // namespace
+
+bool turns_bodies(const Parameters& law, int dimension) {
+  return ConfiguredLaw(law, dimension, nowhere, nowhere).instance().tangential != 0;
+}
+
+Simulation::Simulation(const Scene& scene)
+    : scene_(scene),
+      boundaries_(make_boundaries(scene)),
+      body_terms_(scene.body_terms, scene.dimension),
+      particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
+      neighbours_(skin_of(scene), {}),
+      forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit}),
+      threads_(std::make_unique<ThreadPool>(std::max(1u, scene.threads))),
+      speed_limit_(speed_limit_of(scene)) {
+  if (!(scene.step > 0)) throw Error("the time step is not above 0; give time.step in s");
+  configure_laws();
+  contacts_ = make_contacts();
+  neighbours_.set_lookup(lookup());
+  neighbours_.rebuild(particles_, boundaries_, contacts_);
+  evaluate_forces(0);
+  boundaries_.kick(0, 0);
+  audit_.restate(contact_sums_, body_sums_);
+  const scree_energy now = energy();
+  audit_.start(now.kinetic_translation, now.kinetic_rotation, boundaries_.energy());
+  check_health(0);
+}
+
+void Simulation::configure_laws() {
+  configured_laws_.clear();
+  laws_.clear();
+  for (const Scene::Law& law : scene_.laws) {
+    configured_laws_.emplace_back(law.parameters, scene_.dimension, nowhere, nowhere);
+    laws_.push_back({configured_laws_.back().instance(), configured_laws_.back().storage()});
+  }
+}
+
+Contacts Simulation::make_contacts() const {
+  std::vector<Contacts::Kind> kinds;
+  for (std::uint32_t k = 0; k < laws_.size(); ++k)
+    for (const bool planes : {false, true})
+      if (!planes || !boundaries_.planes().empty()) kinds.push_back({k, planes, laws_[k].interface.history_width});
+  return Contacts(kinds);
+}
+
+Contacts::Lookup Simulation::lookup() const {
+  return {scene_.law_of.data(), std::uint32_t(scene_.materials.size()), nullptr, nullptr};
+}
+
+void Simulation::evaluate_forces(double step) {
+  contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
+                                   boundaries_.domain(), step, *threads_);
+  add_momentum_error(step);
+  body_sums_ = body_terms_.apply(particles_);
+  max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
+}
+
+void Simulation::add_momentum_error(double step) {
+  for (int k = 0; k < scene_.dimension; ++k) {
+    double sum = 0, size = 0;
+    for (const double force : particles_.force[k]) sum += force, size += std::abs(force);
+    for (const scree_load& load : boundaries_.loads()) sum += load.force[k], size += std::abs(load.force[k]);
+    momentum_error_[k] += step * sum;
+    momentum_exchanged_ += step * size;
+  }
+}
+
+void Simulation::step() {
+  const double h = scene_.step;
+  boundaries_.drift(time_, h);
+  const double square_speed = integrator_.drift(particles_, h, *threads_);
+  if (!(square_speed < infinite)) report_blow_up(*this, speed_limit_);
+  neighbours_.update(std::sqrt(square_speed), boundaries_.largest_speed(), h, particles_, boundaries_, contacts_);
+  evaluate_forces(h);
+  boundaries_.kick(time_, h);
+  const double largest = integrator_.kick(particles_, h, *threads_);
+  if (scene_.audit) audit_.add_step(h, contact_sums_, body_sums_);
+  ++steps_;
+  time_ = double(steps_) * h;
+  check_health(largest);
+}
+
+void Simulation::check_health(double largest_square_speed) const {
+  const bool too_fast = !(largest_square_speed <= speed_limit_ * speed_limit_);
+  const bool too_deep = contact_sums_.max_overlap_ratio > scene_.limits.overlap_ratio;
+  if (too_fast || too_deep) report_blow_up(*this, speed_limit_);
+}
+
+void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
+  for (Scene::Law& law : scene_.laws)
+    if (law.name == name) law.parameters = parameters;
+}
+
+void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
+  boundaries_.reconfigure(name, parameters, time_);
+}
+
+void Simulation::reconfigure_body_term(const std::string& name, const Parameters& parameters) {
+  body_terms_.reconfigure(name, parameters);
+}
+
+void Simulation::apply_reconfiguration() {
+  configure_laws();
+  for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
+  neighbours_.rebuild(particles_, boundaries_, contacts_);
+  evaluate_forces(0);
+  audit_.restate(contact_sums_, body_sums_);
+}
+
+ContactList Simulation::contact_list() const {
+  return touching_contacts(particles_, contacts_, forces_, laws_, boundaries_.planes(), boundaries_.domain());
+}
+
+scree_energy Simulation::energy() const {
+  const Particles& p = particles_;
+  double translation = 0, rotation = 0;
+  for (int k = 0; k < scene_.dimension; ++k)
+    for (std::size_t i = 0; i < p.size(); ++i) translation += p.mass[i] * p.velocity[k][i] * p.velocity[k][i];
+  for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
+    for (std::size_t i = 0; i < p.size(); ++i) rotation += p.inertia[i] * p.spin[k][i] * p.spin[k][i];
+  return audit_.balance(0.5 * translation, 0.5 * rotation, boundaries_.energy());
+}
+
+double Simulation::energy_residual() const {
+  if (!scene_.audit) return 0;
+  const scree_energy e = energy();
+  const double turnover = energy_turnover(e);
+  return turnover > 0 ? std::abs(e.residual) / turnover : 0;
+}
+
+double Simulation::momentum_residual() const {
+  return momentum_exchanged_ > 0 ? norm(Vec3{{momentum_error_[0], momentum_error_[1], momentum_error_[2]}}) / momentum_exchanged_ : 0;
+}
+
+double Simulation::min_steps_per_contact() const { return shortest_contact_time(scene_, 0) / scene_.step; }
+
+std::uint64_t Simulation::state_hash() const {
+  StateHash hash;
+  hash.add(steps_);
+  const Particles& p = particles_;
+  for (const auto* columns : {&p.position, &p.velocity, &p.spin})
+    for (const Column<double>& column : *columns) hash.add(column.data(), column.size());
+  for (const PairGroup& group : contacts_.groups())
+    for (std::size_t q = group.begin; q < group.end; ++q)
+      for (std::uint32_t k = 0; k < group.history_width; ++k)
+        if (const double value = group.history_column(k)[q - group.begin]; value != 0) {
+          hash.add((std::uint64_t(contacts_.a[q]) << 32) | contacts_.b[q]);
+          hash.add(value);
+        }
+  boundaries_.add_to_hash(hash);
+  return hash.value();
+}
+
+Footprint Simulation::footprint() const {
+  const Particles& p = particles_;
+  std::uint32_t width = 0;
+  for (const LawInstance& law : laws_) width = std::max(width, law.interface.history_width);
+  const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
+  return {p.size() * (std::size_t(scene_.dimension) + spins), p.bytes_per_body(),
+          forces_.bytes_per_pair() + width * sizeof(double), width};
+}
+
+double shortest_contact_time(const Scene& scene, double speed) {
+  const std::size_t materials = scene.materials.size();
+  std::vector<double> lightest(materials, infinite), radius(materials, infinite);
+  for (const Body& body : scene.bodies) {
+    lightest[body.material] = std::min(lightest[body.material], body.mass);
+    radius[body.material] = std::min(radius[body.material], body.radius);
+  }
+  double shortest = infinite;
+  for (std::size_t k = 0; k < scene.laws.size(); ++k) {
+    const ConfiguredLaw law(scene.laws[k].parameters, scene.dimension, nowhere, nowhere);
+    for (std::size_t a = 0; a < materials; ++a)
+      for (std::size_t b = 0; b < materials; ++b) {
+        if (scene.law_of[a * materials + b] != k || lightest[a] == infinite) continue;
+        const scree_encounter encounter = {1 / (1 / lightest[a] + 1 / lightest[b]), 1 / (1 / radius[a] + 1 / radius[b]), speed};
+        scree_closed_form form = {};
+        if (law.interface().closed_forms(law.storage(), &encounter, &form, 1) == 1)
+          shortest = std::min(shortest, form.value);
+      }
+  }
+  return shortest;
+}
+
+}  // namespace scree

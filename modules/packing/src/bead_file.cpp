@@ -1,0 +1,69 @@
+#include "scree/packing/bead_file.hpp"
+
+#include "body_field.hpp"
+#include "checked_import.hpp"
+#include "text_file.hpp"
+#include "text_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace scree::packing {
+
+namespace {
+
+struct Header {
+  std::int64_t count;  // bodies
+  double period;       // (m) along x and z
+  double height;       // (m) between the walls
+};
+
+Header read_header(TextReader& reader) {
+  if (!reader.next_words()) reader.fail(1, "the file is empty", "begin with a line 'N L H'");
+  const auto& words = reader.words();
+  if (words.size() != 3) {
+    reader.fail(1, fmt::format("{} words where 'N L H' belongs", words.size()),
+                "give number of beads, period and height");
+  }
+  return {reader.positive_integer(words[0], "number of beads"), reader.positive_number(words[1], "period"),
+          reader.positive_number(words[2], "height")};
+}
+
+Body read_bead(TextReader& reader) {
+  constexpr BodyField columns[] = {BodyField::x, BodyField::y, BodyField::z, BodyField::radius};
+  const auto& words = reader.words();
+  if (words.size() != 4) {
+    reader.fail(1, fmt::format("{} words where 'x y z radius' belongs", words.size()), "give four numbers");
+  }
+  Body body;
+  for (std::size_t k = 0; k < 4; ++k) set_field(body, columns[k], words[k], reader);
+  return body;
+}
+
+}  // namespace
+
+Packing parse_beads(std::string_view text, const std::string& name, const ImportOptions& options) {
+  TextReader reader(text, name);
+  const Header header = read_header(reader);
+  Packing packing;
+  packing.bounds = Bounds{{}, {{header.period, header.height, header.period}}};
+  packing.periodic = options.periodic.value_or(std::array{true, false, true});
+  while (reader.next_words()) {
+    packing.bodies.push_back(read_bead(reader));
+    packing.bodies.back().id = static_cast<std::int64_t>(packing.bodies.size());
+  }
+  const auto found = static_cast<std::int64_t>(packing.bodies.size());
+  if (found != header.count) {
+    reader.fail(1, fmt::format("{} beads announced, {} found", header.count, found),
+                "complete the file or correct its first line");
+  }
+  return checked_import(std::move(packing), name);
+}
+
+Packing read_beads(const std::filesystem::path& path, const ImportOptions& options) {
+  return parse_beads(read_text(path), path.string(), options);
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,92 @@
+#include "body_field.hpp"
+
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace scree::packing {
+
+namespace {
+
+constexpr std::array<std::string_view, 15> names = {"id",     "material", "x",       "y",    "z",
+                                                    "radius", "diameter", "density", "mass", "vx",
+                                                    "vy",     "vz",       "wx",      "wy",   "wz"};
+
+std::string_view name_of(BodyField field) { return names[static_cast<std::size_t>(field)]; }
+
+}  // namespace
+
+double* field_component(Body& body, BodyField field) {
+  switch (field) {
+    case BodyField::x:
+      return &body.position[0];
+    case BodyField::y:
+      return &body.position[1];
+    case BodyField::z:
+      return &body.position[2];
+    case BodyField::vx:
+      return &body.velocity[0];
+    case BodyField::vy:
+      return &body.velocity[1];
+    case BodyField::vz:
+      return &body.velocity[2];
+    case BodyField::wx:
+      return &body.spin[0];
+    case BodyField::wy:
+      return &body.spin[1];
+    case BodyField::wz:
+      return &body.spin[2];
+    default:
+      return nullptr;
+  }
+}
+
+void set_field(Body& body, BodyField field, const Token& token, const TextReader& reader) {
+  const std::string_view name = name_of(field);
+  if (double* component = field_component(body, field)) {
+    *component = reader.number(token, name);
+    return;
+  }
+  switch (field) {
+    case BodyField::id:
+      body.id = reader.positive_integer(token, name);
+      break;
+    case BodyField::material:
+      body.material = token.text;
+      break;
+    case BodyField::diameter:
+      body.radius = 0.5 * reader.positive_number(token, name);
+      break;
+    case BodyField::density:
+      body.density = reader.positive_number(token, name);
+      break;
+    case BodyField::mass:
+      body.mass = reader.positive_number(token, name);
+      break;
+    default:
+      body.radius = reader.positive_number(token, name);
+      break;
+  }
+  if (body.radius == 0.0 && field == BodyField::diameter) {
+    reader.fail(token.column, "half the diameter is 0 in double precision", "check the unit");
+  }
+}
+
+void require_planar(Body& body, BodyField field, const Token& token, const TextReader& reader) {
+  const bool spatial =
+      field == BodyField::z || field == BodyField::vz || field == BodyField::wx || field == BodyField::wy;
+  if (!spatial || *field_component(body, field) == 0.0) return;
+  reader.fail(token.column,
+              fmt::format("{} {} is not 0 in two dimensions", name_of(field), quote_token(token.text)),
+              "set it to 0, or read the file in three dimensions");
+}
+
+void IdRegister::add(std::int64_t id, const Token& token, const TextReader& reader) {
+  const auto [known, is_new] = line_of_.emplace(id, reader.line_number());
+  if (is_new) return;
+  reader.fail(token.column, fmt::format("id {} was used before, in line {}", id, known->second),
+              "give every body its own id");
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,82 @@
+#include "scree/packing/import.hpp"
+
+#include "nearest_name.hpp"
+#include "scree/packing/bead_file.hpp"
+#include "scree/packing/csv.hpp"
+#include "scree/packing/lammps.hpp"
+#include "text_file.hpp"
+#include "text_reader.hpp"
+
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/error.hpp>
+
+namespace scree::packing {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> names = {"csv", "beads", "lammps_data", "lammps_dump"};
+
+bool begins_with_number(std::string_view word) {
+  return !word.empty() && std::string_view("+-.0123456789").find(word[0]) != std::string_view::npos;
+}
+
+// A data file announces its atoms within the header, which is short.
+bool announces_atoms(TextReader& reader) {
+  constexpr int header_lines = 100;
+  for (int k = 0; k < header_lines && reader.next_words(); ++k) {
+    const auto& words = reader.words();
+    if (words.size() == 2 && words[1].text == "atoms") return true;
+  }
+  return false;
+}
+
+Packing parse(std::string_view text, const std::string& name, FileFormat format,
+              const ImportOptions& options) {
+  switch (format) {
+    case FileFormat::beads:
+      return parse_beads(text, name, options);
+    case FileFormat::lammps_data:
+      return parse_lammps_data(text, name, options);
+    case FileFormat::lammps_dump:
+      return parse_lammps_dump(text, name, options);
+    default:
+      return parse_csv(text, name, options);
+  }
+}
+
+}  // namespace
+
+FileFormat file_format(std::string_view name) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == name) return static_cast<FileFormat>(k);
+  }
+  throw Error(
+      fmt::format("packing: unknown file format {}; {}", quote_token(name), suggest_name(name, names)));
+}
+
+FileFormat detect_format(std::string_view text, std::string_view name) {
+  TextReader reader(text, std::string(name));
+  if (text.starts_with("ITEM:")) return FileFormat::lammps_dump;
+  if (announces_atoms(reader)) return FileFormat::lammps_data;
+  reader.seek({});
+  if (!reader.next_words()) reader.fail(1, "the file is empty", "give a packing");
+  if (reader.line().find(',') != std::string_view::npos) return FileFormat::csv;
+  if (reader.words().size() == 3 && begins_with_number(reader.words()[0].text)) return FileFormat::beads;
+  reader.fail(1, "the format of the file cannot be told", fmt::format("name it: {}", fmt::join(names, ", ")));
+}
+
+Packing read_packing(const std::filesystem::path& path, const ImportOptions& options) {
+  const std::string text = read_text(path);
+  return parse(text, path.string(), detect_format(text, path.string()), options);
+}
+
+Packing read_packing(const std::filesystem::path& path, FileFormat format, const ImportOptions& options) {
+  return parse(read_text(path), path.string(), format, options);
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,86 @@
+#include "material_types.hpp"
+#include "scree/packing/lammps.hpp"
+#include "text_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::packing {
+
+namespace {
+
+double density_of(const Body& body, const ExportOptions& options) {
+  double density = sphere_density(body);
+  if (std::isnan(density)) density = options.density;
+  if (std::isfinite(density) && density > 0.0) return density;
+  throw Error(fmt::format("packing: body {} has no density; give one for the export, such as the material's",
+                          body.id));
+}
+
+// The peers take an atom in a box only below its upper bound, and in two dimensions only a box around z = 0.
+Bounds export_box(const Packing& packing) {
+  Bounds box = packing.bounds ? *packing.bounds : enclosing_bounds(packing);
+  if (packing.dimension == 2 && !(box.lower[2] < 0.0 && box.upper[2] > 0.0)) {
+    const double largest =
+        std::max_element(packing.bodies.begin(), packing.bodies.end(), [](const Body& a, const Body& b) {
+          return a.radius < b.radius;
+        })->radius;
+    box.lower[2] = -largest;
+    box.upper[2] = largest;
+  }
+  for (const Body& body : packing.bodies) {
+    for (int k = 0; k < packing.dimension; ++k) {
+      const double x = body.position[k];
+      if (packing.periodic[k] || (x >= box.lower[k] && x < box.upper[k])) continue;
+      throw Error(
+          fmt::format("packing: body {} lies at {} = {} m, outside the box from {} to {} m; widen the bounds",
+                      body.id, "xyz"[k], x, box.lower[k], box.upper[k]));
+    }
+  }
+  return box;
+}
+
+void write_header(std::string& out, const Packing& packing, std::int64_t types) {
+  const Bounds box = export_box(packing);
+  const auto end = std::back_inserter(out);
+  fmt::format_to(end, "scree packing, SI units, atom style sphere\n\n{} atoms\n{} atom types\n\n",
+                 packing.bodies.size(), types);
+  for (int k = 0; k < 3; ++k) {
+    fmt::format_to(end, "{} {} {}lo {}hi\n", box.lower[k], box.upper[k], "xyz"[k], "xyz"[k]);
+  }
+}
+
+}  // namespace
+
+std::string format_lammps_data(const Packing& packing, const ExportOptions& options) {
+  check(packing);
+  const MaterialTypes types(packing, options.materials);
+  std::string out;
+  write_header(out, packing, types.count());
+  const auto end = std::back_inserter(out);
+  out += "\nAtoms # sphere\n\n";
+  for (const Body& body : packing.bodies) {
+    const Vec3& x = body.position;
+    fmt::format_to(end, "{} {} {} {} {} {} {}\n", body.id, types.type(body), 2.0 * body.radius,
+                   density_of(body, options), x[0], x[1], x[2]);
+  }
+  out += "\nVelocities\n\n";
+  for (const Body& body : packing.bodies) {
+    const Vec3& v = body.velocity;
+    const Vec3& w = body.spin;
+    fmt::format_to(end, "{} {} {} {} {} {} {}\n", body.id, v[0], v[1], v[2], w[0], w[1], w[2]);
+  }
+  return out;
+}
+
+void write_lammps_data(const Packing& packing, const std::filesystem::path& path,
+                       const ExportOptions& options) {
+  write_text(path, format_lammps_data(packing, options));
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,209 @@
+#include "scree/packing/lattice.hpp"
+
+#include "close_pairs.hpp"
+#include "lattice_geometry.hpp"
+#include "nearest_name.hpp"
+#include "text_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::packing {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> names = {"simple_cubic", "face_centred_cubic", "hexagonal_close",
+                                                   "square", "triangular"};
+
+void require_length(double value, std::string_view what) {
+  if (std::isfinite(value) && value >= 0.0) return;
+  throw Error(fmt::format("lattice: {} {} is negative or not finite; give 0 or more", what, value));
+}
+
+// Counts whose product passes the limit would overflow before it is formed.
+std::int64_t require_count(const SiteCount& count, LatticeKind kind) {
+  std::int64_t product = 1;
+  for (int k = 0; k < 3; ++k) {
+    if (count[k] < 1) {
+      throw Error(fmt::format("lattice: {} sites along {}; give at least 1", count[k], "xyz"[k]));
+    }
+    if (count[k] > largest_lattice / product) {
+      throw Error(fmt::format("lattice: more than {} sites; give smaller counts", largest_lattice));
+    }
+    product *= count[k];
+  }
+  if (lattice_dimension(kind) == 2 && count[2] != 1) {
+    throw Error(fmt::format("lattice: {} has {} sites along z; it lies in the plane, give 1",
+                            lattice_name(kind), count[2]));
+  }
+  return product;
+}
+
+SiteCount resolve_count(const LatticeOptions& options) {
+  if (options.count.has_value() == options.total.has_value()) {
+    throw Error("lattice: give either the counts along the axes or the total number of bodies");
+  }
+  if (options.count) return *options.count;
+  if (*options.total < 1 || *options.total > largest_lattice) {
+    throw Error(fmt::format("lattice: total of {} bodies; give 1 to {}", *options.total, largest_lattice));
+  }
+  return nearest_count(options.kind, *options.total, options.periodic);
+}
+
+void require_closure(const LatticeOptions& options, const SiteCount& count) {
+  const auto staggered = staggered_axes(options.kind);
+  for (int k = 0; k < 3; ++k) {
+    if (!options.periodic[k]) continue;
+    if (k >= lattice_dimension(options.kind)) {
+      throw Error(fmt::format("lattice: {} cannot be periodic along {}; it lies in the plane",
+                              lattice_name(options.kind), "xyz"[k]));
+    }
+    if (staggered[k] && count[k] % 2 != 0) {
+      throw Error(
+          fmt::format("lattice: {} with {} rows along {} does not close periodically; give an even number",
+                      lattice_name(options.kind), count[k], "xyz"[k]));
+    }
+  }
+}
+
+double resolve_spacing(const LatticeOptions& options, double largest_radius) {
+  if (!options.spacing) return 2.0 * largest_radius * (1.0 + options.gap) + 2.0 * options.displacement;
+  if (std::isfinite(*options.spacing) && *options.spacing > 0.0) return *options.spacing;
+  throw Error(fmt::format("lattice: spacing {} m is not positive and finite; give a number above 0",
+                          *options.spacing));
+}
+
+// Along open axes the outer bodies stay inside whatever their displacement; along periodic ones the half step
+// on either side is the same.
+struct Box {
+  Bounds bounds;
+  Vec3 first_site;  // (m)
+};
+
+Box resolve_box(const LatticeOptions& options, const SiteCount& count, double spacing,
+                double largest_radius) {
+  const Vec3 step = lattice_step(options.kind);
+  const Vec3 extent = lattice_extent(options.kind, count);
+  Box box{};
+  for (int k = 0; k < lattice_dimension(options.kind); ++k) {
+    const double margin = options.periodic[k]
+                              ? 0.5 * step[k] * spacing
+                              : std::max(0.5 * spacing, largest_radius + options.displacement);
+    const double length = options.periodic[k] ? static_cast<double>(count[k]) * step[k] * spacing
+                                              : extent[k] * spacing + 2.0 * margin;
+    box.bounds.lower[k] = options.centred ? options.origin[k] - 0.5 * length : options.origin[k];
+    box.bounds.upper[k] = box.bounds.lower[k] + length;
+    box.first_site[k] = box.bounds.lower[k] + margin;
+  }
+  return box;
+}
+
+void place_bodies(Packing& packing, const LatticeOptions& options, const SiteCount& count, const Box& box,
+                  double spacing, const std::vector<double>& radii, Random& random) {
+  for (std::size_t n = 0; n < radii.size(); ++n) {
+    const auto site = static_cast<std::int64_t>(n);
+    const SiteCount index = {site % count[0], site / count[0] % count[1], site / count[0] / count[1]};
+    Body body;
+    body.id = options.first_id + site;
+    body.material = options.material;
+    body.radius = radii[n];
+    body.density = options.density;
+    body.position = box.first_site + spacing * lattice_site(options.kind, index);
+    if (packing.dimension == 2) body.position[2] = 0.0;
+    if (options.displacement > 0.0) body.position += random.in_ball(options.displacement, packing.dimension);
+    packing.bodies.push_back(std::move(body));
+  }
+}
+
+// Depth that the rounding of the coordinates may feign. (m)
+double rounding_depth(const Bounds& bounds) {
+  double farthest = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    farthest = std::max({farthest, std::abs(bounds.lower[k]), std::abs(bounds.upper[k])});
+  }
+  return 16.0 * std::numeric_limits<double>::epsilon() * farthest;
+}
+
+// Least number of six significant digits that is not below the value, its rounding apart.
+double rounded_up(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  return std::ceil(value / unit * (1.0 - 4.0 * std::numeric_limits<double>::epsilon())) * unit;
+}
+
+[[noreturn]] void fail_overlap(const Packing& packing, const ClosePair& pair, double sufficient_spacing) {
+  const Body& a = packing.bodies[pair.first];
+  const Body& b = packing.bodies[pair.second];
+  const double depth = a.radius + b.radius - pair.distance;
+  throw Error(
+      fmt::format("lattice: bodies {} and {} overlap by {:.6g} m; give a spacing of at least {:.6g} m",
+                  std::min(a.id, b.id), std::max(a.id, b.id), depth, rounded_up(sufficient_spacing)));
+}
+
+// Without displacement every distance grows with the spacing, so the worst ratio of needed to actual distance
+// tells the least spacing. With displacement, or with overlaps beyond measure, the spacing that always does.
+void refuse_overlap(const Packing& packing, double spacing, double displacement, double largest_radius) {
+  constexpr std::size_t most_per_body = 1000;
+  const double tolerance = rounding_depth(*packing.bounds);
+  double worst_ratio = 1.0;
+  std::optional<ClosePair> deepest;
+  double deepest_depth = tolerance;
+  std::size_t left = most_per_body * packing.bodies.size();
+  ClosePairs(packing).for_each([&](const ClosePair& pair) {
+    const double needed = packing.bodies[pair.first].radius + packing.bodies[pair.second].radius;
+    worst_ratio = std::max(worst_ratio, needed / pair.distance);
+    if (needed - pair.distance > deepest_depth) {
+      deepest = pair;
+      deepest_depth = needed - pair.distance;
+    }
+    return --left > 0;
+  });
+  if (!deepest) return;
+  const bool exact = displacement == 0.0 && left > 0;
+  const double always_enough = 2.0 * largest_radius + 2.0 * displacement;
+  fail_overlap(packing, *deepest, exact ? std::min(worst_ratio * spacing, always_enough) : always_enough);
+}
+
+}  // namespace
+
+LatticeKind lattice_kind(std::string_view name) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == name) return static_cast<LatticeKind>(k);
+  }
+  throw Error(fmt::format("lattice: unknown kind {}; {}", quote_token(name), suggest_name(name, names)));
+}
+
+std::string_view lattice_name(LatticeKind kind) { return names[static_cast<std::size_t>(kind)]; }
+
+int lattice_dimension(LatticeKind kind) {
+  return kind == LatticeKind::square || kind == LatticeKind::triangular ? 2 : 3;
+}
+
+Packing fill_lattice(const LatticeOptions& options, const RadiusDistribution& distribution, Random& random) {
+  require_length(options.gap, "gap");
+  require_length(options.displacement, "displacement");
+  const SiteCount count = resolve_count(options);
+  const std::int64_t sites = require_count(count, options.kind);
+  require_closure(options, count);
+  const auto bodies = static_cast<std::size_t>(options.total.value_or(sites));
+  const std::vector<double> radii = draw_radii(distribution, bodies, random);
+  const double largest_radius = *std::max_element(radii.begin(), radii.end());
+  const double spacing = resolve_spacing(options, largest_radius);
+  const Box box = resolve_box(options, count, spacing, largest_radius);
+  Packing packing;
+  packing.dimension = lattice_dimension(options.kind);
+  packing.bounds = box.bounds;
+  packing.periodic = options.periodic;
+  packing.bodies.reserve(bodies);
+  place_bodies(packing, options, count, box, spacing, radii, random);
+  check(packing);
+  refuse_overlap(packing, spacing, options.displacement, largest_radius);
+  return packing;
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,69 @@
+#include "material_types.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::packing {
+
+namespace {
+
+// Canonical positive number within range; none for any other name.
+std::optional<std::int64_t> as_type(const std::string& name) {
+  std::int64_t value = 0;
+  std::from_chars(name.data(), name.data() + name.size(), value);
+  const bool canonical = value > 0 && value <= largest_type && fmt::to_string(value) == name;
+  return canonical ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::string> names_in_order(const Packing& packing) {
+  std::vector<std::string> names;
+  std::unordered_map<std::string, bool> seen;
+  for (const Body& body : packing.bodies) {
+    if (seen.emplace(body.material, true).second) names.push_back(body.material);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string material_of_type(const Token& token, const std::vector<std::string>& materials,
+                             const TextReader& reader) {
+  const std::int64_t type = reader.positive_integer(token, "type");
+  if (materials.empty()) return fmt::to_string(type);
+  if (type > static_cast<std::int64_t>(materials.size())) {
+    reader.fail(token.column, fmt::format("type {} has no material, {} are named", type, materials.size()),
+                "name a material for every type of the file");
+  }
+  return materials[static_cast<std::size_t>(type - 1)];
+}
+
+MaterialTypes::MaterialTypes(const Packing& packing, const std::vector<std::string>& materials) {
+  const std::vector<std::string> used = names_in_order(packing);
+  const bool numbers = std::all_of(used.begin(), used.end(),
+                                   [](const std::string& name) { return name.empty() || as_type(name); });
+  if (materials.empty() && numbers) {
+    for (const std::string& name : used) {
+      const std::int64_t type = name.empty() ? 1 : *as_type(name);
+      type_of_.emplace(name, type);
+      count_ = std::max(count_, type);
+    }
+    return;
+  }
+  for (const std::string& name : materials.empty() ? used : materials) {
+    type_of_.emplace(name, static_cast<std::int64_t>(type_of_.size()) + 1);
+  }
+  if (!materials.empty()) type_of_.emplace("", 1);
+  count_ = static_cast<std::int64_t>(materials.empty() ? used.size() : materials.size());
+  for (const std::string& name : used) {
+    if (type_of_.contains(name)) continue;
+    throw Error(fmt::format("packing: material {} has no type number; add it to the listed materials",
+                            quote_token(name)));
+  }
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "scree/packing/packing.hpp"
+#include "text_reader.hpp"
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace scree::packing {
+
+// Highest type number that a data file may use: the peers allocate tables of its square.
+inline constexpr std::int64_t largest_type = 10'000;
+
+// Material of a type number: its name in the list, or without a list the number as text.
+std::string material_of_type(const Token& type, const std::vector<std::string>& materials,
+                             const TextReader& reader);
+
+// Type numbers for the materials of a packing; see ExportOptions::materials for the rule.
+class MaterialTypes {
+ public:
+  // Throws Error if a body's material is not in a list that is given.
+  MaterialTypes(const Packing& packing, const std::vector<std::string>& materials);
+  std::int64_t type(const Body& body) const { return type_of_.at(body.material); }
+  std::int64_t count() const { return count_; }
+
+ private:
+  std::unordered_map<std::string, std::int64_t> type_of_;
+  std::int64_t count_ = 1;
+};
+
+}  // namespace scree::packing

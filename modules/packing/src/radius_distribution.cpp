@@ -1,0 +1,183 @@
+#include "scree/packing/radius_distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::packing {
+
+namespace {
+
+void require_radius(double radius, std::string_view what) {
+  if (std::isfinite(radius) && radius > 0.0) return;
+  throw Error(fmt::format("radius distribution: {} {} m is not positive and finite; give a number above 0",
+                          what, radius));
+}
+
+void require_range(double minimum, double maximum) {
+  require_radius(minimum, "minimum");
+  require_radius(maximum, "maximum");
+  if (minimum <= maximum) return;
+  throw Error(
+      fmt::format("radius distribution: minimum {} m exceeds maximum {} m; swap them", minimum, maximum));
+}
+
+// Share of a normal distribution in [minimum, maximum], computed in the tail where both bounds lie on one
+// side.
+double acceptance(const NormalRadius& d) {
+  const double scale = 1.0 / (d.standard_deviation * std::numbers::sqrt2);
+  double low = (d.minimum - d.mean) * scale;
+  double high = (d.maximum - d.mean) * scale;
+  if (high < 0.0) {
+    std::swap(low, high);
+    low = -low;
+    high = -high;
+  }
+  return 0.5 * (std::erfc(low) - std::erfc(high));
+}
+
+void check_distribution(const ConstantRadius& d) { require_radius(d.radius, "radius"); }
+
+void check_distribution(const UniformRadius& d) { require_range(d.minimum, d.maximum); }
+
+void check_distribution(const NormalRadius& d) {
+  require_range(d.minimum, d.maximum);
+  if (!std::isfinite(d.mean)) throw Error("radius distribution: the mean is not finite; give a number");
+  if (!(std::isfinite(d.standard_deviation) && d.standard_deviation > 0.0)) {
+    throw Error(
+        fmt::format("radius distribution: standard deviation {} m is not positive and finite; give a number "
+                    "above 0, or a constant radius",
+                    d.standard_deviation));
+  }
+  const double share = acceptance(d);
+  if (share < least_acceptance) {
+    throw Error(
+        fmt::format("radius distribution: only a share of {:.2g} of the normal distribution lies from "
+                    "minimum {} m to maximum {} m; widen the range or move the mean into it",
+                    share, d.minimum, d.maximum));
+  }
+}
+
+void check_distribution(const BidisperseRadius& d) {
+  require_radius(d.small_radius, "small radius");
+  require_radius(d.large_radius, "large radius");
+  if (d.small_radius > d.large_radius) {
+    throw Error(fmt::format("radius distribution: small radius {} m exceeds large radius {} m; swap them",
+                            d.small_radius, d.large_radius));
+  }
+  if (!(d.large_fraction >= 0.0 && d.large_fraction <= 1.0)) {
+    throw Error(fmt::format("radius distribution: fraction {} of large bodies is not a share; give 0 to 1",
+                            d.large_fraction));
+  }
+}
+
+void check_distribution(const ListedRadius& d) {
+  if (d.radii.empty()) throw Error("radius distribution: the list is empty; give at least one radius");
+  for (const double radius : d.radii) require_radius(radius, "listed radius");
+  if (d.weights.empty()) return;
+  if (d.weights.size() != d.radii.size()) {
+    throw Error(fmt::format("radius distribution: {} radii have {} weights; give one weight for each radius",
+                            d.radii.size(), d.weights.size()));
+  }
+  for (const double weight : d.weights) {
+    if (!(std::isfinite(weight) && weight >= 0.0)) {
+      throw Error(
+          fmt::format("radius distribution: weight {} is negative or not finite; give 0 or more", weight));
+    }
+  }
+  const double sum = std::accumulate(d.weights.begin(), d.weights.end(), 0.0);
+  if (!(std::isfinite(sum) && sum > 0.0)) {
+    throw Error(fmt::format(
+        "radius distribution: the weights add up to {}; give weights with a positive finite sum", sum));
+  }
+}
+
+double draw_one(const ConstantRadius& d, std::size_t, Random&) { return d.radius; }
+
+double draw_one(const UniformRadius& d, std::size_t, Random& random) {
+  return random.uniform(d.minimum, d.maximum);
+}
+
+double draw_one(const NormalRadius& d, std::size_t, Random& random) {
+  while (true) {
+    const double radius = d.mean + d.standard_deviation * random.normal();
+    if (radius >= d.minimum && radius <= d.maximum) return radius;
+  }
+}
+
+double draw_one(const BidisperseRadius& d, std::size_t, Random& random) {
+  return random.uniform() < d.large_fraction ? d.large_radius : d.small_radius;
+}
+
+double draw_one(const ListedRadius& d, std::size_t index, Random& random) {
+  if (d.weights.empty()) return d.radii[index];
+  double left = random.uniform() * std::accumulate(d.weights.begin(), d.weights.end(), 0.0);
+  std::size_t chosen = 0;
+  for (std::size_t k = 0; k < d.radii.size(); ++k) {
+    if (d.weights[k] == 0.0) continue;
+    chosen = k;  // the last one with weight also takes what rounding leaves over
+    if (left < d.weights[k]) break;
+    left -= d.weights[k];
+  }
+  return d.radii[chosen];
+}
+
+struct Range {
+  double smallest;
+  double largest;
+};
+
+Range range_of(const ConstantRadius& d) { return {d.radius, d.radius}; }
+Range range_of(const UniformRadius& d) { return {d.minimum, d.maximum}; }
+Range range_of(const NormalRadius& d) { return {d.minimum, d.maximum}; }
+Range range_of(const BidisperseRadius& d) {
+  return {d.large_fraction == 1.0 ? d.large_radius : d.small_radius,
+          d.large_fraction == 0.0 ? d.small_radius : d.large_radius};
+}
+Range range_of(const ListedRadius& d) {
+  const auto [smallest, largest] = std::minmax_element(d.radii.begin(), d.radii.end());
+  return {*smallest, *largest};
+}
+
+}  // namespace
+
+void check(const RadiusDistribution& distribution) {
+  std::visit([](const auto& d) { check_distribution(d); }, distribution);
+}
+
+double smallest_radius(const RadiusDistribution& distribution) {
+  check(distribution);
+  return std::visit([](const auto& d) { return range_of(d).smallest; }, distribution);
+}
+
+double largest_radius(const RadiusDistribution& distribution) {
+  check(distribution);
+  return std::visit([](const auto& d) { return range_of(d).largest; }, distribution);
+}
+
+std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size_t count, Random& random) {
+  check(distribution);
+  const auto* list = std::get_if<ListedRadius>(&distribution);
+  if (list && list->weights.empty() && list->radii.size() != count) {
+    throw Error(
+        fmt::format("radius distribution: the list has {} radii for {} bodies; give one for each, or "
+                    "weights to draw by",
+                    list->radii.size(), count));
+  }
+  std::vector<double> radii(count);
+  std::visit(
+      [&](const auto& d) {
+        for (std::size_t k = 0; k < count; ++k) radii[k] = draw_one(d, k, random);
+      },
+      distribution);
+  return radii;
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace scree::packing {
+
+// Content of a regular, uncompressed file. Throws Error if it cannot be read or does not fit into memory.
+std::string read_text(const std::filesystem::path& path);
+
+// Writes the whole file, replacing what was there. Throws Error if it cannot.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace scree::packing

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <scree/plugin_host.hpp>
+#include <scree/scene.hpp>
+#include <scree/stage.hpp>
+
+namespace scree::scenario {
+
+// A probe that writes series/<name>.csv.
+struct ProbePlan {
+  std::string name;
+  Parameters parameters;
+  double every = 0;                 // (s) between samples
+  std::vector<std::string> stages;  // those in which it samples; all if empty
+};
+
+// When files and pictures of the whole scene are made; absent means never.
+struct SnapshotPlan {
+  std::optional<double> every;        // (s) between .vtp files
+  std::optional<double> image_every;  // (s) between pictures
+  std::string color_by = "radius";
+  std::string view;
+  bool show_contacts = false;
+  int width = 1200, height = 900;  // (pixels)
+  bool any() const { return every || image_every; }
+};
+
+// One curve of a chart, out of the series of a probe.
+struct CurvePlan {
+  std::string name;
+  std::string probe, x, y;  // columns; x may be "time"
+};
+
+struct ChartPlan {
+  std::string name;  // of the file
+  std::string title, x_label, y_label;
+  std::vector<CurvePlan> curves;
+  bool log_x = false, log_y = false;
+};
+
+// What a run must have come to.
+struct Expectation {
+  std::string requirement;               // a sentence
+  std::string quantity;                  // "energy_residual" or "<probe>.<column>.<last|first|min|max|mean>"
+  std::optional<double> reference, tolerance;
+  std::optional<double> at_most, at_least;
+};
+
+// A scenario file, read and checked.
+struct Plan {
+  std::string title;
+  std::filesystem::path source;
+  std::uint64_t seed = 1;
+  Scene scene;
+  std::vector<Stage> stages;
+  std::vector<ProbePlan> probes;
+  SnapshotPlan snapshot;
+  std::vector<ChartPlan> charts;
+  std::vector<Expectation> expectations;
+  std::string resolved_text;  // TOML with overrides
+};
+
+// Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any mistake in it.
+Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host);
+
+}  // namespace scree::scenario

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace scree::scenario {
+
+// The directory of one run: series/, snapshots/, images/, charts/, scenario.toml, run.json, final_packing.csv.
+class RunDirectory {
+ public:
+  // Checks that a run may write there, without touching anything: throws Error if it holds a run already (unless
+  // `overwrite`), holds foreign files, or cannot be created.
+  RunDirectory(std::filesystem::path path, bool overwrite);
+
+  // Creates it empty. An earlier run is removed only now.
+  void create() const;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path series() const { return path_ / "series"; }
+  std::filesystem::path snapshots() const { return path_ / "snapshots"; }
+  std::filesystem::path images() const { return path_ / "images"; }
+  std::filesystem::path charts() const { return path_ / "charts"; }
+
+  // Writes a whole file under a temporary name, then renames it, so that a reader never sees half of it.
+  void write_file(const std::string& name, const std::string& text) const;
+
+  // runs/<stem of the scenario>, with -2, -3, ... appended until it does not exist.
+  static std::filesystem::path default_for(const std::filesystem::path& scenario);
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace scree::scenario

@@ -1,0 +1,39 @@
+#include "document_file.hpp"
+#include "document_message.hpp"
+#include "document_parse.hpp"
+#include "document_state.hpp"
+#include "document_text.hpp"
+#include "override.hpp"
+
+#include <scree/scenario/document.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+constexpr std::size_t longest_name = 4096;
+
+}  // namespace
+
+Document Document::load(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const std::string text = read_text_file(path, largest_file);
+  Document document = parse(text, path.string(), overrides);
+  if (!document.state_->root->children.empty()) return document;
+  throw document.root().error("the file holds no key", "write a scene: [scene], [time], [particles], ...");
+}
+
+Document Document::parse(std::string_view text, std::string_view name,
+                         const std::vector<std::string>& overrides) {
+  auto state = std::make_shared<DocumentState>();
+  state->name = one_line(name, longest_name);
+  state->overrides = overrides;
+  state->root = parse_toml(text, state->name);
+  for (std::size_t number = 0; number < overrides.size(); ++number) apply_override(*state, number);
+  return Document(std::move(state));
+}
+
+Table Document::root() const { return {state_, state_->root.get()}; }
+
+std::string Document::resolved_text() const { return toml_text(*state_->root); }
+
+}  // namespace scree::scenario

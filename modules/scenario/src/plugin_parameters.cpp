@@ -1,0 +1,88 @@
+#include "plugin_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace scree::scenario {
+
+namespace {
+
+// A program of time: a number, or a table whose keys tell its kind (see program.hpp of the framework).
+std::vector<double> read_program(const Table& table, const scree_parameter& p) {
+  if (!table.is_table(p.key)) return {0, table.number(p.key)};
+  const Table t = table.table(p.key);
+  if (t.has("table")) {
+    std::vector<double> data = {4};
+    double last = -std::numeric_limits<double>::infinity();
+    for (const auto& row : t.rows("table", 2)) {
+      if (row[0] <= last) throw t.error("table", "the times do not increase", "sort the rows and give each time once");
+      last = row[0];
+      data.insert(data.end(), row.begin(), row.end());
+    }
+    if (data.size() == 1) throw t.error("table", "has no rows", "give [[time, value], ...]");
+    return data;
+  }
+  if (t.has("amplitude"))
+    return {1, t.number("mean", 0.0), t.number("amplitude"), t.number("frequency_hz", Range::positive("Hz")),
+            t.number("phase_deg", 0.0) * std::numbers::pi / 180};
+  if (t.has("period")) return {2, t.number("from"), t.number("to"), t.number("period", Range::positive("s"))};
+  if (t.has("duration")) return {3, t.number("from"), t.number("to"), t.number("duration", Range::positive("s"))};
+  throw t.error(fmt::format("does not tell how '{}' goes with time", p.key),
+                "give a number, {from, to, period}, {from, to, duration}, {mean, amplitude, frequency_hz} or "
+                "{table = [[t, value], ...]}");
+}
+
+std::vector<double> read_value(const Table& table, const scree_parameter& p, int dimension) {
+  switch (scree_type(p.type)) {
+    case SCREE_INTEGER: return {double(table.integer(p.key))};
+    case SCREE_BOOLEAN: return {table.boolean(p.key) ? 1.0 : 0.0};
+    case SCREE_CHOICE: {
+      const std::vector<std::string> words = choices_of(p);
+      const std::string word = table.choice(p.key, words);
+      return {double(std::find(words.begin(), words.end(), word) - words.begin())};
+    }
+    case SCREE_VECTOR: {
+      std::vector<double> v = table.numbers(p.key, std::size_t(dimension));
+      v.resize(3, 0.0);
+      return v;
+    }
+    case SCREE_LIST: return table.numbers(p.key);
+    case SCREE_PROGRAM: return read_program(table, p);
+    case SCREE_NUMBER: break;
+  }
+  return {table.number(p.key)};
+}
+
+// "problem; cure" as the framework words it.
+[[noreturn]] void refuse(const Table& table, const std::string& key, const std::string& text) {
+  const auto semicolon = text.find("; ");
+  throw table.error(key, fmt::format("{} {}", key, text.substr(0, semicolon)),
+                    semicolon == std::string::npos ? "see scree describe" : text.substr(semicolon + 2));
+}
+
+}  // namespace
+
+const scree_plugin& find_plugin(const Table& table, scree_kind kind, PluginHost& host) {
+  const std::string name = table.string("plugin");
+  return placed(table, "plugin", [&]() -> const scree_plugin& { return host.find(name, kind); });
+}
+
+void read_parameters(const Table& table, int dimension, Parameters& parameters) {
+  const scree_plugin& plugin = parameters.plugin();
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    const scree_parameter& p = plugin.parameters[k];
+    if (!table.has(p.key)) continue;
+    std::vector<double> data = read_value(table, p, dimension);
+    if (const auto wrong = Parameters::problem(p, data)) refuse(table, p.key, *wrong);
+    parameters.set(p.key, std::move(data));
+  }
+}
+
+void check_complete(const Table& table, const Parameters& parameters) {
+  placed(table, "plugin", [&] { parameters.check_complete(); });
+}
+
+}  // namespace scree::scenario

@@ -1,0 +1,41 @@
+#include "series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <scree/error.hpp>
+
+namespace scree::scenario {
+
+Series::Series(const std::filesystem::path& file, std::vector<std::string> names, const std::vector<std::string>& units)
+    : path_(file), names_(std::move(names)) {
+  std::filesystem::create_directories(file.parent_path());
+  file_.open(file, std::ios::binary);
+  file_ << "time [s]";
+  for (std::size_t k = 0; k < names_.size(); ++k)
+    file_ << ',' << names_[k] << (units[k].empty() ? "" : fmt::format(" [{}]", units[k]));
+  file_ << '\n';
+  names_.insert(names_.begin(), "time");
+  columns_.resize(names_.size());
+}
+
+void Series::add(double time, const std::vector<double>& row) {
+  fmt::memory_buffer line;
+  fmt::format_to(std::back_inserter(line), "{}", time);
+  columns_[0].push_back(time);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    fmt::format_to(std::back_inserter(line), ",{}", row[k]);
+    columns_[k + 1].push_back(row[k]);
+  }
+  line.push_back('\n');
+  file_.write(line.data(), std::streamsize(line.size()));
+  if (!file_)
+    throw Error(fmt::format("{}: cannot be written; free disk space or give another --out", path_.string()), ExitStatus::failure);
+}
+
+const std::vector<double>& Series::column(const std::string& name) const {
+  return columns_.at(std::size_t(std::find(names_.begin(), names_.end(), name) - names_.begin()));
+}
+
+}  // namespace scree::scenario

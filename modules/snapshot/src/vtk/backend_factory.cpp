@@ -1,0 +1,58 @@
+#include "atomic_file.hpp"
+#include "chart_picture.hpp"
+#include "frame_check.hpp"
+#include "png_file.hpp"
+#include "pvd_index.hpp"
+#include "scene_picture.hpp"
+#include "vtp_reader.hpp"
+#include "vtp_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <scree/snapshot/backend.hpp>
+
+namespace scree::snapshot {
+namespace {
+
+void add_to_series(const std::filesystem::path& directory, const char* series, const Frame& frame,
+                   const std::string& content) {
+  PvdIndex index(directory / fmt::format("{}.pvd", series));
+  const std::string file_name = fmt::format("{}_{:010}.vtp", series, frame.step);
+  write_atomically(directory / file_name, content);
+  index.put(file_name, frame.time);
+  index.save();
+}
+
+class VtkBackend final : public SnapshotBackend {
+ public:
+  void write_frame(const Frame& frame, const std::filesystem::path& directory) override {
+    check_columns(frame);
+    add_to_series(directory, "contacts", frame, contacts_vtp(frame));
+    add_to_series(directory, "particles", frame, particles_vtp(frame));
+  }
+
+  Frame read_frame(const std::filesystem::path& particles_file) override { return read_vtp(particles_file); }
+
+  void render(const Frame& frame, const RenderOptions& options,
+              const std::filesystem::path& png_file) override {
+    write_png(scene_picture(context_, frame, options), png_file);
+  }
+
+  void chart(const ChartSpec& spec, const std::filesystem::path& png_file) override {
+    write_png(chart_picture(context_, spec), png_file);
+  }
+
+  Picture read_png(const std::filesystem::path& png_file) override { return snapshot::read_png(png_file); }
+
+ private:
+  OffscreenContext context_;
+};
+
+}  // namespace
+}  // namespace scree::snapshot
+
+// Null where the program was built against another version of the interface.
+extern "C" __attribute__((visibility("default"))) scree::snapshot::SnapshotBackend*
+scree_create_snapshot_backend(int version) {
+  return version == scree::snapshot::backend_version ? new scree::snapshot::VtkBackend : nullptr;
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "chart_axis.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <scree/snapshot/chart_spec.hpp>
+
+namespace scree::snapshot {
+
+// A rectangle in drawn pixels from the lower left.
+struct Box {
+  double left;
+  double bottom;
+  double width;
+  double height;
+};
+
+// Where everything of a chart goes.
+struct ChartLayout {
+  double width;   // (drawn pixels) of the whole picture
+  double height;  // (drawn pixels)
+  double font;    // (drawn pixels) of the labels
+  std::vector<std::string> title_lines;
+  ChartScale x;
+  ChartScale y;
+  Ticks x_ticks;
+  Ticks y_ticks;
+  Box plot;
+  std::optional<Box>
+      legend;  // from two series on: in a corner without curves or, where there is none, beside the plot
+
+  static ChartLayout of(const ChartSpec& spec);
+};
+
+// The legend's rows.
+inline constexpr double legend_line = 1.5;    // (fonts) from row to row
+inline constexpr double legend_sample = 2.4;  // (fonts) length of the piece of curve
+inline constexpr double legend_pad = 0.6;     // (fonts) around and between
+
+}  // namespace scree::snapshot

@@ -1,0 +1,91 @@
+#include "text_style.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <vtkContext2D.h>
+#include <vtkNew.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+namespace scree::snapshot {
+namespace {
+
+struct FontFiles {
+  std::string regular;
+  std::string bold;
+};
+
+FontFiles find_font() {
+  const std::string folder = "/usr/share/fonts/truetype/";
+  const FontFiles known[] = {
+      {folder + "liberation2/LiberationSans-Regular.ttf", folder + "liberation2/LiberationSans-Bold.ttf"},
+      {folder + "liberation/LiberationSans-Regular.ttf", folder + "liberation/LiberationSans-Bold.ttf"},
+      {folder + "dejavu/DejaVuSans.ttf", folder + "dejavu/DejaVuSans-Bold.ttf"}};
+  for (const FontFiles& files : known)
+    if (std::filesystem::exists(files.regular) && std::filesystem::exists(files.bold)) return files;
+  return {};
+}
+
+// The style, smaller, down to two thirds, where the line would be longer than room.
+TextStyle fitted(const std::string& line, const TextStyle& style, double room) {
+  const double width = text_width(line, style);
+  TextStyle smaller = style;
+  if (width > room) smaller.size *= std::max(2.0 / 3, room / width);
+  return smaller;
+}
+
+// The line without its end where it would be longer than room.
+std::string cut(std::string line, const TextStyle& style, double room) {
+  const std::string ellipsis = "...";
+  while (line.size() > ellipsis.size() && text_width(line, style) > 1.02 * room) {
+    std::size_t end = line.size() - ellipsis.size() - 1;
+    while (end > 0 && (line[end] & 0xC0) == 0x80) --end;  // not within a UTF-8 character
+    line = line.substr(0, end) + ellipsis;
+  }
+  return line;
+}
+
+}  // namespace
+
+void TextStyle::apply_font(vtkTextProperty* property) const {
+  static const FontFiles font = find_font();
+  if (font.regular.empty()) {
+    property->SetFontFamilyToArial();
+    property->SetBold(bold);
+  } else {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile((bold ? font.bold : font.regular).c_str());
+    property->SetBold(false);
+  }
+  property->SetColor(0.1, 0.1, 0.1);
+  property->SetFontSize(static_cast<int>(std::lround(size)));
+}
+
+double text_width(const std::string& line, const TextStyle& style) {
+  vtkNew<vtkTextProperty> property;
+  style.apply_font(property);
+  int box[4] = {0, 0, 0, 0};
+  const int dots_per_inch = 72;  // so that font sizes are pixels
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(line), box, dots_per_inch);
+  return box[1] - box[0] + 1;
+}
+
+void draw_text(vtkContext2D* painter, double x, double y, const std::string& line, const TextStyle& style,
+               double room) {
+  if (line.empty()) return;
+  const TextStyle smaller = fitted(line, style, room);
+  vtkNew<vtkTextProperty> property;
+  smaller.apply_font(property);
+  property->SetOrientation(style.upwards ? 90 : 0);
+  property->SetVerticalJustificationToCentered();
+  property->SetJustification(style.align == Align::left     ? VTK_TEXT_LEFT
+                             : style.align == Align::center ? VTK_TEXT_CENTERED
+                                                            : VTK_TEXT_RIGHT);
+  painter->ApplyTextProp(property);
+  painter->DrawString(static_cast<float>(x), static_cast<float>(y), cut(line, smaller, room).c_str());
+}
+
+}  // namespace scree::snapshot

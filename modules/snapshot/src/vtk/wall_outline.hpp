@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene_camera.hpp"
+
+#include <vector>
+
+namespace scree::snapshot {
+
+// Corners of the part of wall number `index` that bounds the scene: within the box and on the inner side of
+// the other walls. A polygon in 3D, the two ends of a line (possibly repeated) in 2D, empty where nothing is
+// left.
+std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const SceneBox& box);
+
+}  // namespace scree::snapshot

@@ -1,0 +1,50 @@
+// Viscous drag on every body by itself, in translation and in rotation.
+
+#include <scree/body_term.hpp>
+
+namespace {
+
+struct BackgroundDamping {
+  double translational = 0;
+  double rotational = 0;
+
+  static constexpr scree::About about = {
+      "background_damping", "viscous drag on translation and rotation",
+      "f = −γ_b v\n"
+      "t = −γ_br R² ω   (γ_br in kg/s as printed by David et al.; scaled by R² it makes a torque)",
+      "David et al. 2005, section 2; Lemrich et al. 2017 (γ_a)"};
+
+  void declare(scree::Declaration& d) {
+    d.number("translational", translational, "kg/s", scree::non_negative, "γ_b");
+    d.number("rotational", rotational, "kg/s", scree::non_negative, "γ_br; no effect in a scene without spin");
+  }
+
+  void apply(scree_body_batch& batch) const {
+    for (int k = 0; k < 3; ++k)
+      if (batch.velocity[k])
+        batch.dissipated_translation += drag(batch.velocity[k], batch.force[k], batch.count,
+                                             [this](std::uint32_t) { return translational; });
+    for (int k = 0; k < 3; ++k)
+      if (batch.spin[k])
+        batch.dissipated_rotation += drag(batch.spin[k], batch.torque[k], batch.count, [&](std::uint32_t i) {
+          return rotational * batch.radius[i] * batch.radius[i];
+        });
+  }
+
+ private:
+  // Adds −coefficient × rate to the load; returns the power lost.
+  template <class Coefficient>
+  static double drag(const double* rate, double* load, std::uint32_t count, const Coefficient& coefficient) {
+    double lost = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double resistance = coefficient(i) * rate[i];
+      load[i] -= resistance;
+      lost += resistance * rate[i];
+    }
+    return lost;
+  }
+};
+
+}  // namespace
+
+SCREE_BODY_TERM_PLUGIN(BackgroundDamping)

@@ -1,0 +1,137 @@
+// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed or controlled by stress, after David et al. 2005.
+
+#include <scree/boundary.hpp>
+
+namespace {
+
+struct Box {
+  static constexpr int most_walls = 6;
+  enum Control { stress_controlled, fixed };
+  enum State { load, pushed, per_wall };  // of each wall at the last kick: contact force and p A along the normal
+
+  std::array<double, 3> lower = {}, upper = {};
+  double gap = 0;
+  double mass = 1;
+  double viscosity = 0;
+  int control[most_walls] = {};
+  scree::Program stress;
+  scree::Program axis_stress[3];
+  scree::Program wall_stress[most_walls];
+  int dimension = 3;
+
+  static constexpr scree::About about = {
+      "box", "4 or 6 walls, each fixed or stress-controlled with mass and viscosity",
+      "m_w s\" = F·n + p(t) A(t) − γ_w s'    s: inward way of the wall, n: inward normal,\n"
+      "F: contact forces on the wall, A(t): its present area (2D: length × 1 m)",
+      "David et al. 2005, section 2; McNamara et al. 2008, equation 1"};
+
+  static constexpr const char* names[most_walls] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
+  static constexpr const char* stress_keys[most_walls] = {"stress_x_low",  "stress_x_high", "stress_y_low",
+                                                          "stress_y_high", "stress_z_low",  "stress_z_high"};
+
+  void declare(scree::Declaration& d) {
+    using namespace scree;
+    d.vector("lower", lower, "m", "lower corner; the bodies' bounding box less the gap if absent").optional();
+    d.vector("upper", upper, "m", "upper corner; the bodies' bounding box plus the gap if absent").optional();
+    d.number("gap", gap, "m", non_negative, "distance from the bodies when a corner is not given");
+    d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");
+    d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w against the motion of each wall");
+    for (int w = 0; w < most_walls; ++w)
+      d.choice(names[w], control[w], "stress|fixed", "what controls this wall");
+    d.program("stress", stress, "Pa", any_number, "p of every wall, pressing inwards").optional();
+    static constexpr const char* axis_keys[3] = {"stress_x", "stress_y", "stress_z"};
+    for (int k = 0; k < 3; ++k)
+      d.program(axis_keys[k], axis_stress[k], "Pa", any_number, "p of both walls of this axis, instead of stress")
+          .optional();
+    for (int w = 0; w < most_walls; ++w)
+      d.program(stress_keys[w], wall_stress[w], "Pa", any_number, "p of this wall, instead of its axis's").optional();
+  }
+
+  void prepare(const scree::Setup& setup) {
+    dimension = setup.dimension();
+    const bool corners_given = lower != upper;
+    for (int k = 0; k < dimension; ++k) {
+      if (!corners_given) {
+        lower[k] = setup.lower(k) - gap;
+        upper[k] = setup.upper(k) + gap;
+      }
+      if (!(upper[k] > lower[k]))
+        return setup.refuse("upper is not above lower; give both corners, or bodies for the box to enclose");
+    }
+    for (int w = 0; w < walls(); ++w) {
+      if (!wall_stress[w].given()) wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : stress;
+      if (control[w] == stress_controlled && !wall_stress[w].given())
+        return setup.refuse("a stress-controlled wall has no stress; give stress = <Pa>, or make the wall \"fixed\"");
+    }
+  }
+
+  void describe(scree_boundary_instance& instance) const {
+    instance.plane_count = std::uint32_t(walls());
+    instance.state_width = std::uint32_t(walls() * per_wall);
+    instance.plane_names = names;
+  }
+
+  void start(const scree_boundary_step& s) const {
+    for (int w = 0; w < walls(); ++w) {
+      scree_plane& plane = s.planes[w];
+      plane = {};
+      for (int k = 0; k < dimension; ++k) plane.point[k] = w % 2 ? upper[k] : lower[k];
+      plane.normal[w / 2] = sign(w);
+    }
+  }
+
+  void drift(const scree_boundary_step& s) const {
+    double push[most_walls];
+    for (int w = 0; w < walls(); ++w) push[w] = push_on(w, s, s.time);
+    for (int w = 0; w < walls(); ++w) {
+      scree_plane& plane = s.planes[w];
+      const int k = w / 2;
+      const double speed = moving(w) ? plane.velocity[k] : 0;
+      const double force = s.loads[w].force[k] + sign(w) * push[w] - viscosity * speed;
+      const double change = moving(w) ? s.step * force / mass : 0;
+      plane.mid_velocity[k] = speed + 0.5 * change;
+      plane.velocity[k] = speed + change;
+      plane.point[k] += s.step * plane.mid_velocity[k];
+    }
+  }
+
+  void kick(const scree_boundary_step& s) const {
+    s.energy->kinetic = 0;
+    for (int w = 0; w < walls(); ++w) {
+      scree_plane& plane = s.planes[w];
+      const int k = w / 2;
+      const double push = push_on(w, s, s.time + s.step);
+      if (moving(w)) {
+        // Implicit in the viscosity: stable however light the wall.
+        const double force = s.loads[w].force[k] + sign(w) * push;
+        const double mid = plane.mid_velocity[k];
+        plane.velocity[k] = (mid + 0.5 * s.step * force / mass) / (1 + 0.5 * s.step * viscosity / mass);
+        s.energy->kinetic += 0.5 * mass * plane.velocity[k] * plane.velocity[k];
+        s.energy->work += 0.5 * (s.state[w * per_wall + pushed] + push) * sign(w) * mid * s.step;
+        s.energy->dissipated += viscosity * mid * mid * s.step;
+      } else {
+        plane.velocity[k] = plane.mid_velocity[k] = 0;
+      }
+      s.state[w * per_wall + load] = s.loads[w].force[k];
+      s.state[w * per_wall + pushed] = push;
+    }
+  }
+
+ private:
+  int walls() const { return 2 * dimension; }
+  bool moving(int w) const { return control[w] == stress_controlled; }
+  static double sign(int w) { return w % 2 ? -1 : 1; }
+  double area(int w, const scree_boundary_step& s) const {
+    double a = 1;
+    for (int k = 0; k < dimension; ++k)
+      if (k != w / 2) a *= s.planes[2 * k + 1].point[k] - s.planes[2 * k].point[k];
+    return a;
+  }
+  double push_on(int w, const scree_boundary_step& s, double time) const {
+    return moving(w) ? wall_stress[w](time) * area(w, s) : 0;
+  }
+};
+
+}  // namespace
+
+SCREE_BOUNDARY_PLUGIN(Box)

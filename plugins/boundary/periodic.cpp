@@ -1,0 +1,53 @@
+// Periodic axes: what leaves at one side comes in at the other.
+
+#include <scree/boundary.hpp>
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Periodic {
+  int axes = 0;
+  std::array<double, 3> lower = {-infinity, -infinity, -infinity};
+  std::array<double, 3> upper = {infinity, infinity, infinity};
+  std::array<bool, 3> chosen = {};
+
+  static constexpr scree::About about = {"periodic", "one or more periodic axes",
+                                         "x <- x − L floor((x − lower)/L)", "—"};
+
+  void declare(scree::Declaration& d) {
+    d.choice("axes", axes, "x|y|z|xy|xz|yz|xyz", "which axes are periodic").required();
+    d.vector("lower", lower, "m", "lower corner; numbers of other axes are ignored").required();
+    d.vector("upper", upper, "m", "upper corner").required();
+  }
+
+  void prepare(const scree::Setup& setup) {
+    static constexpr bool table[7][3] = {{true, false, false}, {false, true, false}, {false, false, true},
+                                         {true, true, false},  {true, false, true},  {false, true, true},
+                                         {true, true, true}};
+    for (int k = 0; k < 3; ++k) {
+      chosen[k] = table[axes][k];
+      if (chosen[k] && k >= setup.dimension()) return setup.refuse("a 2D scene has no z axis; choose x, y or xy");
+      if (chosen[k] && !(upper[k] > lower[k]))
+        return setup.refuse("upper is not above lower on a periodic axis; give a positive length");
+      if (chosen[k] && (setup.lower(k) + setup.upper(k) < 2 * lower[k] - (upper[k] - lower[k]) ||
+                        setup.lower(k) + setup.upper(k) > 2 * upper[k] + (upper[k] - lower[k])))
+        return setup.refuse("the bodies lie outside the periodic range; give lower and upper that enclose them");
+    }
+  }
+
+  void describe(scree_boundary_instance& instance) const {
+    for (int k = 0; k < 3; ++k) {
+      instance.periodic[k] = chosen[k];
+      instance.lower[k] = lower[k];
+      instance.upper[k] = upper[k];
+    }
+  }
+  void start(const scree_boundary_step&) const {}
+  void drift(const scree_boundary_step&) const {}
+  void kick(const scree_boundary_step&) const {}
+};
+
+}  // namespace
+
+SCREE_BOUNDARY_PLUGIN(Periodic)

@@ -1,0 +1,188 @@
+// Linear spring and dashpot with a tangential spring, Coulomb sliding and stick/slip memory, after
+// David, García-Rojo, Herrmann, Luding, "Hysteresis and creep in powders and grains" (2005), [D1]-[D4].
+
+#include <cmath>
+
+#include <scree/contact_law.hpp>
+
+namespace {
+
+using scree::Contact;
+using scree::Response;
+using scree::Vec;
+
+constexpr double pi = 3.14159265358979323846;
+enum Tension { allowed, cut };
+
+// Restitution of a linear contact with damping ratio ζ = γ/(2√(k m*)).
+//   tension allowed: the contact ends at δ = 0,   r = exp(−πζ/√(1−ζ²))
+//   tension cut:     it ends at f_n = 0, earlier, r = exp(−ζ/√(1−ζ²) φ), φ = atan2(2ζ√(1−ζ²), 2ζ²−1),
+// φ being the phase at which kδ + γδ̇ vanishes.
+double restitution_of(double zeta, Tension tension) {
+  const double root = std::sqrt(std::max(1 - zeta * zeta, 0.0));
+  if (tension == allowed) return root > 0 ? std::exp(-pi * zeta / root) : 0;
+  if (zeta < 1) return std::exp(-zeta / root * std::atan2(2 * zeta * root, 2 * zeta * zeta - 1));
+  const double overdamped = std::sqrt(zeta * zeta - 1);
+  return overdamped > 0 ? std::exp(-zeta / overdamped * std::log((zeta + overdamped) / (zeta - overdamped)))
+                        : std::exp(-2.0);
+}
+
+double damping_ratio_of(double restitution, Tension tension) {
+  if (tension == allowed) {
+    const double log_r = std::log(restitution);
+    return -log_r / std::sqrt(pi * pi + log_r * log_r);
+  }
+  double low = 0, high = 1;
+  while (restitution_of(high, tension) > restitution && high < 1e6) high *= 2;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (restitution_of(middle, tension) > restitution ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+struct LinearSpringDashpot : scree::ContactLaw {
+  double normal_stiffness = 0;
+  double normal_damping = 0;
+  double restitution = 0;  // 0: normal_damping was given
+  int tension = allowed;
+  double tangential_stiffness = 0;
+  double tangential_damping = 0;
+  double static_friction = 0;
+  double dynamic_friction = -1;  // below 0: the same as static
+  double damping_ratio = 0;
+
+  static constexpr scree::About about = {
+      "linear_spring_dashpot",
+      "linear spring and dashpot, tangential spring with static and dynamic friction",
+      "f_n = k δ + γ δ'                                  normal force\n"
+      "ξ <- ξ + v_t Δt (mid-step normal), ξ <- ξ − n (n·ξ)   spring carried along, then turned into the plane\n"
+      "f_0 = −k_t ξ − γ_t v_t                            test force\n"
+      "stick: |f_0| <= μ f_n, f_t = f_0                  μ = μ_s while sticking, μ_d while sliding\n"
+      "slip:  f_t = μ_d f_n f_0/|f_0|, ξ = −(f_t + γ_t v_t)/k_t\n"
+      "arms of the torque: R − δ/2 (angular momentum is conserved)",
+      "David et al. 2005, equations 1 to 4"};
+
+  void declare(scree::Declaration& d) {
+    using namespace scree;
+    d.number("normal_stiffness", normal_stiffness, "N/m", positive, "k, stiffness of the normal spring").required();
+    d.number("normal_damping", normal_damping, "kg/s", non_negative, "γ, the same for all masses")
+        .or_else("restitution");
+    d.number("restitution", restitution, "", positive_coefficient,
+             "r, reached for every mass: γ = 2ζ√(k m*), ζ from r and tension")
+        .or_else("normal_damping");
+    d.choice("tension", tension, "allowed|cut",
+             "whether the dashpot may pull at the end of a contact; both reach the restitution asked for");
+    d.number("tangential_stiffness", tangential_stiffness, "N/m", non_negative, "k_t of the tangential spring");
+    d.number("tangential_damping", tangential_damping, "kg/s", non_negative, "γ_t of the tangential dashpot");
+    d.number("static_friction", static_friction, "", non_negative, "μ_s; 0 leaves out all that friction needs");
+    d.number("dynamic_friction", dynamic_friction, "", non_negative, "μ_d <= μ_s, the same as static if absent")
+        .optional();
+  }
+
+  void prepare(const scree::Setup& setup) {
+    if (dynamic_friction < 0) dynamic_friction = static_friction;
+    if (dynamic_friction > static_friction)
+      return setup.refuse("dynamic_friction is above static_friction; give at most the static value");
+    if (static_friction > 0 && tangential_stiffness <= 0)
+      return setup.refuse("friction needs tangential_stiffness above 0");
+    if (restitution > 0) damping_ratio = damping_ratio_of(restitution, Tension(tension));
+  }
+
+  std::size_t kernel() const { return (static_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0); }
+
+  std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms, std::uint32_t capacity) const {
+    const double m = e.reduced_mass, k = normal_stiffness, omega_0 = std::sqrt(k / m);
+    const double zeta = restitution > 0 ? damping_ratio : normal_damping / (2 * std::sqrt(k * m));
+    const double r = restitution_of(zeta, Tension(tension));
+    // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
+    const double contact_time = zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
+    const scree_closed_form all[] = {
+        {"contact_time", "s", "t_c = π/ω, ω² = k/m* − η², η = γ/2m* (tension cut: until f_n = 0)", contact_time},
+        {"restitution", "", "r = exp(−η t_c)", r},
+        {"critical_step", "s", "2/√(k/m*), stability limit of velocity Verlet for this pair", 2 / omega_0},
+        {"damping_ratio", "", "ζ = γ/(2√(k m*))", zeta}};
+    std::uint32_t n = 0;
+    for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
+    return n;
+  }
+};
+
+template <bool frictional, bool by_restitution>
+struct Kernel : LinearSpringDashpot {
+  static constexpr std::uint32_t reads = scree::reads_normal | scree::reads_overlap |
+                                         scree::reads_relative_velocity |
+                                         (frictional ? scree::reads_tangential_increment : 0u) |
+                                         (by_restitution ? scree::reads_reduced_mass : 0u);
+  static constexpr bool tangential = frictional;
+
+  template <int D, class T>
+  struct Friction {
+    Vec<D, T> spring;  // ξ (m)
+    T sliding;         // 1 while the contact slides
+    static constexpr int sliding_column = D;
+    static constexpr auto names = [] {
+      std::array<const char*, D + 1> all = {"spring_x", "spring_y"};
+      if constexpr (D == 3) all[2] = "spring_z";
+      all[D] = "sliding";
+      return all;
+    }();
+  };
+  template <int D, class T>
+  using History = std::conditional_t<frictional, Friction<D, T>, scree::NoHistory<D, T>>;
+
+  template <int D, class T>
+  T stored_energy(const Friction<D, T>& h) const {
+    return T(0.5 * tangential_stiffness) * dot(h.spring, h.spring);
+  }
+
+  template <int D, class T>
+  void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
+    using std::sqrt;
+    const T weight = onset_weight(c);
+    const T v_n = dot(c.relative_velocity, c.normal);
+    T gamma = T(normal_damping);
+    if constexpr (by_restitution) gamma = T(2 * damping_ratio) * sqrt(T(normal_stiffness) * c.reduced_mass);
+
+    // [D1], δ' = −v_n
+    const T spring_force = T(normal_stiffness) * c.overlap;
+    const T pushing_or_pulling = spring_force - weight * gamma * v_n;
+    const T pushing = std::max(pushing_or_pulling, T(0));
+    const T f_n = tension == cut ? pushing : pushing_or_pulling;
+    out.force = f_n * c.normal;
+    out.elastic_normal = T(0.5) * spring_force * c.overlap;
+    out.dissipated_normal = (spring_force - f_n) * v_n;
+    if constexpr (frictional) slide_or_stick(c, pushing, weight, h, out);
+  }
+
+ private:
+  template <int D, class T>
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& weight, Friction<D, T>& h,
+                      Response<D, T>& out) const {
+    const T k_t = T(tangential_stiffness);
+    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
+    const Vec<D, T> dashpot = (weight * T(tangential_damping)) * v_t;
+
+    // The old spring, moved by this step's displacement and turned into the present tangent plane.
+    const Vec<D, T> xi = tangential_part(h.spring + c.tangential_increment, c.normal);
+    const Vec<D, T> f_0 = -(k_t * xi) - dashpot;  // [D3]
+    const T test = norm(f_0);
+    const T limit = (h.sliding > T(0) ? T(dynamic_friction) : T(static_friction)) * f_n;
+    const bool slides = test > limit;
+
+    const T scale = slides ? T(dynamic_friction) * f_n / std::max(test, T(1e-300)) : T(1);
+    const Vec<D, T> f_t = scale * f_0;
+    for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) / k_t : xi[k];  // [D4]
+    h.sliding = slides ? T(1) : T(0);
+
+    out.force += f_t;
+    out.elastic_tangential = stored_energy(h);
+    out.dissipated_tangential = dot(dashpot, v_t);
+    out.dissipated_friction = k_t * dot(h.spring, xi - h.spring);
+  }
+};
+
+}  // namespace
+
+SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, Kernel<false, false>, Kernel<false, true>, Kernel<true, false>,
+                         Kernel<true, true>)

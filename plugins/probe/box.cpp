@@ -1,0 +1,87 @@
+// Lengths, stresses and strains of a box of walls.
+
+#include <cmath>
+
+#include <scree/probe.hpp>
+
+namespace {
+
+struct BoxProbe {
+  int dimension = 3;
+
+  static constexpr scree::About about = {
+      "box", "lengths, stresses and strains of the box that facing walls form",
+      "σ_kk = mean of the contact forces on both walls of axis k / their area\n"
+      "ε_kk = 1 − L_k/L_k0          L_k0: at the first sample\n"
+      "σ_D = 2(σ_xx − σ_yy)/3,  ε_D = ε_xx − ε_yy",
+      "David et al. 2005, section 3.1; McNamara et al. 2008, equation 2 (γ = ε_D)"};
+
+  void declare(scree::Declaration&) {}
+  void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
+
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = std::uint32_t(3 * dimension + 3);
+    instance.state_width = 3;
+  }
+
+  scree::ColumnName column(std::uint32_t c) const {
+    const std::uint32_t d = std::uint32_t(dimension);
+    const std::string axis(1, "xyz"[c % d]);
+    if (c < d) return {"length_" + axis, "m"};
+    if (c < 2 * d) return {"stress_" + axis + axis, "Pa"};
+    if (c < 3 * d) return {"strain_" + axis + axis, ""};
+    if (c == 3 * d) return {"deviatoric_stress", "Pa"};
+    if (c == 3 * d + 1) return {"deviatoric_strain", ""};
+    return {"solid_fraction", ""};
+  }
+
+  const char* start(const scree_view& view, double* state) const {
+    for (int k = 0; k < dimension; ++k) {
+      if (wall(view, k, 1) < 0 || wall(view, k, -1) < 0)
+        return "the box probe needs walls on both sides of every axis; add a boundary \"box\" or pairs of planes";
+      state[k] = length(view, k);
+    }
+    return nullptr;
+  }
+
+  void sample(const scree_view& view, const double* state, double* row) const {
+    double lengths[3] = {1, 1, 1}, volume = 1;
+    for (int k = 0; k < dimension; ++k) volume *= lengths[k] = length(view, k);
+    double* stress = row + dimension;
+    double* strain = row + 2 * dimension;
+    for (int k = 0; k < dimension; ++k) {
+      const double low = -view.loads[wall(view, k, 1)].force[k], high = view.loads[wall(view, k, -1)].force[k];
+      row[k] = lengths[k];
+      stress[k] = 0.5 * (low + high) / (volume / lengths[k]);
+      strain[k] = 1 - lengths[k] / state[k];
+    }
+    double* last = row + 3 * dimension;
+    last[0] = 2 * (stress[0] - stress[1]) / 3;
+    last[1] = strain[0] - strain[1];
+    last[2] = solid_volume(view) / volume;
+  }
+
+ private:
+  // The plane whose normal points along `sign` × axis, or −1.
+  static int wall(const scree_view& view, int axis, int sign) {
+    for (std::uint32_t w = 0; w < view.plane_count; ++w)
+      if (view.planes[w].normal[axis] * sign > 0.999999) return int(w);
+    return -1;
+  }
+  static double length(const scree_view& view, int axis) {
+    return view.planes[wall(view, axis, -1)].point[axis] - view.planes[wall(view, axis, 1)].point[axis];
+  }
+  double solid_volume(const scree_view& view) const {
+    constexpr double pi = 3.14159265358979323846;
+    double sum = 0;
+    for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      const double r = view.radius[i];
+      sum += dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r;
+    }
+    return sum;
+  }
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(BoxProbe)

@@ -1,0 +1,67 @@
+// Statistics of the contact network.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <scree/probe.hpp>
+
+namespace {
+
+struct ContactsProbe {
+  double rattler_below = 2;
+
+  static constexpr scree::About about = {
+      "contacts", "coordination, sliding fraction, overlaps, rattlers",
+      "Z = (2 C_bodies + C_walls)/N,   Z without rattlers: their number left out of N, their contacts kept\n"
+      "sliding fraction = sliding contacts / contacts",
+      "David et al. 2005, section 2"};
+
+  void declare(scree::Declaration& d) {
+    d.number("rattler_below", rattler_below, "", scree::positive,
+             "a body with fewer contacts than this bears no load and counts as a rattler");
+  }
+
+  void describe(scree_probe_instance& instance) const {
+    instance.needs = SCREE_NEEDS_CONTACTS;
+    instance.column_count = std::size(names);
+  }
+  scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c]}; }
+  const char* start(const scree_view&, double*) const { return nullptr; }
+
+  void sample(const scree_view& view, const double*, double* row) const {
+    double ends = 0, sliding = 0, overlap = 0, largest = 0, force = 0;
+    std::vector<std::uint32_t> coordination(view.body_count, 0);
+    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
+      ++coordination[view.contact_a[c]], ++ends;
+      if (view.contact_b[c] < view.body_count) ++coordination[view.contact_b[c]], ++ends;
+      sliding += view.contact_sliding[c];
+      overlap += view.contact_overlap[c];
+      largest = std::max(largest, view.contact_overlap[c]);
+      for (int k = 0; k < 3; ++k) force += view.contact_force[3 * c + k] * view.contact_normal[3 * c + k];
+    }
+    const auto rattlers = double(std::count_if(coordination.begin(), coordination.end(),
+                                               [this](std::uint32_t n) { return n < rattler_below; }));
+    const double contacts = double(view.contact_count), bodies = double(view.body_count);
+    const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
+    const double values[] = {contacts,
+                             ratio(ends, bodies),
+                             ratio(ends, bodies - rattlers),
+                             ratio(sliding, contacts),
+                             ratio(overlap, contacts),
+                             largest,
+                             ratio(force, contacts),
+                             rattlers};
+    std::copy(std::begin(values), std::end(values), row);
+  }
+
+ private:
+  static constexpr const char* names[] = {"contacts",     "coordination_number", "coordination_without_rattlers",
+                                          "sliding_fraction", "mean_overlap",    "max_overlap",
+                                          "mean_normal_force", "rattlers"};
+  static constexpr const char* units[] = {"", "", "", "", "m", "m", "N", ""};
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(ContactsProbe)

@@ -1,0 +1,119 @@
+#include "packing_support.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include <scree/packing/csv.hpp>
+
+using namespace scree::packing;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+std::string refusal(const std::string& text, const ImportOptions& options = {}) {
+  return error_of([&] { parse_csv(text, "a.csv", options); });
+}
+
+}  // namespace
+
+TEST_CASE("CSV keeps every bit", "[packing]") {
+  Packing packing = awkward_packing(GENERATE(2, 3));
+  CHECK(same_bits(parse_csv(format_csv(packing), "a.csv"), packing));
+  packing.bodies[0].material = "glass bead";
+  packing.bodies[1].material.clear();
+  packing.bodies[1].density = unset;
+  packing.bodies[2].density = unset;
+  packing.bodies[2].mass = 0.1;
+  packing.bounds.reset();
+  packing.periodic = {};
+  CHECK(same_bits(parse_csv(format_csv(packing), "a.csv"), packing));
+}
+
+TEST_CASE("a CSV file is written and read", "[packing]") {
+  const auto path = std::filesystem::temp_directory_path() / "scree_packing_csv_test.csv";
+  const Packing packing = awkward_packing(3);
+  write_csv(packing, path);
+  CHECK(same_bits(read_csv(path), packing));
+  std::filesystem::remove(path);
+  CHECK_THAT(error_of([&] { read_csv(path); }), StartsWith(path.string() + ": there is no such file; "));
+  CHECK_THAT(error_of([&] { read_csv(path.parent_path()); }), Contains("is not a regular file; "));
+  CHECK_THAT(error_of([&] { write_csv(packing, path / "no" / "folder"); }),
+             Contains("cannot be opened for writing; "));
+}
+
+TEST_CASE("CSV columns come in any order, with or without units", "[packing]") {
+  const Packing packing = parse_csv(
+      "# a comment\n\n wz , \"radius [m]\",y[m], x [m] ,z,id\r\n"
+      "3,0.5,2,+1,0,7\r\n# between\n1e0, 0.25 ,4,3,5.5,2\n",
+      "a.csv");
+  REQUIRE(packing.bodies.size() == 2);
+  CHECK(packing.dimension == 3);
+  CHECK(packing.bodies[0].id == 7);
+  CHECK(packing.bodies[0].radius == 0.5);
+  CHECK(packing.bodies[0].position == scree::Vec3{{1.0, 2.0, 0.0}});
+  CHECK(packing.bodies[0].spin[2] == 3.0);
+  CHECK(packing.bodies[1].position == scree::Vec3{{3.0, 4.0, 5.5}});
+}
+
+TEST_CASE("absent CSV columns take their defaults", "[packing]") {
+  const Packing packing = parse_csv("x,y,diameter\n1,2,3\n4,5,6\n", "a.csv");
+  CHECK(packing.dimension == 2);
+  CHECK(packing.bodies[1].id == 2);
+  CHECK(packing.bodies[1].radius == 3.0);
+  CHECK(packing.bodies[1].material.empty());
+  CHECK(std::isnan(packing.bodies[1].density));
+  CHECK(packing.bodies[1].velocity == scree::Vec3{});
+  CHECK_FALSE(packing.bounds);
+  CHECK(parse_csv("x,y,radius\n1,2,3\n", "a.csv", {.dimension = 3}).dimension == 3);
+  CHECK(parse_csv("x,y,z,radius\n1,2,0,3\n", "a.csv", {.dimension = 2}).dimension == 2);
+}
+
+TEST_CASE("CSV errors name the place and the cure", "[packing]") {
+  CHECK_THAT(refusal("x,y,radios\n"),
+             StartsWith("a.csv:1:5: unknown column 'radios'; did you mean 'radius'?"));
+  CHECK_THAT(refusal("x,y,radius [mm]\n"),
+             StartsWith("a.csv:1:5: ") && Contains("convert its numbers and write [m]"));
+  CHECK_THAT(refusal("x,y,radius,x\n"), StartsWith("a.csv:1:12: ") && Contains("twice"));
+  CHECK_THAT(refusal("x,radius\n"), StartsWith("a.csv:1:1: column x or y is missing; "));
+  CHECK_THAT(refusal("x,y\n"), Contains("either a column radius or a column diameter; "));
+  CHECK_THAT(refusal("x,y,radius,diameter\n"), Contains("either a column radius or a column diameter; "));
+  CHECK_THAT(refusal("x;y;radius\n"), Contains("semicolons; "));
+  CHECK_THAT(refusal(""), Contains("no header; "));
+  CHECK_THAT(refusal("x,y,radius\n"), Contains("no body"));
+  CHECK_THAT(refusal("x,y,radius\n1,2\n"), StartsWith("a.csv:2:1: 2 cells under 3 columns; "));
+  CHECK_THAT(refusal("x,y,radius\n1,abc,1\n"), StartsWith("a.csv:2:3: y 'abc' is not a number; "));
+  CHECK_THAT(refusal("x,y,radius\n1,2m,1\n"), StartsWith("a.csv:2:3: y '2m' is not a number; "));
+  CHECK_THAT(refusal("x,y,radius\n1,,1\n"), StartsWith("a.csv:2:3: y '' is not a number; "));
+  CHECK_THAT(refusal("x,y,radius\n1,2,nan\n"), StartsWith("a.csv:2:5: radius 'nan' is not finite; "));
+  CHECK_THAT(refusal("x,y,radius\n1,2,-1\n"), StartsWith("a.csv:2:5: radius '-1' is not positive; "));
+  CHECK_THAT(refusal("x,y,radius\n1,1e999,1\n"), StartsWith("a.csv:2:3: ") && Contains("beyond the range"));
+  CHECK_THAT(refusal("id,x,y,radius\n1,0,0,1\n1,3,3,1\n"),
+             StartsWith("a.csv:3:1: id 1 was used before, in line 2; "));
+  CHECK_THAT(refusal("id,x,y,radius\n0,0,0,1\n"), StartsWith("a.csv:2:1: id '0' is not positive; "));
+  CHECK_THAT(refusal("id,x,y,radius\n1.5,0,0,1\n"), Contains("'1.5' is not an integer; "));
+  CHECK_THAT(refusal("id,x,y,radius\n99999999999999999999,0,0,1\n"), Contains("beyond 64 bits; "));
+  CHECK_THAT(refusal("x,y,radius,mass,density\n0,0,1,1,1\n"), Contains("density and mass are both given; "));
+  CHECK_THAT(refusal("x,y,z,radius\n0,0,1,1\n", {.dimension = 2}), StartsWith("a.csv:2:5: z '1' is not 0"));
+  CHECK_THAT(refusal(std::string("x,y,radius\n1,2\0,1\n", 18)), StartsWith("a.csv:2:4: not a text file"));
+  CHECK_THAT(refusal("\x89PNG\x1a\xff\n"), StartsWith("a.csv:1:1: unknown column '\\x89PNG\\x1a\\xff'; "));
+}
+
+TEST_CASE("what the comments of a CSV file say is checked", "[packing]") {
+  const std::string rest = "x,y,z,radius\n1,2,0,3\n";
+  CHECK(parse_csv("# time [s]: 2.5\n# note: whatever\n" + rest, "a.csv").time == 2.5);
+  CHECK_THAT(refusal("# periodic: x w\n" + rest), StartsWith("a.csv:1:15: 'w' is not an axis; "));
+  CHECK_THAT(refusal("# periodic: x\n" + rest), StartsWith("a.csv: packing: x is periodic without"));
+  CHECK_THAT(refusal("# dimension: 4\n" + rest), Contains("neither 2 nor 3"));
+  CHECK_THAT(refusal("# lower [m]: 0 0 0\n" + rest), Contains("only one of"));
+  CHECK_THAT(refusal("# lower [m]: 0 0\n" + rest), Contains("2 numbers"));
+  CHECK_THAT(refusal("# lower [m]: 0 0 0\n# upper [m]: -1 0 0\n" + rest), Contains("below the lower one; "));
+}
+
+TEST_CASE("a material that would break a CSV cell is refused", "[packing]") {
+  Packing packing = awkward_packing(3);
+  packing.bodies[4].material = "glass, fine";
+  CHECK_THAT(error_of([&] { format_csv(packing); }), Contains("'glass, fine'") && Contains("rename it"));
+}

@@ -1,0 +1,76 @@
+#include "packing_support.hpp"
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include <scree/packing/bead_file.hpp>
+#include <scree/packing/csv.hpp>
+#include <scree/packing/lammps.hpp>
+
+using namespace scree::packing;
+
+namespace {
+
+using Parser = Packing (*)(std::string_view, const std::string&, const ImportOptions&);
+
+struct Sample {
+  Parser parse;
+  std::string text;
+};
+
+std::vector<Sample> samples() {
+  Packing packing = awkward_packing(3, 4);
+  return {{parse_csv, format_csv(packing)},
+          {parse_lammps_data, format_lammps_data(packing)},
+          {parse_lammps_dump, format_lammps_dump(packing)},
+          {parse_beads, "2 1 1\n0.1 0.1 0.1 0.1\n0.5 0.5 0.5 0.1\n"}};
+}
+
+// Either a packing that keeps the rules, or one line that begins with the file's name and ends with a cure.
+bool parses_or_explains(const Sample& sample, const std::string& text) {
+  Packing packing;
+  const std::string error = error_of([&] { packing = sample.parse(text, "file", {}); });
+  if (error.empty()) return error_of([&] { check(packing); }).empty();
+  return error.starts_with("file:") && error.find("; ") != std::string::npos &&
+         error.find_first_of("\n\r") == std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a file cut off anywhere is explained, or is complete", "[packing]") {
+  for (const Sample& sample : samples()) {
+    for (std::size_t length = 0; length <= sample.text.size(); ++length) {
+      INFO(sample.text.substr(0, length));
+      REQUIRE(parses_or_explains(sample, sample.text.substr(0, length)));
+    }
+  }
+}
+
+TEST_CASE("a file with any byte damaged is explained, or still makes sense", "[packing]") {
+  Random random(11);
+  for (const Sample& sample : samples()) {
+    for (int round = 0; round < 5000; ++round) {
+      std::string text = sample.text;
+      const std::size_t changes = 1 + random.bits() % 3;
+      for (std::size_t k = 0; k < changes; ++k) {
+        const bool likely = random.uniform() < 0.5;
+        const char likely_byte = std::string("0123456789-+.eE,; \n\t#ITEM:naif")[random.bits() % 31];
+        text[random.bits() % text.size()] = likely ? likely_byte : static_cast<char>(random.bits() % 256);
+      }
+      INFO(text);
+      REQUIRE(parses_or_explains(sample, text));
+    }
+  }
+}
+
+TEST_CASE("random bytes are explained", "[packing]") {
+  Random random(12);
+  for (const Sample& sample : samples()) {
+    for (int round = 0; round < 1000; ++round) {
+      std::string text(random.bits() % 200, ' ');
+      for (char& byte : text) byte = static_cast<char>(1 + random.bits() % 255);
+      REQUIRE(parses_or_explains(sample, text));
+    }
+  }
+}

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <scree/error.hpp>
+#include <scree/packing/packing.hpp>
+#include <scree/packing/random.hpp>
+
+namespace scree::packing {
+
+// What the Error says that the call throws; empty if it throws none.
+template <class Call>
+std::string error_of(Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+inline bool same_bits(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) ||
+         std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+inline bool same_bits(const Vec3& a, const Vec3& b) {
+  return same_bits(a[0], b[0]) && same_bits(a[1], b[1]) && same_bits(a[2], b[2]);
+}
+
+inline bool same_bits(const Body& a, const Body& b) {
+  return a.id == b.id && a.material == b.material && same_bits(a.radius, b.radius) &&
+         same_bits(a.density, b.density) && same_bits(a.mass, b.mass) && same_bits(a.position, b.position) &&
+         same_bits(a.velocity, b.velocity) && same_bits(a.spin, b.spin);
+}
+
+inline bool same_bits(const Packing& a, const Packing& b) {
+  if (a.dimension != b.dimension || a.bodies.size() != b.bodies.size() || a.periodic != b.periodic)
+    return false;
+  if (!same_bits(a.time, b.time) || a.bounds.has_value() != b.bounds.has_value()) return false;
+  if (a.bounds &&
+      !(same_bits(a.bounds->lower, b.bounds->lower) && same_bits(a.bounds->upper, b.bounds->upper))) {
+    return false;
+  }
+  for (std::size_t k = 0; k < a.bodies.size(); ++k) {
+    if (!same_bits(a.bodies[k], b.bodies[k])) return false;
+  }
+  return true;
+}
+
+// Bodies with awkward numbers in every field, inside the box from -1 to 1.
+inline Packing awkward_packing(int dimension, std::size_t count = 50) {
+  Random random(7);
+  Packing packing;
+  packing.dimension = dimension;
+  packing.bounds = Bounds{{{-1.0, -1.0 / 3.0 - 1.0, dimension == 3 ? -1.1 : -0.1}},
+                          {{1.0, std::nextafter(1.0, 2.0), dimension == 3 ? 1.1 : 0.1}}};
+  packing.periodic = {true, false, dimension == 3};
+  packing.time = 1.0 / 3.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    Body body;
+    body.id = static_cast<std::int64_t>(3 * (count - k));
+    body.material = k % 3 == 0 ? '2' : '1';
+    body.radius = std::ldexp(1.0 + random.uniform(), -static_cast<int>(k) - 3);
+    body.density = 2500.0 + random.uniform();
+    for (int axis = 0; axis < dimension; ++axis) {
+      body.position[axis] = random.uniform(-1.0, 1.0);
+      body.velocity[axis] = random.normal() * 1e-7;
+    }
+    for (int axis = dimension == 3 ? 0 : 2; axis < 3; ++axis) body.spin[axis] = random.normal() * 1e9;
+    packing.bodies.push_back(body);
+  }
+  packing.bodies[0].velocity[0] = -0.0;
+  packing.bodies[1].velocity[1] = 4.9406564584124654e-324;
+  packing.bodies[2].spin[2] = 1.7976931348623157e308;
+  return packing;
+}
+
+}  // namespace scree::packing

@@ -1,0 +1,29 @@
+# One place for what every target is compiled with: warnings, sanitizers, and the floating-point contract.
+
+add_library(scree_compile_options INTERFACE)
+target_compile_options(scree_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(SCREE_WARNINGS_AS_ERRORS)
+  target_compile_options(scree_compile_options INTERFACE -Werror)
+endif()
+
+# Same bits on every instruction level and compiler: no contraction, no reassociation. -fno-math-errno and
+# -fno-trapping-math change no result; they let the compiler vectorise square roots and selections.
+set(SCREE_NUMERIC_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math -fopenmp-simd)
+target_compile_options(scree_compile_options INTERFACE ${SCREE_NUMERIC_FLAGS})
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g -DNDEBUG")
+if(SCREE_ASSERTIONS)
+  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g -D_GLIBCXX_ASSERTIONS")
+endif()
+
+if(SCREE_SANITIZE)
+  add_compile_options(-fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${SCREE_SANITIZE})
+endif()
+
+find_program(SCREE_CCACHE ccache)
+if(SCREE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SCREE_CCACHE})
+endif()

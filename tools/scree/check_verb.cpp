@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include <scree/probes.hpp>
+#include <scree/scenario/plan.hpp>
+
+#include "verbs.hpp"
+
+namespace scree::tool {
+
+namespace {
+
+struct CheckArguments {
+  std::string scenario;
+  std::vector<std::string> overrides;
+  PluginOptions plugins;
+};
+
+ExitStatus check(const CheckArguments& arguments) {
+  PluginHost host = make_host(arguments.plugins);
+  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
+  const Simulation simulation(plan.scene);
+  const SimulationView view(simulation, false);
+  for (const scenario::ProbePlan& probe : plan.probes) Probe(probe.parameters, plan.scene.dimension).check(view.get());
+
+  fmt::print("{}: good{}{}\n", arguments.scenario, plan.title.empty() ? "" : ", ", plan.title);
+  fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n", simulation.particles().size(),
+             plan.scene.dimension, simulation.boundaries().planes().size(), plan.scene.laws.size(),
+             plan.scene.body_terms.size(), plan.probes.size());
+  fmt::print("  time step {:g} s, {:.3g} steps in the shortest contact\n", simulation.step_length(), simulation.min_steps_per_contact());
+  double least = 0;
+  for (const Stage& stage : plan.stages) {
+    const double length = stage.duration ? *stage.duration : stage.at_least;
+    least += length;
+    if (stage.duration)
+      fmt::print("  stage {}: {:g} s, {:.0f} steps\n", stage.name, length, length / simulation.step_length());
+    else
+      fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n", stage.name, *stage.kinetic_over_elastic, *stage.at_most);
+  }
+  fmt::print("  at least {:g} s of simulated time\n", least);
+  return ExitStatus::success;
+}
+
+}  // namespace
+
+void add_check_verb(CLI::App& app, ExitStatus& status) {
+  CLI::App* verb = app.add_subcommand("check", "Validate a scenario without running it");
+  auto arguments = std::make_shared<CheckArguments>();
+  verb->add_option("scenario", arguments->scenario, "Scenario file (TOML)")->required();
+  verb->add_option("--set", arguments->overrides, "Change a value of the scenario")->type_name("KEY=VALUE")->allow_extra_args(false);
+  add_plugin_options(*verb, arguments->plugins);
+  verb->footer("Example: scree check scenarios/david2005/quickstart.toml --set particles.lattice.count=[10,10,10]");
+  verb->callback([arguments, &status] { status = check(*arguments); });
+}
+
+}  // namespace scree::tool

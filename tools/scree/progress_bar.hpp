@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include <scree/scenario/run.hpp>
+
+namespace scree::tool {
+
+// Progress on stderr: one line that moves on a terminal, a plain line every few seconds elsewhere.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool quiet);
+  void show(const scenario::Progress& progress);
+  // Clears the moving line, so that other text can follow.
+  void clear();
+
+ private:
+  bool quiet_, terminal_;
+  double next_plain_line_ = 0;  // (s) of wall time
+};
+
+// "1 h 05 min", "2 min 10 s", "8 s".
+std::string duration_text(double seconds);
+
+}  // namespace scree::tool

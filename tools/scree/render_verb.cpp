@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include <scree/snapshot/load_backend.hpp>
+
+#include "verbs.hpp"
+
+namespace scree::tool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RenderArguments {
+  std::string source, out;
+  snapshot::RenderOptions options;
+};
+
+// The particle files of a run directory or of its snapshots folder in order of time, or the one file named.
+std::vector<fs::path> frames_of(const fs::path& source) {
+  if (fs::is_regular_file(source)) return {source};
+  const fs::path folder = fs::is_directory(source / "snapshots") ? source / "snapshots" : source;
+  std::vector<fs::path> frames;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".vtp" && entry.path().filename().string().starts_with("particles_"))
+      frames.push_back(entry.path());
+  std::sort(frames.begin(), frames.end());
+  if (frames.empty())
+    throw Error(fmt::format("{}: holds no particles_*.vtp; name a run that wrote snapshots ([snapshot] every = <s>)", source.string()));
+  return frames;
+}
+
+ExitStatus render(const RenderArguments& arguments) {
+  const std::vector<fs::path> frames = frames_of(arguments.source);
+  const fs::path base = fs::is_directory(arguments.source) ? fs::path(arguments.source) / "images" : fs::path(arguments.source).parent_path();
+  const fs::path out = arguments.out.empty() ? base : fs::path(arguments.out);
+  const auto backend = snapshot::load_backend();
+  for (const fs::path& frame : frames) {
+    const std::string number = frame.stem().string().substr(std::string("particles_").size());
+    const fs::path picture = out / fmt::format("frame_{}.png", number);
+    backend->render(backend->read_frame(frame), arguments.options, picture);
+    fmt::print("{}\n", picture.string());
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace
+
+void add_render_verb(CLI::App& app, ExitStatus& status) {
+  CLI::App* verb = app.add_subcommand("render", "Draw the snapshots of a run anew, without a display");
+  auto a = std::make_shared<RenderArguments>();
+  const std::vector<std::string> fields(snapshot::color_fields.begin(), snapshot::color_fields.end());
+  const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
+  verb->add_option("source", a->source, "Run directory, or one particles_*.vtp file")->required()->check(CLI::ExistingPath);
+  verb->add_option("--out", a->out, "Directory for the pictures; default the run's images/")->type_name("DIR");
+  verb->add_option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")->check(CLI::IsMember(fields));
+  verb->add_option("--view", a->options.view, "Direction of view (default iso, in 2D z)")->check(CLI::IsMember(views));
+  verb->add_flag("--contacts", a->options.show_contacts, "Draw the contact network");
+  verb->add_option("--width", a->options.width, "Pixels (default 1200)")->check(CLI::Range(200, 8000));
+  verb->add_option("--height", a->options.height, "Pixels (default 900)")->check(CLI::Range(200, 8000));
+  verb->footer("Example: scree render runs/first --color-by speed --contacts");
+  verb->callback([a, &status] { status = render(*a); });
+}
+
+}  // namespace scree::tool

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <scree/error.hpp>
+#include <scree/plugin_host.hpp>
+
+namespace scree::tool {
+
+// What every verb that looks at plug-ins shares.
+struct PluginOptions {
+  std::vector<std::string> directories;
+};
+
+// Adds --plugins DIR.
+void add_plugin_options(CLI::App& verb, PluginOptions& options);
+// Directories of --plugins, then of SCREE_PLUGIN_PATH, then of the build or install tree.
+PluginHost make_host(const PluginOptions& options);
+
+// Each adds its verb; the callback sets `status`.
+void add_run_verb(CLI::App& app, ExitStatus& status);
+void add_check_verb(CLI::App& app, ExitStatus& status);
+void add_describe_verb(CLI::App& app, ExitStatus& status);
+void add_render_verb(CLI::App& app, ExitStatus& status);
+
+}  // namespace scree::tool
