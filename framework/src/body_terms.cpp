@@ -1,7 +1,6 @@
-#include <scree/body_terms.hpp>
-
 #include <fmt/format.h>
 
+#include <scree/body_terms.hpp>
 #include <scree/error.hpp>
 
 namespace scree {

@@ -1,10 +1,9 @@
-#include <scree/boundaries.hpp>
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include <scree/boundaries.hpp>
 #include <scree/error.hpp>
 #include <scree/state_hash.hpp>
 
@@ -13,13 +12,15 @@ namespace scree {
 Boundaries::Boundaries(const std::vector<Entry>& entries, int dimension, const Vec3& lower, const Vec3& upper)
     : dimension_(dimension), lower_{lower[0], lower[1], lower[2]}, upper_{upper[0], upper[1], upper[2]} {
   for (const Entry& entry : entries) {
-    members_.push_back({entry, ConfiguredBoundary(entry.parameters, dimension, lower_, upper_), planes_.size()});
+    members_.push_back(
+        {entry, ConfiguredBoundary(entry.parameters, dimension, lower_, upper_), planes_.size()});
     Member& member = members_.back();
     const scree_boundary_instance& instance = member.plugin.instance();
     add_domain(member);
     member.state.assign(instance.state_width, 0.0);
     for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
-      names_.push_back(instance.plane_names ? fmt::format("{}.{}", entry.name, instance.plane_names[k]) : entry.name);
+      names_.push_back(instance.plane_names ? fmt::format("{}.{}", entry.name, instance.plane_names[k])
+                                            : entry.name);
       materials_.push_back(entry.material);
     }
     planes_.resize(planes_.size() + instance.plane_count);
@@ -34,7 +35,8 @@ void Boundaries::add_domain(const Member& member) {
   for (int k = 0; k < dimension_; ++k) {
     if (!instance.periodic[k]) continue;
     if (domain_.periodic[k])
-      throw Error(fmt::format("boundary '{}': axis {} is periodic already; give each axis once", member.entry.name, "xyz"[k]));
+      throw Error(fmt::format("boundary '{}': axis {} is periodic already; give each axis once",
+                              member.entry.name, "xyz"[k]));
     domain_.periodic[k] = true;
     domain_.lower[k] = instance.lower[k];
     domain_.upper[k] = instance.upper[k];
@@ -74,7 +76,8 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
     ConfiguredBoundary changed(parameters, dimension_, lower_, upper_);
     if (changed.instance().plane_count != member.plugin.instance().plane_count ||
         changed.instance().state_width != member.plugin.instance().state_width)
-      throw Error(fmt::format("boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
+      throw Error(fmt::format(
+          "boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
     member.plugin = std::move(changed);
     member.clock_start = time;
     return;

@@ -8,7 +8,8 @@ CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec
                      double reach, const std::vector<std::uint32_t>& bodies)
     : lower_(lower), periodic_(domain.periodic) {
   const int dimension = particles.dimension();
-  // A few bodies far out must not make the grid large: no more cells along an axis than keep the total near n.
+  // A few bodies far out must not make the grid large: no more cells along an axis than keep the total near
+  // n.
   const double most = std::max(3.0, std::ceil(std::pow(4.0 * double(bodies.size()), 1.0 / dimension)));
   std::size_t total = 1;
   for (int k = 0; k < 3; ++k) {

@@ -10,12 +10,12 @@
 
 namespace scree {
 
-// One level of the cell hierarchy: bodies of similar size filed in a grid of cells at least as wide as the reach
-// of any pair that is looked up in it, so that 3^D cells hold all partners.
+// One level of the cell hierarchy: bodies of similar size filed in a grid of cells at least as wide as the
+// reach of any pair that is looked up in it, so that 3^D cells hold all partners.
 class CellLevel {
  public:
-  CellLevel(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper, double reach,
-            const std::vector<std::uint32_t>& bodies);
+  CellLevel(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
+            double reach, const std::vector<std::uint32_t>& bodies);
 
   // Calls visit(j) for every body j filed in the cell around (x, y, z) or a neighbouring cell.
   template <class Visit>
@@ -26,7 +26,8 @@ class CellLevel {
     for (int p = 0; p < count[2]; ++p)
       for (int q = 0; q < count[1]; ++q)
         for (int r = 0; r < count[0]; ++r) {
-          const std::size_t c = (std::size_t(cells[2][p]) * cells_[1] + cells[1][q]) * cells_[0] + cells[0][r];
+          const std::size_t c =
+              (std::size_t(cells[2][p]) * cells_[1] + cells[1][q]) * cells_[0] + cells[0][r];
           for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) visit(bodies_[s]);
         }
   }

@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include <new>
 #include <type_traits>
+
+#include <fmt/format.h>
 
 #include <scree/error.hpp>
 #include <scree/plugin_host.hpp>
@@ -12,8 +12,8 @@ namespace {
 
 void check_instance(const char* name, const scree_contact_instance& i) {
   if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
-    throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function", name,
-                            i.history_width, SCREE_MAX_HISTORY));
+    throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
+                            name, i.history_width, SCREE_MAX_HISTORY));
 }
 template <class Instance>
 void check_instance(const char*, const Instance&) {}
@@ -21,8 +21,8 @@ void check_instance(const char*, const Instance&) {}
 }  // namespace
 
 template <class Interface, class Instance>
-Configured<Interface, Instance>::Configured(const Parameters& parameters, int dimension, const double (&lower)[3],
-                                            const double (&upper)[3])
+Configured<Interface, Instance>::Configured(const Parameters& parameters, int dimension,
+                                            const double (&lower)[3], const double (&upper)[3])
     : parameters_(std::make_unique<Parameters>(parameters)),
       storage_(::operator new(SCREE_MAX_INSTANCE_SIZE, std::align_val_t(64))) {
   parameters_->check_complete();
@@ -38,8 +38,8 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
 
   const char* name = parameters_->plugin().name;
   if (interface().storage_size > SCREE_MAX_INSTANCE_SIZE)
-    throw Error(fmt::format("plug-in {}: asks for {} bytes of storage of at most {}", name, interface().storage_size,
-                            SCREE_MAX_INSTANCE_SIZE));
+    throw Error(fmt::format("plug-in {}: asks for {} bytes of storage of at most {}", name,
+                            interface().storage_size, SCREE_MAX_INSTANCE_SIZE));
   int failed = 0;
   if constexpr (std::is_same_v<Instance, NoInstance>)
     failed = interface().configure(&setup, storage_.get());

@@ -72,7 +72,8 @@ Partner<D, spin> body_partner(const Scene& s, std::uint32_t a, std::uint32_t b, 
   partner.inverse_mass = p.inverse_mass[b];
   partner.velocity = load<D>(p.velocity, b);
   partner.mid_velocity = load<D>(p.mid_velocity, b);
-  if constexpr (spin) partner.spin_now = load_spin<D>(p.spin, b), partner.mid_spin = load_spin<D>(p.mid_spin, b);
+  if constexpr (spin)
+    partner.spin_now = load_spin<D>(p.spin, b), partner.mid_spin = load_spin<D>(p.mid_spin, b);
   return partner;
 }
 
@@ -133,7 +134,8 @@ Arms arms_of(std::uint32_t convention, double radius_a, double radius_b, double 
 
 // v_a − v_b + n × (arm_a ω_a + arm_b ω_b), the velocity of a's contact point relative to b's [D2].
 template <int D, bool spin, class Spin>
-Vec<D> contact_velocity(const Vec<D>& v, const Vec<D>& n, const Arms& arms, const Spin& spin_a, const Spin& spin_b) {
+Vec<D> contact_velocity(const Vec<D>& v, const Vec<D>& n, const Arms& arms, const Spin& spin_a,
+                        const Spin& spin_b) {
   if constexpr (!spin) return v;
   const auto turning = arms.a * spin_a + arms.b * spin_b;
   if constexpr (D == 2)
@@ -144,7 +146,8 @@ Vec<D> contact_velocity(const Vec<D>& v, const Vec<D>& n, const Arms& arms, cons
 
 // One lane of a block: geometry and relative motion of a pair, as far as the law reads them.
 template <int D, bool spin, bool planes>
-void gather_pair(const Scene& s, const scree_contact_instance& law, std::size_t pair, std::uint32_t lane, Buffers& w) {
+void gather_pair(const Scene& s, const scree_contact_instance& law, std::size_t pair, std::uint32_t lane,
+                 Buffers& w) {
   const Particles& p = s.particles;
   const std::uint32_t a = s.contacts.a[pair], b = s.contacts.b[pair];
   const auto partner = [&] {
@@ -162,8 +165,8 @@ void gather_pair(const Scene& s, const scree_contact_instance& law, std::size_t 
   Vec<spin_components<D>> spin_a{}, mid_spin_a{};
   if constexpr (spin) spin_a = load_spin<D>(p.spin, a), mid_spin_a = load_spin<D>(p.mid_spin, a);
 
-  const Vec<D> velocity = contact_velocity<D, spin>(load<D>(p.velocity, a) - partner.velocity, normal, arms, spin_a,
-                                                    partner.spin_now);
+  const Vec<D> velocity = contact_velocity<D, spin>(load<D>(p.velocity, a) - partner.velocity, normal, arms,
+                                                    spin_a, partner.spin_now);
   store<D>(w.input + SCREE_NORMAL, lane, normal);
   w.input[SCREE_OVERLAP][lane] = overlap;
   store<D>(w.input + SCREE_RELATIVE_VELOCITY, lane, velocity);
@@ -182,7 +185,8 @@ void gather_pair(const Scene& s, const scree_contact_instance& law, std::size_t 
         resolve<D, planes>(s, b, partner.separation - (0.5 * s.step) * mid_motion, mid_normal);
     const Arms mid_arms = arms_of<planes>(law.arms, p.radius[a], partner.radius, radius_sum - mid_distance);
     const Vec<D> slip = tangential_part(
-        contact_velocity<D, spin>(mid_motion, mid_normal, mid_arms, mid_spin_a, partner.mid_spin), mid_normal);
+        contact_velocity<D, spin>(mid_motion, mid_normal, mid_arms, mid_spin_a, partner.mid_spin),
+        mid_normal);
     // A pair that met during this step has moved along its surface only since then.
     const double approach = -dot(velocity, normal) * s.step;
     const double touched = overlap < approach ? overlap / approach : 1.0;

@@ -10,7 +10,9 @@ Vec3 position(const Particles& p, std::size_t i) {
   return x;
 }
 
-void append(std::vector<double>& columns, const Vec3& v) { columns.insert(columns.end(), v.component, v.component + 3); }
+void append(std::vector<double>& columns, const Vec3& v) {
+  columns.insert(columns.end(), v.component, v.component + 3);
+}
 
 }  // namespace
 
@@ -26,7 +28,8 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
       double distance = 0, reach = p.radius[a];
       if (group.planes) {
         for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
-        for (int k = 0; k < p.dimension(); ++k) distance += (p.position[k][a] - planes[b].point[k]) * normal[k];
+        for (int k = 0; k < p.dimension(); ++k)
+          distance += (p.position[k][a] - planes[b].point[k]) * normal[k];
       } else {
         normal = position(p, a) - position(p, b) + domain.shift(contacts.image[q]);
         distance = norm(normal);

@@ -1,7 +1,7 @@
-#include <scree/contacts.hpp>
-
 #include <algorithm>
 #include <tuple>
+
+#include <scree/contacts.hpp>
 
 namespace scree {
 
@@ -41,7 +41,8 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
           take(p.body, p.plane, Domain::no_shift);
     } else {
       for (const NeighbourPair& p : bodies)
-        if (law_of(lookup.body_material[p.a], lookup.body_material[p.b]) == group.law) take(p.a, p.b, p.image);
+        if (law_of(lookup.body_material[p.a], lookup.body_material[p.b]) == group.law)
+          take(p.a, p.b, p.image);
     }
     group.end = a.size();
     while (a.size() % SCREE_LANES) take(0, 0, Domain::no_shift);

@@ -1,14 +1,15 @@
-#include <scree/energy_audit.hpp>
-
 #include <algorithm>
 #include <cmath>
+
+#include <scree/energy_audit.hpp>
 
 namespace scree {
 
 void EnergyAudit::restate(const ContactSums& contacts, const BodySums& bodies) {
   const double before = totals_.elastic_normal + totals_.elastic_tangential + totals_.potential;
   store(contacts, bodies);
-  if (started_) totals_.work += totals_.elastic_normal + totals_.elastic_tangential + totals_.potential - before;
+  if (started_)
+    totals_.work += totals_.elastic_normal + totals_.elastic_tangential + totals_.potential - before;
 }
 
 void EnergyAudit::store(const ContactSums& contacts, const BodySums& bodies) {
@@ -29,7 +30,8 @@ void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodyS
   store(contacts, bodies);
 }
 
-void EnergyAudit::start(double kinetic_translation, double kinetic_rotation, const scree_boundary_energy& boundaries) {
+void EnergyAudit::start(double kinetic_translation, double kinetic_rotation,
+                        const scree_boundary_energy& boundaries) {
   stored_at_start_ = balance(kinetic_translation, kinetic_rotation, boundaries).residual;
   started_ = true;
 }
@@ -42,11 +44,14 @@ scree_energy EnergyAudit::balance(double kinetic_translation, double kinetic_rot
   e.kinetic_boundary = boundaries.kinetic;
   e.dissipated_boundary = boundaries.dissipated;
   e.work = totals_.work + boundaries.work;
-  e.residual = kinetic_energy(e) + elastic_energy(e) + e.potential - stored_at_start_ + dissipated_energy(e) - e.work;
+  e.residual =
+      kinetic_energy(e) + elastic_energy(e) + e.potential - stored_at_start_ + dissipated_energy(e) - e.work;
   return e;
 }
 
-double kinetic_energy(const scree_energy& e) { return e.kinetic_translation + e.kinetic_rotation + e.kinetic_boundary; }
+double kinetic_energy(const scree_energy& e) {
+  return e.kinetic_translation + e.kinetic_rotation + e.kinetic_boundary;
+}
 
 double elastic_energy(const scree_energy& e) { return e.elastic_normal + e.elastic_tangential; }
 

@@ -1,6 +1,6 @@
-#include <scree/forces.hpp>
-
 #include "contact_kernel.hpp"
+
+#include <scree/forces.hpp>
 
 namespace scree {
 
@@ -26,7 +26,8 @@ int record_width_of(const Forces::Features& features) {
   return width;
 }
 
-scree_contact_batch batch_of(PairGroup& group, std::size_t begin, std::uint32_t padded, const Scene& s, Buffers& w) {
+scree_contact_batch batch_of(PairGroup& group, std::size_t begin, std::uint32_t padded, const Scene& s,
+                             Buffers& w) {
   scree_contact_batch batch = {};
   batch.struct_size = sizeof(batch);
   batch.count = padded;
@@ -44,9 +45,11 @@ ContactSums evaluate_block(const Scene& s, const LawInstance& law, PairGroup& gr
   const std::uint32_t padded = (count + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
   const std::size_t first = group.begin + begin;
   if (group.planes)
-    for (std::uint32_t i = 0; i < count; ++i) kernel::gather_pair<D, spin, true>(s, law.interface, first + i, i, w);
+    for (std::uint32_t i = 0; i < count; ++i)
+      kernel::gather_pair<D, spin, true>(s, law.interface, first + i, i, w);
   else
-    for (std::uint32_t i = 0; i < count; ++i) kernel::gather_pair<D, spin, false>(s, law.interface, first + i, i, w);
+    for (std::uint32_t i = 0; i < count; ++i)
+      kernel::gather_pair<D, spin, false>(s, law.interface, first + i, i, w);
   kernel::fill_padding(count, padded, w);
 
   const scree_contact_batch batch = batch_of(group, begin, padded, s, w);
@@ -85,7 +88,8 @@ void sum_loads(const Contacts& contacts, const double* records, int dimension, i
   for (const PairGroup& group : contacts.groups())
     if (group.planes)
       for (std::size_t p = group.begin; p < group.end; ++p)
-        for (int k = 0; k < dimension; ++k) loads[contacts.b[p]].force[k] -= records[p * std::size_t(width) + k];
+        for (int k = 0; k < dimension; ++k)
+          loads[contacts.b[p]].force[k] -= records[p * std::size_t(width) + k];
 }
 
 ContactSums add_up(const std::vector<ContactSums>& blocks) {
@@ -127,8 +131,8 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
       const auto part = threads.part(blocks_.size(), worker);
       for (std::size_t k = part.begin; k < part.end; ++k) {
         const Block& block = blocks_[k];
-        block_sums_[k] = evaluate_block<D, spin>(scene, laws[block.group->law], *block.group, block.begin, block.count,
-                                                 records_.data(), buffers);
+        block_sums_[k] = evaluate_block<D, spin>(scene, laws[block.group->law], *block.group, block.begin,
+                                                 block.count, records_.data(), buffers);
       }
     });
     threads.run([&](unsigned worker) {
@@ -142,12 +146,14 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
 
 Vec3 Forces::pair_force(std::size_t p) const {
   Vec3 force = {};
-  for (int k = 0; k < features_.dimension; ++k) force[k] = records_[p * std::size_t(record_width_of(features_)) + k];
+  for (int k = 0; k < features_.dimension; ++k)
+    force[k] = records_[p * std::size_t(record_width_of(features_)) + k];
   return force;
 }
 
 std::size_t Forces::bytes_per_pair() const {
-  return std::size_t(record_width_of(features_)) * sizeof(double) + 3 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
+  return std::size_t(record_width_of(features_)) * sizeof(double) + 3 * sizeof(std::uint32_t) +
+         sizeof(std::uint8_t);
 }
 
 }  // namespace scree

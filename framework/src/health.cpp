@@ -1,8 +1,8 @@
 #include "health.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include <scree/error.hpp>
 
@@ -18,13 +18,16 @@ void report_body(const Simulation& s, std::size_t i, double speed_limit) {
   const Body body = s.particles().body(i);
   const double speed = norm(body.velocity);
   if (!std::isfinite(norm(body.position)) || !std::isfinite(speed) || !std::isfinite(norm(body.spin)))
-    stop(fmt::format("particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
-                     "look for overlapping bodies at the start",
-                     body.id, where(s), s.step_length()));
+    stop(fmt::format(
+        "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
+        "look for overlapping bodies at the start",
+        body.id, where(s), s.step_length()));
   if (speed > speed_limit)
-    stop(fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step (now {:g} s), "
-                     "or raise limits.speed if this speed is meant",
-                     body.id, speed, where(s), speed_limit, s.step_length()));
+    stop(
+        fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
+                    "(now {:g} s), "
+                    "or raise limits.speed if this speed is meant",
+                    body.id, speed, where(s), speed_limit, s.step_length()));
 }
 
 void report_overlap(const Simulation& s) {
@@ -41,9 +44,10 @@ void report_overlap(const Simulation& s) {
   const std::uint32_t b = list.b[worst];
   const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
                                          : fmt::format("wall {}", s.boundaries().plane_names()[b - p.size()]);
-  stop(fmt::format("contact of particle {} with {}: overlap is {:.3g} of the smaller radius {}, above the limit of {:g}; "
-                   "use a stiffer contact, a lower load or a shorter time.step, or raise limits.overlap_ratio",
-                   p.id[list.a[worst]], other, worst_ratio, where(s), s.scene().limits.overlap_ratio));
+  stop(fmt::format(
+      "contact of particle {} with {}: overlap is {:.3g} of the smaller radius {}, above the limit of {:g}; "
+      "use a stiffer contact, a lower load or a shorter time.step, or raise limits.overlap_ratio",
+      p.id[list.a[worst]], other, worst_ratio, where(s), s.scene().limits.overlap_ratio));
 }
 
 }  // namespace
@@ -53,10 +57,12 @@ void report_blow_up(const Simulation& s, double speed_limit) {
   for (std::size_t w = 0; w < s.boundaries().planes().size(); ++w)
     for (const double x : s.boundaries().planes()[w].point)
       if (!std::isfinite(x))
-        stop(fmt::format("wall {}: position is not a number {}; give it more mass or viscosity, or a shorter time.step",
-                         s.boundaries().plane_names()[w], where(s)));
+        stop(fmt::format(
+            "wall {}: position is not a number {}; give it more mass or viscosity, or a shorter time.step",
+            s.boundaries().plane_names()[w], where(s)));
   report_overlap(s);
-  stop(fmt::format("the motion is no longer finite {}; use a shorter time.step (now {:g} s)", where(s), s.step_length()));
+  stop(fmt::format("the motion is no longer finite {}; use a shorter time.step (now {:g} s)", where(s),
+                   s.step_length()));
 }
 
 }  // namespace scree

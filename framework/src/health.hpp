@@ -4,8 +4,8 @@
 
 namespace scree {
 
-// Finds what went wrong in a simulation that crossed a limit and throws Error(blow_up) with the particle or contact,
-// the time, and what to change.
+// Finds what went wrong in a simulation that crossed a limit and throws Error(blow_up) with the particle or
+// contact, the time, and what to change.
 [[noreturn]] void report_blow_up(const Simulation& simulation, double speed_limit);
 
 }  // namespace scree

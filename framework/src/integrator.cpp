@@ -1,7 +1,7 @@
-#include <scree/integrator.hpp>
-
 #include <algorithm>
 #include <limits>
+
+#include <scree/integrator.hpp>
 
 namespace scree {
 
@@ -21,13 +21,14 @@ void predict(double half_step, const double* force, const double* inverse_mass, 
 }
 
 // now = mid + h/2 a.
-void complete(double half_step, const double* force, const double* inverse_mass, const double* mid, double* now,
-              std::size_t begin, std::size_t end) {
+void complete(double half_step, const double* force, const double* inverse_mass, const double* mid,
+              double* now, std::size_t begin, std::size_t end) {
 #pragma GCC ivdep
   for (std::size_t i = begin; i < end; ++i) now[i] = mid[i] + half_step * force[i] * inverse_mass[i];
 }
 
-double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin, std::size_t end) {
+double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin,
+                      std::size_t end) {
   double largest = 0;
   bool finite = true;
   for (std::size_t i = begin; i < end; ++i) {
@@ -46,16 +47,16 @@ double VelocityVerlet::drift(Particles& p, double step, ThreadPool& threads) {
   threads.run([&](unsigned worker) {
     const auto [begin, end] = threads.part(p.size(), worker);
     for (int k = p.axes().first; k < p.axes().last; ++k) {
-      predict(0.5 * step, p.force[k].data(), p.inverse_mass.data(), p.velocity[k].data(), p.mid_velocity[k].data(),
-              begin, end);
+      predict(0.5 * step, p.force[k].data(), p.inverse_mass.data(), p.velocity[k].data(),
+              p.mid_velocity[k].data(), begin, end);
       double* x = p.position[k].data();
       const double* mid = p.mid_velocity[k].data();
 #pragma GCC ivdep
       for (std::size_t i = begin; i < end; ++i) x[i] += step * mid[i];
     }
     for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-      predict(0.5 * step, p.torque[k].data(), p.inverse_inertia.data(), p.spin[k].data(), p.mid_spin[k].data(), begin,
-              end);
+      predict(0.5 * step, p.torque[k].data(), p.inverse_inertia.data(), p.spin[k].data(),
+              p.mid_spin[k].data(), begin, end);
     largest_[worker] = largest_square(p.mid_velocity, p.axes(), begin, end);
   });
   return *std::max_element(largest_.begin(), largest_.end());
@@ -66,11 +67,11 @@ double VelocityVerlet::kick(Particles& p, double step, ThreadPool& threads) {
   threads.run([&](unsigned worker) {
     const auto [begin, end] = threads.part(p.size(), worker);
     for (int k = p.axes().first; k < p.axes().last; ++k)
-      complete(0.5 * step, p.force[k].data(), p.inverse_mass.data(), p.mid_velocity[k].data(), p.velocity[k].data(),
-               begin, end);
+      complete(0.5 * step, p.force[k].data(), p.inverse_mass.data(), p.mid_velocity[k].data(),
+               p.velocity[k].data(), begin, end);
     for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-      complete(0.5 * step, p.torque[k].data(), p.inverse_inertia.data(), p.mid_spin[k].data(), p.spin[k].data(), begin,
-               end);
+      complete(0.5 * step, p.torque[k].data(), p.inverse_inertia.data(), p.mid_spin[k].data(),
+               p.spin[k].data(), begin, end);
     largest_[worker] = largest_square(p.velocity, p.axes(), begin, end);
   });
   return *std::max_element(largest_.begin(), largest_.end());

@@ -1,7 +1,7 @@
-#include <scree/neighbour_list.hpp>
-
 #include <algorithm>
 #include <cmath>
+
+#include <scree/neighbour_list.hpp>
 
 namespace scree {
 

@@ -1,14 +1,13 @@
-#include <scree/neighbours.hpp>
-
-#include <fmt/format.h>
+#include "cell_level.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include <scree/error.hpp>
+#include <fmt/format.h>
 
-#include "cell_level.hpp"
+#include <scree/error.hpp>
+#include <scree/neighbours.hpp>
 
 namespace scree {
 
@@ -29,9 +28,10 @@ struct Hierarchy {
 void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
   for (int k = 0; k < dimension; ++k)
     if (domain.periodic[k] && domain.length(k) < 2 * reach)
-      throw Error(fmt::format("the periodic length {:g} m along {} is under twice the reach of the largest pair, {:g} m; "
-                              "give a length of at least {:g} m or a smaller skin",
-                              domain.length(k), "xyz"[k], reach, 2 * reach));
+      throw Error(fmt::format(
+          "the periodic length {:g} m along {} is under twice the reach of the largest pair, {:g} m; "
+          "give a length of at least {:g} m or a smaller skin",
+          domain.length(k), "xyz"[k], reach, 2 * reach));
 }
 
 Hierarchy build_hierarchy(const Particles& particles, const Domain& domain, double skin) {
@@ -55,7 +55,8 @@ Hierarchy build_hierarchy(const Particles& particles, const Domain& domain, doub
   h.levels.resize(most_levels);
   for (int l = 0; l < most_levels; ++l)
     if (!members[l].empty())
-      h.levels[l].emplace(particles, domain, lower, upper, (2 * std::ldexp(largest, -l) + skin) * (1 + 1e-12), members[l]);
+      h.levels[l].emplace(particles, domain, lower, upper, (2 * std::ldexp(largest, -l) + skin) * (1 + 1e-12),
+                          members[l]);
   return h;
 }
 

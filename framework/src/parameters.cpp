@@ -1,11 +1,10 @@
-#include <scree/parameters.hpp>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
 #include <scree/error.hpp>
+#include <scree/parameters.hpp>
 
 namespace scree {
 
@@ -19,27 +18,44 @@ bool out_of_range(const scree_parameter& p, double x) {
 
 std::string kind_of(const scree_parameter& p) {
   switch (scree_type(p.type)) {
-    case SCREE_INTEGER: return "whole number";
-    case SCREE_BOOLEAN: return "true or false";
-    case SCREE_CHOICE: return fmt::format("one of {}", fmt::join(choices_of(p), ", "));
-    case SCREE_VECTOR: return "vector";
-    case SCREE_LIST: return "list of numbers";
-    case SCREE_PROGRAM: return "number or program of time";
-    case SCREE_NUMBER: break;
+    case SCREE_INTEGER:
+      return "whole number";
+    case SCREE_BOOLEAN:
+      return "true or false";
+    case SCREE_CHOICE:
+      return fmt::format("one of {}", fmt::join(choices_of(p), ", "));
+    case SCREE_VECTOR:
+      return "vector";
+    case SCREE_LIST:
+      return "list of numbers";
+    case SCREE_PROGRAM:
+      return "number or program of time";
+    case SCREE_NUMBER:
+      break;
   }
   return "number";
 }
 
 std::optional<std::string> program_problem(const scree_parameter& p, const std::vector<double>& data) {
   const auto bad = [&](double x) { return !std::isfinite(x) || out_of_range(p, x); };
+  constexpr std::size_t numbers[] = {2, 5, 4, 4};
+  const bool known = data[0] >= 0 && data[0] <= 4 && data[0] == std::floor(data[0]);
+  if (!known ||
+      (data[0] < 4 ? data.size() != numbers[int(data[0])] : data.size() < 3 || data.size() % 2 == 0))
+    return "is no program of time; give one of the forms of program.hpp";
   std::vector<double> extremes;
   switch (int(data[0])) {
-    case 1: extremes = {data[1] - std::abs(data[2]), data[1] + std::abs(data[2])}; break;
+    case 1:
+      extremes = {data[1] - std::abs(data[2]), data[1] + std::abs(data[2])};
+      break;
     case 4:
       for (std::size_t k = 2; k < data.size(); k += 2) extremes.push_back(data[k]);
       break;
-    case 0: extremes = {data[1]}; break;
-    default: extremes = {data[1], data[2]};
+    case 0:
+      extremes = {data[1]};
+      break;
+    default:
+      extremes = {data[1], data[2]};
   }
   for (const double x : extremes)
     if (bad(x)) return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
@@ -59,7 +75,8 @@ std::string describe_range(const scree_parameter& p) {
   std::string text = kind_of(p);
   const char* at_least = (p.flags & SCREE_MINIMUM_EXCLUDED) ? "above" : "from";
   const char* at_most = (p.flags & SCREE_MAXIMUM_EXCLUDED) ? "below" : "to";
-  const bool ranged = p.type == SCREE_NUMBER || p.type == SCREE_INTEGER || p.type == SCREE_LIST || p.type == SCREE_PROGRAM;
+  const bool ranged =
+      p.type == SCREE_NUMBER || p.type == SCREE_INTEGER || p.type == SCREE_LIST || p.type == SCREE_PROGRAM;
   if (ranged && std::isfinite(p.minimum)) text += fmt::format(" {} {:g}", at_least, p.minimum);
   if (ranged && std::isfinite(p.maximum)) text += fmt::format(" {} {:g}", at_most, p.maximum);
   if (*p.unit) text += fmt::format(" ({})", p.unit);
@@ -71,7 +88,8 @@ Parameters::Parameters(const scree_plugin& plugin)
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
     if (p.flags & (SCREE_REQUIRED | SCREE_OPTIONAL)) continue;
-    if (p.type == SCREE_NUMBER || p.type == SCREE_INTEGER || p.type == SCREE_BOOLEAN || p.type == SCREE_CHOICE)
+    if (p.type == SCREE_NUMBER || p.type == SCREE_INTEGER || p.type == SCREE_BOOLEAN ||
+        p.type == SCREE_CHOICE)
       data_[k] = {p.default_value};
   }
 }
@@ -79,7 +97,8 @@ Parameters::Parameters(const scree_plugin& plugin)
 std::size_t Parameters::index_of(const std::string& key) const {
   for (std::uint32_t k = 0; k < plugin_->parameter_count; ++k)
     if (key == plugin_->parameters[k].key) return k;
-  throw Error(fmt::format("{} has no parameter '{}'; see scree describe {}", plugin_->name, key, plugin_->name));
+  throw Error(
+      fmt::format("{} has no parameter '{}'; see scree describe {}", plugin_->name, key, plugin_->name));
 }
 
 const scree_parameter* Parameters::find(const std::string& key) const {
@@ -113,11 +132,14 @@ void Parameters::check_complete() const {
     if (p.excludes) {
       const bool other = given(p.excludes);
       if (given_[k] && other)
-        throw Error(fmt::format("{}: '{}' and '{}' are both given; keep one of them", plugin_->name, p.key, p.excludes));
+        throw Error(fmt::format("{}: '{}' and '{}' are both given; keep one of them", plugin_->name, p.key,
+                                p.excludes));
       if (!given_[k] && !other)
-        throw Error(fmt::format("{}: neither '{}' nor '{}' is given; add one of them", plugin_->name, p.key, p.excludes));
+        throw Error(fmt::format("{}: neither '{}' nor '{}' is given; add one of them", plugin_->name, p.key,
+                                p.excludes));
     } else if ((p.flags & SCREE_REQUIRED) && !given_[k]) {
-      throw Error(fmt::format("{}: '{}' is missing; add {} = <{}>", plugin_->name, p.key, p.key, describe_range(p)));
+      throw Error(
+          fmt::format("{}: '{}' is missing; add {} = <{}>", plugin_->name, p.key, p.key, describe_range(p)));
     }
   }
 }

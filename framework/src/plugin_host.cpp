@@ -1,15 +1,14 @@
-#include <scree/plugin_host.hpp>
-
+#include <algorithm>
+#include <cstdlib>
 #include <dlfcn.h>
+#include <set>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <set>
-
 #include <scree/error.hpp>
 #include <scree/nearest.hpp>
+#include <scree/plugin_host.hpp>
 
 namespace scree {
 
@@ -20,7 +19,8 @@ namespace {
 // Folders of builds that this processor runs, best first; "." is the one that runs everywhere.
 std::vector<std::string> levels() {
   if (const char* chosen = std::getenv("SCREE_LEVEL"); chosen && *chosen)
-    return std::string(chosen) == "baseline" ? std::vector<std::string>{"."} : std::vector<std::string>{chosen, "."};
+    return std::string(chosen) == "baseline" ? std::vector<std::string>{"."}
+                                             : std::vector<std::string>{chosen, "."};
   std::vector<std::string> all;
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("x86-64-v4")) all.push_back("x86-64-v4");
@@ -56,10 +56,13 @@ struct PluginHost::Library {
 
   explicit Library(const fs::path& p) : path(p) {
     handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) throw Error(fmt::format("{}: not a usable plug-in library ({}); rebuild it", path.string(), loader_reason()));
+    if (!handle)
+      throw Error(
+          fmt::format("{}: not a usable plug-in library ({}); rebuild it", path.string(), loader_reason()));
     const auto query = reinterpret_cast<scree_query_function>(dlsym(handle, SCREE_QUERY_SYMBOL));
     if (!query)
-      fail(fmt::format("lacks the symbol {}; export the plug-in with one of the SCREE_*_PLUGIN macros", SCREE_QUERY_SYMBOL));
+      fail(fmt::format("lacks the symbol {}; export the plug-in with one of the SCREE_*_PLUGIN macros",
+                       SCREE_QUERY_SYMBOL));
     plugin = query();
     if (!plugin || plugin->struct_size < offsetof(scree_plugin, kind))
       fail(fmt::format("{} returned no manifest; rebuild it against this version", SCREE_QUERY_SYMBOL));
@@ -86,20 +89,28 @@ struct PluginHost::Library {
 
 const char* kind_folder(scree_kind kind) {
   switch (kind) {
-    case SCREE_CONTACT_LAW: return "contact";
-    case SCREE_BOUNDARY: return "boundary";
-    case SCREE_BODY_TERM: return "body";
-    case SCREE_PROBE: return "probe";
+    case SCREE_CONTACT_LAW:
+      return "contact";
+    case SCREE_BOUNDARY:
+      return "boundary";
+    case SCREE_BODY_TERM:
+      return "body";
+    case SCREE_PROBE:
+      return "probe";
   }
   return "";
 }
 
 const char* kind_name(scree_kind kind) {
   switch (kind) {
-    case SCREE_CONTACT_LAW: return "contact law";
-    case SCREE_BOUNDARY: return "boundary";
-    case SCREE_BODY_TERM: return "body term";
-    case SCREE_PROBE: return "probe";
+    case SCREE_CONTACT_LAW:
+      return "contact law";
+    case SCREE_BOUNDARY:
+      return "boundary";
+    case SCREE_BODY_TERM:
+      return "body term";
+    case SCREE_PROBE:
+      return "probe";
   }
   return "unknown";
 }
@@ -134,7 +145,9 @@ const scree_plugin* PluginHost::load(const fs::path& path) {
 
 fs::path PluginHost::locate(const std::string& name, scree_kind kind) const {
   // A name comes from a scenario file and must not lead out of the directories.
-  const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+  };
   if (!std::all_of(name.begin(), name.end(), plain)) return {};
   for (const fs::path& directory : directories_)
     if (const fs::path path = directory / kind_folder(kind) / (name + ".so"); fs::exists(path)) return path;
@@ -151,7 +164,8 @@ void PluginHost::refuse(const std::string& name, scree_kind kind) const {
   std::vector<std::string> places;
   for (const fs::path& directory : directories_) places.push_back((directory / kind_folder(kind)).string());
   throw Error(fmt::format("no {} plug-in '{}' in {}{}", kind_name(kind), name,
-                          places.empty() ? "any directory" : fmt::format("{}", fmt::join(places, ", ")), cure));
+                          places.empty() ? "any directory" : fmt::format("{}", fmt::join(places, ", ")),
+                          cure));
 }
 
 const scree_plugin& PluginHost::find(const std::string& name, scree_kind kind) {

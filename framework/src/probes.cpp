@@ -1,8 +1,7 @@
-#include <scree/probes.hpp>
-
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/probes.hpp>
 
 namespace scree {
 

@@ -1,15 +1,14 @@
-#include <scree/simulation.hpp>
-
-#include <fmt/format.h>
+#include "health.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <scree/error.hpp>
-#include <scree/state_hash.hpp>
+#include <fmt/format.h>
 
-#include "health.hpp"
+#include <scree/error.hpp>
+#include <scree/simulation.hpp>
+#include <scree/state_hash.hpp>
 
 namespace scree {
 
@@ -104,7 +103,8 @@ Contacts Simulation::make_contacts() const {
   std::vector<Contacts::Kind> kinds;
   for (std::uint32_t k = 0; k < laws_.size(); ++k)
     for (const bool planes : {false, true})
-      if (!planes || !boundaries_.planes().empty()) kinds.push_back({k, planes, laws_[k].interface.history_width});
+      if (!planes || !boundaries_.planes().empty())
+        kinds.push_back({k, planes, laws_[k].interface.history_width});
   return Contacts(kinds);
 }
 
@@ -135,7 +135,8 @@ void Simulation::step() {
   boundaries_.drift(time_, h);
   const double square_speed = integrator_.drift(particles_, h, *threads_);
   if (!(square_speed < infinite)) report_blow_up(*this, speed_limit_);
-  neighbours_.update(std::sqrt(square_speed), boundaries_.largest_speed(), h, particles_, boundaries_, contacts_);
+  neighbours_.update(std::sqrt(square_speed), boundaries_.largest_speed(), h, particles_, boundaries_,
+                     contacts_);
   evaluate_forces(h);
   boundaries_.kick(time_, h);
   const double largest = integrator_.kick(particles_, h, *threads_);
@@ -194,7 +195,9 @@ double Simulation::energy_residual() const {
 }
 
 double Simulation::momentum_residual() const {
-  return momentum_exchanged_ > 0 ? norm(Vec3{{momentum_error_[0], momentum_error_[1], momentum_error_[2]}}) / momentum_exchanged_ : 0;
+  return momentum_exchanged_ > 0
+             ? norm(Vec3{{momentum_error_[0], momentum_error_[1], momentum_error_[2]}}) / momentum_exchanged_
+             : 0;
 }
 
 double Simulation::min_steps_per_contact() const { return shortest_contact_time(scene_, 0) / scene_.step; }
@@ -238,7 +241,8 @@ double shortest_contact_time(const Scene& scene, double speed) {
     for (std::size_t a = 0; a < materials; ++a)
       for (std::size_t b = 0; b < materials; ++b) {
         if (scene.law_of[a * materials + b] != k || lightest[a] == infinite) continue;
-        const scree_encounter encounter = {1 / (1 / lightest[a] + 1 / lightest[b]), 1 / (1 / radius[a] + 1 / radius[b]), speed};
+        const scree_encounter encounter = {1 / (1 / lightest[a] + 1 / lightest[b]),
+                                           1 / (1 / radius[a] + 1 / radius[b]), speed};
         scree_closed_form form = {};
         if (law.interface().closed_forms(law.storage(), &encounter, &form, 1) == 1)
           shortest = std::min(shortest, form.value);

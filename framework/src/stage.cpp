@@ -1,10 +1,9 @@
-#include <scree/stage.hpp>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include <scree/error.hpp>
+#include <scree/stage.hpp>
 
 namespace scree {
 
@@ -36,9 +35,12 @@ void StageRunner::begin() {
 bool StageRunner::over() const {
   const Stage& stage = stages_[current_];
   const std::uint64_t steps = simulation_.steps() - began_step_;
-  const auto steps_in = [&](double duration) { return std::uint64_t(std::llround(duration / simulation_.step_length())); };
+  const auto steps_in = [&](double duration) {
+    return std::uint64_t(std::llround(duration / simulation_.step_length()));
+  };
   if (stage.duration) return steps >= steps_in(*stage.duration);
-  if (!stage.kinetic_over_elastic || steps % condition_interval || steps < steps_in(stage.at_least)) return false;
+  if (!stage.kinetic_over_elastic || steps % condition_interval || steps < steps_in(stage.at_least))
+    return false;
   const scree_energy energy = simulation_.energy();
   const double elastic = elastic_energy(energy);
   return elastic > 0 && kinetic_energy(energy) < *stage.kinetic_over_elastic * elastic;
@@ -53,11 +55,13 @@ void StageRunner::step() {
   } else if (stage.at_most && simulation_.time() - began_ >= *stage.at_most) {
     const scree_energy energy = simulation_.energy();
     const double elastic = elastic_energy(energy);
-    throw Error(fmt::format("stage '{}': kinetic/elastic energy is {:.3g} after {:g} s and has not fallen below {:g}; raise "
-                            "until.at_most or until.kinetic_over_elastic, or add damping",
-                            stage.name, elastic > 0 ? kinetic_energy(energy) / elastic : INFINITY,
-                            simulation_.time() - began_, *stage.kinetic_over_elastic),
-                ExitStatus::failure);
+    throw Error(
+        fmt::format(
+            "stage '{}': kinetic/elastic energy is {:.3g} after {:g} s and has not fallen below {:g}; raise "
+            "until.at_most or until.kinetic_over_elastic, or add damping",
+            stage.name, elastic > 0 ? kinetic_energy(energy) / elastic : INFINITY,
+            simulation_.time() - began_, *stage.kinetic_over_elastic),
+        ExitStatus::failure);
   }
 }
 

@@ -16,7 +16,8 @@ struct BackgroundDamping {
 
   void declare(scree::Declaration& d) {
     d.number("translational", translational, "kg/s", scree::non_negative, "γ_b");
-    d.number("rotational", rotational, "kg/s", scree::non_negative, "γ_br; no effect in a scene without spin");
+    d.number("rotational", rotational, "kg/s", scree::non_negative,
+             "γ_br; no effect in a scene without spin");
   }
 
   void apply(scree_body_batch& batch) const {

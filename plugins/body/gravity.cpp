@@ -7,8 +7,8 @@ namespace {
 struct Gravity {
   std::array<double, 3> acceleration = {0, 0, 0};
 
-  static constexpr scree::About about = {"gravity", "uniform acceleration of every body", "f = m g, E = −m g·x",
-                                         "David et al. 2005, equation 5"};
+  static constexpr scree::About about = {"gravity", "uniform acceleration of every body",
+                                         "f = m g, E = −m g·x", "David et al. 2005, equation 5"};
 
   void declare(scree::Declaration& d) {
     d.vector("acceleration", acceleration, "m/s^2", "g, for example [0, 0, -9.81]").required();

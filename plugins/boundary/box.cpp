@@ -7,7 +7,11 @@ namespace {
 struct Box {
   static constexpr int most_walls = 6;
   enum Control { stress_controlled, fixed };
-  enum State { load, pushed, per_wall };  // of each wall at the last kick: contact force and p A along the normal
+  enum State {
+    load,
+    pushed,
+    per_wall
+  };  // of each wall at the last kick: contact force and p A along the normal
 
   std::array<double, 3> lower = {}, upper = {};
   double gap = 0;
@@ -41,10 +45,12 @@ struct Box {
     d.program("stress", stress, "Pa", any_number, "p of every wall, pressing inwards").optional();
     static constexpr const char* axis_keys[3] = {"stress_x", "stress_y", "stress_z"};
     for (int k = 0; k < 3; ++k)
-      d.program(axis_keys[k], axis_stress[k], "Pa", any_number, "p of both walls of this axis, instead of stress")
+      d.program(axis_keys[k], axis_stress[k], "Pa", any_number,
+                "p of both walls of this axis, instead of stress")
           .optional();
     for (int w = 0; w < most_walls; ++w)
-      d.program(stress_keys[w], wall_stress[w], "Pa", any_number, "p of this wall, instead of its axis's").optional();
+      d.program(stress_keys[w], wall_stress[w], "Pa", any_number, "p of this wall, instead of its axis's")
+          .optional();
   }
 
   void prepare(const scree::Setup& setup) {
@@ -61,7 +67,8 @@ struct Box {
     for (int w = 0; w < walls(); ++w) {
       if (!wall_stress[w].given()) wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : stress;
       if (control[w] == stress_controlled && !wall_stress[w].given())
-        return setup.refuse("a stress-controlled wall has no stress; give stress = <Pa>, or make the wall \"fixed\"");
+        return setup.refuse(
+            "a stress-controlled wall has no stress; give stress = <Pa>, or make the wall \"fixed\"");
     }
   }
 

@@ -27,12 +27,14 @@ struct Periodic {
                                          {true, true, true}};
     for (int k = 0; k < 3; ++k) {
       chosen[k] = table[axes][k];
-      if (chosen[k] && k >= setup.dimension()) return setup.refuse("a 2D scene has no z axis; choose x, y or xy");
+      if (chosen[k] && k >= setup.dimension())
+        return setup.refuse("a 2D scene has no z axis; choose x, y or xy");
       if (chosen[k] && !(upper[k] > lower[k]))
         return setup.refuse("upper is not above lower on a periodic axis; give a positive length");
       if (chosen[k] && (setup.lower(k) + setup.upper(k) < 2 * lower[k] - (upper[k] - lower[k]) ||
                         setup.lower(k) + setup.upper(k) > 2 * upper[k] + (upper[k] - lower[k])))
-        return setup.refuse("the bodies lie outside the periodic range; give lower and upper that enclose them");
+        return setup.refuse(
+            "the bodies lie outside the periodic range; give lower and upper that enclose them");
     }
   }
 

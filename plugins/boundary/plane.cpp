@@ -23,7 +23,8 @@ struct Plane {
     d.vector("point", point, "m", "any point of the plane").required();
     d.vector("normal", normal, "", "pointing into the material; need not be a unit vector").required();
     d.vector("direction", direction, "", "of the motion; along the normal if absent").optional();
-    d.program("displacement", displacement, "m", scree::any_number, "s(t) along the direction; at rest if absent")
+    d.program("displacement", displacement, "m", scree::any_number,
+              "s(t) along the direction; at rest if absent")
         .optional();
   }
 

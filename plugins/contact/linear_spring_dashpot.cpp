@@ -56,7 +56,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "linear_spring_dashpot",
       "linear spring and dashpot, tangential spring with static and dynamic friction",
       "f_n = k δ + γ δ'                                  normal force\n"
-      "ξ <- ξ + v_t Δt (mid-step normal), ξ <- ξ − n (n·ξ)   spring carried along, then turned into the plane\n"
+      "ξ <- ξ + v_t Δt (mid-step normal), ξ <- ξ − n (n·ξ)   spring carried along, then turned into the "
+      "plane\n"
       "f_0 = −k_t ξ − γ_t v_t                            test force\n"
       "stick: |f_0| <= μ f_n, f_t = f_0                  μ = μ_s while sticking, μ_d while sliding\n"
       "slip:  f_t = μ_d f_n f_0/|f_0|, ξ = −(f_t + γ_t v_t)/k_t\n"
@@ -65,7 +66,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
 
   void declare(scree::Declaration& d) {
     using namespace scree;
-    d.number("normal_stiffness", normal_stiffness, "N/m", positive, "k, stiffness of the normal spring").required();
+    d.number("normal_stiffness", normal_stiffness, "N/m", positive, "k, stiffness of the normal spring")
+        .required();
     d.number("normal_damping", normal_damping, "kg/s", non_negative, "γ, the same for all masses")
         .or_else("restitution");
     d.number("restitution", restitution, "", positive_coefficient,
@@ -73,10 +75,13 @@ struct LinearSpringDashpot : scree::ContactLaw {
         .or_else("normal_damping");
     d.choice("tension", tension, "allowed|cut",
              "whether the dashpot may pull at the end of a contact; both reach the restitution asked for");
-    d.number("tangential_stiffness", tangential_stiffness, "N/m", non_negative, "k_t of the tangential spring");
+    d.number("tangential_stiffness", tangential_stiffness, "N/m", non_negative,
+             "k_t of the tangential spring");
     d.number("tangential_damping", tangential_damping, "kg/s", non_negative, "γ_t of the tangential dashpot");
-    d.number("static_friction", static_friction, "", non_negative, "μ_s; 0 leaves out all that friction needs");
-    d.number("dynamic_friction", dynamic_friction, "", non_negative, "μ_d <= μ_s, the same as static if absent")
+    d.number("static_friction", static_friction, "", non_negative,
+             "μ_s; 0 leaves out all that friction needs");
+    d.number("dynamic_friction", dynamic_friction, "", non_negative,
+             "μ_d <= μ_s, the same as static if absent")
         .optional();
   }
 
@@ -91,14 +96,17 @@ struct LinearSpringDashpot : scree::ContactLaw {
 
   std::size_t kernel() const { return (static_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0); }
 
-  std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms, std::uint32_t capacity) const {
+  std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
+                             std::uint32_t capacity) const {
     const double m = e.reduced_mass, k = normal_stiffness, omega_0 = std::sqrt(k / m);
     const double zeta = restitution > 0 ? damping_ratio : normal_damping / (2 * std::sqrt(k * m));
     const double r = restitution_of(zeta, Tension(tension));
     // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
-    const double contact_time = zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
+    const double contact_time =
+        zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
     const scree_closed_form all[] = {
-        {"contact_time", "s", "t_c = π/ω, ω² = k/m* − η², η = γ/2m* (tension cut: until f_n = 0)", contact_time},
+        {"contact_time", "s", "t_c = π/ω, ω² = k/m* − η², η = γ/2m* (tension cut: until f_n = 0)",
+         contact_time},
         {"restitution", "", "r = exp(−η t_c)", r},
         {"critical_step", "s", "2/√(k/m*), stability limit of velocity Verlet for this pair", 2 / omega_0},
         {"damping_ratio", "", "ζ = γ/(2√(k m*))", zeta}};

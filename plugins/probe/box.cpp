@@ -38,7 +38,8 @@ struct BoxProbe {
   const char* start(const scree_view& view, double* state) const {
     for (int k = 0; k < dimension; ++k) {
       if (wall(view, k, 1) < 0 || wall(view, k, -1) < 0)
-        return "the box probe needs walls on both sides of every axis; add a boundary \"box\" or pairs of planes";
+        return "the box probe needs walls on both sides of every axis; add a boundary \"box\" or pairs of "
+               "planes";
       state[k] = length(view, k);
     }
     return nullptr;
@@ -50,7 +51,8 @@ struct BoxProbe {
     double* stress = row + dimension;
     double* strain = row + 2 * dimension;
     for (int k = 0; k < dimension; ++k) {
-      const double low = -view.loads[wall(view, k, 1)].force[k], high = view.loads[wall(view, k, -1)].force[k];
+      const double low = -view.loads[wall(view, k, 1)].force[k],
+                   high = view.loads[wall(view, k, -1)].force[k];
       row[k] = lengths[k];
       stress[k] = 0.5 * (low + high) / (volume / lengths[k]);
       strain[k] = 1 - lengths[k] / state[k];

@@ -56,9 +56,14 @@ struct ContactsProbe {
   }
 
  private:
-  static constexpr const char* names[] = {"contacts",     "coordination_number", "coordination_without_rattlers",
-                                          "sliding_fraction", "mean_overlap",    "max_overlap",
-                                          "mean_normal_force", "rattlers"};
+  static constexpr const char* names[] = {"contacts",
+                                          "coordination_number",
+                                          "coordination_without_rattlers",
+                                          "sliding_fraction",
+                                          "mean_overlap",
+                                          "max_overlap",
+                                          "mean_normal_force",
+                                          "rattlers"};
   static constexpr const char* units[] = {"", "", "", "", "m", "m", "N", ""};
 };
 

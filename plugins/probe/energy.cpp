@@ -24,7 +24,8 @@ struct EnergyProbe {
                                       {"work", &scree_energy::work},
                                       {"residual", &scree_energy::residual}};
 
-  static constexpr scree::About about = {"energy", "every reservoir and sink of energy, and what does not add up",
+  static constexpr scree::About about = {"energy",
+                                         "every reservoir and sink of energy, and what does not add up",
                                          "residual = stored − stored at the start + dissipated − work", "—"};
 
   void declare(scree::Declaration&) {}

@@ -8,8 +8,9 @@ struct ParticlesProbe {
   scree_value ids = {};
   int dimension = 3;
 
-  static constexpr scree::About about = {"particles", "position, velocity, spin and force of chosen bodies",
-                                         "columns x_<id>, vx_<id>, spin_x_<id>, fx_<id> and so on for each id", "—"};
+  static constexpr scree::About about = {
+      "particles", "position, velocity, spin and force of chosen bodies",
+      "columns x_<id>, vx_<id>, spin_x_<id>, fx_<id> and so on for each id", "—"};
 
   void declare(scree::Declaration& d) {
     d.list("ids", ids, "", scree::Range{.minimum = 1}, "ids of the bodies to record").required();
@@ -35,7 +36,8 @@ struct ParticlesProbe {
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < ids.count; ++k)
       if (find(view, ids.data[k]) == view.body_count)
-        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say otherwise";
+        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
+               "otherwise";
     return nullptr;
   }
 

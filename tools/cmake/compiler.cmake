@@ -21,6 +21,8 @@ endif()
 if(SCREE_SANITIZE)
   add_compile_options(-fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SCREE_SANITIZE})
+  # With sanitizers GCC 12 reports uninitialised members deep inside the standard library where there are none.
+  target_compile_options(scree_compile_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 
 find_program(SCREE_CCACHE ccache)

@@ -18,8 +18,8 @@ void apply_body_term(const void* storage, scree_body_batch* batch) {
 
 }  // namespace scree::detail
 
-#define SCREE_BODY_TERM_PLUGIN(Author)                                                            \
-  static const scree_body_term scree_interface = {sizeof(scree_body_term), sizeof(Author),        \
-                                                  &scree::configure_author<Author>,               \
-                                                  &scree::detail::apply_body_term<Author>};       \
+#define SCREE_BODY_TERM_PLUGIN(Author)                                                      \
+  static const scree_body_term scree_interface = {sizeof(scree_body_term), sizeof(Author),  \
+                                                  &scree::configure_author<Author>,         \
+                                                  &scree::detail::apply_body_term<Author>}; \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BODY_TERM, scree_interface)))

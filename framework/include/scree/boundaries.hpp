@@ -17,7 +17,8 @@ class Boundaries {
     Parameters parameters;
   };
 
-  // Throws Error if a plug-in refuses or two make the same axis periodic. Box of the bodies: lower, upper (m).
+  // Throws Error if a plug-in refuses or two make the same axis periodic. Box of the bodies: lower, upper
+  // (m).
   Boundaries(const std::vector<Entry>& entries, int dimension, const Vec3& lower, const Vec3& upper);
 
   // Moves the planes from t to t + step, knowing the loads at t.

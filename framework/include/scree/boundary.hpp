@@ -9,8 +9,9 @@
 //   void prepare(const scree::Setup&);              (optional) derived values, refusals
 //   void describe(scree_boundary_instance&) const;  how many planes and state doubles, what is periodic
 //   void start(const scree_boundary_step&) const;   planes and state at the start
-//   void drift(const scree_boundary_step&) const;   planes from t to t + step, velocities at mid-step and predicted
-//   void kick(const scree_boundary_step&) const;    velocities at t + step with the loads there, energies;
+//   void drift(const scree_boundary_step&) const;   planes from t to t + step, velocities at mid-step and
+//   predicted void kick(const scree_boundary_step&) const;    velocities at t + step with the loads there,
+//   energies;
 //                                                   called once with step 0 for the loads at the start
 
 namespace scree::detail {
@@ -38,9 +39,11 @@ void kick_boundary(const void* storage, const scree_boundary_step* step) {
 
 }  // namespace scree::detail
 
-#define SCREE_BOUNDARY_PLUGIN(Author)                                                                \
-  static const scree_boundary scree_interface = {                                                    \
-      sizeof(scree_boundary),                  sizeof(Author),                                       \
-      &scree::detail::configure_boundary<Author>, &scree::detail::start_boundary<Author>,            \
-      &scree::detail::drift_boundary<Author>,  &scree::detail::kick_boundary<Author>};               \
+#define SCREE_BOUNDARY_PLUGIN(Author)                                                        \
+  static const scree_boundary scree_interface = {sizeof(scree_boundary),                     \
+                                                 sizeof(Author),                             \
+                                                 &scree::detail::configure_boundary<Author>, \
+                                                 &scree::detail::start_boundary<Author>,     \
+                                                 &scree::detail::drift_boundary<Author>,     \
+                                                 &scree::detail::kick_boundary<Author>};     \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BOUNDARY, scree_interface)))

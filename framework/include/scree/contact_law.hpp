@@ -17,37 +17,41 @@ namespace scree {
 // One touching pair, as far as the kernel's `reads` asks for it; the rest is 0.
 template <int D, class T = double>
 struct Contact {
-  Vec<D, T> normal;                             // unit, from b to a
-  T overlap;                                    // (m) > 0
-  Vec<D, T> relative_velocity;                  // (m/s) of the contact points, a minus b, at the end of the step
-  Vec<D, T> tangential_increment;               // (m) moved while touching in this step,
-                                                // perpendicular to the mid-step normal
-  Vec<spin_components<D>, T> relative_spin;     // (rad/s) a minus b
-  T reduced_mass;                               // (kg)
-  T effective_radius;                           // (m)
-  double step;                                  // (s)
+  Vec<D, T> normal;                          // unit, from b to a
+  T overlap;                                 // (m) > 0
+  Vec<D, T> relative_velocity;               // (m/s) of the contact points, a minus b, at the end of the step
+  Vec<D, T> tangential_increment;            // (m) moved while touching in this step,
+                                             // perpendicular to the mid-step normal
+  Vec<spin_components<D>, T> relative_spin;  // (rad/s) a minus b
+  T reduced_mass;                            // (kg)
+  T effective_radius;                        // (m)
+  double step;                               // (s)
 };
 
-// Factor for forces that jump at first touch, such as dashpots: 1, but in the step in which the surfaces meet or
-// part the share of that step in which they touch, between 1/2 and 3/2. The impulse of a jump in mid-step is
-// then exact to the integrator's order instead of being off by up to half a step.
+// Factor for forces that jump at first touch, such as dashpots: 1, but within two steps of the moment in
+// which the surfaces meet or part. A jump in mid-step, sampled at the ends of steps, gives an impulse that is
+// off by up to half a step; with s = overlap / way per step, the weights 3s/2 (s < 1) and 2 − s/2 (s < 2) add
+// up to the right impulse wherever in a step the surfaces meet, and are continuous, so that damping keeps the
+// integrator's second order.
 template <int D, class T>
 T onset_weight(const Contact<D, T>& c) {
   const T normal_velocity = dot(c.relative_velocity, c.normal);
-  const T travel = (normal_velocity < T(0) ? -normal_velocity : normal_velocity) * c.step;
-  return c.overlap < travel ? T(0.5) + c.overlap / travel : T(1);
+  const T way = (normal_velocity < T(0) ? -normal_velocity : normal_velocity) * c.step;
+  const T rising = T(1.5) * c.overlap, falling = T(2) * way - T(0.5) * c.overlap;
+  const T weight_times_way = std::min(rising, std::max(falling, way));
+  return c.overlap < T(2) * way ? weight_times_way / way : T(1);
 }
 
 // What a law answers. Everything starts at 0.
 template <int D, class T = double>
 struct Response {
-  Vec<D, T> force;                      // (N) on a, the opposite on b
-  Vec<spin_components<D>, T> couple;    // (N m) on a beyond force × arm, the opposite on b
-  T elastic_normal;                     // (J) stored
-  T elastic_tangential;                 // (J) stored
-  T dissipated_normal;                  // (W)
-  T dissipated_tangential;              // (W)
-  T dissipated_friction;                // (J) during the step
+  Vec<D, T> force;                    // (N) on a, the opposite on b
+  Vec<spin_components<D>, T> couple;  // (N m) on a beyond force × arm, the opposite on b
+  T elastic_normal;                   // (J) stored
+  T elastic_tangential;               // (J) stored
+  T dissipated_normal;                // (W)
+  T dissipated_tangential;            // (W)
+  T dissipated_friction;              // (J) during the step
 };
 
 // The history of a law that keeps none.
@@ -65,7 +69,7 @@ inline constexpr std::uint32_t reads_effective_radius = 1u << SCREE_EFFECTIVE_RA
 // Base of every law; a kernel states what differs.
 struct ContactLaw {
   static constexpr std::uint32_t reads = reads_overlap | reads_normal;
-  static constexpr bool tangential = false;     // has forces off the normal: bodies must carry spin
+  static constexpr bool tangential = false;  // has forces off the normal: bodies must carry spin
   static constexpr bool writes_couple = false;
   static constexpr scree_arms arms = SCREE_ARM_CONTACT_POINT;
 };
@@ -84,7 +88,8 @@ inline Contact<D> load_contact(const scree_contact_batch& batch, std::uint32_t i
   if constexpr (Kernel::reads & reads_normal) load(c.normal, in + SCREE_NORMAL, i);
   c.overlap = in[SCREE_OVERLAP][i];
   c.step = batch.step;
-  if constexpr (Kernel::reads & reads_relative_velocity) load(c.relative_velocity, in + SCREE_RELATIVE_VELOCITY, i);
+  if constexpr (Kernel::reads & reads_relative_velocity)
+    load(c.relative_velocity, in + SCREE_RELATIVE_VELOCITY, i);
   if constexpr (Kernel::reads & reads_tangential_increment)
     load(c.tangential_increment, in + SCREE_TANGENTIAL_INCREMENT, i);
   if constexpr (Kernel::reads & reads_relative_spin) load(c.relative_spin, in + SCREE_RELATIVE_SPIN, i);
@@ -95,18 +100,17 @@ inline Contact<D> load_contact(const scree_contact_batch& batch, std::uint32_t i
 
 // A history struct is `width` doubles in declared order.
 template <class Kernel, int D>
-inline constexpr std::uint32_t history_width =
-    std::is_empty_v<typename Kernel::template History<D, double>>
-        ? 0
-        : sizeof(typename Kernel::template History<D, double>) / sizeof(double);
+inline constexpr std::uint32_t history_width = std::is_empty_v<typename Kernel::template History<D, double>>
+                                                   ? 0
+                                                   : sizeof(typename Kernel::template History<D, double>) /
+                                                         sizeof(double);
 
 // Calls visit(k, component) for the `width` doubles that a history struct consists of.
 template <std::uint32_t width, class History, class Visit>
 inline void each_component(History& history, Visit visit) {
   double* components = reinterpret_cast<double*>(&history);
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
-    (visit(std::uint32_t(k), components[k]), ...);
-  }(std::make_index_sequence<width>{});
+  [&]<std::size_t... k>(std::index_sequence<k...>) { (visit(std::uint32_t(k), components[k]), ...); }
+  (std::make_index_sequence<width>{});
 }
 
 // Energy let go when a contact opens with its springs stretched.
@@ -118,9 +122,10 @@ inline double released_energy(const Kernel& kernel, const History& history) {
     return 0;
 }
 
-// Flattened: the loop vectorises only when the author's functions are inlined whole.
+// Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
+// so that a test can find it in the machine code.
 template <class Kernel, int D, bool audit>
-[[gnu::flatten]] void evaluate_batch(const Kernel& kernel, const scree_contact_batch& shared) {
+[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Kernel& kernel, const scree_contact_batch& shared) {
   using History = typename Kernel::template History<D, double>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
   const scree_contact_batch batch = shared;
@@ -192,19 +197,20 @@ int configure_law(const scree_setup* setup, void* storage, scree_contact_instanc
 }
 
 template <class Parameters>
-std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* encounter, scree_closed_form* forms,
-                                  std::uint32_t capacity) {
+std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* encounter,
+                                  scree_closed_form* forms, std::uint32_t capacity) {
   return static_cast<const Parameters*>(storage)->closed_forms(*encounter, forms, capacity);
 }
 
 }  // namespace detail
 
 // Parameters: a ContactLaw with `about`, `declare`, `kernel() -> index of the kernel to use`, `closed_forms`.
-// Kernels: derived from Parameters without data of their own, cheapest first; a scene pays for the one that it needs.
-#define SCREE_CONTACT_LAW_PLUGIN(Parameters, ...)                                                        \
-  static const scree_contact_law scree_interface = {                                                     \
-      sizeof(scree_contact_law), sizeof(Parameters), &scree::detail::configure_law<Parameters, __VA_ARGS__>, \
-      &scree::detail::closed_forms_of_law<Parameters>};                                                  \
+// Kernels: derived from Parameters without data of their own, cheapest first; a scene pays for the one that
+// it needs.
+#define SCREE_CONTACT_LAW_PLUGIN(Parameters, ...)                                                           \
+  static const scree_contact_law scree_interface = {sizeof(scree_contact_law), sizeof(Parameters),          \
+                                                    &scree::detail::configure_law<Parameters, __VA_ARGS__>, \
+                                                    &scree::detail::closed_forms_of_law<Parameters>};       \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Parameters>(SCREE_CONTACT_LAW, scree_interface)))
 
 }  // namespace scree

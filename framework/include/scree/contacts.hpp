@@ -17,19 +17,19 @@ struct PlanePair {
 // Pairs that share a law and a kind of partner; a contiguous range of the pair arrays.
 struct PairGroup {
   std::uint32_t law = 0;
-  bool planes = false;          // b is a plane
-  std::size_t begin = 0;        // multiple of SCREE_LANES
-  std::size_t end = 0;          // the last real pair; padded up to the next multiple of SCREE_LANES
+  bool planes = false;    // b is a plane
+  std::size_t begin = 0;  // multiple of SCREE_LANES
+  std::size_t end = 0;    // the last real pair; padded up to the next multiple of SCREE_LANES
   std::uint32_t history_width = 0;
-  Column<double> history;       // (width, padded size), zero where the pair does not touch
+  Column<double> history;  // (width, padded size), zero where the pair does not touch
 
   std::size_t padded_size() const { return (end - begin + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
   double* history_column(std::uint32_t k) { return history.data() + k * padded_size(); }
   const double* history_column(std::uint32_t k) const { return history.data() + k * padded_size(); }
 };
 
-// All neighbour pairs of a scene in a fixed order, with the history that their laws keep. A pair stays from one
-// neighbour search to the next; whether it touches is told by its overlap.
+// All neighbour pairs of a scene in a fixed order, with the history that their laws keep. A pair stays from
+// one neighbour search to the next; whether it touches is told by its overlap.
 class Contacts {
  public:
   // Whether pairs of (law, partner kind) exist; groups are empty until `rebuild`.
@@ -49,14 +49,14 @@ class Contacts {
   explicit Contacts(const std::vector<Kind>& kinds = {});
 
   // Takes new pairs (sorted by a, b) and carries over the history of those that were there before.
-  void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes, const Lookup& lookup,
-               std::size_t body_count);
+  void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
+               const Lookup& lookup, std::size_t body_count);
 
   std::vector<PairGroup>& groups() { return groups_; }
   const std::vector<PairGroup>& groups() const { return groups_; }
   std::size_t padded_size() const { return a.size(); }
 
-  Column<std::uint32_t> a, b;   // padding repeats body 0 with itself
+  Column<std::uint32_t> a, b;  // padding repeats body 0 with itself
   Column<std::uint8_t> image;
 
   // For each body its pairs in ascending order: incident[first_incident[i] ... first_incident[i + 1]),

@@ -192,7 +192,9 @@ const scree_plugin* manifest_of(scree_kind kind, const Interface& interface) {
   return &plugin;
 }
 
-#define SCREE_EXPORT_PLUGIN(manifest) \
-  extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query(void) { return manifest; }
+#define SCREE_EXPORT_PLUGIN(manifest)                                                              \
+  extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query(void) { \
+    return manifest;                                                                               \
+  }
 
 }  // namespace scree

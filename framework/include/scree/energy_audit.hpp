@@ -17,8 +17,8 @@ class EnergyAudit {
  public:
   // Adds one step: powers are integrated by the trapezoidal rule.
   void add_step(double step, const ContactSums& contacts, const BodySums& bodies);
-  // Sets what is stored in contacts and potentials without passing time: at the start, or when a stage changes
-  // parameters; a jump then counts as work.
+  // Sets what is stored in contacts and potentials without passing time: at the start, or when a stage
+  // changes parameters; a jump then counts as work.
   void restate(const ContactSums& contacts, const BodySums& bodies);
 
   // Fixes the start against which the residual is taken.
@@ -41,7 +41,8 @@ class EnergyAudit {
 double kinetic_energy(const scree_energy& energy);
 double elastic_energy(const scree_energy& energy);
 double dissipated_energy(const scree_energy& energy);
-// What a residual is measured against: the work put in, or all energy that is stored or went if that is more (J).
+// What a residual is measured against: the work put in, or all energy that is stored or went if that is more
+// (J).
 double energy_turnover(const scree_energy& energy);
 
 }  // namespace scree

@@ -8,10 +8,10 @@ namespace scree {
 // Process exit status of the command-line tools; an Error carries the one it leads to.
 enum class ExitStatus : int {
   success = 0,
-  failure = 1,      // an [expect] was not met, or an unforeseen failure
-  bad_input = 2,    // scenario, plug-in, path or option is at fault; nothing was written
-  blow_up = 3,      // the run itself went wrong; what was written stays
-  interrupted = 130 // Ctrl-C; what was written stays
+  failure = 1,       // an [expect] was not met, or an unforeseen failure
+  bad_input = 2,     // scenario, plug-in, path or option is at fault; nothing was written
+  blow_up = 3,       // the run itself went wrong; what was written stays
+  interrupted = 130  // Ctrl-C; what was written stays
 };
 
 // What went wrong and what to do about it: one line, place first ("file:line:column: ..."), cure last.

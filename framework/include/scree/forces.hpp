@@ -20,10 +20,10 @@ struct LawInstance {
 
 // What one evaluation of all contacts adds up to.
 struct ContactSums {
-  double elastic_normal = 0, elastic_tangential = 0;            // (J)
-  double dissipated_normal = 0, dissipated_tangential = 0;      // (W)
-  double dissipated_friction = 0;                               // (J) in this step
-  double max_overlap_ratio = 0;                                 // overlap / smaller radius
+  double elastic_normal = 0, elastic_tangential = 0;        // (J)
+  double dissipated_normal = 0, dissipated_tangential = 0;  // (W)
+  double dissipated_friction = 0;                           // (J) in this step
+  double max_overlap_ratio = 0;                             // overlap / smaller radius
 };
 
 // Evaluates all contacts: gather -> law -> scatter in blocks, then the sum over each body's contacts.
@@ -32,9 +32,9 @@ class Forces {
  public:
   struct Features {
     int dimension = 3;
-    bool spin = false;      // bodies carry spin, contacts make torques
+    bool spin = false;  // bodies carry spin, contacts make torques
     bool periodic = false;
-    bool audit = true;      // laws report energies
+    bool audit = true;  // laws report energies
   };
 
   explicit Forces(const Features& features) : features_(features) {}

@@ -17,8 +17,8 @@ class NeighbourList {
   NeighbourList(double skin, Contacts::Lookup lookup) : skin_(skin), lookup_(lookup) {}
 
   // Advances the displacement bound by one step at these largest speeds (m/s), and searches if it ran out.
-  void update(double body_speed, double plane_speed, double step, Particles& particles, const Boundaries& boundaries,
-              Contacts& contacts);
+  void update(double body_speed, double plane_speed, double step, Particles& particles,
+              const Boundaries& boundaries, Contacts& contacts);
   // Searches now; bodies that left a periodic domain come in again at the other side.
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts);
 

@@ -17,7 +17,8 @@ class Parameters {
   // The declaration of a key, or null.
   const scree_parameter* find(const std::string& key) const;
   // What is wrong with these numbers for a parameter, as "<problem>; <cure>", or nothing.
-  static std::optional<std::string> problem(const scree_parameter& parameter, const std::vector<double>& data);
+  static std::optional<std::string> problem(const scree_parameter& parameter,
+                                            const std::vector<double>& data);
   // Throws Error for an unknown key or numbers out of range.
   void set(const std::string& key, std::vector<double> data);
   // Throws Error if a required parameter is missing or two that exclude each other are given.

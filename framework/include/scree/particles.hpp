@@ -14,15 +14,16 @@ namespace scree {
 struct Body {
   std::int64_t id = 0;
   std::uint32_t material = 0;
-  double radius = 0;    // (m)
-  double mass = 0;      // (kg)
-  double inertia = 0;   // (kg m²)
-  Vec3 position = {};   // (m)
-  Vec3 velocity = {};   // (m/s)
-  Vec3 spin = {};       // (rad/s)
+  double radius = 0;   // (m)
+  double mass = 0;     // (kg)
+  double inertia = 0;  // (kg m²)
+  Vec3 position = {};  // (m)
+  Vec3 velocity = {};  // (m/s)
+  Vec3 spin = {};      // (rad/s)
 };
 
-// Storage of all bodies, a column per property. Axes and spins that the scene does not need are not allocated.
+// Storage of all bodies, a column per property. Axes and spins that the scene does not need are not
+// allocated.
 class Particles {
  public:
   // Columns that a vector or a spin occupies: [first, last).
@@ -42,9 +43,9 @@ class Particles {
   std::size_t bytes_per_body() const;
 
   // State, written by the integrator.
-  Column<double> position[3];  // (m)
-  Column<double> velocity[3];  // (m/s) after a step; while forces are evaluated, predicted for its end
-  Column<double> spin[3];      // (rad/s) likewise
+  Column<double> position[3];     // (m)
+  Column<double> velocity[3];     // (m/s) after a step; while forces are evaluated, predicted for its end
+  Column<double> spin[3];         // (rad/s) likewise
   Column<std::int32_t> image[3];  // times a body crossed a periodic face, if any axis is periodic
 
   // Within a step, written by the integrator: velocity at mid-step, displacement / step.

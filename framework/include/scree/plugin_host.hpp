@@ -11,9 +11,10 @@
 
 namespace scree {
 
-// Loads plug-in libraries `<directory>/<kind>/<name>.so` from trusted directories, each only when it is asked for.
-// Kinds are the folders contact, boundary, body, probe. Beside a library `x.so` may lie builds for newer processors, `x86-64-v3/x.so` and `x86-64-v4/x.so`; the best one
-// that the processor runs is taken, unless the environment variable SCREE_LEVEL names one (or "baseline").
+// Loads plug-in libraries `<directory>/<kind>/<name>.so` from trusted directories, each only when it is asked
+// for. Kinds are the folders contact, boundary, body, probe. Beside a library `x.so` may lie builds for newer
+// processors, `x86-64-v3/x.so` and `x86-64-v4/x.so`; the best one that the processor runs is taken, unless
+// the environment variable SCREE_LEVEL names one (or "baseline").
 class PluginHost {
  public:
   // A library that could not be used, and why.
@@ -62,7 +63,9 @@ class Configured {
   // Throws Error with the plug-in's own message. lower and upper: bounding box of the scene (m).
   Configured(const Parameters& parameters, int dimension, const double (&lower)[3], const double (&upper)[3]);
 
-  const Interface& interface() const { return *static_cast<const Interface*>(parameters_->plugin().interface); }
+  const Interface& interface() const {
+    return *static_cast<const Interface*>(parameters_->plugin().interface);
+  }
   const Instance& instance() const { return instance_; }
   const void* storage() const { return storage_.get(); }
   const Parameters& parameters() const { return *parameters_; }

@@ -33,13 +33,15 @@ int configure_probe(const scree_setup* setup, void* storage, scree_probe_instanc
   return 0;
 }
 template <class Author>
-void column_of_probe(const void* storage, std::uint32_t column, char name[SCREE_MAX_NAME], char unit[SCREE_MAX_NAME]) {
+void column_of_probe(const void* storage, std::uint32_t column, char name[SCREE_MAX_NAME],
+                     char unit[SCREE_MAX_NAME]) {
   const ColumnName c = static_cast<const Author*>(storage)->column(column);
   std::snprintf(name, SCREE_MAX_NAME, "%s", c.name.c_str());
   std::snprintf(unit, SCREE_MAX_NAME, "%s", c.unit.c_str());
 }
 template <class Author>
-int start_probe(const void* storage, const scree_view* view, double* state, char* message, size_t message_size) {
+int start_probe(const void* storage, const scree_view* view, double* state, char* message,
+                size_t message_size) {
   const char* problem = static_cast<const Author*>(storage)->start(*view, state);
   if (problem) std::snprintf(message, message_size, "%s", problem);
   return problem ? 1 : 0;
@@ -51,11 +53,13 @@ void sample_probe(const void* storage, const scree_view* view, const double* sta
 
 }  // namespace detail
 
-#define SCREE_PROBE_PLUGIN(Author)                                                                         \
-  static const scree_probe scree_interface = {                                                             \
-      sizeof(scree_probe), sizeof(Author), &scree::detail::configure_probe<Author>,                        \
-      &scree::detail::column_of_probe<Author>, &scree::detail::start_probe<Author>,                        \
-      &scree::detail::sample_probe<Author>};                                                               \
+#define SCREE_PROBE_PLUGIN(Author)                                                     \
+  static const scree_probe scree_interface = {sizeof(scree_probe),                     \
+                                              sizeof(Author),                          \
+                                              &scree::detail::configure_probe<Author>, \
+                                              &scree::detail::column_of_probe<Author>, \
+                                              &scree::detail::start_probe<Author>,     \
+                                              &scree::detail::sample_probe<Author>};   \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_PROBE, scree_interface)))
 
 }  // namespace scree

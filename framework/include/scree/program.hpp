@@ -27,11 +27,16 @@ class Program {
   double operator()(double time) const {
     const double* p = value_.data + 1;
     switch (kind()) {
-      case sine: return p[0] + p[1] * std::sin(two_pi * p[2] * time + p[3]);
-      case cycle: return p[0] + (p[1] - p[0]) * 0.5 * (1 - std::cos(two_pi * time / p[2]));
-      case ramp: return time >= p[2] ? p[1] : p[0] + (p[1] - p[0]) * (time > 0 ? time / p[2] : 0);
-      case table: return interpolate(time);
-      case constant: break;
+      case sine:
+        return p[0] + p[1] * std::sin(two_pi * p[2] * time + p[3]);
+      case cycle:
+        return p[0] + (p[1] - p[0]) * 0.5 * (1 - std::cos(two_pi * time / p[2]));
+      case ramp:
+        return time >= p[2] ? p[1] : p[0] + (p[1] - p[0]) * (time > 0 ? time / p[2] : 0);
+      case table:
+        return interpolate(time);
+      case constant:
+        break;
     }
     return p[0];
   }
@@ -40,11 +45,16 @@ class Program {
   double rate(double time) const {
     const double* p = value_.data + 1;
     switch (kind()) {
-      case sine: return p[1] * two_pi * p[2] * std::cos(two_pi * p[2] * time + p[3]);
-      case cycle: return (p[1] - p[0]) * 0.5 * two_pi / p[2] * std::sin(two_pi * time / p[2]);
-      case ramp: return time < 0 || time >= p[2] ? 0 : (p[1] - p[0]) / p[2];
-      case table: return slope(points_until(time));
-      case constant: break;
+      case sine:
+        return p[1] * two_pi * p[2] * std::cos(two_pi * p[2] * time + p[3]);
+      case cycle:
+        return (p[1] - p[0]) * 0.5 * two_pi / p[2] * std::sin(two_pi * time / p[2]);
+      case ramp:
+        return time < 0 || time >= p[2] ? 0 : (p[1] - p[0]) / p[2];
+      case table:
+        return slope(points_until(time));
+      case constant:
+        break;
     }
     return 0;
   }

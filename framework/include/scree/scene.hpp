@@ -24,11 +24,11 @@ struct Scene {
   };
 
   int dimension = 3;
-  double step = 0;                // (s)
-  double skin = 0;                // (m), 0: a tenth of the mean radius
+  double step = 0;  // (s)
+  double skin = 0;  // (m), 0: a tenth of the mean radius
   unsigned threads = 1;
-  bool audit = true;              // keep the energy books
-  bool spin = false;              // carry spins even if no law needs them now, because a later stage does
+  bool audit = true;  // keep the energy books
+  bool spin = false;  // carry spins even if no law needs them now, because a later stage does
   Limits limits;
   std::vector<std::string> materials;
   std::vector<Body> bodies;

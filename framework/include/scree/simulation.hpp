@@ -24,7 +24,8 @@ struct Footprint {
   std::uint32_t history_width;
 };
 
-// One scene in motion: neighbours -> contacts -> laws -> forces, boundaries, integrator, in this order each step.
+// One scene in motion: neighbours -> contacts -> laws -> forces, boundaries, integrator, in this order each
+// step.
 class Simulation {
  public:
   // Sets everything up and evaluates the forces at t = 0. Throws Error for a scene that cannot be.
@@ -41,7 +42,7 @@ class Simulation {
   void apply_reconfiguration();
 
   int dimension() const { return scene_.dimension; }
-  double time() const { return time_; }            // (s)
+  double time() const { return time_; }               // (s)
   double step_length() const { return scene_.step; }  // (s)
   std::uint64_t steps() const { return steps_; }
   const Particles& particles() const { return particles_; }
@@ -58,7 +59,8 @@ class Simulation {
   double max_overlap_ratio() const { return max_overlap_ratio_; }
   std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
   double skin() const { return neighbours_.skin(); }
-  // Shortest undamped-to-damped contact of the lightest pair of each law, over the step; infinite without pairs.
+  // Shortest undamped-to-damped contact of the lightest pair of each law, over the step; infinite without
+  // pairs.
   double min_steps_per_contact() const;
   std::uint64_t state_hash() const;
   Footprint footprint() const;

@@ -5,7 +5,8 @@
 
 namespace scree {
 
-// 64-bit hash of a state's exact bits, FNV-1a over 8-byte words; equal states give equal hashes on every machine.
+// 64-bit hash of a state's exact bits, FNV-1a over 8-byte words; equal states give equal hashes on every
+// machine.
 class StateHash {
  public:
   void add(std::uint64_t word) {

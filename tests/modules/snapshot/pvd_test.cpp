@@ -1,6 +1,6 @@
 #include "sample_frame.hpp"
 
-#include <regex>
+#include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -16,12 +16,20 @@ struct Entry {
   bool operator==(const Entry&) const = default;
 };
 
+// The value of an attribute at or after `place`, which moves behind it.
+std::string attribute(const std::string& text, const std::string& name, std::size_t& place) {
+  const std::size_t begin = text.find(name + "=\"", place) + name.size() + 2;
+  place = text.find('"', begin);
+  return text.substr(begin, place - begin);
+}
+
 std::vector<Entry> entries(const std::filesystem::path& pvd_file) {
   const std::string text = read_text(pvd_file);
-  const std::regex data_set("<DataSet timestep=\"([^\"]*)\" group=\"\" part=\"0\" file=\"([^\"]*)\"/>");
   std::vector<Entry> found;
-  for (std::sregex_iterator match(text.begin(), text.end(), data_set), end; match != end; ++match)
-    found.push_back({std::stod((*match)[1]), (*match)[2]});
+  for (std::size_t place = 0; (place = text.find("<DataSet ", place)) != std::string::npos;) {
+    const double time = std::stod(attribute(text, "timestep", place));
+    found.push_back({time, attribute(text, "file", place)});
+  }
   return found;
 }
 

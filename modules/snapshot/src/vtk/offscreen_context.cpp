@@ -68,6 +68,7 @@ struct OffscreenContext::Window {
   ~Window() {
     OSMesaMakeCurrent(context, surface.data(), GL_UNSIGNED_BYTE, 16, 16);
     vtk->Finalize();
+    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
     OSMesaDestroyContext(context);
   }
 

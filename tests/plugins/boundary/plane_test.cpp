@@ -1,0 +1,102 @@
+#include "scenes.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
+
+Simulation moving_plane(const std::vector<double>& displacement, double step) {
+  Scene sc = scene(3, step, {body(1, 0.01, 0.01, {{0, 0, 1}})}, elastic);
+  add_boundary(sc, "plane", {{"point", {0, 0, 0.2}}, {"normal", {0, 0, 2}}, {"displacement", displacement}});
+  return Simulation(sc);
+}
+
+double height(const Simulation& s) { return s.boundaries().planes()[0].point[2]; }
+
+}  // namespace
+
+TEST_CASE("a plane follows its program: sine, cycle, ramp, table", "[plane]") {
+  const double step = 1e-3;
+  // A sum of 300 differences of the program: round-off only.
+  const double round_off = 300 * 1e-16;
+  SECTION("sine") {
+    Simulation s = moving_plane({1, 0, 0.01, 2, 0}, step);
+    run(s, 300);
+    CHECK(height(s) == Approx(0.2 + 0.01 * std::sin(2 * pi * 2 * 0.3)).margin(round_off));
+    CHECK(s.boundaries().planes()[0].velocity[2] == Approx(0.01 * 4 * pi * std::cos(2 * pi * 2 * 0.3)));
+  }
+  SECTION("cycle") {
+    Simulation s = moving_plane({2, 0, 0.02, 0.5}, step);
+    run(s, 250);
+    CHECK(height(s) == Approx(0.22).margin(round_off));
+  }
+  SECTION("ramp") {
+    Simulation s = moving_plane({3, 0, -0.05, 0.1}, step);
+    run(s, 50);
+    CHECK(height(s) == Approx(0.175).margin(round_off));
+    run(s, 250);
+    CHECK(height(s) == Approx(0.15).margin(round_off));
+    CHECK(s.boundaries().planes()[0].velocity[2] == 0);
+  }
+  SECTION("table") {
+    Simulation s = moving_plane({4, 0, 0, 0.1, 0.01, 0.2, 0.01, 0.3, -0.01}, step);
+    run(s, 150);
+    CHECK(height(s) == Approx(0.21).margin(round_off));
+    run(s, 150);
+    CHECK(height(s) == Approx(0.19).margin(round_off));
+  }
+}
+
+TEST_CASE("a plane that does not move reflects a body elastically, at any angle", "[plane]") {
+  for (const double angle : {0.0, 30.0, 60.0, 85.0}) {
+    const double a = angle * pi / 180, speed = 1;
+    Scene sc = scene(
+        3, 1e-6, {body(1, 0.01, 0.01, {{0, 0, 0.0101}}, {{speed * std::sin(a), 0, -speed * std::cos(a)}})},
+        elastic);
+    add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
+    Simulation s(sc);
+    const double contact = pi * std::sqrt(0.01 / 1e4);
+    run(s, std::uint64_t((contact + 2.5e-4 / std::cos(a)) / 1e-6));
+    INFO(angle << " degrees");
+    // Step error of the corners in the force at first and last touch, (ωΔt)²/8 each, ωΔt = 1e-3.
+    CHECK(velocity(s, 0)[2] == Approx(speed * std::cos(a)).epsilon(2.5e-7));
+    CHECK(velocity(s, 0)[0] == Approx(speed * std::sin(a)).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a moving plane gives a body twice its speed, and the work shows in the books", "[plane]") {
+  const double speed = 0.5;
+  Scene sc = scene(3, 1e-6, {body(1, 0.01, 0.01, {{0, 0, 0.0101}})}, elastic);
+  add_boundary(sc, "plane",
+               {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"displacement", {3, 0, 1, 1 / speed}}});
+  Simulation s(sc);
+  run(s, 5000);
+  CHECK(velocity(s, 0)[2] == Approx(2 * speed).epsilon(1e-6));
+  const scree_energy e = s.energy();
+  CHECK(e.work == Approx(0.5 * 0.01 * 4 * speed * speed).epsilon(1e-6));
+  CHECK(std::abs(e.residual) < 1e-6 * e.work);
+}
+
+TEST_CASE("a plane has a direction of its own and wants a normal with a length", "[plane]") {
+  Scene sc = scene(3, 1e-3, {body(1, 0.01, 0.01, {{0, 0, 1}})}, elastic);
+  add_boundary(sc, "plane",
+               {{"point", {0, 0, 0}},
+                {"normal", {0, 0, 1}},
+                {"direction", {3, 0, 0}},
+                {"displacement", {3, 0, 0.1, 1}}});
+  Simulation s(sc);
+  run(s, 100);
+  CHECK(s.boundaries().planes()[0].point[0] == Approx(0.01));
+  CHECK(s.boundaries().planes()[0].point[2] == 0);
+
+  Scene bad = scene(3, 1e-3, {}, elastic);
+  add_boundary(bad, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 0}}});
+  CHECK_THROWS_WITH(Simulation(bad), Catch::Contains("normal has no length"));
+}

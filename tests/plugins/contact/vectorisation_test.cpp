@@ -1,0 +1,55 @@
+#include <array>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+// The batch loop of every contact law must run on whole vector registers: read off the machine code.
+
+namespace {
+
+struct Counts {
+  int packed = 0;  // multiplications on registers of full width
+  int packed_division_or_root = 0;
+};
+
+// Instructions of each evaluate_batch instance in a library, by symbol.
+std::map<std::string, Counts> disassemble(const std::string& library, const std::string& vector_register) {
+  const std::string command = "objdump -d --no-show-raw-insn '" + library + "'";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  REQUIRE(pipe);
+  std::map<std::string, Counts> all;
+  std::string symbol;
+  for (std::array<char, 4096> buffer; std::fgets(buffer.data(), buffer.size(), pipe.get());) {
+    const std::string line = buffer.data();
+    // A function begins with "<address> <symbol>:" in the first column.
+    if (!line.empty() && line[0] != ' ')
+      symbol = line.find("evaluate_batch") != std::string::npos ? line : "";
+    if (symbol.empty() || line.find(vector_register) == std::string::npos) continue;
+    if (line.find("mulpd") != std::string::npos) ++all[symbol].packed;
+    if (line.find("divpd") != std::string::npos || line.find("sqrtpd") != std::string::npos)
+      ++all[symbol].packed_division_or_root;
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
+  const std::string folder = SCREE_TEST_PLUGINS "/contact/";
+  for (const std::string law : {"linear_spring_dashpot"})
+    for (const auto& [level, vector_register] :
+         {std::pair<std::string, std::string>{"", "%xmm"}, {"x86-64-v3/", "%ymm"}, {"x86-64-v4/", "%zmm"}}) {
+      const auto functions = disassemble(folder + level + law + ".so", vector_register);
+      INFO(law << " at " << (level.empty() ? "baseline" : level) << ": " << functions.size() << " functions");
+      // 4 kernels × 2 dimensions × with and without audit.
+      CHECK(functions.size() == 16);
+      for (const auto& [symbol, counts] : functions) {
+        INFO(symbol);
+        CHECK(counts.packed >= 5);
+        CHECK(counts.packed_division_or_root >= 1);
+      }
+    }
+}

@@ -1,0 +1,73 @@
+# Sourced by tools/run and tools/test: installs what is missing, configures and builds.
+# Everything is a Debian 12 package by name; nothing else is downloaded.
+
+scree_packages=(
+  g++ cmake ninja-build
+  libcli11-dev libfmt-dev libosmesa6-dev libtomlplusplus-dev libvtk9-dev
+  nlohmann-json3-dev catch2
+)
+
+say() { printf 'scree: %s\n' "$*" >&2; }
+
+missing_packages() {
+  local package
+  for package in "${scree_packages[@]}"; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+  done
+}
+
+# Asks once, unless --yes was given or there is no terminal to ask at.
+confirm() {
+  [[ $assume_yes == yes || ! -t 0 ]] && return 0
+  local answer
+  read -r -p "scree: install them now with apt? [Y/n] " answer
+  [[ -z $answer || $answer == [Yy]* ]]
+}
+
+install_missing() {
+  local missing
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]})) || return 0
+  say "these Debian packages are missing: ${missing[*]}"
+  local by_hand="apt-get install --no-install-recommends ${missing[*]}"
+  local root=()
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null || { [[ ! -t 0 ]] && ! sudo -n true 2>/dev/null; }; then
+      say "neither root nor able to use sudo; ask an administrator to run: $by_hand"
+      exit 2
+    fi
+    root=(sudo)
+  fi
+  if ! command -v apt-get >/dev/null; then
+    say "this system has no apt-get; install the equivalents of: ${missing[*]}"
+    exit 2
+  fi
+  confirm || { say "nothing installed; by hand: $by_hand"; exit 2; }
+  say "installing them, a few minutes the first time"
+  local log
+  log=$(mktemp)
+  if ! { "${root[@]}" apt-get update &&
+         "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+    tail -n 15 "$log" >&2
+    say "the installation failed (all of it in $log); by hand: $by_hand"
+    exit 2
+  fi
+  rm -f "$log"
+}
+
+# build_scree <preset> [target]: silent when there is nothing to do.
+build_scree() {
+  local preset=$1 target=${2:-all} build="$scree_root/build/$1"
+  if [[ ! -f $build/build.ninja ]]; then
+    install_missing
+    say "configuring ($preset)"
+    (cd "$scree_root" && cmake --preset "$preset" >"$scree_root/build-$preset.log" 2>&1) ||
+      { tail -n 20 "$scree_root/build-$preset.log" >&2; say "configuring failed"; exit 1; }
+    rm -f "$scree_root/build-$preset.log"
+  fi
+  # -n tells whether anything would be built, without building.
+  if ! ninja -C "$build" -n "$target" 2>/dev/null | grep -q 'no work to do'; then
+    say "building ($preset), some minutes the first time"
+    ninja -C "$build" "$target" >&2 || { say "the build failed"; exit 1; }
+  fi
+}
