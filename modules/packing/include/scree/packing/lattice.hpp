@@ -31,12 +31,11 @@ int lattice_dimension(LatticeKind kind);
 
 struct LatticeOptions {
   LatticeKind kind = LatticeKind::simple_cubic;
-  // Give one of the two. total: the box nearest to a cube or square that holds them; the last rows stay open.
-  std::optional<std::array<std::int64_t, 3>>
-      count;                          // sites along x, y, z; positive, z is 1 in two dimensions
-  std::optional<std::int64_t> total;  // bodies
-  // Distance of nearest sites (m); absent: 2·(largest drawn radius)·(1 + gap) + 2·displacement, free of
-  // overlap.
+  // Either the sites along x, y, z (positive, along z 1 in two dimensions), or the number of bodies. The
+  // latter takes the box nearest to a cube or square that holds them; its last row or layer stays incomplete.
+  std::optional<std::array<std::int64_t, 3>> count;
+  std::optional<std::int64_t> total;
+  // Distance of nearest sites (m). Absent: 2·(largest drawn radius)·(1 + gap) + 2·displacement.
   std::optional<double> spacing;
   double gap = 0.0;           // automatic spacing only, not negative
   double displacement = 0.0;  // (m) each body is moved at random within a ball of that radius
