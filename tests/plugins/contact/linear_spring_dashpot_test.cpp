@@ -28,7 +28,8 @@ Outcome collide(const Values& law, double step, double start_gap, double speed =
                      law));
   const auto overlap = [&] { return 2 * radius - norm(position(s, 0) - position(s, 1)); };
   double before = overlap(), began = NAN, ended = NAN;
-  while (std::isnan(ended)) {
+  const double patience = start_gap / speed + 30 * pi * std::sqrt(mass / 2 / stiffness);
+  while (std::isnan(ended) && s.time() < patience) {
     s.step();
     const double now = overlap();
     const double crossing = s.time() - step * now / (now - before);

@@ -1,0 +1,153 @@
+#include "law_batch.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+// [D1]-[D4] of David et al. 2005 for one contact, written out by hand. Everything is a handful of operations:
+// equal to within a few roundings.
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+constexpr double k = 5000, gamma_n = 0.5, k_t = 1000, gamma_t = 0.2, mu_s = 0.5, mu_d = 0.3;
+constexpr double overlap = 1e-3, step = 1e-6;
+
+LawBatch contact() {
+  LawBatch c("linear_spring_dashpot", {{"normal_stiffness", {k}},
+                                       {"normal_damping", {gamma_n}},
+                                       {"tangential_stiffness", {k_t}},
+                                       {"tangential_damping", {gamma_t}},
+                                       {"static_friction", {mu_s}},
+                                       {"dynamic_friction", {mu_d}}});
+  c.set(SCREE_NORMAL, {{0, 0, 1}});
+  c.input(SCREE_OVERLAP) = overlap;
+  return c;
+}
+
+void set_spring(LawBatch& c, const Vec3& spring, bool sliding = false) {
+  for (int a = 0; a < 3; ++a) c.history[std::size_t(a)][0] = spring[a];
+  c.history[3][0] = sliding;
+}
+
+Vec3 spring_of(const LawBatch& c) { return {{c.history[0][0], c.history[1][0], c.history[2][0]}}; }
+
+void check_equal(const Vec3& a, const Vec3& b, double scale) { CHECK(norm(a - b) < 1e-14 * scale); }
+
+}  // namespace
+
+TEST_CASE("[D1]: f_n = k δ + γ δ'", "[equations]") {
+  LawBatch c = contact();
+  c.set(SCREE_RELATIVE_VELOCITY, {{0, 0, -0.3}});
+  c.evaluate(step);
+  check_equal(c.force(), {{0, 0, k * overlap + gamma_n * 0.3}}, 5);
+  CHECK(c.output(SCREE_ELASTIC_NORMAL) == Approx(0.5 * k * overlap * overlap));
+  CHECK(c.output(SCREE_DISSIPATED_NORMAL) == Approx(gamma_n * 0.09));
+}
+
+TEST_CASE("[D3]: while it sticks the force is that of the moved spring and the dashpot", "[equations]") {
+  LawBatch c = contact();
+  const Vec3 old = {{1e-4, 0, 0}}, moved = {{2e-5, 3e-5, 0}}, slip = {{0.1, -0.2, 0}};
+  set_spring(c, old);
+  c.set(SCREE_TANGENTIAL_INCREMENT, moved);
+  c.set(SCREE_RELATIVE_VELOCITY, slip);
+  c.evaluate(step);
+  check_equal(c.force(), Vec3{{0, 0, k * overlap}} - k_t * (old + moved) - gamma_t * slip, 5);
+  check_equal(spring_of(c), old + moved, 1e-4);
+  CHECK(c.history[3][0] == 0);
+  CHECK(c.output(SCREE_ELASTIC_TANGENTIAL) == Approx(0.5 * k_t * dot(old + moved, old + moved)));
+  CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) == Approx(gamma_t * dot(slip, slip)));
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0).margin(1e-20));
+}
+
+TEST_CASE("the spring is projected into the present tangent plane", "[equations]") {
+  LawBatch c = contact();
+  const double angle = 0.1;
+  c.set(SCREE_NORMAL, {{std::sin(angle), 0, std::cos(angle)}});
+  set_spring(c, {{1e-4, 5e-5, 0}});
+  c.evaluate(step);
+  const Vec3 n = {{std::sin(angle), 0, std::cos(angle)}}, old = {{1e-4, 5e-5, 0}};
+  check_equal(spring_of(c), old - dot(n, old) * n, 1e-4);
+}
+
+TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset with the dashpot's share",
+          "[equations]") {
+  LawBatch c = contact();
+  const Vec3 old = {{3e-3, 1e-3, 0}}, slip = {{0.5, -1, 0}};
+  set_spring(c, old);
+  c.set(SCREE_RELATIVE_VELOCITY, slip);
+  c.evaluate(step);
+  const double f_n = k * overlap;
+  const Vec3 f_0 = -k_t * old - gamma_t * slip;
+  REQUIRE(norm(f_0) > mu_s * f_n);
+  const Vec3 f_t = (mu_d * f_n / norm(f_0)) * f_0;
+  check_equal(c.force(), Vec3{{0, 0, f_n}} + f_t, 5);
+  check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
+  CHECK(c.history[3][0] == 1);
+  // What the spring lost against the sliding force.
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(k_t * dot(spring_of(c), old - spring_of(c))));
+}
+
+TEST_CASE("between μ_d and μ_s the state in memory decides", "[equations]") {
+  const double f_n = k * overlap;
+  const Vec3 spring = {{0.4 * f_n / k_t, 0, 0}};
+  LawBatch sticking = contact();
+  set_spring(sticking, spring, false);
+  sticking.evaluate(step);
+  CHECK(sticking.history[3][0] == 0);
+  CHECK(sticking.force()[0] == Approx(-0.4 * f_n));
+  LawBatch sliding = contact();
+  set_spring(sliding, spring, true);
+  sliding.evaluate(step);
+  CHECK(sliding.history[3][0] == 1);
+  CHECK(sliding.force()[0] == Approx(-mu_d * f_n));
+  // Below μ_d it sticks again.
+  LawBatch again = contact();
+  set_spring(again, 0.5 * spring, true);
+  again.evaluate(step);
+  CHECK(again.history[3][0] == 0);
+}
+
+TEST_CASE("a pair that does not touch feels nothing and lets its spring go, on the books", "[equations]") {
+  LawBatch c = contact();
+  set_spring(c, {{1e-4, 0, 0}}, true);
+  c.input(SCREE_OVERLAP) = -1e-6;
+  c.set(SCREE_RELATIVE_VELOCITY, {{1, 1, 1}});
+  c.evaluate(step);
+  check_equal(c.force(), {}, 1);
+  check_equal(spring_of(c), {}, 1);
+  CHECK(c.history[3][0] == 0);
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0.5 * k_t * 1e-8));
+}
+
+TEST_CASE("the weights of a dashpot around first touch add up to the time of touching", "[equations]") {
+  // Approach at 1 m/s: touch at a fraction of a step, then one step further each time. The sum of weights
+  // must be the number of steps from the touch to half a step after the last evaluation.
+  for (const double fraction : {0.01, 0.3, 0.5, 0.99}) {
+    double sum = 0;
+    for (int n = 0; n < 5; ++n) {
+      LawBatch c = contact();
+      c.input(SCREE_OVERLAP) = (fraction + n) * 1 * 1e-4;
+      c.set(SCREE_RELATIVE_VELOCITY, {{0, 0, -1}});
+      c.evaluate(1e-4);
+      sum += c.output(SCREE_DISSIPATED_NORMAL) / gamma_n;
+    }
+    CHECK(sum == Approx(fraction + 4 + 0.5));
+  }
+}
+
+TEST_CASE("friction costs nothing where there is none", "[equations]") {
+  const LawBatch smooth("linear_spring_dashpot", {{"normal_stiffness", {k}}, {"normal_damping", {gamma_n}}});
+  CHECK(smooth.instance().history_width == 0);
+  CHECK(smooth.instance().tangential == 0);
+  CHECK((smooth.instance().reads & (1u << SCREE_TANGENTIAL_INCREMENT)) == 0);
+  const LawBatch flat("linear_spring_dashpot",
+                      {{"normal_stiffness", {k}},
+                       {"normal_damping", {gamma_n}},
+                       {"tangential_stiffness", {k_t}},
+                       {"static_friction", {0.5}}},
+                      2);
+  CHECK(flat.instance().history_width == 3);
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "scenes.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+// One contact handed to a law directly, without a kernel.
+
+namespace scree::test {
+
+class LawBatch {
+ public:
+  LawBatch(const std::string& plugin, const Values& values, int dimension = 3)
+      : law_(parameters(plugin, SCREE_CONTACT_LAW, values), dimension, nowhere_, nowhere_) {
+    for (auto& column : input_) column.fill(0.0);
+    for (auto& column : history) column.fill(0.0);
+    input_[SCREE_NORMAL].fill(1.0);
+    input_[SCREE_REDUCED_MASS].fill(1.0);
+    input_[SCREE_EFFECTIVE_RADIUS].fill(1.0);
+  }
+
+  // A scalar input, or component k of a vector input.
+  double& input(scree_contact_input column, int k = 0) { return input_[column + k][0]; }
+  void set(scree_contact_input column, const Vec3& v) {
+    for (int k = 0; k < 3; ++k) input(column, k) = v[k];
+  }
+  double output(scree_contact_output column, int k = 0) const { return output_[column + k][0]; }
+  Vec3 force() const { return {{output(SCREE_FORCE, 0), output(SCREE_FORCE, 1), output(SCREE_FORCE, 2)}}; }
+  const scree_contact_instance& instance() const { return law_.instance(); }
+
+  void evaluate(double step) {
+    scree_contact_batch batch = {};
+    batch.struct_size = sizeof(batch);
+    batch.count = SCREE_LANES;
+    batch.step = step;
+    for (std::size_t k = 0; k < input_.size(); ++k) batch.input[k] = input_[k].data();
+    for (std::size_t k = 0; k < history.size(); ++k) batch.history[k] = history[k].data();
+    for (std::size_t k = 0; k < output_.size(); ++k) batch.output[k] = output_[k].data();
+    law_.instance().evaluate(law_.storage(), &batch);
+  }
+
+  using Lanes = std::array<double, SCREE_LANES>;
+  alignas(64) std::array<Lanes, SCREE_MAX_HISTORY> history;
+
+ private:
+  static constexpr double nowhere_[3] = {0, 0, 0};
+  ConfiguredLaw law_;
+  alignas(64) std::array<Lanes, SCREE_CONTACT_INPUT_COUNT> input_;
+  alignas(64) std::array<Lanes, SCREE_CONTACT_OUTPUT_COUNT> output_;
+};
+
+}  // namespace scree::test
