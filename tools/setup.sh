@@ -65,8 +65,8 @@ build_scree() {
       { tail -n 20 "$scree_root/build-$preset.log" >&2; say "configuring failed"; exit 1; }
     rm -f "$scree_root/build-$preset.log"
   fi
-  # -n tells whether anything would be built, without building.
-  if ! ninja -C "$build" -n "$target" 2>/dev/null | grep -q 'no work to do'; then
+  # -n tells what would be built, without building; looking for new source files is no building.
+  if ninja -C "$build" -n "$target" 2>/dev/null | grep -E '^\[[0-9]+/[0-9]+\]' | grep -qv 'Re-checking globbed'; then
     say "building ($preset), some minutes the first time"
     ninja -C "$build" "$target" >&2 || { say "the build failed"; exit 1; }
   fi

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -100,6 +101,7 @@ double Boundaries::largest_speed() const {
   for (const scree_plane& plane : planes_) {
     double speed = 0;
     for (int k = 0; k < dimension_; ++k) speed += plane.mid_velocity[k] * plane.normal[k];
+    if (!std::isfinite(speed)) return std::numeric_limits<double>::infinity();
     largest = std::max(largest, std::abs(speed));
   }
   return largest;

@@ -62,7 +62,8 @@ struct Partner {
 };
 
 template <int D, bool spin>
-Partner<D, spin> body_partner(const Scene& s, std::uint32_t a, std::uint32_t b, std::uint8_t image) {
+[[gnu::always_inline]] inline Partner<D, spin> body_partner(const Scene& s, std::uint32_t a, std::uint32_t b,
+                                                            std::uint8_t image) {
   const Particles& p = s.particles;
   Partner<D, spin> partner{};
   partner.separation = load<D>(p.position, a) - load<D>(p.position, b);
@@ -110,7 +111,8 @@ double plane_side(const scree_plane& plane, const Vec<D>& separation) {
 
 // Normal and distance; behind a plane the distance is negative and the normal stays the plane's.
 template <int D, bool planes>
-double resolve(const Scene& s, std::uint32_t b, const Vec<D>& separation, Vec<D>& normal) {
+[[gnu::always_inline]] inline double resolve(const Scene& s, std::uint32_t b, const Vec<D>& separation,
+                                             Vec<D>& normal) {
   if constexpr (planes) {
     for (int k = 0; k < D; ++k) normal[k] = s.planes[b].normal[k];
     return plane_side<D>(s.planes[b], separation);
@@ -134,8 +136,8 @@ Arms arms_of(std::uint32_t convention, double radius_a, double radius_b, double 
 
 // v_a − v_b + n × (arm_a ω_a + arm_b ω_b), the velocity of a's contact point relative to b's [D2].
 template <int D, bool spin, class Spin>
-Vec<D> contact_velocity(const Vec<D>& v, const Vec<D>& n, const Arms& arms, const Spin& spin_a,
-                        const Spin& spin_b) {
+[[gnu::always_inline]] inline Vec<D> contact_velocity(const Vec<D>& v, const Vec<D>& n, const Arms& arms,
+                                                      const Spin& spin_a, const Spin& spin_b) {
   if constexpr (!spin) return v;
   const auto turning = arms.a * spin_a + arms.b * spin_b;
   if constexpr (D == 2)
@@ -146,8 +148,8 @@ Vec<D> contact_velocity(const Vec<D>& v, const Vec<D>& n, const Arms& arms, cons
 
 // One lane of a block: geometry and relative motion of a pair, as far as the law reads them.
 template <int D, bool spin, bool planes>
-void gather_pair(const Scene& s, const scree_contact_instance& law, std::size_t pair, std::uint32_t lane,
-                 Buffers& w) {
+[[gnu::always_inline]] inline void gather_pair(const Scene& s, const scree_contact_instance& law,
+                                               std::size_t pair, std::uint32_t lane, Buffers& w) {
   const Particles& p = s.particles;
   const std::uint32_t a = s.contacts.a[pair], b = s.contacts.b[pair];
   const auto partner = [&] {

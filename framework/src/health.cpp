@@ -52,6 +52,34 @@ void report_overlap(const Simulation& s) {
 
 }  // namespace
 
+const Scene& checked(const Scene& scene) {
+  if (!(scene.step > 0)) throw Error("the time step is not above 0; give time.step in s");
+  const std::size_t materials = scene.materials.size();
+  if (scene.law_of.size() != materials * materials)
+    throw Error(
+        fmt::format("{} materials need {} entries of law_of, not {}; give a law for each pair of materials",
+                    materials, materials * materials, scene.law_of.size()));
+  for (const std::uint32_t law : scene.law_of)
+    if (law >= scene.laws.size())
+      throw Error(fmt::format("law_of names law {} of {}; give the index of a law", law, scene.laws.size()));
+  for (const Body& b : scene.bodies) {
+    if (!std::isfinite(norm(b.position)) || !std::isfinite(norm(b.velocity)) || !std::isfinite(norm(b.spin)))
+      throw Error(
+          fmt::format("particle {}: position, velocity or spin is not a finite number; correct it", b.id));
+    if (!(b.radius > 0 && std::isfinite(b.radius) && b.mass > 0 && std::isfinite(b.mass)))
+      throw Error(fmt::format("particle {}: radius {:g} m or mass {:g} kg is not above 0; correct it", b.id,
+                              b.radius, b.mass));
+    if (b.material >= materials)
+      throw Error(fmt::format("particle {}: material {} of {}; give the index of a material", b.id,
+                              b.material, materials));
+  }
+  for (const Boundaries::Entry& boundary : scene.boundaries)
+    if (boundary.material >= materials)
+      throw Error(fmt::format("boundary '{}': material {} of {}; give the index of a material", boundary.name,
+                              boundary.material, materials));
+  return scene;
+}
+
 void report_blow_up(const Simulation& s, double speed_limit) {
   for (std::size_t i = 0; i < s.particles().size(); ++i) report_body(s, i, speed_limit);
   for (std::size_t w = 0; w < s.boundaries().planes().size(); ++w)

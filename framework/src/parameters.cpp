@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -37,12 +38,17 @@ std::string kind_of(const scree_parameter& p) {
 }
 
 std::optional<std::string> program_problem(const scree_parameter& p, const std::vector<double>& data) {
-  const auto bad = [&](double x) { return !std::isfinite(x) || out_of_range(p, x); };
   constexpr std::size_t numbers[] = {2, 5, 4, 4};
   const bool known = data[0] >= 0 && data[0] <= 4 && data[0] == std::floor(data[0]);
   if (!known ||
       (data[0] < 4 ? data.size() != numbers[int(data[0])] : data.size() < 3 || data.size() % 2 == 0))
     return "is no program of time; give one of the forms of program.hpp";
+  if (!std::all_of(data.begin(), data.end(), [](double x) { return std::isfinite(x); }))
+    return "holds what is not a finite number; give finite numbers";
+  if ((data[0] == 2 || data[0] == 3) && !(data[3] > 0))
+    return fmt::format("lasts {:g} s; give a period or duration above 0", data[3]);
+  for (std::size_t k = 3; data[0] == 4 && k < data.size(); k += 2)
+    if (data[k] < data[k - 2]) return "has times that go back; sort the rows";
   std::vector<double> extremes;
   switch (int(data[0])) {
     case 1:
@@ -58,8 +64,18 @@ std::optional<std::string> program_problem(const scree_parameter& p, const std::
       extremes = {data[1], data[2]};
   }
   for (const double x : extremes)
-    if (bad(x)) return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
+    if (out_of_range(p, x))
+      return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
   return {};
+}
+
+// Plug-ins read as many numbers as the type says, and use a choice as an index.
+bool has_wrong_shape(const scree_parameter& p, const std::vector<double>& data) {
+  if (p.type == SCREE_LIST) return false;
+  if (data.size() != (p.type == SCREE_VECTOR ? 3 : 1)) return true;
+  const bool whole = p.type == SCREE_INTEGER || p.type == SCREE_BOOLEAN || p.type == SCREE_CHOICE;
+  if (whole && data[0] != std::floor(data[0])) return true;
+  return p.type == SCREE_CHOICE && !(data[0] >= 0 && data[0] < double(choices_of(p).size()));
 }
 
 }  // namespace
@@ -113,6 +129,8 @@ std::optional<std::string> Parameters::problem(const scree_parameter& p, const s
   for (const double x : data)
     if (!std::isfinite(x) || (p.type != SCREE_CHOICE && out_of_range(p, x)))
       return fmt::format("= {:g} is out of range; give a {}", x, describe_range(p));
+  if (has_wrong_shape(p, data))
+    return fmt::format("= {:g} is not of its kind; give a {}", fmt::join(data, ", "), describe_range(p));
   return {};
 }
 

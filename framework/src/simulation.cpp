@@ -57,6 +57,11 @@ double speed_limit_of(const Scene& scene) {
   return smallest / scene.step;
 }
 
+unsigned threads_of(const Scene& scene) {
+  const std::size_t useful = scene.bodies.size() / std::max<std::size_t>(1, scene.least_bodies_per_thread);
+  return unsigned(std::clamp<std::size_t>(useful, 1, std::max(1u, scene.threads)));
+}
+
 Boundaries make_boundaries(const Scene& scene) {
   const Box box = box_of(scene);
   return Boundaries(scene.boundaries, scene.dimension, box.lower, box.upper);
@@ -69,15 +74,14 @@ bool turns_bodies(const Parameters& law, int dimension) {
 }
 
 Simulation::Simulation(const Scene& scene)
-    : scene_(scene),
+    : scene_(checked(scene)),
       boundaries_(make_boundaries(scene)),
       body_terms_(scene.body_terms, scene.dimension),
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
       neighbours_(skin_of(scene), {}),
       forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit}),
-      threads_(std::make_unique<ThreadPool>(std::max(1u, scene.threads))),
+      threads_(std::make_unique<ThreadPool>(threads_of(scene))),
       speed_limit_(speed_limit_of(scene)) {
-  if (!(scene.step > 0)) throw Error("the time step is not above 0; give time.step in s");
   configure_laws();
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());
@@ -95,6 +99,11 @@ void Simulation::configure_laws() {
   laws_.clear();
   for (const Scene::Law& law : scene_.laws) {
     configured_laws_.emplace_back(law.parameters, scene_.dimension, nowhere, nowhere);
+    if (configured_laws_.back().instance().tangential && !particles_.has_spin())
+      throw Error(
+          fmt::format("contact law '{}' turns bodies now, but the scene carries no spins; set its spin "
+                      "from the start",
+                      law.name));
     laws_.push_back({configured_laws_.back().instance(), configured_laws_.back().storage()});
   }
 }
@@ -134,9 +143,9 @@ void Simulation::step() {
   const double h = scene_.step;
   boundaries_.drift(time_, h);
   const double square_speed = integrator_.drift(particles_, h, *threads_);
-  if (!(square_speed < infinite)) report_blow_up(*this, speed_limit_);
-  neighbours_.update(std::sqrt(square_speed), boundaries_.largest_speed(), h, particles_, boundaries_,
-                     contacts_);
+  const double plane_speed = boundaries_.largest_speed();
+  if (!(square_speed < infinite && plane_speed < infinite)) report_blow_up(*this, speed_limit_);
+  neighbours_.update(std::sqrt(square_speed), plane_speed, h, particles_, boundaries_, contacts_);
   evaluate_forces(h);
   boundaries_.kick(time_, h);
   const double largest = integrator_.kick(particles_, h, *threads_);
@@ -154,7 +163,11 @@ void Simulation::check_health(double largest_square_speed) const {
 
 void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
   for (Scene::Law& law : scene_.laws)
-    if (law.name == name) law.parameters = parameters;
+    if (law.name == name) {
+      law.parameters = parameters;
+      return;
+    }
+  throw Error(fmt::format("no contact law '{}'", name));
 }
 
 void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
@@ -213,6 +226,7 @@ std::uint64_t Simulation::state_hash() const {
       for (std::uint32_t k = 0; k < group.history_width; ++k)
         if (const double value = group.history_column(k)[q - group.begin]; value != 0) {
           hash.add((std::uint64_t(contacts_.a[q]) << 32) | contacts_.b[q]);
+          hash.add(std::uint64_t(k));
           hash.add(value);
         }
   boundaries_.add_to_hash(hash);

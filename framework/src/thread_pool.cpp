@@ -4,8 +4,9 @@ namespace scree {
 
 namespace {
 
-// Steps follow each other within microseconds, so a waiting thread spins for a while before it sleeps.
-constexpr int spins_before_sleep = 20000;
+// Steps follow each other within microseconds, so a waiting thread spins before it sleeps; some 50 µs, not
+// more, for on a busy machine the one it waits for may not be running.
+constexpr int spins_before_sleep = 1000;
 
 template <class Done>
 void spin_until(const Done& done) {

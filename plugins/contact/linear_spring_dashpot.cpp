@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <scree/contact_law.hpp>
+#include <scree/restitution.hpp>
 
 namespace {
 
@@ -12,40 +13,12 @@ using scree::Response;
 using scree::Vec;
 
 constexpr double pi = 3.14159265358979323846;
-enum Tension { allowed, cut };
-
-// Restitution of a linear contact with damping ratio ζ = γ/(2√(k m*)).
-//   tension allowed: the contact ends at δ = 0,   r = exp(−πζ/√(1−ζ²))
-//   tension cut:     it ends at f_n = 0, earlier, r = exp(−ζ/√(1−ζ²) φ), φ = atan2(2ζ√(1−ζ²), 2ζ²−1),
-// φ being the phase at which kδ + γδ̇ vanishes.
-double restitution_of(double zeta, Tension tension) {
-  const double root = std::sqrt(std::max(1 - zeta * zeta, 0.0));
-  if (tension == allowed) return root > 0 ? std::exp(-pi * zeta / root) : 0;
-  if (zeta < 1) return std::exp(-zeta / root * std::atan2(2 * zeta * root, 2 * zeta * zeta - 1));
-  const double overdamped = std::sqrt(zeta * zeta - 1);
-  return overdamped > 0 ? std::exp(-zeta / overdamped * std::log((zeta + overdamped) / (zeta - overdamped)))
-                        : std::exp(-2.0);
-}
-
-double damping_ratio_of(double restitution, Tension tension) {
-  if (tension == allowed) {
-    const double log_r = std::log(restitution);
-    return -log_r / std::sqrt(pi * pi + log_r * log_r);
-  }
-  double low = 0, high = 1;
-  while (restitution_of(high, tension) > restitution && high < 1e6) high *= 2;
-  for (int k = 0; k < 200; ++k) {
-    const double middle = 0.5 * (low + high);
-    (restitution_of(middle, tension) > restitution ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 struct LinearSpringDashpot : scree::ContactLaw {
   double normal_stiffness = 0;
   double normal_damping = 0;
   double restitution = 0;  // 0: normal_damping was given
-  int tension = allowed;
+  int tension = 0;         // scree::Tension
   double tangential_stiffness = 0;
   double tangential_damping = 0;
   double static_friction = 0;
@@ -91,7 +64,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
       return setup.refuse("dynamic_friction is above static_friction; give at most the static value");
     if (static_friction > 0 && tangential_stiffness <= 0)
       return setup.refuse("friction needs tangential_stiffness above 0");
-    if (restitution > 0) damping_ratio = damping_ratio_of(restitution, Tension(tension));
+    if (restitution > 0) damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
   }
 
   std::size_t kernel() const { return (static_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0); }
@@ -100,7 +73,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
                              std::uint32_t capacity) const {
     const double m = e.reduced_mass, k = normal_stiffness, omega_0 = std::sqrt(k / m);
     const double zeta = restitution > 0 ? damping_ratio : normal_damping / (2 * std::sqrt(k * m));
-    const double r = restitution_of(zeta, Tension(tension));
+    const double r = scree::restitution_of(zeta, scree::Tension(tension));
     // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
     const double contact_time =
         zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
@@ -156,7 +129,7 @@ struct Kernel : LinearSpringDashpot {
     const T spring_force = T(normal_stiffness) * c.overlap;
     const T pushing_or_pulling = spring_force - weight * gamma * v_n;
     const T pushing = std::max(pushing_or_pulling, T(0));
-    const T f_n = tension == cut ? pushing : pushing_or_pulling;
+    const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
     out.force = f_n * c.normal;
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
@@ -172,7 +145,8 @@ struct Kernel : LinearSpringDashpot {
     const Vec<D, T> dashpot = (weight * T(tangential_damping)) * v_t;
 
     // The old spring, moved by this step's displacement and turned into the present tangent plane.
-    const Vec<D, T> xi = tangential_part(h.spring + c.tangential_increment, c.normal);
+    const Vec<D, T> old = h.spring;
+    const Vec<D, T> xi = tangential_part(old + c.tangential_increment, c.normal);
     const Vec<D, T> f_0 = -(k_t * xi) - dashpot;  // [D3]
     const T test = norm(f_0);
     const T limit = (h.sliding > T(0) ? T(dynamic_friction) : T(static_friction)) * f_n;
@@ -186,7 +160,9 @@ struct Kernel : LinearSpringDashpot {
     out.force += f_t;
     out.elastic_tangential = stored_energy(h);
     out.dissipated_tangential = dot(dashpot, v_t);
-    out.dissipated_friction = k_t * dot(h.spring, xi - h.spring);
+    // The work of the mean of the old and the new spring's force on what slipped: what the bodies lose,
+    // exactly.
+    out.dissipated_friction = T(0.5) * k_t * dot(old + h.spring, xi - h.spring);
   }
 };
 

@@ -1,11 +1,10 @@
-#include <fmt/format.h>
+#include "verbs.hpp"
 
 #include <memory>
 
-#include <scree/probes.hpp>
-#include <scree/scenario/plan.hpp>
+#include <fmt/format.h>
 
-#include "verbs.hpp"
+#include <scree/scenario/set_up.hpp>
 
 namespace scree::tool {
 
@@ -17,28 +16,37 @@ struct CheckArguments {
   PluginOptions plugins;
 };
 
-ExitStatus check(const CheckArguments& arguments) {
-  PluginHost host = make_host(arguments.plugins);
-  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  const Simulation simulation(plan.scene);
-  const SimulationView view(simulation, false);
-  for (const scenario::ProbePlan& probe : plan.probes) Probe(probe.parameters, plan.scene.dimension).check(view.get());
-
-  fmt::print("{}: good{}{}\n", arguments.scenario, plan.title.empty() ? "" : ", ", plan.title);
-  fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n", simulation.particles().size(),
-             plan.scene.dimension, simulation.boundaries().planes().size(), plan.scene.laws.size(),
-             plan.scene.body_terms.size(), plan.probes.size());
-  fmt::print("  time step {:g} s, {:.3g} steps in the shortest contact\n", simulation.step_length(), simulation.min_steps_per_contact());
+void print_stages(const scenario::Plan& plan) {
   double least = 0;
   for (const Stage& stage : plan.stages) {
     const double length = stage.duration ? *stage.duration : stage.at_least;
     least += length;
     if (stage.duration)
-      fmt::print("  stage {}: {:g} s, {:.0f} steps\n", stage.name, length, length / simulation.step_length());
+      fmt::print("  stage {}: {:g} s, {:.0f} steps\n", stage.name, length, length / plan.scene.step);
     else
-      fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n", stage.name, *stage.kinetic_over_elastic, *stage.at_most);
+      fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n", stage.name,
+                 *stage.kinetic_over_elastic, *stage.at_most);
   }
   fmt::print("  at least {:g} s of simulated time\n", least);
+}
+
+void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
+  fmt::print("{}: good{}{}\n", file, plan.title.empty() ? "" : ", ", plan.title);
+  fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
+             simulation.particles().size(), plan.scene.dimension, simulation.boundaries().planes().size(),
+             plan.scene.laws.size(), plan.scene.body_terms.size(), plan.probes.size());
+  fmt::print("  time step {:g} s, {:.3g} steps in the shortest contact\n", simulation.step_length(),
+             simulation.min_steps_per_contact());
+  print_stages(plan);
+}
+
+ExitStatus check(const CheckArguments& arguments) {
+  PluginHost host = make_host(arguments.plugins);
+  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
+  const auto simulation = scenario::set_up(plan);
+  if (const auto problem = scenario::step_problem(*simulation))
+    throw Error(fmt::format("{}: {}", arguments.scenario, *problem));
+  print_summary(arguments.scenario, plan, *simulation);
   return ExitStatus::success;
 }
 
@@ -48,9 +56,12 @@ void add_check_verb(CLI::App& app, ExitStatus& status) {
   CLI::App* verb = app.add_subcommand("check", "Validate a scenario without running it");
   auto arguments = std::make_shared<CheckArguments>();
   verb->add_option("scenario", arguments->scenario, "Scenario file (TOML)")->required();
-  verb->add_option("--set", arguments->overrides, "Change a value of the scenario")->type_name("KEY=VALUE")->allow_extra_args(false);
+  verb->add_option("--set", arguments->overrides, "Change a value of the scenario")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   add_plugin_options(*verb, arguments->plugins);
-  verb->footer("Example: scree check scenarios/david2005/quickstart.toml --set particles.lattice.count=[10,10,10]");
+  verb->footer(
+      "Example: scree check scenarios/david2005/quickstart.toml --set particles.lattice.count=[10,10,10]");
   verb->callback([arguments, &status] { status = check(*arguments); });
 }
 

@@ -1,17 +1,21 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "verbs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <sstream>
 
-#include <scree/nearest.hpp>
+#include <fmt/format.h>
 
-#include "verbs.hpp"
+#include <scree/scenario/message.hpp>
 
 namespace scree::tool {
 
 namespace {
+
+constexpr scree_kind kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_TERM, SCREE_PROBE};
 
 struct DescribeArguments {
   std::string name;
@@ -24,9 +28,10 @@ struct DescribeArguments {
 void list_all(PluginHost& host) {
   std::vector<PluginHost::Broken> broken;
   const auto plugins = host.load_all(broken);
-  for (const scree_kind kind : {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_TERM, SCREE_PROBE}) {
-    static constexpr const char* tables[] = {"", "contact", "boundary", "body_force", "probe"};
-    fmt::print("{}s, [[{}]]\n", kind_name(kind), tables[kind]);
+  for (const scree_kind kind : kinds) {
+    static constexpr const char* titles[] = {"", "contact laws, [[contact]]", "boundaries, [[boundary]]",
+                                             "body terms, [[body_force]]", "probes, [[probe]]"};
+    fmt::print("{}\n", titles[kind]);
     for (const scree_plugin* plugin : plugins)
       if (plugin->kind == std::uint32_t(kind)) fmt::print("  {:<24} {}\n", plugin->name, plugin->summary);
   }
@@ -34,119 +39,164 @@ void list_all(PluginHost& host) {
   fmt::print("\nscree describe NAME tells the equations and parameters of one of them.\n");
 }
 
+// What holds when a parameter is not given.
+std::string when_absent(const scree_parameter& p) {
+  if (p.excludes) return fmt::format("this or {}", p.excludes);
+  if (p.flags & SCREE_REQUIRED) return "required";
+  if (p.flags & SCREE_OPTIONAL) return "optional";
+  if (p.type == SCREE_CHOICE) return "default " + choices_of(p)[std::size_t(p.default_value)];
+  return fmt::format("default {:g}", p.default_value);
+}
+
 void print_parameters(const scree_plugin& plugin) {
   fmt::print("\nparameters\n");
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
-    std::string initial;
-    if (p.excludes)
-      initial = fmt::format("this or {}", p.excludes);
-    else if (p.flags & SCREE_REQUIRED)
-      initial = "required";
-    else if (p.flags & SCREE_OPTIONAL)
-      initial = "optional";
-    else if (p.type == SCREE_CHOICE)
-      initial = "default " + choices_of(p)[std::size_t(p.default_value)];
-    else
-      initial = fmt::format("default {:g}", p.default_value);
-    fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", p.key, describe_range(p), initial, "", p.doc);
+    fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", p.key, describe_range(p), when_absent(p), "", p.doc);
   }
   if (plugin.parameter_count == 0) fmt::print("  none\n");
 }
 
-void set_value(Parameters& parameters, const std::string& text) {
-  const auto equals = text.find('=');
-  const std::string key = text.substr(0, equals);
-  const scree_parameter* p = parameters.find(key);
-  if (!p || equals == std::string::npos) {
-    std::vector<std::string> keys;
-    for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) keys.push_back(parameters.plugin().parameters[k].key);
-    const auto near = nearest_word(key, keys);
-    throw Error(fmt::format("'{}': give KEY=VALUE with a parameter of {}{}", text, parameters.plugin().name,
-                            near ? fmt::format("; did you mean '{}'?", *near) : ""));
-  }
-  const std::string word = text.substr(equals + 1);
-  if (p->type == SCREE_CHOICE) {
-    const auto words = choices_of(*p);
-    for (std::size_t k = 0; k < words.size(); ++k)
-      if (words[k] == word) return parameters.set(key, {double(k)});
-    throw Error(fmt::format("'{}': give one of {}", text, fmt::join(words, ", ")));
+Error wrong_value(const std::string& text, const std::string& problem, const std::string& cure) {
+  return Error(fmt::format("'{}': {}; {}", text, problem, cure));
+}
+
+double number_of(const scree_parameter& p, const std::string& text, const std::string& word) {
+  if (p.type == SCREE_CHOICE) {
+    const auto words = choices_of(p);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) return double(found - words.begin());
+    throw wrong_value(text, fmt::format("'{}' is none of the choices", word),
+                      scenario::name_cure(word, words));
   }
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end) throw Error(fmt::format("'{}': '{}' is no number", text, word));
-  parameters.set(key, {value});
+  if (word.empty() || *end)
+    throw wrong_value(text, fmt::format("'{}' is no number", word), "give one such as 5e3");
+  return value;
 }
 
-void print_closed_forms(const scree_plugin& plugin, const DescribeArguments& a) {
+void set_value(Parameters& parameters, const std::string& text) {
+  const auto equals = text.find('=');
+  const std::string key = text.substr(0, equals), name = parameters.plugin().name;
+  if (equals == std::string::npos) throw wrong_value(text, "has no '='", "give KEY=VALUE");
+  const scree_parameter* p = parameters.find(key);
+  if (!p) {
+    std::vector<std::string> keys;
+    for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k)
+      keys.push_back(parameters.plugin().parameters[k].key);
+    throw wrong_value(text, fmt::format("{} has no parameter '{}'", name, key),
+                      scenario::name_cure(key, keys));
+  }
+  const double value = number_of(*p, text, text.substr(equals + 1));
+  parameters.set(key, p->type == SCREE_PROGRAM ? std::vector<double>{0, value} : std::vector<double>{value});
+}
+
+// A law with the values of the command line; none without values.
+std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, const DescribeArguments& a) {
+  if (a.values.empty()) return std::nullopt;
+  if (plugin.kind != SCREE_CONTACT_LAW)
+    throw wrong_value(
+        a.values[0],
+        fmt::format("{} is a {} and has no closed forms", plugin.name, kind_name(scree_kind(plugin.kind))),
+        "leave the value out");
   Parameters parameters(plugin);
   for (const std::string& value : a.values) set_value(parameters, value);
-  if (a.values.empty()) {
-    fmt::print("\nGive parameters as KEY=VALUE to see contact time, restitution and critical step.\n");
-    return;
-  }
   constexpr double nowhere[3] = {0, 0, 0};
-  const ConfiguredLaw law(parameters, a.dimension, nowhere, nowhere);
-  const double r = a.radius;
-  const double mass = a.density * (a.dimension == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r);
-  scree_closed_form forms[16];
-  const auto show = [&](const char* who, double reduced_mass, double effective_radius) {
-    const scree_encounter encounter = {reduced_mass, effective_radius, a.speed};
-    const std::uint32_t n = law.interface().closed_forms(law.storage(), &encounter, forms, 16);
-    fmt::print("\n{} (m* = {:.6g} kg, R* = {:g} m, {:g} m/s)\n", who, reduced_mass, effective_radius, a.speed);
-    for (std::uint32_t k = 0; k < n; ++k)
-      fmt::print("  {:<16} {:<14} {}\n", forms[k].name, fmt::format("{:.6g} {}", forms[k].value, forms[k].unit), forms[k].formula);
-  };
-  show(fmt::format("two equal {}, R = {:g} m, density {:g} kg/m^3", a.dimension == 2 ? "discs" : "spheres", r, a.density).c_str(), mass / 2, r / 2);
-  show("one of them and a wall", mass, r);
+  return ConfiguredLaw(parameters, a.dimension, nowhere, nowhere);
 }
 
-const scree_plugin& find_any(PluginHost& host, const std::string& name) {
+void print_forms(const std::string& who, const ConfiguredLaw& law, const scree_encounter& encounter) {
+  scree_closed_form forms[16];
+  const std::uint32_t n = law.interface().closed_forms(law.storage(), &encounter, forms, 16);
+  fmt::print("\n{} (m* = {:.6g} kg, R* = {:g} m, {:g} m/s)\n", who, encounter.reduced_mass,
+             encounter.effective_radius, encounter.speed);
+  for (std::uint32_t k = 0; k < n; ++k)
+    fmt::print("  {:<16} {:<14} {}\n", forms[k].name, fmt::format("{:.6g} {}", forms[k].value, forms[k].unit),
+               forms[k].formula);
+}
+
+void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {
+  const double r = a.radius, pi = std::numbers::pi;
+  const double mass = a.density * (a.dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r);
+  print_forms(fmt::format("two equal {}, R = {:g} m, density {:g} kg/m^3",
+                          a.dimension == 2 ? "discs" : "spheres", r, a.density),
+              law, {mass / 2, r / 2, a.speed});
+  print_forms("one of them and a wall", law, {mass, r, a.speed});
+}
+
+// All plug-ins of a name; "probe/box" tells the kinds apart where a name stands for several.
+std::vector<const scree_plugin*> find_any(PluginHost& host, const std::string& name) {
+  std::vector<const scree_plugin*> found;
   std::vector<std::string> all;
-  for (const scree_kind kind : {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_TERM, SCREE_PROBE})
+  for (const scree_kind kind : kinds)
     for (const std::string& known : host.names(kind)) {
-      // "probe/box" tells the kinds apart where a name stands for several.
-      if (known == name || name == std::string(kind_folder(kind)) + "/" + known) return host.find(known, kind);
+      if (known == name || name == std::string(kind_folder(kind)) + "/" + known)
+        found.push_back(&host.find(known, kind));
       all.push_back(known);
     }
-  const auto near = nearest_word(name, all);
-  throw Error(near ? fmt::format("no plug-in '{}'; did you mean '{}'?", name, *near) : fmt::format("no plug-in '{}'; see scree describe", name));
+  if (found.empty()) throw Error(fmt::format("no plug-in '{}'; {}", name, scenario::name_cure(name, all)));
+  return found;
+}
+
+void print_equation(const char* text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) fmt::print("  {}\n", line);
 }
 
 void describe_one(const scree_plugin& plugin, const DescribeArguments& arguments) {
-  fmt::print("{}, {}: {}\n{}\n\nequations\n", plugin.name, kind_name(scree_kind(plugin.kind)), plugin.summary, plugin.source);
-  for (const char* c = plugin.equation, *line = c;; ++c)
-    if (*c == '\n' || !*c) {
-      fmt::print("  {}\n", std::string(line, c));
-      if (!*c) break;
-      line = c + 1;
-    }
+  const auto law = law_of(plugin, arguments);  // first, so that a wrong value is all that is said
+  fmt::print("{}, {}: {}\n{}\n\nequations\n", plugin.name, kind_name(scree_kind(plugin.kind)), plugin.summary,
+             plugin.source);
+  print_equation(plugin.equation);
   print_parameters(plugin);
-  if (plugin.kind == SCREE_CONTACT_LAW) print_closed_forms(plugin, arguments);
+  if (law)
+    print_closed_forms(*law, arguments);
+  else if (plugin.kind == SCREE_CONTACT_LAW)
+    fmt::print("\nGive parameters as KEY=VALUE to see contact time, restitution and critical step.\n");
 }
 
 ExitStatus describe(const DescribeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  if (arguments.name.empty())
+  if (arguments.name.empty()) {
     list_all(host);
-  else
-    describe_one(find_any(host, arguments.name), arguments);
+    return ExitStatus::success;
+  }
+  const char* gap = "";
+  for (const scree_plugin* plugin : find_any(host, arguments.name)) {
+    fmt::print("{}", gap);
+    describe_one(*plugin, arguments);
+    gap = "\n";
+  }
   return ExitStatus::success;
+}
+
+// CLI::PositiveNumber takes infinity.
+std::string positive_and_finite(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is no number above 0";
 }
 
 }  // namespace
 
 void add_describe_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb = app.add_subcommand("describe", "List plug-ins, or tell one's equations, parameters and closed forms");
+  CLI::App* verb =
+      app.add_subcommand("describe", "List plug-ins, or tell one's equations, parameters and closed forms");
   auto a = std::make_shared<DescribeArguments>();
-  verb->add_option("name", a->name, "Plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
-  verb->add_option("values", a->values, "Parameters as KEY=VALUE, for the closed forms")->type_name("KEY=VALUE");
+  verb->add_option("name", a->name,
+                   "Plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
+  verb->add_option("values", a->values, "Parameters as KEY=VALUE, for the closed forms")
+      ->type_name("KEY=VALUE");
   verb->add_option("--dimension", a->dimension, "2 or 3 (default 3)")->check(CLI::Range(2, 3));
-  verb->add_option("--radius", a->radius, "Radius of the bodies, m (default 0.005)")->check(CLI::PositiveNumber);
-  verb->add_option("--density", a->density, "Density, kg/m^3 (default 2000)")->check(CLI::PositiveNumber);
-  verb->add_option("--speed", a->speed, "Impact speed, m/s (default 1)")->check(CLI::PositiveNumber);
+  verb->add_option("--radius", a->radius, "Radius of the bodies, m (default 0.005)")
+      ->check(positive_and_finite);
+  verb->add_option("--density", a->density, "Density, kg/m^3 (default 2000)")->check(positive_and_finite);
+  verb->add_option("--speed", a->speed, "Impact speed, m/s (default 1)")->check(positive_and_finite);
   add_plugin_options(*verb, a->plugins);
-  verb->footer("Example: scree describe linear_spring_dashpot normal_stiffness=5000 normal_damping=0.05 --radius 0.005");
+  verb->footer(
+      "Example: scree describe linear_spring_dashpot normal_stiffness=5000 normal_damping=0.05 --radius "
+      "0.005");
   verb->callback([a, &status] { status = describe(*a); });
 }
 

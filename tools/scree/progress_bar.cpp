@@ -1,11 +1,11 @@
 #include "progress_bar.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <unistd.h>
+
+#include <fmt/format.h>
 
 namespace scree::tool {
 
@@ -32,13 +32,15 @@ ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FI
 
 void ProgressBar::show(const scenario::Progress& p) {
   if (quiet_) return;
-  const std::string text = fmt::format("{:3.0f} %  t = {:.4g} s  {}{}", 100 * p.share, p.time, p.stage, time_left(p));
+  const std::string text =
+      fmt::format("{:3.0f} %  t = {:.4g} s  {}{}", 100 * p.share, p.time, p.stage, time_left(p));
   if (terminal_) {
     const int full = int(std::clamp(p.share, 0.0, 1.0) * bar_width);
-    fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(std::size_t(full), '#'), std::string(std::size_t(bar_width - full), '.'), text);
+    fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(std::size_t(full), '#'),
+               std::string(std::size_t(bar_width - full), '.'), text);
     std::fflush(stderr);
   } else if (p.wall >= next_plain_line_) {
-    if (p.wall >= 1) fmt::print(stderr, "{}\n", text);
+    if (p.wall >= 1) fmt::print("{}\n", text), std::fflush(stdout);
     next_plain_line_ = p.wall + (next_plain_line_ > 0 ? seconds_between_plain_lines : 2);
   }
 }

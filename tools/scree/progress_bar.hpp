@@ -6,7 +6,8 @@
 
 namespace scree::tool {
 
-// Progress on stderr: one line that moves on a terminal, a plain line every few seconds elsewhere.
+// One line that moves where stderr is a terminal; elsewhere a plain line every few seconds on stdout, so that
+// stderr holds nothing but what went wrong.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);

@@ -1,11 +1,11 @@
-#include <fmt/format.h>
+#include "verbs.hpp"
 
 #include <algorithm>
 #include <memory>
 
-#include <scree/snapshot/load_backend.hpp>
+#include <fmt/format.h>
 
-#include "verbs.hpp"
+#include <scree/snapshot/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -29,13 +29,16 @@ std::vector<fs::path> frames_of(const fs::path& source) {
       frames.push_back(entry.path());
   std::sort(frames.begin(), frames.end());
   if (frames.empty())
-    throw Error(fmt::format("{}: holds no particles_*.vtp; name a run that wrote snapshots ([snapshot] every = <s>)", source.string()));
+    throw Error(
+        fmt::format("{}: holds no particles_*.vtp; name a run that wrote snapshots ([snapshot] every = <s>)",
+                    source.string()));
   return frames;
 }
 
 ExitStatus render(const RenderArguments& arguments) {
   const std::vector<fs::path> frames = frames_of(arguments.source);
-  const fs::path base = fs::is_directory(arguments.source) ? fs::path(arguments.source) / "images" : fs::path(arguments.source).parent_path();
+  const fs::path base = fs::is_directory(arguments.source) ? fs::path(arguments.source) / "images"
+                                                           : fs::path(arguments.source).parent_path();
   const fs::path out = arguments.out.empty() ? base : fs::path(arguments.out);
   const auto backend = snapshot::load_backend();
   for (const fs::path& frame : frames) {
@@ -54,10 +57,15 @@ void add_render_verb(CLI::App& app, ExitStatus& status) {
   auto a = std::make_shared<RenderArguments>();
   const std::vector<std::string> fields(snapshot::color_fields.begin(), snapshot::color_fields.end());
   const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
-  verb->add_option("source", a->source, "Run directory, or one particles_*.vtp file")->required()->check(CLI::ExistingPath);
-  verb->add_option("--out", a->out, "Directory for the pictures; default the run's images/")->type_name("DIR");
-  verb->add_option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")->check(CLI::IsMember(fields));
-  verb->add_option("--view", a->options.view, "Direction of view (default iso, in 2D z)")->check(CLI::IsMember(views));
+  verb->add_option("source", a->source, "Run directory, or one particles_*.vtp file")
+      ->required()
+      ->check(CLI::ExistingPath);
+  verb->add_option("--out", a->out, "Directory for the pictures; default the run's images/")
+      ->type_name("DIR");
+  verb->add_option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
+      ->check(CLI::IsMember(fields));
+  verb->add_option("--view", a->options.view, "Direction of view (default iso, in 2D z)")
+      ->check(CLI::IsMember(views));
   verb->add_flag("--contacts", a->options.show_contacts, "Draw the contact network");
   verb->add_option("--width", a->options.width, "Pixels (default 1200)")->check(CLI::Range(200, 8000));
   verb->add_option("--height", a->options.height, "Pixels (default 900)")->check(CLI::Range(200, 8000));

@@ -1,14 +1,15 @@
-#include <fmt/format.h>
+#include "progress_bar.hpp"
+#include "verbs.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include <scree/scenario/run.hpp>
 #include <scree/scenario/run_directory.hpp>
-
-#include "progress_bar.hpp"
-#include "verbs.hpp"
 
 namespace scree::tool {
 
@@ -16,10 +17,11 @@ namespace {
 
 std::atomic<bool> interrupted = false;
 
-// The first Ctrl-C asks the run to save and end; a second one ends the program at once.
-void on_interrupt(int) {
+// The first Ctrl-C, or the end of a batch job, asks the run to save and end; a second one ends the program at
+// once.
+void on_interrupt(int signal) {
   interrupted = true;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(signal, SIG_DFL);
 }
 
 struct RunArguments {
@@ -30,11 +32,11 @@ struct RunArguments {
   PluginOptions plugins;
 };
 
-void print_carried(const scenario::Plan& plan) {
-  const Simulation simulation(plan.scene);
+void print_carried(const Simulation& simulation) {
   const Footprint f = simulation.footprint();
   fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes a body, {} bytes a pair\n",
-             simulation.particles().size(), plan.scene.dimension, f.degrees_of_freedom, f.bytes_per_body, f.bytes_per_pair);
+             simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
+             f.bytes_per_pair);
   fmt::print("time step {:.4g} s, {:.3g} steps in the shortest contact\n", simulation.step_length(),
              simulation.min_steps_per_contact());
 }
@@ -47,48 +49,62 @@ void print_result(const scenario::RunResult& r) {
   };
   fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps a second\n", quantity("steps"), r.wall,
              1e-6 * r.particle_steps_per_second);
-  fmt::print("energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the radius\n",
-             quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
+  fmt::print(
+      "energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the "
+      "radius\n",
+      quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
   fmt::print("state hash {:016x}\n", r.state_hash);
   for (const scenario::Verdict& v : r.verdicts)
-    fmt::print("{}  {} ({} = {:.6g})\n", v.met ? "met    " : "NOT MET", v.expectation.requirement, v.expectation.quantity, v.value);
+    fmt::print("{}  {} ({} = {:.6g})\n", v.met ? "met    " : "NOT MET", v.expectation.requirement,
+               v.expectation.quantity, v.value);
 }
 
 void print_places(const std::filesystem::path& directory) {
   fmt::print("results in {}\n", directory.string());
-  for (const auto& [folder, what] : {std::pair{"series", "time series (CSV)"}, {"snapshots", "ParaView files"},
-                                     {"images", "pictures"}, {"charts", "charts"}, {"run.json", "summary of the run"}})
-    if (std::filesystem::exists(directory / folder)) fmt::print("  {:<28} {}\n", (directory / folder).string(), what);
+  for (const auto& [folder, what] : {std::pair{"series", "time series (CSV)"},
+                                     {"snapshots", "ParaView files"},
+                                     {"images", "pictures"},
+                                     {"charts", "charts"},
+                                     {"run.json", "summary of the run"}})
+    if (std::filesystem::exists(directory / folder))
+      fmt::print("  {:<28} {}\n", (directory / folder).string(), what);
+}
+
+scenario::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar) {
+  scenario::RunOptions options;
+  options.out = arguments.out.empty() ? scenario::RunDirectory::default_for(arguments.scenario)
+                                      : std::filesystem::path(arguments.out);
+  options.overwrite = arguments.overwrite;
+  options.threads = arguments.threads;
+  options.stop = &interrupted;
+  if (!arguments.quiet) options.on_start = print_carried;
+  options.on_progress = [&bar](const scenario::Progress& p) { bar.show(p); };
+  options.on_message = [&bar](const std::string& line) {
+    bar.clear();
+    report(line, ExitStatus::success);
+  };
+  return options;
+}
+
+scenario::RunResult run_with_bar(const scenario::Plan& plan, const RunArguments& arguments) {
+  ProgressBar bar(arguments.quiet);
+  // Cleared also where an error leaves, so that its line stands alone.
+  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
+  return scenario::run(plan, options_of(arguments, bar));
 }
 
 ExitStatus run_scenario(const RunArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  scenario::RunOptions options;
-  options.out = arguments.out.empty() ? scenario::RunDirectory::default_for(arguments.scenario) : std::filesystem::path(arguments.out);
-  options.overwrite = arguments.overwrite;
-  options.threads = arguments.threads;
-  options.stop = &interrupted;
-  ProgressBar bar(arguments.quiet);
-  options.on_progress = [&](const scenario::Progress& p) { bar.show(p); };
-  options.on_message = [&](const std::string& line) { bar.clear(), fmt::print(stderr, "scree: {}\n", line); };
-  const scenario::RunDirectory checked(options.out, options.overwrite);
-  if (!arguments.quiet) print_carried(plan);
   std::signal(SIGINT, on_interrupt);
-  const scenario::RunResult result = [&] {
-    try {
-      return scenario::run(plan, options);
-    } catch (const Error&) {
-      bar.clear();
-      throw;
-    }
-  }();
-  bar.clear();
+  std::signal(SIGTERM, on_interrupt);
+  const scenario::RunResult result = run_with_bar(plan, arguments);
   if (!arguments.quiet) print_result(result);
   if (result.interrupted) fmt::print("interrupted; what was computed is saved\n");
   print_places(result.directory);
   if (result.interrupted) return ExitStatus::interrupted;
-  const bool met = std::all_of(result.verdicts.begin(), result.verdicts.end(), [](const auto& v) { return v.met; });
+  const bool met =
+      std::all_of(result.verdicts.begin(), result.verdicts.end(), [](const auto& v) { return v.met; });
   return met ? ExitStatus::success : ExitStatus::failure;
 }
 
@@ -98,16 +114,22 @@ void add_run_verb(CLI::App& app, ExitStatus& status) {
   CLI::App* verb = app.add_subcommand("run", "Run a scenario");
   auto arguments = std::make_shared<RunArguments>();
   verb->add_option("scenario", arguments->scenario, "Scenario file (TOML)")->required();
-  verb->add_option("--out", arguments->out, "Directory of the run; default runs/<scenario>, numbered if it exists")->type_name("DIR");
-  verb->add_option("--set", arguments->overrides, "Change a value of the scenario, for example --set contact.static_friction=0.2")
+  verb->add_option("--out", arguments->out,
+                   "Directory of the run; default runs/<scenario>, numbered if it exists")
+      ->type_name("DIR");
+  verb->add_option("--set", arguments->overrides,
+                   "Change a value of the scenario, for example --set contact.static_friction=0.2")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  verb->add_option("--threads", arguments->threads, "Threads; the results have the same bits for any number (default 1)")
+  verb->add_option("--threads", arguments->threads,
+                   "Threads; the results have the same bits for any number (default 1)")
       ->check(CLI::Range(1u, 1024u));
   verb->add_flag("--overwrite", arguments->overwrite, "Replace the run that the directory holds");
   verb->add_flag("--quiet", arguments->quiet, "No progress, only where the results are");
   add_plugin_options(*verb, arguments->plugins);
-  verb->footer("Example: scree run scenarios/david2005/quickstart.toml --out runs/first --set contact.static_friction=0.2");
+  verb->footer(
+      "Example: scree run scenarios/david2005/quickstart.toml --out runs/first --set "
+      "contact.static_friction=0.2");
   verb->callback([arguments, &status] { status = run_scenario(*arguments); });
 }
 

@@ -1,15 +1,19 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include <scree/error.hpp>
 #include <scree/plugin_host.hpp>
 
 namespace scree::tool {
+
+// Writes "scree: <line>" to stderr, in one line whatever the text holds, and returns the status.
+ExitStatus report(std::string_view line, ExitStatus status);
 
 // What every verb that looks at plug-ins shares.
 struct PluginOptions {

@@ -4,9 +4,10 @@
 #include <scree/plugin_abi.h>
 
 // How to write a body term: plugins/README.md. An author's struct has
+//
 //   static constexpr scree::About about;
-//   void declare(scree::Declaration&);          its parameters
-//   void prepare(const scree::Setup&);          (optional) derived values, refusals
+//   void declare(scree::Declaration&);
+//   void prepare(const scree::Setup&);          optional: derived values, refusals
 //   void apply(scree_body_batch&) const;        adds forces, torques, energies; columns may be NULL
 
 namespace scree::detail {

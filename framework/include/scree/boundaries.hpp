@@ -37,7 +37,7 @@ class Boundaries {
   const std::vector<std::string>& plane_names() const { return names_; }
   // Sum over all boundaries.
   scree_boundary_energy energy() const;
-  // Largest speed of a plane along its normal in the last drift (m/s).
+  // Largest speed of a plane along its normal in the last drift (m/s); infinite if any is not finite.
   double largest_speed() const;
   void add_to_hash(class StateHash& hash) const;
 

@@ -4,15 +4,17 @@
 #include <scree/plugin_abi.h>
 
 // How to write a boundary: plugins/README.md. An author's struct has
+//
 //   static constexpr scree::About about;
-//   void declare(scree::Declaration&);              its parameters
-//   void prepare(const scree::Setup&);              (optional) derived values, refusals
-//   void describe(scree_boundary_instance&) const;  how many planes and state doubles, what is periodic
+//   void declare(scree::Declaration&);
+//   void prepare(const scree::Setup&);              optional: derived values, refusals
+//   void describe(scree_boundary_instance&) const;  planes, state doubles, periodic axes
 //   void start(const scree_boundary_step&) const;   planes and state at the start
-//   void drift(const scree_boundary_step&) const;   planes from t to t + step, velocities at mid-step and
-//   predicted void kick(const scree_boundary_step&) const;    velocities at t + step with the loads there,
-//   energies;
-//                                                   called once with step 0 for the loads at the start
+//   void drift(const scree_boundary_step&) const;   planes from t to t + step
+//   void kick(const scree_boundary_step&) const;    velocities and energies at t + step
+//
+// `drift` also sets mid_velocity, the displacement over the step, and velocity, its prediction for t + step.
+// `kick` knows the loads at t + step; it is called once with step 0 for the loads at the start.
 
 namespace scree::detail {
 

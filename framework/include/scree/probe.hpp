@@ -7,12 +7,13 @@
 #include <scree/plugin_abi.h>
 
 // How to write a probe: plugins/README.md. An author's struct has
+//
 //   static constexpr scree::About about;
-//   void declare(scree::Declaration&);                its parameters
-//   void prepare(const scree::Setup&);                (optional) derived values, refusals
-//   void describe(scree_probe_instance&) const;       columns, state doubles, whether contacts are needed
-//   scree::ColumnName column(std::uint32_t) const;    name and unit of a column
-//   const char* start(const scree_view&, double* state) const;   null, or what is wrong and the cure
+//   void declare(scree::Declaration&);
+//   void prepare(const scree::Setup&);                         optional: derived values, refusals
+//   void describe(scree_probe_instance&) const;                columns, state, whether contacts are needed
+//   scree::ColumnName column(std::uint32_t) const;             name and unit of a column
+//   const char* start(const scree_view&, double* state) const; null, or what is wrong and the cure
 //   void sample(const scree_view&, const double* state, double* row) const;
 
 namespace scree {

@@ -24,9 +24,11 @@ struct Scene {
   };
 
   int dimension = 3;
-  double step = 0;  // (s)
-  double skin = 0;  // (m), 0: a tenth of the mean radius
-  unsigned threads = 1;
+  double step = 0;       // (s)
+  double skin = 0;       // (m), 0: a tenth of the mean radius
+  unsigned threads = 1;  // at most; see least_bodies_per_thread
+  // A thread costs some microseconds a step, so that small scenes run faster on fewer.
+  std::size_t least_bodies_per_thread = 500;
   bool audit = true;  // keep the energy books
   bool spin = false;  // carry spins even if no law needs them now, because a later stage does
   Limits limits;

@@ -78,4 +78,10 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
   return near ? fmt::format("; did you mean '{}'?", one_line(*near)) : "";
 }
 
+std::string name_cure(std::string_view word, const std::vector<std::string>& candidates) {
+  if (const auto near = nearest_word(word, candidates))
+    return fmt::format("did you mean '{}'?", one_line(*near));
+  return candidates.empty() ? "there are none" : "there are: " + listed(candidates);
+}
+
 }  // namespace scree::scenario

@@ -4,10 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace scree::scenario {
+#include <scree/scenario/message.hpp>
 
-// Text fit for one line of a message: control characters escaped, cut at longest bytes with "..." behind.
-std::string one_line(std::string_view text, std::size_t longest = 80);
+namespace scree::scenario {
 
 // Shortest decimal that reads back to the same bits: "2e-5", "0.1", "3".
 std::string number_text(double value);

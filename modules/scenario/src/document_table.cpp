@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/document_table.hpp>
 #include <scree/nearest.hpp>
+#include <scree/scenario/document_table.hpp>
 
 namespace scree::scenario {
 namespace {

@@ -12,7 +12,8 @@ namespace scree::scenario {
 using SeriesColumn = std::function<std::vector<double>(const std::string& probe, const std::string& column)>;
 
 // Compares what an expectation asks for with what a run came to. An empty series does not meet anything.
-Verdict judge_expectation(const Expectation& expectation, const std::vector<std::pair<std::string, double>>& quantities,
+Verdict judge_expectation(const Expectation& expectation,
+                          const std::vector<std::pair<std::string, double>>& quantities,
                           const SeriesColumn& column);
 
 }  // namespace scree::scenario

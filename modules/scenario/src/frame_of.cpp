@@ -1,5 +1,7 @@
 #include "frame_of.hpp"
 
+#include "body_bounds.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,18 +56,16 @@ void add_contacts(const Simulation& s, snapshot::Frame& frame) {
 
 SceneBox scene_box(const Simulation& s) {
   SceneBox box;
-  const Particles& p = s.particles();
+  const BodyBounds bodies = bounds_of(s.scene().bodies, s.dimension());
   for (std::size_t k = 0; k < std::size_t(s.dimension()); ++k) {
-    double low = INFINITY, high = -INFINITY;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      low = std::min(low, p.position[k][i] - p.radius[i]);
-      high = std::max(high, p.position[k][i] + p.radius[i]);
-    }
+    double low = bodies.lower[int(k)], high = bodies.upper[int(k)];
     for (const scree_plane& plane : s.boundaries().planes())
-      if (std::abs(plane.normal[k]) > 0.999) low = std::min(low, plane.point[k]), high = std::max(high, plane.point[k]);
+      if (std::abs(plane.normal[k]) > 0.999)
+        low = std::min(low, plane.point[k]), high = std::max(high, plane.point[k]);
     const Domain& domain = s.boundaries().domain();
-    if (domain.periodic[k]) low = std::min(low, domain.lower[int(k)]), high = std::max(high, domain.upper[int(k)]);
-    if (low <= high) box.lower[k] = low, box.upper[k] = high;
+    if (domain.periodic[k])
+      low = std::min(low, domain.lower[int(k)]), high = std::max(high, domain.upper[int(k)]);
+    box.lower[k] = low, box.upper[k] = high;
   }
   return box;
 }

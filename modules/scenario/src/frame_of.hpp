@@ -7,7 +7,7 @@
 
 namespace scree::scenario {
 
-// The corners of a scene for the camera: bodies, walls across the axes, periodic domain.
+// The corners of a scene for the camera: bodies at the start, walls across the axes, periodic domain.
 struct SceneBox {
   std::array<double, 3> lower{}, upper{};
 };

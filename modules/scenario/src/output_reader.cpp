@@ -1,42 +1,48 @@
 #include "output_reader.hpp"
 
+#include "names.hpp"
+#include "plugin_parameters.hpp"
+
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include <scree/nearest.hpp>
 #include <scree/probes.hpp>
+#include <scree/scenario/message.hpp>
 #include <scree/scenario/run_quantities.hpp>
-
-#include "plugin_parameters.hpp"
+#include <scree/snapshot/render_options.hpp>
 
 namespace scree::scenario {
 
 namespace {
 
-// The word itself if it is among the candidates; else an Error at the key that suggests the nearest.
-const std::string& one_of(const Table& t, std::string_view key, const std::string& word, const char* what,
-                          const std::vector<std::string>& candidates) {
-  if (std::find(candidates.begin(), candidates.end(), word) != candidates.end()) return word;
-  const auto near = nearest_word(word, candidates);
-  throw t.error(key, fmt::format("no {} '{}'", what, word),
-                near ? fmt::format("did you mean '{}'?", *near)
-                     : fmt::format("there are: {}", candidates.empty() ? "none" : fmt::format("{}", fmt::join(candidates, ", "))));
+double read_interval(const Table& t, std::string_view key, double step) {
+  const double every = t.number(key, Range::positive("s"));
+  if (every < 0.999 * step)
+    throw t.error(key, fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key, every, step),
+                  "raise it, or shorten time.step");
+  return every;
 }
 
-const ProbePlan& probe_named(const Table& t, std::string_view key, const std::string& name,
-                             const std::vector<ProbePlan>& probes) {
-  std::vector<std::string> names;
-  for (const ProbePlan& probe : probes) names.push_back(probe.name);
-  one_of(t, key, name, "probe", names);
-  return *std::find_if(probes.begin(), probes.end(), [&](const ProbePlan& p) { return p.name == name; });
+ProbePlan read_probe(const Table& t, const Scene& scene, const std::vector<std::string>& stages,
+                     PluginHost& host) {
+  ProbePlan probe{"", Parameters(find_plugin(t, SCREE_PROBE, host)), 0, {}, t.place("plugin")};
+  read_parameters(t, scene.dimension, probe.parameters);
+  check_complete(t, probe.parameters);
+  probe.name = t.string("name", probe.parameters.plugin().name);
+  check_file_name(t, probe.name);
+  probe.every = read_interval(t, "every", scene.step);
+  if (t.has("stages")) probe.stages = t.strings("stages");
+  for (std::size_t k = 0; k < probe.stages.size(); ++k)
+    find_name(t, "stages", "stage", probe.stages[k], stages, k);
+  placed(t, "plugin", [&] { Probe(probe.parameters, scene.dimension); });
+  return probe;
 }
 
 struct Columns {
-  std::vector<std::string> names, units;
+  std::vector<std::string> names, units;  // time first
 };
 
 Columns columns_of(const ProbePlan& probe, int dimension) {
@@ -47,35 +53,82 @@ Columns columns_of(const ProbePlan& probe, int dimension) {
   return columns;
 }
 
+const ProbePlan& probe_named(const Table& t, const std::vector<ProbePlan>& probes) {
+  std::vector<std::string> names;
+  for (const ProbePlan& probe : probes) names.push_back(probe.name);
+  return probes[find_name(t, "probe", "probe", t.string("probe"), names)];
+}
+
+std::string as_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 // "deviatoric strain" or "length x (m)".
-std::string label_of(const Columns& columns, const std::string& name) {
-  const auto at = std::size_t(std::find(columns.names.begin(), columns.names.end(), name) - columns.names.begin());
-  std::string label = name;
-  std::replace(label.begin(), label.end(), '_', ' ');
-  return columns.units[at].empty() ? label : fmt::format("{} ({})", label, columns.units[at]);
+std::string label_of(const Columns& columns, std::size_t k) {
+  const std::string words = as_words(columns.names[k]);
+  return columns.units[k].empty() ? words : fmt::format("{} ({})", words, columns.units[k]);
 }
 
 ChartPlan read_chart(const Table& t, const std::vector<ProbePlan>& probes, int dimension) {
   ChartPlan chart;
   chart.name = t.string("name");
-  const ProbePlan& probe = probe_named(t, "probe", t.string("probe"), probes);
+  check_file_name(t, chart.name);
+  const ProbePlan& probe = probe_named(t, probes);
   const Columns columns = columns_of(probe, dimension);
   const std::string x = t.string("x", "time");
-  one_of(t, "x", x, "column", columns.names);
-  const std::vector<std::string> ys = t.is_array("y") ? t.strings("y") : std::vector<std::string>{t.string("y")};
-  for (const std::string& y : ys) {
-    one_of(t, "y", y, "column", columns.names);
-    std::string name = y;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    chart.curves.push_back({name, probe.name, x, y});
-  }
+  chart.x_label = label_of(columns, find_name(t, "x", "column", x, columns.names));
+  const bool several = t.is_array("y");
+  const std::vector<std::string> ys = several ? t.strings("y") : std::vector{t.string("y")};
   if (ys.empty()) throw t.error("y", "names no column", "give one or more of the probe's columns");
+  for (std::size_t k = 0; k < ys.size(); ++k) {
+    const std::size_t at = find_name(t, "y", "column", ys[k], columns.names, k);
+    if (k == 0) chart.y_label = label_of(columns, at);
+    chart.curves.push_back({as_words(ys[k]), probe.name, x, ys[k]});
+  }
   chart.title = t.string("title", chart.name);
-  chart.x_label = t.string("x_label", label_of(columns, x));
-  chart.y_label = t.string("y_label", label_of(columns, ys[0]));
+  chart.x_label = t.string("x_label", chart.x_label);
+  chart.y_label = t.string("y_label", chart.y_label);
   chart.log_x = t.boolean("log_x", false);
   chart.log_y = t.boolean("log_y", false);
   return chart;
+}
+
+// Everything that an expectation may ask for.
+std::vector<std::string> known_quantities(const std::vector<ProbePlan>& probes, int dimension) {
+  std::vector<std::string> known = run_quantity_names();
+  for (const ProbePlan& probe : probes)
+    for (const std::string& column : columns_of(probe, dimension).names)
+      for (const char* statistic : series_statistics)
+        known.push_back(fmt::format("{}.{}.{}", probe.name, column, statistic));
+  return known;
+}
+
+std::string read_quantity(const Table& t, const std::vector<std::string>& known) {
+  const std::string quantity = t.string("quantity");
+  if (std::find(known.begin(), known.end(), quantity) != known.end()) return quantity;
+  const auto near = nearest_word(quantity, known);
+  throw t.error("quantity", fmt::format("no quantity '{}'", one_line(quantity)),
+                near ? fmt::format("did you mean '{}'?", *near)
+                     : fmt::format("give one of {}, or <probe>.<column>.<{}>",
+                                   fmt::join(run_quantity_names(), ", "), fmt::join(series_statistics, "|")));
+}
+
+Expectation read_expectation(const Table& t, const std::vector<std::string>& known) {
+  Expectation e;
+  e.requirement = t.string("requirement");
+  e.quantity = read_quantity(t, known);
+  e.reference = t.optional_number("reference");
+  e.tolerance = t.optional_number("tolerance", Range::non_negative());
+  e.at_most = t.optional_number("at_most");
+  e.at_least = t.optional_number("at_least");
+  if (e.reference.has_value() != e.tolerance.has_value())
+    throw t.error(e.reference ? "reference" : "tolerance", "reference and tolerance go together",
+                  "give both, or at_most / at_least");
+  if (!e.reference && !e.at_most && !e.at_least)
+    throw t.error("quantity", "nothing is said of what the quantity must be",
+                  "give reference and tolerance, at_most, or at_least");
+  return e;
 }
 
 }  // namespace
@@ -83,35 +136,25 @@ ChartPlan read_chart(const Table& t, const std::vector<ProbePlan>& probes, int d
 std::vector<ProbePlan> read_probes(const Table& root, const Scene& scene, const std::vector<Stage>& stages,
                                    PluginHost& host) {
   std::vector<ProbePlan> probes;
-  std::set<std::string> taken;
+  UniqueNames names("probe");
   std::vector<std::string> stage_names;
   for (const Stage& stage : stages) stage_names.push_back(stage.name);
   for (const Table& t : root.tables("probe")) {
-    ProbePlan probe{"", Parameters(find_plugin(t, SCREE_PROBE, host)), 0, {}};
-    read_parameters(t, scene.dimension, probe.parameters);
-    check_complete(t, probe.parameters);
-    probe.name = t.string("name", probe.parameters.plugin().name);
-    if (!taken.insert(probe.name).second)
-      throw t.error("name", fmt::format("the probe name '{}' is taken", probe.name), "give this probe a name of its own");
-    if (probe.name.empty() || probe.name.find_first_of("/\\.") != std::string::npos)
-      throw t.error("name", fmt::format("'{}' cannot be a file name", probe.name), "use letters, digits, '_' and '-'");
-    probe.every = t.number("every", Range::positive("s"));
-    if (t.has("stages")) probe.stages = t.strings("stages");
-    for (const std::string& stage : probe.stages) one_of(t, "stages", stage, "stage", stage_names);
-    placed(t, "plugin", [&] { Probe(probe.parameters, scene.dimension); });
-    probes.push_back(std::move(probe));
+    probes.push_back(read_probe(t, scene, stage_names, host));
+    names.add(t, probes.back().name);
   }
   return probes;
 }
 
-SnapshotPlan read_snapshot(const Table& root) {
+SnapshotPlan read_snapshot(const Table& root, double step) {
   SnapshotPlan plan;
   const auto t = root.optional_table("snapshot");
   if (!t) return plan;
-  plan.every = t->optional_number("every", Range::positive("s"));
-  plan.image_every = t->optional_number("image_every", Range::positive("s"));
-  plan.color_by = t->choice("color_by", {"radius", "speed", "spin", "coordination", "force", "id"}, "radius");
-  plan.view = t->choice("view", {"iso", "x", "y", "z", ""}, "");
+  if (t->has("every")) plan.every = read_interval(*t, "every", step);
+  if (t->has("image_every")) plan.image_every = read_interval(*t, "image_every", step);
+  plan.color_by =
+      t->choice("color_by", {snapshot::color_fields.begin(), snapshot::color_fields.end()}, "radius");
+  plan.view = t->choice("view", {snapshot::view_names.begin(), snapshot::view_names.end()}, "");
   plan.show_contacts = t->boolean("contacts", false);
   plan.width = int(t->integer("width", 1200, Range::between(200, 8000, "pixels")));
   plan.height = int(t->integer("height", 900, Range::between(200, 8000, "pixels")));
@@ -120,42 +163,19 @@ SnapshotPlan read_snapshot(const Table& root) {
 
 std::vector<ChartPlan> read_charts(const Table& root, const std::vector<ProbePlan>& probes, int dimension) {
   std::vector<ChartPlan> charts;
-  std::set<std::string> names;
+  UniqueNames names("chart");
   for (const Table& t : root.tables("chart")) {
     charts.push_back(read_chart(t, probes, dimension));
-    const std::string& name = charts.back().name;
-    if (name.empty() || name.find_first_of("/\\") != std::string::npos || !names.insert(name).second)
-      throw t.error("name", fmt::format("'{}' is taken or cannot be a file name", name), "use letters, digits, '_' and '-'");
+    names.add(t, charts.back().name);
   }
   return charts;
 }
 
-std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes, int dimension) {
+std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes,
+                                           int dimension) {
   std::vector<Expectation> all;
-  for (const Table& t : root.tables("expect")) {
-    Expectation e;
-    e.requirement = t.string("requirement");
-    e.quantity = t.string("quantity");
-    e.reference = t.optional_number("reference");
-    e.tolerance = t.optional_number("tolerance", Range::non_negative());
-    e.at_most = t.optional_number("at_most");
-    e.at_least = t.optional_number("at_least");
-    if (e.reference.has_value() != e.tolerance.has_value())
-      throw t.error("reference", "reference and tolerance go together", "give both, or at_most / at_least");
-    if (!e.reference && !e.at_most && !e.at_least)
-      throw t.error("quantity", "nothing is said of what the quantity must be", "give reference and tolerance, at_most, or at_least");
-    std::vector<std::string> known = run_quantity_names();
-    for (const ProbePlan& probe : probes)
-      for (const std::string& column : columns_of(probe, dimension).names)
-        for (const char* statistic : series_statistics) known.push_back(fmt::format("{}.{}.{}", probe.name, column, statistic));
-    if (std::find(known.begin(), known.end(), e.quantity) == known.end()) {
-      const auto near = nearest_word(e.quantity, known);
-      throw t.error("quantity", fmt::format("no quantity '{}'", e.quantity),
-                    near ? fmt::format("did you mean '{}'?", *near)
-                         : fmt::format("give one of {}, or <probe>.<column>.<{}>", fmt::join(run_quantity_names(), ", "), fmt::join(series_statistics, "|")));
-    }
-    all.push_back(std::move(e));
-  }
+  const std::vector<std::string> known = known_quantities(probes, dimension);
+  for (const Table& t : root.tables("expect")) all.push_back(read_expectation(t, known));
   return all;
 }
 

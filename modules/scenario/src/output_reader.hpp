@@ -9,8 +9,10 @@ namespace scree::scenario {
 
 std::vector<ProbePlan> read_probes(const Table& root, const Scene& scene, const std::vector<Stage>& stages,
                                    PluginHost& host);
-SnapshotPlan read_snapshot(const Table& root);
+// step: the time step (s), below which nothing can be written.
+SnapshotPlan read_snapshot(const Table& root, double step);
 std::vector<ChartPlan> read_charts(const Table& root, const std::vector<ProbePlan>& probes, int dimension);
-std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes, int dimension);
+std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes,
+                                           int dimension);
 
 }  // namespace scree::scenario

@@ -1,10 +1,10 @@
 #include "plugin_parameters.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <numbers>
+
+#include <fmt/format.h>
 
 namespace scree::scenario {
 
@@ -18,7 +18,8 @@ std::vector<double> read_program(const Table& table, const scree_parameter& p) {
     std::vector<double> data = {4};
     double last = -std::numeric_limits<double>::infinity();
     for (const auto& row : t.rows("table", 2)) {
-      if (row[0] <= last) throw t.error("table", "the times do not increase", "sort the rows and give each time once");
+      if (row[0] <= last)
+        throw t.error("table", "the times do not increase", "sort the rows and give each time once");
       last = row[0];
       data.insert(data.end(), row.begin(), row.end());
     }
@@ -29,7 +30,8 @@ std::vector<double> read_program(const Table& table, const scree_parameter& p) {
     return {1, t.number("mean", 0.0), t.number("amplitude"), t.number("frequency_hz", Range::positive("Hz")),
             t.number("phase_deg", 0.0) * std::numbers::pi / 180};
   if (t.has("period")) return {2, t.number("from"), t.number("to"), t.number("period", Range::positive("s"))};
-  if (t.has("duration")) return {3, t.number("from"), t.number("to"), t.number("duration", Range::positive("s"))};
+  if (t.has("duration"))
+    return {3, t.number("from"), t.number("to"), t.number("duration", Range::positive("s"))};
   throw t.error(fmt::format("does not tell how '{}' goes with time", p.key),
                 "give a number, {from, to, period}, {from, to, duration}, {mean, amplitude, frequency_hz} or "
                 "{table = [[t, value], ...]}");
@@ -37,8 +39,10 @@ std::vector<double> read_program(const Table& table, const scree_parameter& p) {
 
 std::vector<double> read_value(const Table& table, const scree_parameter& p, int dimension) {
   switch (scree_type(p.type)) {
-    case SCREE_INTEGER: return {double(table.integer(p.key))};
-    case SCREE_BOOLEAN: return {table.boolean(p.key) ? 1.0 : 0.0};
+    case SCREE_INTEGER:
+      return {double(table.integer(p.key))};
+    case SCREE_BOOLEAN:
+      return {table.boolean(p.key) ? 1.0 : 0.0};
     case SCREE_CHOICE: {
       const std::vector<std::string> words = choices_of(p);
       const std::string word = table.choice(p.key, words);
@@ -49,9 +53,12 @@ std::vector<double> read_value(const Table& table, const scree_parameter& p, int
       v.resize(3, 0.0);
       return v;
     }
-    case SCREE_LIST: return table.numbers(p.key);
-    case SCREE_PROGRAM: return read_program(table, p);
-    case SCREE_NUMBER: break;
+    case SCREE_LIST:
+      return table.numbers(p.key);
+    case SCREE_PROGRAM:
+      return read_program(table, p);
+    case SCREE_NUMBER:
+      break;
   }
   return {table.number(p.key)};
 }
@@ -67,6 +74,9 @@ std::vector<double> read_value(const Table& table, const scree_parameter& p, int
 
 const scree_plugin& find_plugin(const Table& table, scree_kind kind, PluginHost& host) {
   const std::string name = table.string("plugin");
+  if (name.size() >= SCREE_MAX_NAME)
+    throw table.error("plugin", fmt::format("a plug-in's name has fewer than {} letters", SCREE_MAX_NAME),
+                      "see scree describe for the names");
   return placed(table, "plugin", [&]() -> const scree_plugin& { return host.find(name, kind); });
 }
 

@@ -17,7 +17,8 @@ void read_parameters(const Table& table, int dimension, Parameters& parameters);
 // check_complete with the place of the table.
 void check_complete(const Table& table, const Parameters& parameters);
 
-// Runs `work` and puts the place of the table before what it throws.
+// Runs `work`, which knows nothing of the file, and puts the place of the key (or of the table, without such
+// a key) before what it throws.
 template <class Work>
 decltype(auto) placed(const Table& table, std::string_view key, const Work& work) {
   try {

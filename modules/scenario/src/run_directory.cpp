@@ -1,11 +1,9 @@
-#include <scree/scenario/run_directory.hpp>
-
-#include <fmt/format.h>
+#include <fstream>
 #include <unistd.h>
 
-#include <fstream>
+#include <fmt/format.h>
 
-#include <scree/error.hpp>
+#include <scree/scenario/run_directory.hpp>
 
 namespace scree::scenario {
 
@@ -13,7 +11,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The nearest ancestor that exists.
+// Everything that a run writes.
+constexpr const char* parts[] = {"series",        "snapshots", "images",           "charts",
+                                 "scenario.toml", "run.json",  "final_packing.csv"};
+
+// The path itself if it exists, else the nearest directory above that does.
 fs::path existing_part(const fs::path& path) {
   std::error_code failed;
   fs::path p = fs::absolute(path, failed).lexically_normal();
@@ -21,30 +23,45 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
+void check_present(const fs::path& path, bool overwrite) {
+  std::error_code failed;
+  const auto refuse = [&](const char* problem, const char* cure) {
+    return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
+  };
+  if (!fs::is_directory(path, failed)) throw refuse("exists and is no directory", "give another --out");
+  if (fs::is_empty(path, failed)) return;
+  if (!fs::exists(path / "run.json", failed))
+    throw refuse("holds files that are no run of scree", "give another --out");
+  if (!overwrite) throw refuse("holds a run already", "give another --out, or --overwrite to replace it");
+}
+
 }  // namespace
 
-RunDirectory::RunDirectory(fs::path path, bool overwrite) : path_(std::move(path)) {
+RunDirectory::RunDirectory(fs::path path, bool overwrite)
+    : path_(std::move(path)), existing_(existing_part(path_)) {
   std::error_code failed;
-  const std::string name = path_.string();
-  if (fs::exists(path_, failed)) {
-    if (!fs::is_directory(path_, failed)) throw Error(fmt::format("{}: exists and is no directory; give another --out", name));
-    const bool empty = fs::is_empty(path_, failed);
-    const bool is_run = fs::exists(path_ / "run.json", failed);
-    if (!empty && !is_run) throw Error(fmt::format("{}: holds files that are no run of scree; give another --out", name));
-    if (!empty && !overwrite)
-      throw Error(fmt::format("{}: holds a run already; give another --out, or --overwrite to replace it", name));
-  }
-  const fs::path parent = existing_part(path_);
-  if (!fs::is_directory(parent, failed) || access(parent.c_str(), W_OK | X_OK) != 0)
-    throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out", name, parent.string()));
+  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, overwrite);
+  if (!fs::is_directory(existing_, failed) || access(existing_.c_str(), W_OK | X_OK) != 0)
+    throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out",
+                            path_.string(), existing_.string()));
 }
 
 void RunDirectory::create() const {
   std::error_code failed;
-  for (const char* part : {"series", "snapshots", "images", "charts", "scenario.toml", "run.json", "final_packing.csv"})
-    fs::remove_all(path_ / part, failed);
+  for (const char* part : parts) fs::remove_all(path_ / part, failed);
   fs::create_directories(path_, failed);
-  if (failed) throw Error(fmt::format("{}: cannot be created ({}); give another --out", path_.string(), failed.message()));
+  if (failed)
+    throw Error(
+        fmt::format("{}: cannot be created ({}); give another --out", path_.string(), failed.message()));
+}
+
+void RunDirectory::discard() const {
+  std::error_code failed;
+  for (const char* part : parts) fs::remove_all(path_ / part, failed);
+  // Only what is empty: another run may have begun beside this one.
+  for (fs::path p = fs::absolute(path_, failed).lexically_normal(); p != existing_ && p != p.parent_path();
+       p = p.parent_path())
+    fs::remove(p, failed);
 }
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
@@ -56,8 +73,13 @@ void RunDirectory::write_file(const std::string& name, const std::string& text) 
   if (file) fs::rename(temporary, final_path, failed);
   if (!file || failed) {
     fs::remove(temporary, failed);
-    throw Error(fmt::format("{}: cannot be written; free disk space or give another --out", final_path.string()), ExitStatus::failure);
+    throw unwritable(final_path);
   }
+}
+
+Error unwritable(const fs::path& path) {
+  return Error(fmt::format("{}: cannot be written; free disk space or give another --out", path.string()),
+               ExitStatus::failure);
 }
 
 fs::path RunDirectory::default_for(const fs::path& scenario) {

@@ -18,8 +18,16 @@ std::vector<std::pair<std::string, double>> run_quantities(const Simulation& s) 
 }
 
 std::vector<std::string> run_quantity_names() {
-  return {"steps",           "time",           "energy_residual",   "momentum_residual", "max_overlap_ratio",
-          "min_steps_per_contact", "kinetic_energy", "elastic_energy", "dissipated_energy", "work",
+  return {"steps",
+          "time",
+          "energy_residual",
+          "momentum_residual",
+          "max_overlap_ratio",
+          "min_steps_per_contact",
+          "kinetic_energy",
+          "elastic_energy",
+          "dissipated_energy",
+          "work",
           "neighbour_searches"};
 }
 

@@ -19,7 +19,10 @@ Json footprint_of(const Simulation& s) {
 }
 
 Json verdict_of(const Verdict& v) {
-  Json json = {{"requirement", v.expectation.requirement}, {"quantity", v.expectation.quantity}, {"value", v.value}, {"met", v.met}};
+  Json json = {{"requirement", v.expectation.requirement},
+               {"quantity", v.expectation.quantity},
+               {"value", v.value},
+               {"met", v.met}};
   const auto add = [&](const char* key, const std::optional<double>& number) {
     if (number) json[key] = *number;
   };
@@ -32,8 +35,8 @@ Json verdict_of(const Verdict& v) {
 
 }  // namespace
 
-std::string run_record(const Plan& plan, const RunOptions& options, const RunResult& result, const Simulation& s,
-                       const std::string& status, const std::string& error) {
+std::string run_record(const Plan& plan, const RunOptions& options, const RunResult& result,
+                       const Simulation& s, const std::string& status, const std::string& error) {
   Json json = {{"version", SCREE_VERSION}, {"status", status}};
   if (!error.empty()) json["error"] = error;
   json["title"] = plan.title;
@@ -43,12 +46,15 @@ std::string run_record(const Plan& plan, const RunOptions& options, const RunRes
   json["wall_s"] = result.wall;
   json["particle_steps_per_second"] = result.particle_steps_per_second;
   for (const auto& [name, value] : result.quantities) json[name] = value;
+  json["steps"] = s.steps();  // counts, as whole numbers
+  json["neighbour_searches"] = s.rebuilds();
   json["state_hash"] = fmt::format("{:016x}", result.state_hash);
   json["footprint"] = footprint_of(s);
   json["expect"] = Json::array();
   for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
   json["scenario"] = plan.resolved_text;
-  return json.dump(2) + "\n";
+  // A path in an error need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace scree::scenario

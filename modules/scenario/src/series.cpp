@@ -1,16 +1,18 @@
 #include "series.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include <scree/error.hpp>
+#include <fmt/format.h>
+
+#include <scree/scenario/run_directory.hpp>
 
 namespace scree::scenario {
 
-Series::Series(const std::filesystem::path& file, std::vector<std::string> names, const std::vector<std::string>& units)
+Series::Series(const std::filesystem::path& file, std::vector<std::string> names,
+               const std::vector<std::string>& units)
     : path_(file), names_(std::move(names)) {
-  std::filesystem::create_directories(file.parent_path());
+  std::error_code failed;  // shows when the file is opened
+  std::filesystem::create_directories(file.parent_path(), failed);
   file_.open(file, std::ios::binary);
   file_ << "time [s]";
   for (std::size_t k = 0; k < names_.size(); ++k)
@@ -18,6 +20,7 @@ Series::Series(const std::filesystem::path& file, std::vector<std::string> names
   file_ << '\n';
   names_.insert(names_.begin(), "time");
   columns_.resize(names_.size());
+  flush();
 }
 
 void Series::add(double time, const std::vector<double>& row) {
@@ -30,8 +33,16 @@ void Series::add(double time, const std::vector<double>& row) {
   }
   line.push_back('\n');
   file_.write(line.data(), std::streamsize(line.size()));
-  if (!file_)
-    throw Error(fmt::format("{}: cannot be written; free disk space or give another --out", path_.string()), ExitStatus::failure);
+  check_file();
+}
+
+void Series::flush() {
+  file_.flush();
+  check_file();
+}
+
+void Series::check_file() const {
+  if (!file_) throw unwritable(path_);
 }
 
 const std::vector<double>& Series::column(const std::string& name) const {

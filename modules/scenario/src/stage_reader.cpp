@@ -1,70 +1,82 @@
 #include "stage_reader.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <set>
-
-#include <scree/nearest.hpp>
-
 #include "plugin_parameters.hpp"
+
+#include <fmt/format.h>
 
 namespace scree::scenario {
 
 namespace {
 
-void read_end(const Table& t, Stage& stage) {
-  const Range time = Range::positive("s");
+// At a microsecond a step, which few scenes reach, this takes twelve days.
+constexpr double most_steps = 1e12;
+
+void check_steps(const Table& t, std::string_view key, double seconds, double step) {
+  const double steps = seconds / step;
+  if (steps < 0.999)
+    throw t.error(key, fmt::format("{:g} s is shorter than the time step of {:g} s", seconds, step),
+                  "raise it, or shorten time.step");
+  if (steps > most_steps)
+    throw t.error(key, fmt::format("{:g} s takes {:.3g} time steps of {:g} s", seconds, steps, step),
+                  fmt::format("give a shorter time or a longer step, for at most {:g} steps", most_steps));
+}
+
+void read_condition(const Table& until, double step, Stage& stage) {
+  stage.kinetic_over_elastic = until.number("kinetic_over_elastic", Range::positive());
+  stage.at_least = until.number("at_least", 0.0, Range::non_negative("s"));
+  stage.at_most = read_steps(until, "at_most", step);
+  if (stage.at_least >= *stage.at_most)
+    throw until.error("at_least",
+                      fmt::format("at_least = {:g} s leaves no time before at_most = {:g} s", stage.at_least,
+                                  *stage.at_most),
+                      "give a smaller at_least or a larger at_most");
+}
+
+void read_end(const Table& t, double step, Stage& stage) {
   const int given = int(t.has("duration")) + int(t.has("cycles")) + int(t.has("until"));
   if (given != 1)
     throw t.error(given ? "says more than once when it ends" : "does not say when it ends",
-                  "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6 }");
-  if (t.has("duration")) stage.duration = t.number("duration", time);
-  if (t.has("cycles")) stage.duration = t.number("cycles", Range::positive()) * t.number("period", time);
-  if (!t.has("until")) return;
-  const Table until = t.table("until");
-  stage.kinetic_over_elastic = until.number("kinetic_over_elastic", Range::positive());
-  stage.at_least = until.number("at_least", 0.0, Range::non_negative("s"));
-  stage.at_most = until.number("at_most", Range::positive("s"));
-}
-
-Stage::Change& instance_of(const Table& set, const std::string& name, std::vector<Stage::Change>& instances) {
-  std::vector<std::string> names;
-  for (Stage::Change& instance : instances) {
-    if (instance.name == name) return instance;
-    names.push_back(instance.name);
+                  "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6, "
+                  "at_most = <s> }");
+  if (t.has("duration")) stage.duration = read_steps(t, "duration", step);
+  if (t.has("until")) read_condition(t.table("until"), step, stage);
+  if (t.has("cycles")) {
+    const double period = read_steps(t, "period", step);
+    stage.duration = t.number("cycles", Range::positive()) * period;
+    check_steps(t, "cycles", *stage.duration, step);
   }
-  const auto near = nearest_word(name, names);
-  throw set.error(name, fmt::format("nothing in the scene is named '{}'", name),
-                  near ? fmt::format("did you mean '{}'?", *near) : fmt::format("there are: {}", fmt::join(names, ", ")));
 }
 
-void read_changes(const Table& t, int dimension, std::vector<Stage::Change>& instances, Stage& stage) {
+void read_changes(const Table& t, const Scene& scene, std::vector<Stage::Change>& instances, Stage& stage) {
   const auto set = t.optional_table("set");
   if (!set) return;
+  std::vector<std::string> names;
+  for (const Stage::Change& instance : instances) names.push_back(instance.name);
   for (const std::string& name : set->keys()) {
-    Stage::Change& instance = instance_of(*set, name, instances);
-    const Table values = set->table(name);
-    read_parameters(values, dimension, instance.parameters);
-    check_complete(values, instance.parameters);
+    Stage::Change& instance = instances[find_name(*set, name, "law, boundary or body force", name, names)];
+    instance = changed_instance(set->table(name), instance, scene);
     stage.changes.push_back(instance);
   }
 }
 
 }  // namespace
 
-std::vector<Stage> read_stages(const Table& root, const Scene& scene, std::vector<Stage::Change> instances) {
+double read_steps(const Table& table, std::string_view key, double step) {
+  const double seconds = table.number(key, Range::positive("s"));
+  check_steps(table, key, seconds, step);
+  return seconds;
+}
+
+std::vector<Stage> read_stages(const Table& root, const Scene& scene, Instances instances) {
   std::vector<Stage> stages;
-  std::set<std::string> names;
+  UniqueNames names("stage");
   const Table time = root.table("time");
   for (const Table& t : root.tables("stage")) {
     Stage stage;
     stage.name = t.string("name", fmt::format("stage {}", stages.size() + 1));
-    if (!names.insert(stage.name).second)
-      throw t.error("name", fmt::format("the stage name '{}' is taken", stage.name), "use another name");
-    read_end(t, stage);
-    read_changes(t, scene.dimension, instances, stage);
+    names.add(t, stage.name);
+    read_end(t, scene.step, stage);
+    read_changes(t, scene, instances.all, stage);
     stages.push_back(std::move(stage));
   }
   if (!stages.empty() && time.has("duration"))
@@ -72,7 +84,7 @@ std::vector<Stage> read_stages(const Table& root, const Scene& scene, std::vecto
   if (stages.empty()) {
     Stage stage;
     stage.name = "run";
-    stage.duration = time.number("duration", Range::positive("s"));
+    stage.duration = read_steps(time, "duration", scene.step);
     stages.push_back(std::move(stage));
   }
   return stages;

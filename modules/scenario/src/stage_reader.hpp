@@ -1,15 +1,18 @@
 #pragma once
 
+#include "instances.hpp"
+
 #include <vector>
 
 #include <scree/scenario/document_table.hpp>
-#include <scree/scene.hpp>
-#include <scree/stage.hpp>
 
 namespace scree::scenario {
 
-// The [[stage]]s, or the one stage that [time] duration stands for. `instances` are all named plug-ins with their
-// first parameters; what a stage changes stays changed in the stages after it.
-std::vector<Stage> read_stages(const Table& root, const Scene& scene, std::vector<Stage::Change> instances);
+// The [[stage]]s, or the one stage that [time] duration stands for. What a stage changes of an instance stays
+// changed in the stages after it. The scene must be complete but for what comes with the stages.
+std::vector<Stage> read_stages(const Table& root, const Scene& scene, Instances instances);
+
+// The time (s) under a key. Throws Error unless it takes at least one step, and less than a lifetime.
+double read_steps(const Table& table, std::string_view key, double step);
 
 }  // namespace scree::scenario

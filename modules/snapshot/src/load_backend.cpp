@@ -27,9 +27,7 @@ std::filesystem::path find_library() {
                   candidates[0].string(), library_name));
 }
 
-}  // namespace
-
-std::shared_ptr<SnapshotBackend> load_backend() {
+std::shared_ptr<SnapshotBackend> load_once() {
   const std::filesystem::path library = find_library();
   // Never unloaded: VTK and Mesa leave thread-local data and exit handlers behind.
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -42,7 +40,15 @@ std::shared_ptr<SnapshotBackend> load_backend() {
     throw Error(
         fmt::format("{}: is of another version than this program; rebuild the target scree_snapshot_vtk",
                     library.string()));
-  return std::shared_ptr<SnapshotBackend>(backend);
+  // Never destroyed: Mesa stops its threads when a program exits, and a context may not outlive them.
+  return std::shared_ptr<SnapshotBackend>(backend, [](SnapshotBackend*) {});
+}
+
+}  // namespace
+
+std::shared_ptr<SnapshotBackend> load_backend() {
+  static const std::shared_ptr<SnapshotBackend> backend = load_once();
+  return backend;
 }
 
 }  // namespace scree::snapshot

@@ -1,12 +1,13 @@
+#include "document_support.hpp"
+
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include <scree/scenario/document.hpp>
-
 using namespace scree;
 using namespace scree::scenario;
+using scree::test::message;
 
 namespace {
 
@@ -18,18 +19,6 @@ constexpr std::string_view text =
     "[[probe]]\ntype = 'force'\n[[probe]]\ntype = 'force'\n[[probe]]\ntype = 'energy'\n";
 
 Document set(std::vector<std::string> overrides) { return Document::parse(text, "scene.toml", overrides); }
-
-template <class Action>
-std::string message(Action&& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    CHECK(error.status() == ExitStatus::bad_input);
-    CHECK(std::string(error.what()).find('\n') == std::string::npos);
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string refusal(const std::string& override_text) {
   return message([&] { set({override_text}); });

@@ -17,8 +17,9 @@ namespace scree::scenario {
 struct ProbePlan {
   std::string name;
   Parameters parameters;
-  double every = 0;                 // (s) between samples
+  double every = 0;                 // (s) between samples, rounded to whole steps when it runs
   std::vector<std::string> stages;  // those in which it samples; all if empty
+  std::string place;                // in the file, for messages
 };
 
 // When files and pictures of the whole scene are made; absent means never.
@@ -47,13 +48,13 @@ struct ChartPlan {
 
 // What a run must have come to.
 struct Expectation {
-  std::string requirement;               // a sentence
-  std::string quantity;                  // "energy_residual" or "<probe>.<column>.<last|first|min|max|mean>"
+  std::string requirement;  // a sentence
+  std::string quantity;     // "energy_residual" or "<probe>.<column>.<last|first|min|max|mean>"
   std::optional<double> reference, tolerance;
   std::optional<double> at_most, at_least;
 };
 
-// A scenario file, read and checked.
+// A scenario file, read and checked; good as long as the PluginHost it was read with.
 struct Plan {
   std::string title;
   std::filesystem::path source;
@@ -64,10 +65,13 @@ struct Plan {
   SnapshotPlan snapshot;
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;
-  std::string resolved_text;  // TOML with overrides
+  std::string resolved_text;   // TOML with overrides
+  std::string bodies_place;    // in the file, for messages
+  std::string periodic_place;  // of the first periodic boundary; empty without one
 };
 
 // Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any mistake in it.
-Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host);
+Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+               PluginHost& host);
 
 }  // namespace scree::scenario

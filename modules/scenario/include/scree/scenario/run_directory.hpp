@@ -3,17 +3,22 @@
 #include <filesystem>
 #include <string>
 
+#include <scree/error.hpp>
+
 namespace scree::scenario {
 
-// The directory of one run: series/, snapshots/, images/, charts/, scenario.toml, run.json, final_packing.csv.
+// The directory of one run: series/, snapshots/, images/, charts/, scenario.toml, run.json,
+// final_packing.csv.
 class RunDirectory {
  public:
-  // Checks that a run may write there, without touching anything: throws Error if it holds a run already (unless
-  // `overwrite`), holds foreign files, or cannot be created.
+  // Checks that a run may write there, without touching anything: throws Error if it holds a run already
+  // (unless `overwrite`), holds foreign files, or cannot be created.
   RunDirectory(std::filesystem::path path, bool overwrite);
 
   // Creates it empty. An earlier run is removed only now.
   void create() const;
+  // Removes it again, with the directories above it that create() made.
+  void discard() const;
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path series() const { return path_ / "series"; }
@@ -28,7 +33,10 @@ class RunDirectory {
   static std::filesystem::path default_for(const std::filesystem::path& scenario);
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_, existing_;  // existing_: the part of the path that was there before
 };
+
+// What is thrown where a file of a run cannot be written.
+Error unwritable(const std::filesystem::path& path);
 
 }  // namespace scree::scenario

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+// Whether a dashpot may pull at the end of a contact: allowed, the contact ends at δ = 0; cut, at f_n = 0,
+// earlier.
+enum class Tension { allowed, cut };
+
+// Restitution of a contact whose approach obeys v dv/dy = −ω₀² y − 2ζω₀ v: a linear spring and dashpot with y
+// = δ, and as well Hertz with a dashpot ∝ δ^(1/4), with y = (4/5) δ^(5/4), ω₀² = 5k/(4m*).
+//   tension allowed: r = exp(−πζ/√(1−ζ²))
+//   tension cut:     r = exp(−ζφ/√(1−ζ²)), φ = atan2(2ζ√(1−ζ²), 2ζ²−1), the phase at which the force vanishes
+inline double restitution_of(double zeta, Tension tension) {
+  constexpr double pi = 3.14159265358979323846;
+  const double root = std::sqrt(std::max(1 - zeta * zeta, 0.0));
+  if (tension == Tension::allowed) return root > 0 ? std::exp(-pi * zeta / root) : 0;
+  if (zeta < 1) return std::exp(-zeta / root * std::atan2(2 * zeta * root, 2 * zeta * zeta - 1));
+  const double overdamped = std::sqrt(zeta * zeta - 1);
+  if (overdamped == 0) return std::exp(-2.0);
+  return std::exp(-zeta / overdamped * std::log((zeta + overdamped) / (zeta - overdamped)));
+}
+
+// The damping ratio ζ that gives a restitution in (0, 1].
+inline double damping_ratio_of(double restitution, Tension tension) {
+  constexpr double pi = 3.14159265358979323846;
+  if (tension == Tension::allowed) {
+    const double log_r = std::log(restitution);
+    return -log_r / std::sqrt(pi * pi + log_r * log_r);
+  }
+  double low = 0, high = 1;
+  while (restitution_of(high, tension) > restitution && high < 1e6) high *= 2;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (restitution_of(middle, tension) > restitution ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace scree

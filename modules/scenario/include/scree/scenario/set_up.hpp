@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <scree/scenario/plan.hpp>
+#include <scree/simulation.hpp>
+
+namespace scree::scenario {
+
+// The simulation of a plan at t = 0. Throws Error (bad_input), placed in the file, where the bodies overlap
+// beyond the limit, move too fast, or do not fit a periodic length, or a probe looks at what is not there.
+std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads = 1);
+
+// What is wrong with the step, "<problem>; <cure>", if it is longer than the shortest contact allows: from
+// 2/ω on, which is 2/π of a contact, an oscillation grows by itself.
+std::optional<std::string> step_problem(const Simulation& simulation);
+
+}  // namespace scree::scenario

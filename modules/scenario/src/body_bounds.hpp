@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include <scree/particles.hpp>
+
+namespace scree::scenario {
+
+// Box around the surfaces of bodies. (m)
+struct BodyBounds {
+  Vec3 lower = {}, upper = {};
+};
+
+// Shrunk to the origin without bodies; z is 0 in two dimensions.
+BodyBounds bounds_of(const std::vector<Body>& bodies, int dimension);
+
+}  // namespace scree::scenario

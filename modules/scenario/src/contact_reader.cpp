@@ -1,0 +1,65 @@
+#include "contact_reader.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/scenario/message.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+constexpr std::uint32_t no_law = ~0u;
+
+void assign_pair(const Table& t, std::uint32_t law, Scene& scene) {
+  const std::vector<std::string> names = t.strings("between");
+  if (names.size() != 2)
+    throw t.error("between", fmt::format("names {} materials", names.size()),
+                  "name two, such as [\"bead\", \"wall\"]");
+  const std::size_t a = find_name(t, "between", "material", names[0], scene.materials, 0);
+  const std::size_t b = find_name(t, "between", "material", names[1], scene.materials, 1);
+  const std::size_t n = scene.materials.size();
+  if (scene.law_of[a * n + b] != no_law)
+    throw t.error(
+        "between",
+        fmt::format("'{}' and '{}' have a [[contact]] already", one_line(names[0]), one_line(names[1])),
+        "keep one of them");
+  scene.law_of[a * n + b] = scene.law_of[b * n + a] = law;
+}
+
+void check_pairs(const Table& root, const PluginHost& host, const Scene& scene) {
+  const auto open = std::find(scene.law_of.begin(), scene.law_of.end(), no_law);
+  if (open == scene.law_of.end()) return;
+  const std::size_t pair = std::size_t(open - scene.law_of.begin()), n = scene.materials.size();
+  throw root.error("contact",
+                   fmt::format("no [[contact]] says how '{}' and '{}' touch",
+                               one_line(scene.materials[pair / n]), one_line(scene.materials[pair % n])),
+                   fmt::format("add a [[contact]] with plugin = \"{}\"",
+                               fmt::join(host.names(SCREE_CONTACT_LAW), "\" or \"")));
+}
+
+}  // namespace
+
+void read_contacts(const Table& root, PluginHost& host, Scene& scene, Instances& instances) {
+  scene.law_of.assign(scene.materials.size() * scene.materials.size(), no_law);
+  std::optional<std::uint32_t> for_the_rest;
+  for (const Table& t : root.tables("contact")) {
+    const Stage::Change& read = read_instance(t, SCREE_CONTACT_LAW, host, scene, instances);
+    const auto law = std::uint32_t(scene.laws.size());
+    scene.laws.push_back({read.name, read.parameters});
+    if (t.has("between"))
+      assign_pair(t, law, scene);
+    else if (for_the_rest)
+      throw t.error("a second [[contact]] says nothing of the materials that it is for",
+                    "add between = [\"a\", \"b\"]");
+    else
+      for_the_rest = law;
+  }
+  if (for_the_rest) std::replace(scene.law_of.begin(), scene.law_of.end(), no_law, *for_the_rest);
+  check_pairs(root, host, scene);
+}
+
+}  // namespace scree::scenario

@@ -1,0 +1,73 @@
+#include "instances.hpp"
+
+#include "body_bounds.hpp"
+#include "plugin_parameters.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace scree::scenario {
+
+namespace {
+
+scree_boundary_instance configured_boundary(const Parameters& parameters, const Scene& scene) {
+  const BodyBounds box = bounds_of(scene.bodies, scene.dimension);
+  const double lower[3] = {box.lower[0], box.lower[1], box.lower[2]};
+  const double upper[3] = {box.upper[0], box.upper[1], box.upper[2]};
+  return ConfiguredBoundary(parameters, scene.dimension, lower, upper).instance();
+}
+
+// Lets the plug-in refuse its parameters now, where the place in the file is known.
+void try_out(const Stage::Change& instance, const Scene& scene) {
+  switch (instance.kind) {
+    case SCREE_CONTACT_LAW:
+      turns_bodies(instance.parameters, scene.dimension);
+      break;
+    case SCREE_BOUNDARY:
+      configured_boundary(instance.parameters, scene);
+      break;
+    case SCREE_BODY_TERM:
+      BodyTerms({{instance.name, instance.parameters}}, scene.dimension);
+      break;
+    case SCREE_PROBE:
+      break;
+  }
+}
+
+// The walls and periodic axes of a simulation are laid out once.
+bool same_layout(const scree_boundary_instance& a, const scree_boundary_instance& b) {
+  const auto same_axis = [&](int k) {
+    return a.periodic[k] == b.periodic[k] &&
+           (!a.periodic[k] || (a.lower[k] == b.lower[k] && a.upper[k] == b.upper[k]));
+  };
+  return a.plane_count == b.plane_count && a.state_width == b.state_width && same_axis(0) && same_axis(1) &&
+         same_axis(2);
+}
+
+}  // namespace
+
+const Stage::Change& read_instance(const Table& table, scree_kind kind, PluginHost& host, const Scene& scene,
+                                   Instances& instances) {
+  Parameters parameters(find_plugin(table, kind, host));
+  read_parameters(table, scene.dimension, parameters);
+  check_complete(table, parameters);
+  const std::string name = table.string("name", parameters.plugin().name);
+  instances.names.add(table, name);
+  const Stage::Change& added = instances.all.emplace_back(Stage::Change{kind, name, parameters});
+  placed(table, "plugin", [&] { try_out(added, scene); });
+  return added;
+}
+
+Stage::Change changed_instance(const Table& table, const Stage::Change& old, const Scene& scene) {
+  Stage::Change changed = old;
+  read_parameters(table, scene.dimension, changed.parameters);
+  check_complete(table, changed.parameters);
+  placed(table, "", [&] { try_out(changed, scene); });
+  if (old.kind == SCREE_BOUNDARY && !same_layout(configured_boundary(old.parameters, scene),
+                                                 configured_boundary(changed.parameters, scene)))
+    throw table.error("a stage cannot change how many walls there are or which axes are periodic",
+                      "keep these parameters for all stages");
+  return changed;
+}
+
+}  // namespace scree::scenario

@@ -1,0 +1,205 @@
+// Hertz normal and Mindlin (no-slip) tangential springs with damping, Coulomb cap and rolling resistance,
+// after Lemrich, Johnson, Guyer, Jia, Carmeliet, "Linear and nonlinear elastic properties of dense granular
+// packings" (2017), [L1]-[L7], with the effective moduli of the
+// code that they used.
+
+#include <cmath>
+
+#include <scree/contact_law.hpp>
+#include <scree/restitution.hpp>
+
+namespace {
+
+using scree::Contact;
+using scree::Response;
+using scree::Vec;
+
+enum HistoryForm { displacement, rescaled, potential };
+
+struct HertzMindlin : scree::ContactLaw {
+  double youngs_modulus = 0, poissons_ratio = 0;
+  double other_youngs_modulus = 0, other_poissons_ratio = -1;
+  double restitution = 1;
+  int tension = 0;  // scree::Tension
+  double friction = 0;
+  int history = rescaled;
+  double rolling_friction = 0;
+  double effective_modulus = 0;        // E*
+  double effective_shear_modulus = 0;  // G*
+  double damping_ratio = 0;            // β
+
+  static constexpr scree::About about = {
+      "hertz_mindlin", "Hertz normal force, Mindlin tangential spring, friction, rolling resistance",
+      "f_n = k_n δ − γ_n v_n          k_n = (4/3) E* √(R* δ),  γ_n = 2β √(5/3 m* E*) (R* δ)^(1/4)\n"
+      "f_t = −k_t ξ − γ_t v_t         k_t = 8 G* √(R* δ),      γ_t = 4β √(5/3 m* G*) (R* δ)^(1/4), |f_t| <= "
+      "μ f_n\n"
+      "T = −μ_r k_n δ R* Δω/|Δω|      rolling; smaller where it would turn the motion round within a step\n"
+      "1/E* = Σ (1−ν²)/E,  1/G* = Σ 2(2−ν)(1+ν)/E   over both bodies; equal ones: E/(2(1−ν²)), "
+      "E/(4(2−ν)(1+ν))\n"
+      "history: displacement (ξ kept), rescaled (f_t kept while k_t grows, ξ while it falls),\n"
+      "         potential (½ k_t(δ) ξ², with the extra normal force ½ k_t'(δ) ξ² that conserves energy)",
+      "Lemrich et al. 2017, equations 1 to 7"};
+
+  void declare(scree::Declaration& d) {
+    using namespace scree;
+    constexpr Range poisson{.minimum = -1, .maximum = 0.5, .minimum_excluded = true};
+    d.number("youngs_modulus", youngs_modulus, "Pa", positive, "E of the bodies").required();
+    d.number("poissons_ratio", poissons_ratio, "", poisson, "ν of the bodies").required();
+    d.number("other_youngs_modulus", other_youngs_modulus, "Pa", positive,
+             "E of the second material, if it differs")
+        .optional();
+    d.number("other_poissons_ratio", other_poissons_ratio, "", poisson,
+             "ν of the second material, if it differs")
+        .optional();
+    d.number("restitution", restitution, "", positive_coefficient, "e at every speed; β from e and tension");
+    d.choice("tension", tension, "allowed|cut",
+             "whether the dashpot may pull at the end of a contact; both reach the restitution asked for");
+    d.number("friction", friction, "", non_negative, "μ; 0 leaves out all that friction needs");
+    d.choice("history", history, "displacement|rescaled|potential",
+             "what the tangential spring keeps when k_t changes");
+    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0 leaves rolling resistance out");
+  }
+
+  void prepare(const scree::Setup&) {
+    const double e2 = other_youngs_modulus > 0 ? other_youngs_modulus : youngs_modulus;
+    const double nu = poissons_ratio, nu2 = other_poissons_ratio > -1 ? other_poissons_ratio : nu;
+    effective_modulus = 1 / ((1 - nu * nu) / youngs_modulus + (1 - nu2 * nu2) / e2);
+    effective_shear_modulus = 1 / (2 * (2 - nu) * (1 + nu) / youngs_modulus + 2 * (2 - nu2) * (1 + nu2) / e2);
+    damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
+  }
+
+  std::size_t kernel() const {
+    const std::size_t rolls = rolling_friction > 0 ? 4 : 0;
+    return friction > 0 ? rolls + 1 + std::size_t(history) : rolls;
+  }
+
+  std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
+                             std::uint32_t capacity) const {
+    const double stiffness = 4.0 / 3.0 * effective_modulus * std::sqrt(e.effective_radius);
+    const double deepest = std::pow(5 * e.reduced_mass * e.speed * e.speed / (4 * stiffness), 0.4);
+    const double contact_time =
+        2.8682656992 * std::pow(e.reduced_mass * e.reduced_mass /
+                                    (e.effective_radius * effective_modulus * effective_modulus * e.speed),
+                                0.2);
+    const double steepest = 2 * effective_modulus * std::sqrt(e.effective_radius * deepest);
+    const scree_closed_form all[] = {
+        {"contact_time", "s", "t_c = 2.8682656992 (m*²/(R* E*² v))^(1/5), undamped", contact_time},
+        {"restitution", "", "e, independent of speed", restitution},
+        {"critical_step", "s", "2/√(k/m*) with k = dF/dδ at the deepest overlap, for this pair",
+         2 / std::sqrt(steepest / e.reduced_mass)},
+        {"damping_ratio", "", "β", damping_ratio},
+        {"max_overlap", "m", "δ_max = (5 m* v²/(4 k))^(2/5), k = (4/3) E* √R*, undamped", deepest},
+        {"max_force", "N", "k δ_max^(3/2)", stiffness * deepest * std::sqrt(deepest)}};
+    std::uint32_t n = 0;
+    for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
+    return n;
+  }
+};
+
+template <bool frictional, HistoryForm form, bool rolling>
+struct Kernel : HertzMindlin {
+  static constexpr std::uint32_t reads =
+      scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
+      scree::reads_reduced_mass | scree::reads_effective_radius |
+      (frictional ? scree::reads_tangential_increment : 0u) | (rolling ? scree::reads_relative_spin : 0u);
+  static constexpr bool tangential = frictional || rolling;
+  static constexpr bool writes_couple = rolling;
+
+  template <int D, class T>
+  struct Friction {
+    Vec<D, T> spring;  // ξ (m)
+    T sliding;         // 1 while the contact slides
+    T contact_radius;  // √(R* δ) when ξ was last set (m)
+    static constexpr int sliding_column = D;
+    static constexpr auto names = [] {
+      std::array<const char*, D + 2> all = {"spring_x", "spring_y"};
+      if constexpr (D == 3) all[2] = "spring_z";
+      all[D] = "sliding";
+      all[D + 1] = "contact_radius";
+      return all;
+    }();
+  };
+  template <int D, class T>
+  using History = std::conditional_t<frictional, Friction<D, T>, scree::NoHistory<D, T>>;
+
+  template <int D, class T>
+  T stored_energy(const Friction<D, T>& h) const {
+    return T(4 * effective_shear_modulus) * h.contact_radius * dot(h.spring, h.spring);
+  }
+
+  template <int D, class T>
+  void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
+    using std::sqrt;
+    const T overlap = std::max(c.overlap, T(0));
+    const T contact_radius = sqrt(c.effective_radius * overlap);  // a = √(R* δ)
+    const T v_n = dot(c.relative_velocity, c.normal);
+    const T weight = onset_weight(c) * T(damping_ratio) * sqrt(contact_radius * c.reduced_mass);
+
+    const T spring_force = T(4.0 / 3.0 * effective_modulus) * contact_radius * overlap;
+    const T gamma_n = weight * T(2 * std::sqrt(5.0 / 3.0 * effective_modulus));
+    const T pushing_or_pulling = spring_force - gamma_n * v_n;
+    const T pushing = std::max(pushing_or_pulling, T(0));
+    const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
+    out.force = f_n * c.normal;
+    out.elastic_normal = T(0.4) * spring_force * overlap;
+    out.dissipated_normal = (spring_force - f_n) * v_n;
+    if constexpr (frictional) slide_or_stick(c, pushing, contact_radius, weight, h, out);
+    if constexpr (rolling) resist_rolling(c, spring_force, out);
+  }
+
+ private:
+  template <int D, class T>
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& contact_radius, const T& weight,
+                      Friction<D, T>& h, Response<D, T>& out) const {
+    const T k_t = T(8 * effective_shear_modulus) * contact_radius;
+    const T gamma_t = weight * T(4 * std::sqrt(5.0 / 3.0 * effective_shear_modulus));
+    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
+
+    // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
+    const T growth =
+        contact_radius > h.contact_radius ? h.contact_radius / std::max(contact_radius, T(1e-300)) : T(1);
+    const Vec<D, T> kept = (form == rescaled ? growth : T(1)) * h.spring;
+    const Vec<D, T> xi = tangential_part(kept + c.tangential_increment, c.normal);
+    const Vec<D, T> dashpot = gamma_t * v_t;
+    const Vec<D, T> f_0 = -(k_t * xi) - dashpot;
+    const T test = norm(f_0), limit = T(friction) * f_n;
+    const bool slides = test > limit;
+
+    const T scale = slides ? limit / std::max(test, T(1e-300)) : T(1);
+    const Vec<D, T> f_t = scale * f_0;
+    const T inverse_k_t = T(1) / std::max(k_t, T(1e-300));
+    for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];
+    h.sliding = slides ? T(1) : T(0);
+    h.contact_radius = contact_radius;
+
+    out.force += f_t;
+    // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ).
+    if constexpr (form == potential)
+      out.force += (T(0.25) * k_t * dot(h.spring, h.spring) / std::max(c.overlap, T(1e-300))) * c.normal;
+    out.elastic_tangential = stored_energy(h);
+    out.dissipated_tangential = dot(dashpot, v_t);
+    // The work of the mean of the old and the new spring's force on what slipped: what the bodies lose,
+    // exactly.
+    out.dissipated_friction = T(0.5) * k_t * dot(kept + h.spring, xi - h.spring);
+  }
+
+  // [L7] with R*, as in the code that L used. Towards Δω = 0 the torque is bounded by what would halve the
+  // relative spin of a sphere of the pair's mass and radius within the step: a body at rest is not shaken.
+  template <int D, class T>
+  void resist_rolling(const Contact<D, T>& c, const T& spring_force, Response<D, T>& out) const {
+    const T rate = norm(c.relative_spin);
+    const T full = T(rolling_friction) * spring_force * c.effective_radius;
+    const T inertia = T(0.4) * c.reduced_mass * c.effective_radius * c.effective_radius;
+    const T bound = T(0.5) * inertia * rate / std::max(T(c.step), T(1e-300));
+    const T torque = std::min(full, bound);
+    out.couple = (-torque / std::max(rate, T(1e-300))) * c.relative_spin;
+    out.dissipated_tangential += torque * rate;
+  }
+};
+
+}  // namespace
+
+SCREE_CONTACT_LAW_PLUGIN(HertzMindlin, Kernel<false, displacement, false>, Kernel<true, displacement, false>,
+                         Kernel<true, rescaled, false>, Kernel<true, potential, false>,
+                         Kernel<false, displacement, true>, Kernel<true, displacement, true>,
+                         Kernel<true, rescaled, true>, Kernel<true, potential, true>)

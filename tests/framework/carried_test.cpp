@@ -1,0 +1,151 @@
+#include "scenes.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+// A scene pays for the axes, spins, histories and images that it needs and for no more.
+
+using scree::Footprint;
+using scree::Particles;
+using scree::Scene;
+using scree::Simulation;
+
+namespace {
+
+struct Carries {
+  int dimension = 3;
+  bool friction = false, spinning = false, periodic = false, later_stage = false;
+};
+
+Scene scene_of(const Carries& c) {
+  const scree::Vec3 spin = {{0, 0, c.spinning ? 1.0 : 0.0}};
+  std::vector<scree::Body> bodies;
+  for (int i = 0; i < 3; ++i)
+    bodies.push_back(scree::test::body(i, 1, 1, {{1.9 * i, 0, 0}}, {}, spin, c.dimension));
+  Scene s = scree::test::scene(c.dimension, 1e-4, bodies,
+                               {{"normal_stiffness", {1e3}},
+                                {"normal_damping", {1}},
+                                {"tangential_stiffness", {1e3}},
+                                {"static_friction", {c.friction ? 0.5 : 0}}});
+  s.spin = c.later_stage;
+  if (c.periodic)
+    scree::test::add_boundary(s, "periodic", {{"axes", {0}}, {"lower", {-10, 0, 0}}, {"upper", {10, 0, 0}}});
+  return s;
+}
+
+// The axes of which a vector of columns is allocated, as a bit each; all allocated ones have an element per
+// body.
+template <class Columns>
+unsigned axes_of(const Columns& columns, std::size_t bodies) {
+  unsigned axes = 0;
+  for (int k = 0; k < 3; ++k) {
+    CHECK((columns[k].empty() || columns[k].size() == bodies));
+    // Nothing is held in reserve either.
+    CHECK((!columns[k].empty() || columns[k].capacity() == 0));
+    if (!columns[k].empty()) axes |= 1u << k;
+  }
+  return axes;
+}
+
+// Bytes of all columns, added up here by hand.
+std::size_t bytes(const Particles& p) {
+  std::size_t sum = 0;
+  const auto add = [&](const auto& column) { sum += column.size() * sizeof(column[0]); };
+  for (int k = 0; k < 3; ++k) {
+    for (const auto* columns :
+         {&p.position, &p.velocity, &p.spin, &p.mid_velocity, &p.mid_spin, &p.force, &p.torque})
+      add((*columns)[k]);
+    add(p.image[k]);
+  }
+  for (const auto* column : {&p.radius, &p.mass, &p.inverse_mass, &p.inertia, &p.inverse_inertia})
+    add(*column);
+  add(p.id);
+  add(p.material);
+  return sum;
+}
+
+void check(const Carries& c) {
+  CAPTURE(c.dimension, c.friction, c.spinning, c.periodic, c.later_stage);
+  const bool spin = c.friction || c.spinning || c.later_stage, flat = c.dimension == 2;
+  Simulation s(scene_of(c));
+  scree::test::run(s, 3);
+  const Particles& p = s.particles();
+  const unsigned axes = flat ? 0b011 : 0b111, spin_axes = !spin ? 0 : flat ? 0b100 : 0b111;
+  for (const auto* columns : {&p.position, &p.velocity, &p.mid_velocity, &p.force})
+    CHECK(axes_of(*columns, p.size()) == axes);
+  for (const auto* columns : {&p.spin, &p.mid_spin, &p.torque})
+    CHECK(axes_of(*columns, p.size()) == spin_axes);
+  CHECK(axes_of(p.image, p.size()) == (c.periodic ? axes : 0));
+  CHECK(p.inertia.size() == (spin ? p.size() : 0));
+  CHECK(p.inverse_inertia.size() == (spin ? p.size() : 0));
+
+  const std::size_t dimension = std::size_t(c.dimension), spins = !spin ? 0 : flat ? 1 : 3;
+  const Footprint footprint = s.footprint();
+  CHECK(footprint.degrees_of_freedom == p.size() * (dimension + spins));
+  CHECK(footprint.bytes_per_body * p.size() == bytes(p));
+  // Springs in the dimension's axes and whether the contact slides.
+  CHECK(footprint.history_width == (c.friction ? dimension + 1 : 0));
+  // Two bodies, an image, an incidence for each of the bodies at 4 bytes; force, and two torques if bodies
+  // turn.
+  const std::size_t indices =
+      sizeof(s.contacts().a[0]) + sizeof(s.contacts().b[0]) + sizeof(s.contacts().image[0]);
+  const std::size_t doubles = dimension + 2 * spins + footprint.history_width;
+  CHECK(footprint.bytes_per_pair >= indices + doubles * sizeof(double));
+  CHECK(footprint.bytes_per_pair <= indices + 2 * sizeof(std::uint32_t) + doubles * sizeof(double));
+  for (const scree::PairGroup& group : s.contacts().groups()) {
+    CHECK(group.end - group.begin == 2);
+    CHECK(group.history.size() == footprint.history_width * group.padded_size());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a frictionless scene carries no spin and no history, a flat one no z") {
+  for (const int dimension : {2, 3}) check({.dimension = dimension});
+}
+
+TEST_CASE("friction brings spins and springs") {
+  for (const int dimension : {2, 3}) check({.dimension = dimension, .friction = true});
+}
+
+TEST_CASE("spinning bodies, or a later stage with friction, bring spins but no springs") {
+  for (const int dimension : {2, 3}) {
+    check({.dimension = dimension, .spinning = true});
+    check({.dimension = dimension, .later_stage = true});
+  }
+}
+
+TEST_CASE("periodic scenes count images") {
+  for (const int dimension : {2, 3})
+    for (const bool friction : {false, true})
+      check({.dimension = dimension, .friction = friction, .periodic = true});
+}
+
+TEST_CASE("a frictionless disc is 4 times 2 doubles of motion, 3 constants, id and material") {
+  const Simulation s(scene_of({.dimension = 2}));
+  CHECK(s.footprint().bytes_per_body == (4 * 2 + 3) * 8 + 8 + 4);
+  const Simulation frictional(scene_of({.dimension = 3, .friction = true}));
+  CHECK(frictional.footprint().bytes_per_body == (4 * 3 + 3 * 3 + 5) * 8 + 8 + 4);
+}
+
+TEST_CASE("what a scene does not carry reads as zero") {
+  const Simulation s(scene_of({.dimension = 2}));
+  const scree::Body body = s.particles().body(1);
+  CHECK(body.position[2] == 0);
+  CHECK(body.velocity[2] == 0);
+  CHECK(body.spin == scree::Vec3{});
+}
+
+TEST_CASE("columns and histories begin on a cache line") {
+  const Simulation s(scene_of({.friction = true}));
+  const auto aligned = [](const void* p) { return reinterpret_cast<std::uintptr_t>(p) % 64 == 0; };
+  for (int k = 0; k < 3; ++k) {
+    CHECK(aligned(s.particles().position[k].data()));
+    CHECK(aligned(s.particles().torque[k].data()));
+  }
+  for (const scree::PairGroup& group : s.contacts().groups())
+    for (std::uint32_t k = 0; k < group.history_width; ++k) CHECK(aligned(group.history_column(k)));
+}

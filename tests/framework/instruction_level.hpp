@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+namespace scree::test {
+
+// Which build of a plug-in a host loads, for as long as this lives; null leaves the choice to the host.
+class InstructionLevel {
+ public:
+  explicit InstructionLevel(const char* name) {
+    if (const char* value = std::getenv("SCREE_LEVEL")) before_ = value;
+    set(name);
+  }
+  ~InstructionLevel() { set(before_ ? before_->c_str() : nullptr); }
+  InstructionLevel(const InstructionLevel&) = delete;
+  InstructionLevel& operator=(const InstructionLevel&) = delete;
+
+ private:
+  static void set(const char* name) { name ? setenv("SCREE_LEVEL", name, 1) : unsetenv("SCREE_LEVEL"); }
+
+  std::optional<std::string> before_;
+};
+
+}  // namespace scree::test

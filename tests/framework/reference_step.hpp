@@ -1,0 +1,134 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <scree/particles.hpp>
+#include <scree/plugin_abi.h>
+
+// A slow second implementation of one step, written from the documentation of the linear law and of the
+// integrator: one contact after the other, always in three dimensions (a disc moves in z = 0 and turns about
+// z), contact points and their velocities by rigid-body motion. It shares nothing with the kernel but Vec3.
+
+namespace scree::test {
+
+struct ReferenceLaw {
+  double k = 0, gamma = 0, k_t = 0, gamma_t = 0, static_friction = 0, dynamic_friction = 0;
+  bool tension_cut = false;
+};
+
+struct ReferenceContact {
+  std::size_t a = 0;
+  int b = -1;       // < 0: the plane below
+  Vec3 shift = {};  // what takes b to its image that touches a
+  Vec3 plane_point = {}, plane_normal = {};
+  Vec3 spring = {};
+  bool sliding = false;
+  Vec3 force = {};  // on a
+};
+
+class ReferenceStep {
+ public:
+  ReferenceStep(std::vector<Body> bodies, std::vector<ReferenceContact> contacts, const ReferenceLaw& law)
+      : now(bodies), mid(bodies), contacts_(std::move(contacts)), law_(law) {
+    evaluate(0);
+  }
+
+  void step(double h) {
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      mid[i].velocity = now[i].velocity + (h / 2 / now[i].mass) * force[i];
+      mid[i].spin = now[i].spin + (h / 2 / now[i].inertia) * torque[i];
+      now[i].velocity += (h / now[i].mass) * force[i];
+      now[i].spin += (h / now[i].inertia) * torque[i];
+      mid[i].position = now[i].position + (h / 2) * mid[i].velocity;
+      now[i].position += h * mid[i].velocity;
+    }
+    evaluate(h);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      now[i].velocity = mid[i].velocity + (h / 2 / now[i].mass) * force[i];
+      now[i].spin = mid[i].spin + (h / 2 / now[i].inertia) * torque[i];
+    }
+  }
+
+  std::vector<Body> now, mid;
+  std::vector<Vec3> force, torque;
+  const std::vector<ReferenceContact>& contacts() const { return contacts_; }
+
+ private:
+  struct Meeting {
+    double overlap;
+    Vec3 normal, arm_a, arm_b;  // from the centres to the contact point
+    Vec3 velocity;              // of a's contact point relative to b's
+  };
+
+  Meeting meet(const std::vector<Body>& bodies, const ReferenceContact& c) const {
+    const Body& a = bodies[c.a];
+    Meeting m = {};
+    if (c.b < 0) {
+      m.normal = c.plane_normal;
+      m.overlap = a.radius - dot(a.position - c.plane_point, c.plane_normal);
+    } else {
+      const Vec3 d = a.position - (bodies[std::size_t(c.b)].position + c.shift);
+      m.normal = (1 / norm(d)) * d;
+      m.overlap = a.radius + bodies[std::size_t(c.b)].radius - norm(d);
+    }
+    m.arm_a = -(a.radius - m.overlap / 2) * m.normal;
+    m.velocity = a.velocity + cross(a.spin, m.arm_a);
+    if (c.b >= 0) {
+      const Body& b = bodies[std::size_t(c.b)];
+      m.arm_b = (b.radius - m.overlap / 2) * m.normal;
+      m.velocity -= b.velocity + cross(b.spin, m.arm_b);
+    }
+    return m;
+  }
+
+  static Vec3 in_plane(const Vec3& v, const Vec3& n) { return cross(n, cross(v, n)); }
+
+  Vec3 force_of(ReferenceContact& c, const Meeting& m, double h) const {
+    if (m.overlap <= 0) {
+      c.spring = {};
+      c.sliding = false;
+      return {};
+    }
+    // A dashpot fades in over the first two steps' way: 3s/2, then 2 − s/2, then 1.
+    const double closing = -dot(m.velocity, m.normal), way = std::abs(closing) * h;
+    const double s = m.overlap < 2 * way ? m.overlap / way : 2;
+    const double share = s < 1 ? 1.5 * s : 2 - 0.5 * s;
+    double normal_force = law_.k * m.overlap + share * law_.gamma * closing;
+    const double pressing = std::max(normal_force, 0.0);
+    if (law_.tension_cut) normal_force = pressing;
+    if (law_.static_friction == 0) return normal_force * m.normal;
+
+    const Meeting halfway = meet(mid, c);
+    const double touched = m.overlap < closing * h ? m.overlap / (closing * h) : 1;
+    const Vec3 moved = (h * touched) * in_plane(halfway.velocity, halfway.normal);
+    const Vec3 spring = in_plane(c.spring + moved, m.normal);
+    const Vec3 dashpot = (share * law_.gamma_t) * in_plane(m.velocity, m.normal);
+    Vec3 tangential = -law_.k_t * spring - dashpot;
+    const double most = (c.sliding ? law_.dynamic_friction : law_.static_friction) * pressing;
+    c.sliding = norm(tangential) > most;
+    if (c.sliding) tangential = (law_.dynamic_friction * pressing / norm(tangential)) * tangential;
+    c.spring = c.sliding ? (-1 / law_.k_t) * (tangential + dashpot) : spring;
+    return normal_force * m.normal + tangential;
+  }
+
+  void evaluate(double h) {
+    force.assign(now.size(), {});
+    torque.assign(now.size(), {});
+    for (ReferenceContact& c : contacts_) {
+      const Meeting m = meet(now, c);
+      c.force = force_of(c, m, h);
+      force[c.a] += c.force;
+      torque[c.a] += cross(m.arm_a, c.force);
+      if (c.b < 0) continue;
+      force[std::size_t(c.b)] -= c.force;
+      torque[std::size_t(c.b)] -= cross(m.arm_b, c.force);
+    }
+  }
+
+  std::vector<ReferenceContact> contacts_;
+  ReferenceLaw law_;
+};
+
+}  // namespace scree::test

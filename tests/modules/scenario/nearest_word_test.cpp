@@ -1,0 +1,21 @@
+#include <catch2/catch.hpp>
+
+#include <scree/nearest.hpp>
+
+using namespace scree;
+
+TEST_CASE("the nearest word is found among near ones only") {
+  const std::vector<std::string> keys = {"friction", "restitution", "youngs_modulus", "plugin", "a", "step"};
+  CHECK(nearest_word("frction", keys) == "friction");
+  CHECK(nearest_word("rfiction", keys) == "friction");
+  CHECK(nearest_word("Youngs-Modulus", keys) == "youngs_modulus");
+  CHECK(nearest_word("youngs", keys) == "youngs_modulus");
+  CHECK(nearest_word("friction_coefficient", keys) == "friction");
+  CHECK(nearest_word("setp", keys) == "step");
+  CHECK(nearest_word("friction", keys) == "friction");
+  CHECK_FALSE(nearest_word("damping", keys));
+  CHECK_FALSE(nearest_word("b", keys));
+  CHECK_FALSE(nearest_word("", keys));
+  CHECK_FALSE(nearest_word("friction", {}));
+  CHECK(nearest_word("bact", {"cat", "bat", "bait"}) == "bat");
+}

@@ -1,0 +1,88 @@
+#include "plan_support.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::scenario;
+using namespace scree::test;
+
+namespace {
+
+// The discs with stages in the place of a duration; the first stage begins in line 26.
+std::string staged(const std::string& stages) { return with(discs, "duration = 1e-4\n", "") + stages; }
+
+}  // namespace
+
+TEST_CASE("stages end by a duration, by cycles or by a condition") {
+  const std::vector<Stage> stages =
+      plan_of(staged("[[stage]]\nduration = 0.5\n"
+                     "[[stage]]\nname = 'cycle'\ncycles = 2.5\nperiod = 0.1\n"
+                     "[[stage]]\nuntil = { kinetic_over_elastic = 1e-6, at_least = 0.1, at_most = 5 }\n"))
+          .stages;
+  REQUIRE(stages.size() == 3);
+  CHECK(stages[0].name == "stage 1");
+  CHECK(stages[0].duration == 0.5);
+  CHECK(stages[1].name == "cycle");
+  CHECK(stages[1].duration == Approx(0.25));
+  CHECK_FALSE(stages[2].duration);
+  CHECK(stages[2].kinetic_over_elastic == 1e-6);
+  CHECK(stages[2].at_least == 0.1);
+  CHECK(stages[2].at_most == 5);
+}
+
+TEST_CASE("what a stage sets stays set in those after it") {
+  const std::string law = "set.linear_spring_dashpot.";
+  const std::vector<Stage> stages =
+      plan_of(staged("[[stage]]\nduration = 1\n" + law + "normal_stiffness = 5e3\n[[stage]]\nduration = 1\n" +
+                     law + "normal_damping = 0.5\n[[stage]]\nduration = 1\n"))
+          .stages;
+  REQUIRE(stages.size() == 3);
+  REQUIRE(stages[1].changes.size() == 1);
+  CHECK(stages[1].changes[0].kind == SCREE_CONTACT_LAW);
+  const std::vector<scree_value> values = stages[1].changes[0].parameters.values();
+  CHECK(values[0].data[0] == 5e3);  // normal_stiffness
+  CHECK(values[1].data[0] == 0.5);  // normal_damping
+  CHECK(stages[2].changes.empty());
+}
+
+TEST_CASE("bodies carry spins from the start if a later stage turns them") {
+  CHECK_FALSE(plan_of(staged("[[stage]]\nduration = 1\n")).scene.spin);
+  CHECK(plan_of(staged("[[stage]]\nduration = 1\n[[stage]]\nduration = 1\nset.linear_spring_dashpot = "
+                       "{ static_friction = 0.5, tangential_stiffness = 1 }\n"))
+            .scene.spin);
+}
+
+TEST_CASE("a stage that cannot end is refused") {
+  CHECK(
+      refusal(staged("[[stage]]\n")).starts_with("scene.toml:26:1: does not say when it ends; give one of "));
+  CHECK(refusal(staged("[[stage]]\nduration = 1\ncycles = 1\n"))
+            .starts_with("scene.toml:26:1: says more than once when it ends; "));
+  CHECK(refusal(staged("[[stage]]\ncycles = 1\n")).starts_with("scene.toml:26:1: [[stage]] has no 'period'"));
+  CHECK(refusal(staged("[[stage]]\nuntil = { kinetic_over_elastic = 1e-6 }\n"))
+            .starts_with("scene.toml:27:9: [stage.until] has no 'at_most'"));
+  CHECK(refusal(staged("[[stage]]\nuntil = { kinetic_over_elastic = 1e-6, at_least = 2, at_most = 1 }\n")) ==
+        "scene.toml:27:51: at_least = 2 s leaves no time before at_most = 1 s; give a smaller at_least or a "
+        "larger "
+        "at_most");
+  CHECK(refusal(staged("[[stage]]\nduration = 1e-7\n")) ==
+        "scene.toml:27:12: 1e-07 s is shorter than the time step of 1e-05 s; raise it, or shorten time.step");
+  CHECK(refusal(staged("[[stage]]\nduration = 1e9\n"))
+            .starts_with("scene.toml:27:12: 1e+09 s takes 1e+14 time steps of 1e-05 s; "));
+}
+
+TEST_CASE("a stage that changes what is not there, or cannot be, is refused") {
+  const std::string stage = "[[stage]]\nduration = 1\n";
+  CHECK(refusal(staged(stage + "set.boxx.gap = 1\n")) ==
+        "scene.toml:28:5: no law, boundary or body force 'boxx'; did you mean 'box'?");
+  CHECK(refusal(staged(stage + "set.box.frob = 1\n")).starts_with("scene.toml:28:9: unknown key 'frob' in "));
+  CHECK(refusal(staged(stage + "set.box.x_low = 'stress'\n"))
+            .find("a stress-controlled wall has no stress; give stress = <Pa>") != std::string::npos);
+  CHECK(refusal(staged("[[boundary]]\nplugin = 'periodic'\naxes = 'x'\nlower = [0, 0]\nupper = [1, 0]\n" +
+                       stage + "set.periodic.upper = [2, 0]\n"))
+            .find("a stage cannot change how many walls there are or which axes are periodic") !=
+        std::string::npos);
+  CHECK(refusal(staged(stage + "name = 'a'\n" + stage + "name = 'a'\n")) ==
+        "scene.toml:31:8: the stage name 'a' is taken; give each a name of its own");
+  CHECK(refusal(discs + stage) ==
+        "scene.toml:5:12: the run has both stages and a duration; keep [[stage]] or time.duration");
+}

@@ -1,0 +1,137 @@
+#include "program.hpp"
+
+using namespace scree::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Refusal of the discs with one part of the text replaced.
+void refused(const std::string& part, const std::string& other, const std::string& begin,
+             const std::string& end) {
+  const Workspace w(with(discs, part, other));
+  check_refused(w, w.run(), begin, end);
+}
+
+// Refusal of the discs with options of the command line.
+void refused_options(const std::string& options, const std::string& begin, const std::string& end) {
+  const Workspace w;
+  check_refused(w, w.run(options), begin, end);
+}
+
+}  // namespace
+
+TEST_CASE("a key, type or value that is wrong is told with its place and a cure") {
+  refused("radius = 0.01", "radius = 0.01\nrandom_velocty = 1",
+          "scene.toml:16:1: unknown key 'random_velocty' in [particles]; did you mean 'random_velocity'? ",
+          "random_velocity, velocity, file, radius, lattice");
+  refused("1e-5", "'1e-5'", "scene.toml:4:8: time.step is a string (\"1e-5\"); ",
+          "give a number in s, such as 1e-5");
+  refused("radius = 0.01", "radius = -1", "scene.toml:15:10: particles.radius = -1 m is negative; ",
+          "give a radius above 0");
+  refused("1e-5", "0", "scene.toml:4:8: time.step = 0 s is zero; ", "give a step above 0");
+  refused("1000", "nan", "scene.toml:8:11: material.density = nan is not finite; ",
+          "give a number in kg/m^3");
+  refused("gap = 0.1", "spacing = 0.01", "scene.toml:14:11: lattice: bodies ",
+          "give a spacing of at least 0.02 m");
+  refused("duration = 1e-4", "duration = 1e300", "scene.toml:5:12: 1e+300 s takes ",
+          "for at most 1e+12 steps");
+  refused("[3, 3]", "[30000, 30000]", "scene.toml:14:38: 9e+08 bodies need about ", "");
+}
+
+TEST_CASE("a mass of zero is refused") {
+  const Workspace w(
+      with(discs, "[[boundary]]", "[[particle]]\nradius = 1\nmass = 0\nposition = [5, 5]\n[[boundary]]"));
+  check_refused(w, w.run(), "scene.toml:19:8: particle.mass = 0 kg is zero; ", "give a mass above 0");
+}
+
+TEST_CASE("a file that is no scene is refused") {
+  for (const auto& [text, begin, end] :
+       {std::array{"", "scene.toml:1:1: the file holds no key; ",
+                   "write a scene: [scene], [time], [particles], ..."},
+        std::array{"[time\n",
+                   "scene.toml:1:6: not valid TOML: ", "write [name] or [[name]] on a line of its own"},
+        std::array{"[time]\nstep = 1\n", "scene.toml:1:1: the scene has no [[material]]; ",
+                   "add [[material]] with name and density (kg/m^3)"},
+        std::array{"[[material]]\nname = 'a'\ndensity = 1\n", "scene.toml:1:1: the scene has no bodies; ",
+                   "add [particles] with lattice and radius, or [[particle]]"}}) {
+    const Workspace w(text);
+    check_refused(w, w.run(), begin, end);
+  }
+  const Workspace w;
+  check_refused(w, w.scree("run scen.toml --out out"),
+                "scen.toml: cannot be read (No such file or directory); ", "did you mean 'scene.toml'?");
+  refused("[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n", "",
+          "scene.toml:1:1: no [[contact]] says how 'grain' and 'grain' touch; ",
+          "add a [[contact]] with plugin = \"hertz_mindlin\" or \"linear_spring_dashpot\"");
+  refused("[time]\nstep = 1e-5\nduration = 1e-4\n", "", "scene.toml:1:1: the file has no 'time'; ",
+          "add a table [time]");
+}
+
+TEST_CASE("options that make no sense are told in one line") {
+  refused_options("--threads 0", "--threads: ", "; see scree run --help");
+  refused_options("--threads many", "--threads: ", "; see scree run --help");
+  refused_options("--frobnicate", "The following argument was not expected: --frobnicate",
+                  "; see scree run --help");
+  refused_options("'--two\nlines'", "The following argument was not expected: --two\\nlines",
+                  "; see scree run --help");
+  refused_options("--set time.step", "--set time.step: has no '='; ", "write --set key=value");
+  refused_options("--set time.stp=1", "--set time.stp=1: unknown key 'stp' in [time]; did you mean 'step'? ",
+                  "energy_audit, step, duration");
+  refused_options("--plugins nowhere", "--plugins nowhere: is no directory; ", "boundary/, body/, probe/");
+  const Workspace w;
+  check_refused(w, w.scree("rn scene.toml"), "no verb 'rn'; ", "did you mean 'run'?");
+  check_refused(w, w.scree("run"), "scenario is required; ", "see scree run --help");
+  check_refused(w, w.scree(""), "A subcommand is required; ", "see scree --help");
+}
+
+TEST_CASE("output that cannot be written is refused before the run") {
+  const Workspace w;
+  w.write("file", "mine");
+  check_refused(w, w.scree("run scene.toml --out file"), "file: exists and is no directory; ",
+                "give another --out");
+  check_refused(w, w.scree("run scene.toml --out file/out"), "file/out: cannot be written (",
+                "give another --out");
+  check_refused(w, w.scree("run scene.toml --out /proc/scree"), "/proc/scree: cannot be ",
+                "give another --out");
+  fs::create_directory(w / "mine");
+  w.write("mine/letter.txt", "dear");
+  check_refused(w, w.scree("run scene.toml --out mine --overwrite"),
+                "mine: holds files that are no run of scree; ", "give another --out");
+  CHECK(w.text("file") == "mine");
+  CHECK(w.text("mine/letter.txt") == "dear");
+}
+
+TEST_CASE("a run that is there stays unless it may be replaced") {
+  const Workspace w;
+  REQUIRE(w.run("--set scene.seed=1").status == 0);
+  const std::string before = w.text("out/run.json");
+  const Outcome again = w.run("--set scene.seed=2");
+  CHECK(again.status == 2);
+  CHECK(again.err == "scree: out: holds a run already; give another --out, or --overwrite to replace it\n");
+  CHECK(w.text("out/run.json") == before);
+  CHECK(w.run("--overwrite --set time.step=0").status == 2);
+  CHECK(w.text("out/run.json") == before);
+  CHECK(w.run("--overwrite --set scene.seed=2").status == 0);
+  CHECK(w.record()["seed"] == 2);
+}
+
+// A limit on the size of files stands for a full disk; a block has 512 bytes.
+TEST_CASE("a disk that takes not even the first file leaves nothing behind") {
+  const Workspace w;
+  const Outcome full = w.shell("trap '' XFSZ; ulimit -f 2; scree run scene.toml --out out/deep");
+  CHECK(full.status == 1);
+  CHECK(full.err == "scree: out/deep/run.json: cannot be written; free disk space or give another --out\n");
+  CHECK_FALSE(w.has("out"));
+}
+
+TEST_CASE("a disk that fills up stops the run and keeps what was written") {
+  const Workspace w;
+  const Outcome full = w.shell(
+      "trap '' XFSZ; ulimit -f 16; scree run scene.toml --out out "
+      "--set probe.every=1e-5 --set time.duration=0.02 --quiet");
+  CHECK(full.status == 1);
+  CHECK(full.err ==
+        "scree: out/series/energy.csv: cannot be written; free disk space or give another --out\n");
+  CHECK(w.record()["status"] == "failed");
+  CHECK(w.text("out/series/energy.csv").size() == 16 * 512);
+}

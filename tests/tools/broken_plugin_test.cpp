@@ -1,0 +1,54 @@
+#include "program.hpp"
+
+using namespace scree::test;
+
+namespace {
+
+const std::string broken = SCREE_TEST_BROKEN_PLUGINS;
+const std::string options = "--plugins '" + broken + "'";
+
+void refused(const std::string& plugin, const std::string& begin, const std::string& end) {
+  const Workspace w(with(discs, "linear_spring_dashpot", plugin));
+  check_refused(w, w.run(options), "scene.toml:10:10: " + begin, end);
+}
+
+std::string library(const std::string& name) { return broken + "/contact/" + name + ".so: "; }
+
+}  // namespace
+
+TEST_CASE("a plug-in that is not there is refused with the nearest name") {
+  refused("linear_spring_dashpt", "no contact law plug-in 'linear_spring_dashpt' in " + broken + "/contact, ",
+          "; did you mean 'linear_spring_dashpot'?");
+  refused("gravity", "no contact law plug-in 'gravity' in ", "");
+}
+
+TEST_CASE("a plug-in of another interface version is refused by name") {
+  refused("other_version", library("other_version") + "plug-in interface version 42, this program has 1; ",
+          "rebuild it against this version");
+}
+
+TEST_CASE("a library without the query symbol is refused by name") {
+  refused("no_query", library("no_query") + "lacks the symbol scree_plugin_query; ",
+          "export the plug-in with one of the SCREE_*_PLUGIN macros");
+}
+
+TEST_CASE("a text that poses as a library is refused by name") {
+  refused("text", library("text") + "not a usable plug-in library (", "); rebuild it");
+}
+
+TEST_CASE("broken libraries hinder neither the others nor their list") {
+  const Workspace w;
+  CHECK(w.run(options).status == 0);
+  const Outcome list = w.scree("describe " + options);
+  CHECK(list.status == 0);
+  for (const char* name : {"other_version", "no_query", "text"})
+    CHECK(list.out.find("cannot be used: " + library(name)) != std::string::npos);
+  CHECK(list.out.find("  linear_spring_dashpot ") != std::string::npos);
+}
+
+TEST_CASE("plug-ins are found through the environment too") {
+  const Workspace w(with(discs, "linear_spring_dashpot", "no_query"));
+  const Outcome outcome =
+      w.shell("SCREE_PLUGIN_PATH='" + broken + "'; export SCREE_PLUGIN_PATH; scree check scene.toml");
+  check_refused(w, outcome, "scene.toml:10:10: " + library("no_query"), "macros");
+}

@@ -1,0 +1,116 @@
+#include "program.hpp"
+
+using namespace scree::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the help of each verb shows an example and every option") {
+  const Workspace w;
+  for (const char* verb : {"run", "check", "describe", "render"}) {
+    const Outcome help = w.scree(std::string(verb) + " --help");
+    CHECK(help.status == 0);
+    CHECK(help.err.empty());
+    CHECK(contains(help.out, std::string("Example: scree ") + verb + " "));
+    CHECK(contains(w.scree("--help").out, std::string("\n  ") + verb + " "));
+  }
+  for (const char* option : {"--out", "--set", "--threads", "--overwrite", "--quiet", "--plugins"})
+    CHECK(contains(w.scree("run --help").out, option));
+  CHECK(w.scree("--version").out.starts_with("scree 0."));
+}
+
+TEST_CASE("check tells what a scene is and writes nothing") {
+  const Workspace w(with(discs, "[scene]", "[scene]\ntitle = 'Nine discs'"));
+  const Outcome good = w.scree("check scene.toml --set time.duration=0.5");
+  CHECK(good.status == 0);
+  CHECK(good.out.starts_with("scene.toml: good, Nine discs\n  9 bodies in 2D, 4 walls, 1 contact laws, "));
+  CHECK(contains(good.out, "  stage run: 0.5 s, 50000 steps\n"));
+  CHECK_FALSE(w.has("runs"));
+}
+
+TEST_CASE("check finds what run would") {
+  const Workspace w;
+  check_refused(w, w.scree("check scene.toml --set time.step=-1"),
+                "--set time.step=-1: ", "give a step above 0");
+  check_refused(w, w.scree("check scene.toml --set contact.normal_stiffness=1e14"),
+                "scene.toml: the time step of 1e-05 s is too long for the shortest contact", " or less");
+  const Workspace walls(with(discs, "'energy'", "'particles'\nids = [99]"));
+  check_refused(walls, walls.scree("check scene.toml"), "scene.toml:25:10: probe particles: an id in `ids` ",
+                "unless they say otherwise");
+}
+
+TEST_CASE("describe lists all plug-ins by kind") {
+  const Outcome list = Workspace().scree("describe");
+  CHECK(list.status == 0);
+  for (const char* part :
+       {"contact laws, [[contact]]\n  ", "\n  linear_spring_dashpot ", "boundaries, [[boundary]]\n  box ",
+        "body terms, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  box "})
+    CHECK(contains(list.out, part));
+  CHECK_FALSE(contains(list.out, "cannot be used"));
+}
+
+TEST_CASE("describe tells equations, parameters and closed forms") {
+  const Workspace w;
+  const Outcome law = w.scree("describe linear_spring_dashpot");
+  for (const char* part :
+       {"\nequations\n  f_n = ", "\n  normal_stiffness       number above 0 (N/m); required\n",
+        "\n  tension                one of allowed, cut; default allowed\n", "Give parameters as KEY=VALUE"})
+    CHECK(contains(law.out, part));
+  // Two equal spheres of 1 mm and 1000 kg/m³ with k = 100 N/m: t_c = π √(m/2k).
+  const Outcome forms = w.scree(
+      "describe linear_spring_dashpot normal_stiffness=100 normal_damping=0 --radius 1e-3 "
+      "--density 1000");
+  CHECK(contains(forms.out, "\n  contact_time     0.000454652 s  "));
+  CHECK(contains(forms.out, "\n  restitution      1  "));
+}
+
+TEST_CASE("describe shows all plug-ins of a name, or the one of a kind") {
+  const Workspace w;
+  const Outcome both = w.scree("describe box"), one = w.scree("describe probe/box");
+  CHECK(both.out.starts_with("box, boundary: "));
+  CHECK(contains(both.out, "\nbox, probe: "));
+  CHECK(one.out.starts_with("box, probe: "));
+  CHECK_FALSE(contains(one.out, "boundary: "));
+}
+
+TEST_CASE("describe refuses what it cannot make sense of") {
+  const Workspace w;
+  const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
+    check_refused(w, w.scree("describe " + arguments), begin, end);
+  };
+  refused("gravty", "no plug-in 'gravty'; ", "did you mean 'gravity'?");
+  refused("linear_spring_dashpot normal_stifness=1",
+          "'normal_stifness=1': linear_spring_dashpot has no parameter ", "did you mean 'normal_stiffness'?");
+  refused("linear_spring_dashpot normal_stiffness", "'normal_stiffness': has no '='; ", "give KEY=VALUE");
+  refused("linear_spring_dashpot normal_stiffness=stiff", "'normal_stiffness=stiff': 'stiff' is no number; ",
+          "give one such as 5e3");
+  refused("linear_spring_dashpot normal_stiffness=nan",
+          "linear_spring_dashpot.normal_stiffness = nan is out of range; ", "give a number above 0 (N/m)");
+  refused("linear_spring_dashpot tension=ct", "'tension=ct': 'ct' is none of the choices; ",
+          "did you mean 'cut'?");
+  refused("gravity acceleration=1", "'acceleration=1': gravity is a body term ", "leave the value out");
+  refused("linear_spring_dashpot --radius inf", "--radius: inf is no number above 0; ",
+          "see scree describe --help");
+}
+
+TEST_CASE("render draws the snapshots of a run anew") {
+  const Workspace w(std::string(discs) + "[snapshot]\nevery = 1e-4\n");
+  REQUIRE(w.run().status == 0);
+  const Outcome drawn = w.scree("render out --out pictures --color-by speed --width 300 --height 200");
+  CHECK(drawn.status == 0);
+  CHECK(drawn.out == "pictures/frame_0000000000.png\npictures/frame_0000000010.png\n");
+  CHECK(w.has("pictures/frame_0000000010.png"));
+  const Workspace empty;
+  check_refused(empty, empty.scree("render ."), ".: holds no particles_*.vtp; ", "([snapshot] every = <s>)");
+}
+
+TEST_CASE("output that cannot be written is not passed off as success") {
+  const Outcome full = Workspace().shell("scree describe > /dev/full");
+  CHECK(full.status == 1);
+  CHECK(full.err == "scree: standard output cannot be written; free disk space or send it elsewhere\n");
+}

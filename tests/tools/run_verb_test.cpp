@@ -1,0 +1,163 @@
+#include "program.hpp"
+
+#include <sstream>
+
+using namespace scree::test;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string expectation(const std::string& bound) {
+  return std::string(discs) + "[[expect]]\nrequirement = 'Ten steps'\nquantity = 'steps'\n" + bound + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("a run writes the series of each probe with names and units") {
+  const Workspace w(std::string(discs) + "[[probe]]\nname = 'walls'\nplugin = 'box'\nevery = 5e-5\n");
+  const Outcome outcome = w.run();
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  const auto energy = lines_of(w.text("out/series/energy.csv")),
+             walls = lines_of(w.text("out/series/walls.csv"));
+  REQUIRE(energy.size() == 1 + 6);
+  REQUIRE(walls.size() == 1 + 3);
+  CHECK(energy[0].starts_with("time [s],kinetic_translation [J],"));
+  CHECK(energy[0].ends_with(",work [J],residual [J]"));
+  CHECK(walls[0] ==
+        "time [s],length_x [m],length_y [m],stress_xx [Pa],stress_yy [Pa],strain_xx,strain_yy,"
+        "deviatoric_stress [Pa],deviatoric_strain,solid_fraction");
+  CHECK(energy[1].starts_with("0,"));
+  for (const std::string& line : walls) CHECK(std::count(line.begin(), line.end(), ',') == 9);
+  CHECK(std::stod(walls[3]) == Approx(1e-4));
+}
+
+TEST_CASE("the record of a run says what it was and how it went") {
+  const Workspace w(expectation("at_most = 10"));
+  CHECK(w.run("--set scene.seed=3").status == 0);
+  const nlohmann::json record = w.record();
+  CHECK(record["status"] == "finished");
+  CHECK(record["seed"] == 3);
+  CHECK(record["steps"].is_number_integer());
+  CHECK(record["steps"] == 10);
+  CHECK(record["version"].get<std::string>().size() >= 5);
+  CHECK(record["scenario"].get<std::string>().find("seed = 3") != std::string::npos);
+  CHECK(record["scenario"] == w.text("out/scenario.toml"));
+  CHECK(record["wall_s"] > 0);
+  CHECK(record["particle_steps_per_second"].get<double>() ==
+        Approx(90 / record["wall_s"].get<double>()).epsilon(1e-6));
+  CHECK(record["energy_residual"] < 1e-3);
+  CHECK(record["momentum_residual"] < 1e-12);
+  CHECK(record["max_overlap_ratio"] >= 0);
+  CHECK(record["min_steps_per_contact"] > 1000);
+  CHECK(record["state_hash"].get<std::string>().size() == 16);
+  REQUIRE(record["expect"].size() == 1);
+  CHECK(record["expect"][0]["requirement"] == "Ten steps");
+  CHECK(record["expect"][0]["value"] == 10);
+  CHECK(record["expect"][0]["met"] == true);
+}
+
+TEST_CASE("the program says what the scene carries, once") {
+  const Workspace w;
+  const Outcome outcome = w.run();
+  CHECK(outcome.out.starts_with("9 bodies in 2D, 18 degrees of freedom; "));
+  CHECK(outcome.out.find("time step 1e-05 s, ") != std::string::npos);
+  CHECK(outcome.out.find("state hash " + w.record()["state_hash"].get<std::string>()) != std::string::npos);
+  CHECK(outcome.out.find("results in out\n") != std::string::npos);
+  const Outcome quiet = w.run("--overwrite --quiet");
+  CHECK(quiet.out.starts_with("results in out\n"));
+}
+
+TEST_CASE("the state has the same bits for any number of threads, and others for another seed") {
+  const Workspace w(with(discs, "duration = 1e-4", "duration = 0.05"));
+  const auto hash = [&](const std::string& options) {
+    REQUIRE(w.run("--overwrite " + options).status == 0);
+    REQUIRE(w.record()["max_overlap_ratio"] > 0);
+    return w.record()["state_hash"].get<std::string>();
+  };
+  const std::string one = hash("--threads 1");
+  CHECK(hash("--threads 2") == one);
+  CHECK(hash("--set scene.seed=9") != one);
+}
+
+TEST_CASE("an expectation that is not met gives status 1 and keeps the run") {
+  const Workspace w(expectation("reference = 11\ntolerance = 0.5"));
+  const Outcome outcome = w.run();
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("NOT MET  Ten steps (steps = 10)") != std::string::npos);
+  CHECK(w.record()["status"] == "finished");
+  CHECK(w.record()["expect"][0]["met"] == false);
+}
+
+TEST_CASE("a run that blows up tells particle, contact, time and advice, and keeps what it wrote") {
+  const Workspace w(with(discs, "duration = 1e-4", "duration = 0.1"));
+  const auto check = [&](const std::string& options, const std::vector<std::string>& parts) {
+    const Outcome outcome = w.run("--overwrite --quiet " + options);
+    INFO(outcome.err);
+    CHECK(outcome.status == 3);
+    CHECK(lines_of(outcome.err).size() == 1);
+    for (const std::string& part : parts) CHECK(outcome.err.find(part) != std::string::npos);
+    CHECK(w.record()["status"] == "failed");
+    CHECK("scree: " + w.record()["error"].get<std::string>() + "\n" == outcome.err);
+    CHECK(lines_of(w.text("out/series/energy.csv")).size() >= 2);
+  };
+  check("--set particles.random_velocity=50",
+        {"contact of particle ", "of the smaller radius at t = ", "; use a "});
+  check("--set limits.speed=1e-3", {"particle ", " moves at ", " m/s at t = ", "; use a shorter time.step"});
+  check("--set contact.normal_stiffness=1e14 --set time.duration=1",
+        {"the time step of 1e-05 s is too long for the shortest contact", "t = 0 s", "; use time.step = "});
+  check("--set particles.random_velocity=1e100 --set limits.speed=1e300",
+        {"particle ", " at t = ", "; use a "});
+}
+
+TEST_CASE("Ctrl-C saves the run and gives status 130") {
+  const Workspace w(with(discs, "duration = 1e-4", "duration = 5000"));
+  for (const char* signal : {"INT", "TERM"}) {
+    const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
+                                    "' run scene.toml --out out --overwrite &\nrun=$!\n"
+                                    "until test -s out/series/energy.csv; do sleep 0.05; done; sleep 0.1\n"
+                                    "kill -" +
+                                    std::string(signal) + " $run; wait $run");
+    CHECK(outcome.status == 130);
+    CHECK(outcome.out.find("interrupted; what was computed is saved\n") != std::string::npos);
+    CHECK(w.record()["status"] == "interrupted");
+    CHECK(w.record()["steps"] > 10);
+    CHECK(w.text("out/final_packing.csv").find("# time [s]: ") != std::string::npos);
+    CHECK(std::filesystem::remove_all(w / "out") > 0);
+  }
+}
+
+TEST_CASE("without --out runs are numbered") {
+  const Workspace w;
+  for (const char* directory : {"runs/scene", "runs/scene-2", "runs/scene-3"}) {
+    const Outcome outcome = w.scree("run scene.toml");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.find(std::string("results in ") + directory + "\n") != std::string::npos);
+    CHECK(w.record(directory)["status"] == "finished");
+  }
+}
+
+TEST_CASE("a run without pictures loads no VTK, one with a chart does") {
+  const Workspace w;
+  const auto loads_vtk = [&](const std::string& options) {
+    const Outcome outcome = w.shell(
+        "LD_DEBUG=files; LD_DEBUG_OUTPUT=loaded; export LD_DEBUG LD_DEBUG_OUTPUT\n"
+        "scree run scene.toml --out out --overwrite " +
+        options);
+    REQUIRE(outcome.status == 0);
+    std::string loaded;
+    for (const auto& entry : std::filesystem::directory_iterator(w / ""))
+      if (entry.path().filename().string().starts_with("loaded.")) loaded += text_of(entry.path());
+    REQUIRE(loaded.find("linear_spring_dashpot.so") != std::string::npos);
+    return loaded.find("libvtk") != std::string::npos;
+  };
+  CHECK_FALSE(loads_vtk(""));
+  CHECK(loads_vtk("--set \"chart={name='work',probe='energy',y='work'}\""));
+  CHECK(w.has("out/charts/work.png"));
+}
