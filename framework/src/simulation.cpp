@@ -213,7 +213,7 @@ double Simulation::momentum_residual() const {
              : 0;
 }
 
-double Simulation::min_steps_per_contact() const { return shortest_contact_time(scene_, 0) / scene_.step; }
+double Simulation::min_steps_per_contact() const { return shortest_contact_time(scene_, reference_speed) / scene_.step; }
 
 std::uint64_t Simulation::state_hash() const {
   StateHash hash;

@@ -35,8 +35,7 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
   fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
              simulation.particles().size(), plan.scene.dimension, simulation.boundaries().planes().size(),
              plan.scene.laws.size(), plan.scene.body_terms.size(), plan.probes.size());
-  fmt::print("  time step {:g} s, {:.3g} steps in the shortest contact\n", simulation.step_length(),
-             simulation.min_steps_per_contact());
+  fmt::print("  {}\n", scenario::describe_step(simulation));
   print_stages(plan);
 }
 

@@ -10,6 +10,7 @@
 
 #include <scree/scenario/run.hpp>
 #include <scree/scenario/run_directory.hpp>
+#include <scree/scenario/set_up.hpp>
 
 namespace scree::tool {
 
@@ -37,8 +38,7 @@ void print_carried(const Simulation& simulation) {
   fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes a body, {} bytes a pair\n",
              simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
              f.bytes_per_pair);
-  fmt::print("time step {:.4g} s, {:.3g} steps in the shortest contact\n", simulation.step_length(),
-             simulation.min_steps_per_contact());
+  fmt::print("{}\n", scenario::describe_step(simulation));
 }
 
 void print_result(const scenario::RunResult& r) {

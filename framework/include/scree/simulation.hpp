@@ -59,8 +59,8 @@ class Simulation {
   double max_overlap_ratio() const { return max_overlap_ratio_; }
   std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
   double skin() const { return neighbours_.skin(); }
-  // Shortest undamped-to-damped contact of the lightest pair of each law, over the step; infinite without
-  // pairs.
+  // Shortest contact of the lightest pair of each law, at reference_speed where it depends on that, over the
+  // step; infinite without pairs.
   double min_steps_per_contact() const;
   std::uint64_t state_hash() const;
   Footprint footprint() const;
@@ -94,6 +94,9 @@ class Simulation {
   double speed_limit_ = 0;
   double momentum_error_[3] = {}, momentum_exchanged_ = 0;
 };
+
+// Impact speed for contact times of laws that depend on it, weakly: Hertz' as v^(-1/5) (m/s).
+inline constexpr double reference_speed = 1;
 
 // Shortest contact of the lightest pair that each law may meet (s); infinite if the scene has no pairs.
 double shortest_contact_time(const Scene& scene, double speed);

@@ -51,8 +51,7 @@ const Stage::Change& read_instance(const Table& table, scree_kind kind, PluginHo
   Parameters parameters(find_plugin(table, kind, host));
   read_parameters(table, scene.dimension, parameters);
   check_complete(table, parameters);
-  const std::string name = table.string("name", parameters.plugin().name);
-  instances.names.add(table, name);
+  const std::string name = instances.names.add_or_number(table, parameters.plugin().name);
   const Stage::Change& added = instances.all.emplace_back(Stage::Change{kind, name, parameters});
   placed(table, "plugin", [&] { try_out(added, scene); });
   return added;

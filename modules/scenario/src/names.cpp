@@ -26,6 +26,13 @@ void UniqueNames::add(const Table& table, const std::string& name) {
                       "give each a name of its own");
 }
 
+std::string UniqueNames::add_or_number(const Table& table, const std::string& fallback) {
+  std::string name = table.string("name", fallback);
+  for (int k = 2; !table.has("name") && taken_.contains(name); ++k) name = fmt::format("{}_{}", fallback, k);
+  add(table, name);
+  return name;
+}
+
 void check_file_name(const Table& table, const std::string& name) {
   constexpr std::size_t longest = 100;
   const auto fit = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c >= 0x80; };

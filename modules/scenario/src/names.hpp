@@ -22,6 +22,8 @@ class UniqueNames {
   explicit UniqueNames(std::string what) : what_(std::move(what)) {}
   // Throws Error at `name` of the table if it is empty or taken.
   void add(const Table& table, const std::string& name);
+  // The `name` of the table or, where it gives none, the fallback, numbered from the second on; added.
+  std::string add_or_number(const Table& table, const std::string& fallback);
 
  private:
   std::string what_;  // they are of

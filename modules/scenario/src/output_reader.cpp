@@ -83,7 +83,8 @@ ChartPlan read_chart(const Table& t, const std::vector<ProbePlan>& probes, int d
   if (ys.empty()) throw t.error("y", "names no column", "give one or more of the probe's columns");
   for (std::size_t k = 0; k < ys.size(); ++k) {
     const std::size_t at = find_name(t, "y", "column", ys[k], columns.names, k);
-    if (k == 0) chart.y_label = label_of(columns, at);
+    // Several curves share the axis; the legend names them.
+    chart.y_label = ys.size() == 1 ? label_of(columns, at) : columns.units[at];
     chart.curves.push_back({as_words(ys[k]), probe.name, x, ys[k]});
   }
   chart.title = t.string("title", chart.name);

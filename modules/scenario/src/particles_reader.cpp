@@ -22,11 +22,17 @@ constexpr double largest_id = 1e15;  // below which numbers of a probe's list ar
 packing::Packing read_file(const Table& particles, int dimension, const std::filesystem::path& folder,
                            const std::vector<Material>& materials) {
   packing::ImportOptions options;
-  options.dimension = dimension;
+  // A file may say that it is flat; that a spatial scene must not overlook.
+  if (dimension == 2) options.dimension = dimension;
   options.materials = names_of(materials);
   options.timestep = particles.optional_integer("timestep");
   const std::string file = particles.string("file");
-  return placed(particles, "file", [&] { return packing::read_packing(folder / file, options); });
+  packing::Packing read =
+      placed(particles, "file", [&] { return packing::read_packing(folder / file, options); });
+  if (read.dimension != dimension)
+    throw particles.error("file", "the packing has two dimensions and the scene three",
+                          "set scene.dimension = 2, or give a packing with z");
+  return read;
 }
 
 packing::Packing read_source(const Table& particles, int dimension, packing::Random& random,

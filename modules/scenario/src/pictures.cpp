@@ -19,7 +19,7 @@ snapshot::SnapshotBackend& Pictures::backend() {
 
 void Pictures::take(const Simulation& s, std::uint64_t steps) {
   const auto due = [&](const std::optional<double>& every) {
-    return every && steps % steps_in(*every, s.step_length()) == 0;
+    return every && is_due(steps, *every, s.step_length());
   };
   if (due(plan_.snapshot.every)) write_snapshot(s);
   if (due(plan_.snapshot.image_every)) write_image(s);

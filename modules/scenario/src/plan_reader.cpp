@@ -36,12 +36,19 @@ void read_bodies_of(const Table& root, Plan& plan) {
       read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
 }
 
+bool has_planes(const Parameters& boundary, const Scene& scene, const BodyBounds& box) {
+  return !Boundaries({{"", 0, boundary}}, scene.dimension, box.lower, box.upper).planes().empty();
+}
+
 void read_boundaries(const Table& root, PluginHost& host, Instances& instances, Plan& plan) {
   Scene& scene = plan.scene;
   const BodyBounds box = bounds_of(scene.bodies, scene.dimension);
   for (const Table& t : root.tables("boundary")) {
     const Stage::Change& read = read_instance(t, SCREE_BOUNDARY, host, scene, instances);
-    const std::string material = t.string("material", scene.materials[0]);
+    const bool has_walls = has_planes(read.parameters, scene, box);
+    const std::string material = scene.materials.size() > 1 && has_walls
+                                     ? t.string("material")
+                                     : t.string("material", scene.materials[0]);
     const auto index = std::uint32_t(find_name(t, "material", "material", material, scene.materials));
     scene.boundaries.push_back({read.name, index, read.parameters});
     // All so far together: each may be good and the sum not.
@@ -68,7 +75,7 @@ void read_time(const Table& root, Scene& scene) {
   }
   const Table step = t.table("step");
   const double fraction = step.number("fraction", Range::positive());
-  const double speed = step.number("speed", 1.0, Range::positive("m/s"));
+  const double speed = step.number("speed", reference_speed, Range::positive("m/s"));
   const double contact = shortest_contact_time(scene, speed);
   if (!std::isfinite(contact))
     throw step.error("fraction", "the scene has no pair of bodies whose contact time could be taken",

@@ -43,7 +43,7 @@ class Run {
         options_(options),
         directory_(options.out, options.overwrite),
         simulation_(set_up(plan, options.threads)),
-        sampler_(plan, simulation_->step_length()),
+        sampler_(plan),
         pictures_(plan, *simulation_, directory_) {
     result_.directory = directory_.path();
   }
@@ -102,6 +102,7 @@ class Run {
       report_progress(runner);
     }
     result_.interrupted = !runner.finished();
+    sampler_.sample_last(*simulation_, runner.stages()[stage].name);
   }
 
   void begin(const StageRunner& runner) {

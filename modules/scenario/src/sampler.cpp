@@ -5,14 +5,14 @@
 
 namespace scree::scenario {
 
-std::uint64_t steps_in(double duration, double step) {
-  constexpr double most = 1e18;  // fits the integer
-  return std::uint64_t(std::llround(std::clamp(duration / step, 1.0, most)));
+bool is_due(std::uint64_t steps, double every, double step) {
+  const double multiple = std::round(double(steps) * step / every);
+  return std::round(multiple * every / step) == double(steps);
 }
 
-Sampler::Sampler(const Plan& plan, double step) {
+Sampler::Sampler(const Plan& plan) {
   for (const ProbePlan& probe : plan.probes)
-    probes_.push_back({&probe, Probe(probe.parameters, plan.scene.dimension), steps_in(probe.every, step)});
+    probes_.push_back({&probe, Probe(probe.parameters, plan.scene.dimension)});
 }
 
 void Sampler::open(const std::filesystem::path& folder) {
@@ -20,20 +20,30 @@ void Sampler::open(const std::filesystem::path& folder) {
     p.series = std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), p.probe.units());
 }
 
-bool Sampler::Active::due(const std::string& stage, std::uint64_t steps) const {
+bool Sampler::Active::samples_in(const std::string& stage) const {
   const std::vector<std::string>& stages = plan->stages;
-  return steps % interval == 0 &&
-         (stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end());
+  return stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
 void Sampler::sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
+  sample_where(simulation, [&](const Active& p) {
+    return is_due(steps, p.plan->every, simulation.step_length()) && p.samples_in(stage);
+  });
+}
+
+void Sampler::sample_last(const Simulation& simulation, const std::string& stage) {
+  sample_where(simulation, [&](const Active& p) { return p.samples_in(stage); });
+}
+
+template <class Due>
+void Sampler::sample_where(const Simulation& simulation, const Due& due) {
   bool contacts = false, any = false;
   for (const Active& p : probes_)
-    if (p.due(stage, steps)) any = true, contacts |= p.probe.needs_contacts();
+    if (due(p)) any = true, contacts |= p.probe.needs_contacts();
   if (!any) return;
   const SimulationView view(simulation, contacts);
   for (Active& p : probes_) {
-    if (!p.due(stage, steps)) continue;
+    if (!due(p)) continue;
     // The last row of a stage is the first of the next.
     if (p.series->rows() > 0 && p.series->column("time").back() == simulation.time()) continue;
     p.series->add(simulation.time(), p.probe.sample(view.get()));

@@ -12,18 +12,21 @@
 
 namespace scree::scenario {
 
-// Time steps in a duration, at least one.
-std::uint64_t steps_in(double duration, double step);
+// Whether something that happens every so often (s) is due after so many time steps: at the step nearest to
+// each multiple, so that no rounding adds up.
+bool is_due(std::uint64_t steps, double every, double step);
 
 // The probes of a plan while it runs, each with its series.
 class Sampler {
  public:
-  Sampler(const Plan& plan, double step);
+  explicit Sampler(const Plan& plan);
 
   // Creates the CSV files in a folder, if there are probes.
   void open(const std::filesystem::path& folder);
   // Takes the samples that are due so many steps after the beginning of a stage.
   void sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
+  // One more sample of the probes of that stage where a run ends, whatever is due.
+  void sample_last(const Simulation& simulation, const std::string& stage);
   void flush();
   // Of the probe of that name.
   const Series& series(const std::string& probe) const;
@@ -32,11 +35,12 @@ class Sampler {
   struct Active {
     const ProbePlan* plan;
     Probe probe;
-    std::uint64_t interval;  // steps
     std::unique_ptr<Series> series = nullptr;
 
-    bool due(const std::string& stage, std::uint64_t steps) const;
+    bool samples_in(const std::string& stage) const;
   };
+  template <class Due>
+  void sample_where(const Simulation& simulation, const Due& due);
 
   std::vector<Active> probes_;
 };

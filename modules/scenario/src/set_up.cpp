@@ -41,6 +41,13 @@ std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads) {
   return simulation;
 }
 
+std::string describe_step(const Simulation& s) {
+  constexpr double few = 20;  // below which contacts are resolved to some per cent only
+  const double steps = s.min_steps_per_contact();
+  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact{}", s.step_length(), steps,
+                     steps < few ? "; that is few: use 20 or more, 50 for a per mille" : "");
+}
+
 std::optional<std::string> step_problem(const Simulation& s) {
   const double steps = s.min_steps_per_contact();
   if (!(steps < std::numbers::pi / 2)) return std::nullopt;

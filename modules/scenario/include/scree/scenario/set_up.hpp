@@ -13,6 +13,9 @@ namespace scree::scenario {
 // beyond the limit, move too fast, or do not fit a periodic length, or a probe looks at what is not there.
 std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads = 1);
 
+// One line for people: the step, and how many are in the shortest contact; says so if they are few.
+std::string describe_step(const Simulation& simulation);
+
 // What is wrong with the step, "<problem>; <cure>", if it is longer than the shortest contact allows: from
 // 2/ω on, which is 2/π of a contact, an oscillation grows by itself.
 std::optional<std::string> step_problem(const Simulation& simulation);
