@@ -11,11 +11,11 @@ namespace {
 struct ContactsProbe {
   double rattler_below = 2;
 
-  static constexpr scree::About about = {
-      "contacts", "coordination, sliding fraction, overlaps, rattlers",
-      "Z = (2 C_bodies + C_walls)/N,   Z without rattlers: their number left out of N, their contacts kept\n"
-      "sliding fraction = sliding contacts / contacts",
-      "David et al. 2005, section 2"};
+  static constexpr scree::About about = {"contacts", "coordination, sliding fraction, overlaps, rattlers",
+                                         "Z = (2 C_bodies + C_walls)/N,   Z without rattlers: (2 C − N_1)/(N "
+                                         "− N_0 − N_1), the mean over the other bodies\n"
+                                         "sliding fraction = sliding contacts / contacts",
+                                         "David et al. 2005, section 2"};
 
   void declare(scree::Declaration& d) {
     d.number("rattler_below", rattler_below, "", scree::positive,
@@ -42,11 +42,13 @@ struct ContactsProbe {
     }
     const auto rattlers = double(std::count_if(coordination.begin(), coordination.end(),
                                                [this](std::uint32_t n) { return n < rattler_below; }));
+    double ends_of_rattlers = 0;
+    for (const std::uint32_t n : coordination) ends_of_rattlers += n < rattler_below ? n : 0;
     const double contacts = double(view.contact_count), bodies = double(view.body_count);
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     const double values[] = {contacts,
                              ratio(ends, bodies),
-                             ratio(ends, bodies - rattlers),
+                             ratio(ends - ends_of_rattlers, bodies - rattlers),
                              ratio(sliding, contacts),
                              ratio(overlap, contacts),
                              largest,

@@ -104,6 +104,19 @@ TEST_CASE("contacts: coordination, overlaps, forces, rattlers", "[probe]") {
   CHECK(c["sliding_fraction"] == 0);
 }
 
+TEST_CASE("contacts: a body with one contact bears no load and is left out with its contact", "[probe]") {
+  Scene sc = row_in_box();
+  sc.bodies[3].position = {{0.005 - 1e-4, 0.02, 0.0298}};  // touches body 1 from above
+  const Simulation s(sc);
+  const Sampled c = sample(s, "contacts");
+  CHECK(c["contacts"] == 5 + 1);  // and the wall x_low
+  CHECK(c["rattlers"] == 0);
+  const Sampled strict = sample(s, "contacts", {{"rattler_below", {3}}});
+  // Bodies have 3, 2, 2 and 2 contacts: three of four are left out, with 6 of 9 ends.
+  CHECK(strict["rattlers"] == 3);
+  CHECK(strict["coordination_without_rattlers"] == Approx(3.0));
+}
+
 TEST_CASE("contacts: a contact dragged beyond friction counts as sliding", "[probe]") {
   Scene sc = scene(3, 1e-5, {body(1, 0.005, 1e-3, {{0, 0, 0.0049}}, {{1, 0, 0}}, {{0, -1000, 0}})}, law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
