@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <dlfcn.h>
+#include <elf.h>
+#include <fstream>
 #include <set>
 
 #include <fmt/format.h>
@@ -30,9 +33,33 @@ std::vector<std::string> levels() {
   return all;
 }
 
+// False for names that the file system cannot even look up.
+bool lies_at(const fs::path& path) {
+  std::error_code failed;
+  return fs::exists(path, failed);
+}
+
+// The loader maps what the headers promise; reading past the end of a truncated file would kill the program.
+bool is_truncated(const fs::path& path) {
+  std::error_code failed;
+  const std::uint64_t size = fs::file_size(path, failed);
+  std::ifstream file(path, std::ios::binary);
+  Elf64_Ehdr header = {};
+  file.read(reinterpret_cast<char*>(&header), sizeof(header));
+  if (!file || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return false;  // the loader says what it is
+  if (header.e_shoff + std::uint64_t(header.e_shnum) * header.e_shentsize > size) return true;
+  file.seekg(std::streamoff(header.e_phoff));
+  for (int k = 0; k < header.e_phnum; ++k) {
+    Elf64_Phdr segment = {};
+    file.read(reinterpret_cast<char*>(&segment), sizeof(segment));
+    if (!file || (segment.p_type == PT_LOAD && segment.p_offset + segment.p_filesz > size)) return true;
+  }
+  return false;
+}
+
 fs::path best_build(const fs::path& baseline) {
   for (const std::string& level : levels())
-    if (const fs::path build = baseline.parent_path() / level / baseline.filename(); fs::exists(build))
+    if (const fs::path build = baseline.parent_path() / level / baseline.filename(); lies_at(build))
       return build.lexically_normal();
   return baseline;
 }
@@ -55,6 +82,8 @@ struct PluginHost::Library {
   const scree_plugin* plugin = nullptr;
 
   explicit Library(const fs::path& p) : path(p) {
+    if (is_truncated(path))
+      throw Error(fmt::format("{}: the plug-in library is cut off; rebuild it", path.string()));
     handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle)
       throw Error(
@@ -150,7 +179,7 @@ fs::path PluginHost::locate(const std::string& name, scree_kind kind) const {
   };
   if (!std::all_of(name.begin(), name.end(), plain)) return {};
   for (const fs::path& directory : directories_)
-    if (const fs::path path = directory / kind_folder(kind) / (name + ".so"); fs::exists(path)) return path;
+    if (const fs::path path = directory / kind_folder(kind) / (name + ".so"); lies_at(path)) return path;
   return {};
 }
 

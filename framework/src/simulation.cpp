@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/body_bounds.hpp>
 #include <scree/error.hpp>
 #include <scree/simulation.hpp>
 #include <scree/state_hash.hpp>
@@ -16,23 +17,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nowhere[3] = {0, 0, 0};
-
-struct Box {
-  Vec3 lower = {}, upper = {};
-};
-
-// Bounding box of the bodies' surfaces.
-Box box_of(const Scene& scene) {
-  Box box;
-  for (int k = 0; k < scene.dimension && !scene.bodies.empty(); ++k) {
-    box.lower[k] = infinite, box.upper[k] = -infinite;
-    for (const Body& body : scene.bodies) {
-      box.lower[k] = std::min(box.lower[k], body.position[k] - body.radius);
-      box.upper[k] = std::max(box.upper[k], body.position[k] + body.radius);
-    }
-  }
-  return box;
-}
 
 bool needs_spin(const Scene& scene) {
   const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
@@ -63,7 +47,7 @@ unsigned threads_of(const Scene& scene) {
 }
 
 Boundaries make_boundaries(const Scene& scene) {
-  const Box box = box_of(scene);
+  const BodyBounds box = bounds_of(scene.bodies, scene.dimension);
   return Boundaries(scene.boundaries, scene.dimension, box.lower, box.upper);
 }
 
@@ -91,7 +75,7 @@ Simulation::Simulation(const Scene& scene)
   audit_.restate(contact_sums_, body_sums_);
   const scree_energy now = energy();
   audit_.start(now.kinetic_translation, now.kinetic_rotation, boundaries_.energy());
-  check_health(0);
+  check_health(largest_square_speed());
 }
 
 void Simulation::configure_laws() {
@@ -155,6 +139,12 @@ void Simulation::step() {
   check_health(largest);
 }
 
+double Simulation::largest_square_speed() const {
+  double largest = 0;
+  for (const Body& body : scene_.bodies) largest = std::max(largest, dot(body.velocity, body.velocity));
+  return largest;
+}
+
 void Simulation::check_health(double largest_square_speed) const {
   const bool too_fast = !(largest_square_speed <= speed_limit_ * speed_limit_);
   const bool too_deep = contact_sums_.max_overlap_ratio > scene_.limits.overlap_ratio;
@@ -213,7 +203,9 @@ double Simulation::momentum_residual() const {
              : 0;
 }
 
-double Simulation::min_steps_per_contact() const { return shortest_contact_time(scene_, reference_speed) / scene_.step; }
+double Simulation::min_steps_per_contact() const {
+  return shortest_contact_time(scene_, reference_speed) / scene_.step;
+}
 
 std::uint64_t Simulation::state_hash() const {
   StateHash hash;

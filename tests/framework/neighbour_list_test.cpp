@@ -140,6 +140,19 @@ TEST_CASE("no contact of a fast gas is ever missed") {
   if (skin < 0.01) CHECK(s.rebuilds() > 600);
 }
 
+TEST_CASE("a fast wall misses no body at rest") {
+  for (const double skin : {0.003, 0.05, 0.5, 3.0}) {
+    Scene scene = gas(3, box, skin);
+    for (Body& body : scene.bodies) body.velocity = {};
+    // Starts 0.2 m below the lowest surface and goes 0.3 m further, all within 20 steps.
+    scree::test::add_boundary(
+        scene, "plane",
+        {{"point", {0, 0, 0.45}}, {"normal", {0, 0, 1}}, {"displacement", {3, 0, 0.5, 0.02}}});
+    Simulation s(scene);
+    CHECK(watch(s, 20) > 20);
+  }
+}
+
 TEST_CASE("walls make the same bits for any skin") {
   // A listed pair that does not touch adds an exact zero, so that without images no rounding depends on the
   // skin.

@@ -198,3 +198,21 @@ TEST_CASE("a plug-in's own refusal is passed on with its name") {
     CHECK_THAT(error.what(), Catch::StartsWith(std::string(law) + ": friction needs tangential_stiffness"));
   }
 }
+
+TEST_CASE("a library that was cut off is refused, wherever the cut is") {
+  const Folder folder;
+  folder.copy("body/gravity.so", "body/gravity.so");
+  const fs::path library = folder.path() / "body" / "gravity.so";
+  const auto whole = fs::file_size(library);
+  for (const double share : {0.001, 0.1, 0.5, 0.9, 0.999}) {
+    fs::resize_file(library, std::uintmax_t(double(whole) * share));
+    PluginHost host({folder.path()});
+    INFO(share << " of the file");
+    CHECK_THAT(refusal(host, "gravity", SCREE_BODY_TERM), Catch::Contains("rebuild it"));
+  }
+}
+
+TEST_CASE("a name too long for a file is no plug-in") {
+  PluginHost host({SCREE_TEST_PLUGINS});
+  CHECK_THAT(refusal(host, std::string(5000, 'x'), SCREE_BODY_TERM), Catch::Contains("no body term plug-in"));
+}

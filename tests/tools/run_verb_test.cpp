@@ -109,11 +109,19 @@ TEST_CASE("a run that blows up tells particle, contact, time and advice, and kee
   };
   check("--set particles.random_velocity=50",
         {"contact of particle ", "of the smaller radius at t = ", "; use a "});
-  check("--set limits.speed=1e-3", {"particle ", " moves at ", " m/s at t = ", "; use a shorter time.step"});
+  // The fastest disc starts at 0.34138 m/s; a collision makes one faster.
+  check("--set limits.speed=0.35", {"particle ", " moves at ", " m/s at t = ", "; use a shorter time.step"});
   check("--set contact.normal_stiffness=1e14 --set time.duration=1",
         {"the time step of 1e-05 s is too long for the shortest contact", "t = 0 s", "; use time.step = "});
   check("--set particles.random_velocity=1e100 --set limits.speed=1e300",
         {"particle ", " at t = ", "; use a "});
+}
+
+TEST_CASE("bodies that start beyond the limit of speed are bad input") {
+  const Workspace w{std::string(discs)};
+  const Outcome outcome = w.run("--set limits.speed=1e-3");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err.find("scene.toml:13:1: particle 1 moves at ") != std::string::npos);
 }
 
 TEST_CASE("Ctrl-C saves the run and gives status 130") {

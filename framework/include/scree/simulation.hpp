@@ -71,6 +71,8 @@ class Simulation {
   void configure_laws();
   void evaluate_forces(double step);
   void add_momentum_error(double step);
+  // Of the bodies as the scene states them (m²/s²).
+  double largest_square_speed() const;
   void check_health(double largest_square_speed) const;
 
   Scene scene_;

@@ -1,9 +1,9 @@
 #include "frame_of.hpp"
 
-#include "body_bounds.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include <scree/body_bounds.hpp>
 
 namespace scree::scenario {
 

@@ -1,10 +1,11 @@
 #include "instances.hpp"
 
-#include "body_bounds.hpp"
 #include "plugin_parameters.hpp"
 
 #include <algorithm>
 #include <iterator>
+
+#include <scree/body_bounds.hpp>
 
 namespace scree::scenario {
 

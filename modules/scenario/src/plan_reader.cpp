@@ -1,4 +1,3 @@
-#include "body_bounds.hpp"
 #include "contact_reader.hpp"
 #include "output_reader.hpp"
 #include "particles_reader.hpp"
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/body_bounds.hpp>
 #include <scree/scenario/document.hpp>
 #include <scree/scenario/plan.hpp>
 

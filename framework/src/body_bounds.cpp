@@ -1,9 +1,9 @@
-#include "body_bounds.hpp"
-
 #include <algorithm>
 #include <limits>
 
-namespace scree::scenario {
+#include <scree/body_bounds.hpp>
+
+namespace scree {
 
 BodyBounds bounds_of(const std::vector<Body>& bodies, int dimension) {
   BodyBounds box;
@@ -18,4 +18,4 @@ BodyBounds bounds_of(const std::vector<Body>& bodies, int dimension) {
   return box;
 }
 
-}  // namespace scree::scenario
+}  // namespace scree

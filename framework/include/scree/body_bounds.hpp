@@ -4,7 +4,7 @@
 
 #include <scree/particles.hpp>
 
-namespace scree::scenario {
+namespace scree {
 
 // Box around the surfaces of bodies. (m)
 struct BodyBounds {
@@ -14,4 +14,4 @@ struct BodyBounds {
 // Shrunk to the origin without bodies; z is 0 in two dimensions.
 BodyBounds bounds_of(const std::vector<Body>& bodies, int dimension);
 
-}  // namespace scree::scenario
+}  // namespace scree
