@@ -216,3 +216,11 @@ TEST_CASE("a name too long for a file is no plug-in") {
   PluginHost host({SCREE_TEST_PLUGINS});
   CHECK_THAT(refusal(host, std::string(5000, 'x'), SCREE_BODY_TERM), Catch::Contains("no body term plug-in"));
 }
+
+TEST_CASE("an instruction level that the processor does not run is refused, not tried") {
+  setenv("SCREE_LEVEL", "x86-64-v9", 1);
+  PluginHost host({SCREE_TEST_PLUGINS});
+  const std::string line = refusal(host, law, SCREE_CONTACT_LAW);
+  unsetenv("SCREE_LEVEL");
+  CHECK_THAT(line, Catch::StartsWith("SCREE_LEVEL=x86-64-v9: ") && Catch::Contains("baseline"));
+}
