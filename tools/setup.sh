@@ -65,9 +65,8 @@ build_scree() {
       { tail -n 20 "$scree_root/build-$preset.log" >&2; say "configuring failed"; exit 1; }
     rm -f "$scree_root/build-$preset.log"
   fi
-  # -n tells what would be built, without building; looking for new source files is no building.
-  if ninja -C "$build" -n "$target" 2>/dev/null | grep -E '^\[[0-9]+/[0-9]+\]' | grep -qv 'Re-checking globbed'; then
-    say "building ($preset), some minutes the first time"
-    ninja -C "$build" "$target" >&2 || { say "the build failed"; exit 1; }
-  fi
+  [[ -x $build/bin/scree ]] || say "building ($preset), some minutes the first time"
+  # Silent but for what is really built.
+  ninja -C "$build" "$target" | { grep -vE 'no work to do|Re-checking globbed|Entering directory' >&2 || true; } ||
+    { say "the build failed"; exit 1; }
 }
