@@ -23,6 +23,7 @@ Boundaries::Boundaries(const std::vector<Entry>& entries, int dimension, const V
       names_.push_back(instance.plane_names ? fmt::format("{}.{}", entry.name, instance.plane_names[k])
                                             : entry.name);
       materials_.push_back(entry.material);
+      masses_.push_back(instance.plane_mass);
     }
     planes_.resize(planes_.size() + instance.plane_count);
     loads_.resize(planes_.size());
@@ -71,6 +72,12 @@ void Boundaries::kick(double time, double step) {
   }
 }
 
+void Boundaries::run_ahead_of_forces(double time) {
+  planes_at_forces_ = planes_;
+  for (scree_plane& plane : planes_)
+    for (int k = 0; k < 3; ++k) plane.point[k] += time * plane.velocity[k];
+}
+
 void Boundaries::reconfigure(const std::string& name, const Parameters& parameters, double time) {
   for (Member& member : members_) {
     if (member.entry.name != name) continue;
@@ -80,6 +87,8 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
       throw Error(fmt::format(
           "boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
     member.plugin = std::move(changed);
+    for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
+      masses_[member.first_plane + k] = member.plugin.instance().plane_mass;
     member.clock_start = time;
     return;
   }

@@ -15,10 +15,11 @@ inline constexpr std::uint32_t block_size = 256;
 template <int D, bool spin>
 inline constexpr int record_width = D + (spin ? 2 * spin_components<D> : 0);
 
-// Columns of one block, reused for every block of a thread.
+// Columns of one block, reused for every block of a thread. T is what laws compute in, double or float.
+template <class T>
 struct alignas(64) Buffers {
-  double input[SCREE_CONTACT_INPUT_COUNT][block_size];
-  double output[SCREE_CONTACT_OUTPUT_COUNT][block_size];
+  T input[SCREE_CONTACT_INPUT_COUNT][block_size];
+  T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];
   double arm_a[block_size], arm_b[block_size], overlap_ratio[block_size];
 };
 
@@ -47,9 +48,9 @@ Vec<spin_components<D>> load_spin(const Column<double> (&columns)[3], std::size_
     return load<3>(columns, i);
 }
 
-template <int N>
-void store(double (*columns)[block_size], std::uint32_t lane, const Vec<N>& v) {
-  for (int k = 0; k < N; ++k) columns[k][lane] = v[k];
+template <int N, class T>
+void store(T (*columns)[block_size], std::uint32_t lane, const Vec<N>& v) {
+  for (int k = 0; k < N; ++k) columns[k][lane] = T(v[k]);
 }
 
 // Body b of a pair, or the plane in its place: everything that the relative motion needs.
@@ -146,10 +147,11 @@ template <int D, bool spin, class Spin>
     return v + cross(n, turning);
 }
 
-// One lane of a block: geometry and relative motion of a pair, as far as the law reads them.
-template <int D, bool spin, bool planes>
+// One lane of a block: geometry and relative motion of a pair, as far as the law reads them. Differences are
+// taken in double; what is left is rounded to what the law computes in.
+template <int D, bool spin, bool planes, class T>
 [[gnu::always_inline]] inline void gather_pair(const Scene& s, const scree_contact_instance& law,
-                                               std::size_t pair, std::uint32_t lane, Buffers& w) {
+                                               std::size_t pair, std::uint32_t lane, Buffers<T>& w) {
   const Particles& p = s.particles;
   const std::uint32_t a = s.contacts.a[pair], b = s.contacts.b[pair];
   const auto partner = [&] {
@@ -170,10 +172,10 @@ template <int D, bool spin, bool planes>
   const Vec<D> velocity = contact_velocity<D, spin>(load<D>(p.velocity, a) - partner.velocity, normal, arms,
                                                     spin_a, partner.spin_now);
   store<D>(w.input + SCREE_NORMAL, lane, normal);
-  w.input[SCREE_OVERLAP][lane] = overlap;
+  w.input[SCREE_OVERLAP][lane] = T(overlap);
   store<D>(w.input + SCREE_RELATIVE_VELOCITY, lane, velocity);
-  w.input[SCREE_REDUCED_MASS][lane] = 1 / (p.inverse_mass[a] + partner.inverse_mass);
-  w.input[SCREE_EFFECTIVE_RADIUS][lane] = 1 / (1 / p.radius[a] + partner.inverse_radius);
+  w.input[SCREE_REDUCED_MASS][lane] = T(1 / (p.inverse_mass[a] + partner.inverse_mass));
+  w.input[SCREE_EFFECTIVE_RADIUS][lane] = T(1 / (1 / p.radius[a] + partner.inverse_radius));
   w.arm_a[lane] = arms.a;
   w.arm_b[lane] = arms.b;
   w.overlap_ratio[lane] = overlap / (planes ? p.radius[a] : std::min(p.radius[a], partner.radius));
@@ -197,7 +199,8 @@ template <int D, bool spin, bool planes>
 }
 
 // Padding lanes: finite numbers, not touching.
-inline void fill_padding(std::uint32_t from, std::uint32_t to, Buffers& w) {
+template <class T>
+void fill_padding(std::uint32_t from, std::uint32_t to, Buffers<T>& w) {
   for (std::uint32_t lane = from; lane < to; ++lane) {
     for (auto& column : w.input) column[lane] = 1;
     w.input[SCREE_OVERLAP][lane] = -1;
@@ -206,19 +209,19 @@ inline void fill_padding(std::uint32_t from, std::uint32_t to, Buffers& w) {
 }
 
 // Force and torques of the block's pairs into their records.
-template <int D, bool spin>
-void scatter(const scree_contact_instance& law, std::uint32_t count, const Buffers& w, double* records) {
+template <int D, bool spin, class T>
+void scatter(const scree_contact_instance& law, std::uint32_t count, const Buffers<T>& w, double* records) {
   constexpr int S = spin_components<D>;
   for (std::uint32_t lane = 0; lane < count; ++lane, records += record_width<D, spin>) {
     Vec<D> force, normal;
     for (int k = 0; k < D; ++k) {
-      force[k] = records[k] = w.output[SCREE_FORCE + k][lane];
-      normal[k] = w.input[SCREE_NORMAL + k][lane];
+      force[k] = records[k] = double(w.output[SCREE_FORCE + k][lane]);
+      normal[k] = double(w.input[SCREE_NORMAL + k][lane]);
     }
     if constexpr (spin) {
       const Vec<S> lever = cross(normal, force);
       for (int k = 0; k < S; ++k) {
-        const double couple = law.writes_couple ? w.output[SCREE_COUPLE + k][lane] : 0.0;
+        const double couple = law.writes_couple ? double(w.output[SCREE_COUPLE + k][lane]) : 0.0;
         records[D + k] = -w.arm_a[lane] * lever[k] + couple;
         records[D + S + k] = -w.arm_b[lane] * lever[k] - couple;
       }
@@ -227,10 +230,11 @@ void scatter(const scree_contact_instance& law, std::uint32_t count, const Buffe
 }
 
 // Sum of a padded column in 8 interleaved parts: the same order for every vector width.
-inline double sum_column(const double* column, std::uint32_t padded) {
+template <class T>
+double sum_column(const T* column, std::uint32_t padded) {
   double part[SCREE_LANES] = {};
   for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
-    for (std::uint32_t k = 0; k < SCREE_LANES; ++k) part[k] += column[i + k];
+    for (std::uint32_t k = 0; k < SCREE_LANES; ++k) part[k] += double(column[i + k]);
   double sum = 0;
   for (const double p : part) sum += p;
   return sum;
@@ -243,7 +247,8 @@ inline double max_column(const double* column, std::uint32_t padded) {
   return *std::max_element(part, part + SCREE_LANES);
 }
 
-inline ContactSums sum_block(const Buffers& w, std::uint32_t padded, bool audit) {
+template <class T>
+ContactSums sum_block(const Buffers<T>& w, std::uint32_t padded, bool audit) {
   ContactSums sums;
   sums.max_overlap_ratio = max_column(w.overlap_ratio, padded);
   if (!audit) return sums;

@@ -43,7 +43,7 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
       append(list.force, forces.pair_force(q));
       list.overlap.push_back(reach - distance);
       list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
-                             group.history_column(std::uint32_t(sliding_column))[q - group.begin] > 0);
+                             group.history_of(q, std::uint32_t(sliding_column)) > 0);
       list.pair.push_back(q);
     }
   }

@@ -11,12 +11,13 @@ constexpr std::size_t pad(std::size_t n) { return (n + SCREE_LANES - 1) / SCREE_
 
 }  // namespace
 
-Contacts::Contacts(const std::vector<Kind>& kinds) {
+Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision) {
   for (const Kind& kind : kinds) {
     PairGroup group;
     group.law = kind.law;
     group.planes = kind.planes;
     group.history_width = kind.history_width;
+    group.history = PairHistory(precision);
     groups_.push_back(std::move(group));
   }
 }
@@ -46,7 +47,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
     }
     group.end = a.size();
     while (a.size() % SCREE_LANES) take(0, 0, Domain::no_shift);
-    group.history.assign(group.history_width * group.padded_size(), 0.0);
+    group.history.reset(group.history_width, group.padded_size());
   }
   carry_history(old, old_a, old_b);
   index_incidents(body_count);
@@ -58,15 +59,13 @@ void Contacts::carry_history(const std::vector<PairGroup>& old, const Column<std
     PairGroup& now = groups_[g];
     const PairGroup& before = old[g];
     // A stage may have changed how much a law keeps; what both know is carried.
-    const std::size_t kept = before.padded_size() ? before.history.size() / before.padded_size() : 0;
-    const std::uint32_t width = std::min(now.history_width, std::uint32_t(kept));
+    const std::uint32_t width = std::min(now.history_width, before.history.width());
     std::size_t p = before.begin;
     for (std::size_t q = now.begin; q < now.end && width > 0; ++q) {
       while (p < before.end && std::tie(old_a[p], old_b[p]) < std::tie(a[q], b[q])) ++p;
       if (p == before.end) break;
       if (old_a[p] != a[q] || old_b[p] != b[q]) continue;
-      for (std::uint32_t k = 0; k < width; ++k)
-        now.history_column(k)[q - now.begin] = before.history_column(k)[p - before.begin];
+      for (std::uint32_t k = 0; k < width; ++k) now.history.set(k, q - now.begin, before.history_of(p, k));
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "contact_kernel.hpp"
 
+#include <scree/contact_batch.hpp>
 #include <scree/forces.hpp>
 
 namespace scree {
@@ -26,36 +27,41 @@ int record_width_of(const Forces::Features& features) {
   return width;
 }
 
-scree_contact_batch batch_of(PairGroup& group, std::size_t begin, std::uint32_t padded, const Scene& s,
-                             Buffers& w) {
-  scree_contact_batch batch = {};
+template <class T>
+ContactBatch<T> batch_of(PairGroup& group, std::size_t begin, std::uint32_t padded, const Scene& s,
+                         Buffers<T>& w) {
+  ContactBatch<T> batch = {};
   batch.struct_size = sizeof(batch);
   batch.count = padded;
   batch.step = s.step;
   for (std::uint32_t k = 0; k < SCREE_CONTACT_INPUT_COUNT; ++k) batch.input[k] = w.input[k];
-  for (std::uint32_t k = 0; k < group.history_width; ++k) batch.history[k] = group.history_column(k) + begin;
+  for (std::uint32_t k = 0; k < group.history_width; ++k)
+    batch.history[k] = group.history.column<T>(k) + begin;
   const std::uint32_t outputs = s.audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
   for (std::uint32_t k = 0; k < outputs; ++k) batch.output[k] = w.output[k];
   return batch;
 }
 
-template <int D, bool spin>
+template <int D, bool spin, class T>
 ContactSums evaluate_block(const Scene& s, const LawInstance& law, PairGroup& group, std::size_t begin,
-                           std::uint32_t count, double* records, Buffers& w) {
+                           std::uint32_t count, double* records, Buffers<T>& w) {
   const std::uint32_t padded = (count + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
   const std::size_t first = group.begin + begin;
   if (group.planes)
     for (std::uint32_t i = 0; i < count; ++i)
-      kernel::gather_pair<D, spin, true>(s, law.interface, first + i, i, w);
+      kernel::gather_pair<D, spin, true, T>(s, law.interface, first + i, i, w);
   else
     for (std::uint32_t i = 0; i < count; ++i)
-      kernel::gather_pair<D, spin, false>(s, law.interface, first + i, i, w);
+      kernel::gather_pair<D, spin, false, T>(s, law.interface, first + i, i, w);
   kernel::fill_padding(count, padded, w);
 
-  const scree_contact_batch batch = batch_of(group, begin, padded, s, w);
-  law.interface.evaluate(law.storage, &batch);
+  const ContactBatch<T> batch = batch_of(group, begin, padded, s, w);
+  if constexpr (std::is_same_v<T, float>)
+    law.interface.evaluate_single(law.storage, &batch);
+  else
+    law.interface.evaluate(law.storage, &batch);
 
-  kernel::scatter<D, spin>(law.interface, count, w, records + first * record_width<D, spin>);
+  kernel::scatter<D, spin, T>(law.interface, count, w, records + first * record_width<D, spin>);
   return kernel::sum_block(w, padded, s.audit);
 }
 
@@ -117,6 +123,21 @@ void Forces::plan_blocks(Contacts& contacts) {
   records_.resize(contacts.padded_size() * std::size_t(record_width_of(features_)));
 }
 
+template <class T>
+void Forces::evaluate_blocks(const Scene& scene, const std::vector<LawInstance>& laws, ThreadPool& threads) {
+  specialise(features_, [&]<int D, bool spin>() {
+    threads.run([&](unsigned worker) {
+      Buffers<T> buffers;
+      const auto part = threads.part(blocks_.size(), worker);
+      for (std::size_t k = part.begin; k < part.end; ++k) {
+        const Block& block = blocks_[k];
+        block_sums_[k] = evaluate_block<D, spin, T>(scene, laws[block.group->law], *block.group, block.begin,
+                                                    block.count, records_.data(), buffers);
+      }
+    });
+  });
+}
+
 ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                              const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
                              const Domain& domain, double step, ThreadPool& threads) {
@@ -125,16 +146,11 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
   for (int code = 0; code < 27; ++code) shifts[code] = domain.shift(std::uint8_t(code));
   const Scene scene{particles, contacts, planes.data(), shifts, step, features_.audit};
 
+  if (features_.precision == Precision::mixed)
+    evaluate_blocks<float>(scene, laws, threads);
+  else
+    evaluate_blocks<double>(scene, laws, threads);
   specialise(features_, [&]<int D, bool spin>() {
-    threads.run([&](unsigned worker) {
-      Buffers buffers;
-      const auto part = threads.part(blocks_.size(), worker);
-      for (std::size_t k = part.begin; k < part.end; ++k) {
-        const Block& block = blocks_[k];
-        block_sums_[k] = evaluate_block<D, spin>(scene, laws[block.group->law], *block.group, block.begin,
-                                                 block.count, records_.data(), buffers);
-      }
-    });
     threads.run([&](unsigned worker) {
       const auto part = threads.part(particles.size(), worker);
       sum_bodies<D, spin>(particles, contacts, records_.data(), part.begin, part.end);

@@ -1,5 +1,5 @@
-#include <algorithm>
-#include <limits>
+#include "predictor_corrector.hpp"
+#include "verlet.hpp"
 
 #include <scree/integrator.hpp>
 
@@ -7,74 +7,45 @@ namespace scree {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// mid = now + h/2 a, now = now + h a.
-void predict(double half_step, const double* force, const double* inverse_mass, double* now, double* mid,
-             std::size_t begin, std::size_t end) {
-#pragma GCC ivdep
-  for (std::size_t i = begin; i < end; ++i) {
-    const double kick = half_step * force[i] * inverse_mass[i];
-    mid[i] = now[i] + kick;
-    now[i] = mid[i] + kick;
-  }
-}
-
-// now = mid + h/2 a.
-void complete(double half_step, const double* force, const double* inverse_mass, const double* mid,
-              double* now, std::size_t begin, std::size_t end) {
-#pragma GCC ivdep
-  for (std::size_t i = begin; i < end; ++i) now[i] = mid[i] + half_step * force[i] * inverse_mass[i];
-}
-
-double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin,
-                      std::size_t end) {
-  double largest = 0;
-  bool finite = true;
-  for (std::size_t i = begin; i < end; ++i) {
-    double square = 0;
-    for (int k = axes.first; k < axes.last; ++k) square += v[k][i] * v[k][i];
-    largest = std::max(largest, square);
-    finite &= square < infinite;
-  }
-  return finite ? largest : infinite;
-}
+// Stable shares: eigenvalues of one step of a damped oscillator, over damping ratios from 0 to 3;
+// tests/framework/integrator_choice_test.cpp measures them again.
+constexpr IntegrationTraits all[] = {
+    {Integration::velocity_verlet, "velocity_verlet",
+     "order 2, symplectic; dashpots and contact onset keep order 2, sliding brings it to between 1 and 2", 1,
+     1},
+    {Integration::position_verlet, "position_verlet",
+     "order 2, symplectic, forces in mid-step; as velocity Verlet", 1, 1},
+    {Integration::fourth_order, "fourth_order",
+     "order 4, symplectic (Suzuki); dashpots bring it to 2, contact onset to between 2 and 3", 5, 1.35},
+    {Integration::predictor_corrector, "predictor_corrector",
+     "order 4 (Gear) in smooth motion, 2 through starts and contacts; not symplectic, elastic motion gains "
+     "energy",
+     1, 0.25},
+};
 
 }  // namespace
 
-double VelocityVerlet::drift(Particles& p, double step, ThreadPool& threads) {
-  largest_.resize(threads.size());
-  threads.run([&](unsigned worker) {
-    const auto [begin, end] = threads.part(p.size(), worker);
-    for (int k = p.axes().first; k < p.axes().last; ++k) {
-      predict(0.5 * step, p.force[k].data(), p.inverse_mass.data(), p.velocity[k].data(),
-              p.mid_velocity[k].data(), begin, end);
-      double* x = p.position[k].data();
-      const double* mid = p.mid_velocity[k].data();
-#pragma GCC ivdep
-      for (std::size_t i = begin; i < end; ++i) x[i] += step * mid[i];
-    }
-    for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-      predict(0.5 * step, p.torque[k].data(), p.inverse_inertia.data(), p.spin[k].data(),
-              p.mid_spin[k].data(), begin, end);
-    largest_[worker] = largest_square(p.mid_velocity, p.axes(), begin, end);
-  });
-  return *std::max_element(largest_.begin(), largest_.end());
+std::span<const IntegrationTraits> integrations() { return all; }
+
+const IntegrationTraits& traits_of(Integration integration) { return all[std::size_t(integration)]; }
+
+std::span<const double> Integrator::substeps() const {
+  static constexpr double whole[] = {1};
+  return whole;
 }
 
-double VelocityVerlet::kick(Particles& p, double step, ThreadPool& threads) {
-  largest_.resize(threads.size());
-  threads.run([&](unsigned worker) {
-    const auto [begin, end] = threads.part(p.size(), worker);
-    for (int k = p.axes().first; k < p.axes().last; ++k)
-      complete(0.5 * step, p.force[k].data(), p.inverse_mass.data(), p.mid_velocity[k].data(),
-               p.velocity[k].data(), begin, end);
-    for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-      complete(0.5 * step, p.torque[k].data(), p.inverse_inertia.data(), p.mid_spin[k].data(),
-               p.spin[k].data(), begin, end);
-    largest_[worker] = largest_square(p.velocity, p.axes(), begin, end);
-  });
-  return *std::max_element(largest_.begin(), largest_.end());
+std::unique_ptr<Integrator> make_integrator(Integration integration) {
+  switch (integration) {
+    case Integration::position_verlet:
+      return std::make_unique<PositionVerlet>();
+    case Integration::fourth_order:
+      return std::make_unique<FourthOrder>();
+    case Integration::predictor_corrector:
+      return std::make_unique<PredictorCorrector>();
+    case Integration::velocity_verlet:
+      break;
+  }
+  return std::make_unique<VelocityVerlet>();
 }
 
 }  // namespace scree

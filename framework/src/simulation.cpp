@@ -10,6 +10,7 @@
 #include <scree/error.hpp>
 #include <scree/simulation.hpp>
 #include <scree/state_hash.hpp>
+#include <scree/step_guard.hpp>
 
 namespace scree {
 
@@ -63,7 +64,9 @@ Simulation::Simulation(const Scene& scene)
       body_terms_(scene.body_terms, scene.dimension),
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
       neighbours_(skin_of(scene), {}),
-      forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit}),
+      forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit,
+               scene.precision}),
+      integrator_(make_integrator(scene.integration)),
       threads_(std::make_unique<ThreadPool>(threads_of(scene))),
       speed_limit_(speed_limit_of(scene)) {
   configure_laws();
@@ -88,6 +91,8 @@ void Simulation::configure_laws() {
           fmt::format("contact law '{}' turns bodies now, but the scene carries no spins; set its spin "
                       "from the start",
                       law.name));
+    if (scene_.precision == Precision::mixed && !configured_laws_.back().instance().evaluate_single)
+      throw Error(fmt::format("contact law '{}' cannot compute in mixed precision; use double", law.name));
     laws_.push_back({configured_laws_.back().instance(), configured_laws_.back().storage()});
   }
 }
@@ -98,7 +103,7 @@ Contacts Simulation::make_contacts() const {
     for (const bool planes : {false, true})
       if (!planes || !boundaries_.planes().empty())
         kinds.push_back({k, planes, laws_[k].interface.history_width});
-  return Contacts(kinds);
+  return Contacts(kinds, scene_.precision);
 }
 
 Contacts::Lookup Simulation::lookup() const {
@@ -119,24 +124,52 @@ void Simulation::add_momentum_error(double step) {
     for (const double force : particles_.force[k]) sum += force, size += std::abs(force);
     for (const scree_load& load : boundaries_.loads()) sum += load.force[k], size += std::abs(load.force[k]);
     momentum_error_[k] += step * sum;
-    momentum_exchanged_ += step * size;
+    momentum_exchanged_ += std::abs(step) * size;
   }
 }
 
 void Simulation::step() {
-  const double h = scene_.step;
-  boundaries_.drift(time_, h);
-  const double square_speed = integrator_.drift(particles_, h, *threads_);
+  double largest = 0;
+  for (const double share : integrator_->substeps()) largest = advance(share * scene_.step);
+  ++steps_;
+  time_ = double(steps_) * scene_.step;
+  force_time_ = integrator_->evaluates_at_mid_step() ? time_ - 0.5 * scene_.step : time_;
+  max_square_speed_ = std::max(max_square_speed_, largest);
+  check_health(largest);
+}
+
+double Simulation::advance(double step) {
+  const bool mid_step = integrator_->evaluates_at_mid_step();
+  const bool in_step = force_time_ == time_;
+  const double elapsed = mid_step && in_step ? 0.5 * step : step;
+  if (mid_step && !in_step) boundaries_.return_to_forces();
+  boundaries_.drift(force_time_, elapsed);
+  const double square_speed = integrator_->drift(particles_, step, *threads_);
   const double plane_speed = boundaries_.largest_speed();
   if (!(square_speed < infinite && plane_speed < infinite)) report_blow_up(*this, speed_limit_);
-  neighbours_.update(std::sqrt(square_speed), plane_speed, h, particles_, boundaries_, contacts_);
-  evaluate_forces(h);
-  boundaries_.kick(time_, h);
-  const double largest = integrator_.kick(particles_, h, *threads_);
-  if (scene_.audit) audit_.add_step(h, contact_sums_, body_sums_);
-  ++steps_;
-  time_ = double(steps_) * h;
-  check_health(largest);
+  neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
+                     contacts_);
+  evaluate_forces(elapsed);
+  boundaries_.kick(force_time_, elapsed);
+  const double largest = integrator_->kick(particles_, step, *threads_);
+  if (scene_.audit) audit_.add_step(elapsed, contact_sums_, body_sums_);
+  force_time_ += elapsed;
+  time_ += step;
+  if (mid_step) boundaries_.run_ahead_of_forces(0.5 * step);
+  return largest;
+}
+
+void Simulation::catch_up() {
+  if (force_time_ == time_) return;
+  for (int k = 0; k < scene_.dimension; ++k) particles_.mid_velocity[k] = particles_.velocity[k];
+  for (int k = particles_.spin_axes().first; k < particles_.spin_axes().last; ++k)
+    particles_.mid_spin[k] = particles_.spin[k];
+  const double behind = time_ - force_time_;
+  boundaries_.return_to_forces();
+  boundaries_.drift(force_time_, behind);
+  evaluate_forces(behind);
+  boundaries_.kick(force_time_, behind);
+  force_time_ = time_;
 }
 
 double Simulation::largest_square_speed() const {
@@ -170,6 +203,7 @@ void Simulation::reconfigure_body_term(const std::string& name, const Parameters
 
 void Simulation::apply_reconfiguration() {
   configure_laws();
+  catch_up();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
   neighbours_.rebuild(particles_, boundaries_, contacts_);
   evaluate_forces(0);
@@ -182,11 +216,14 @@ ContactList Simulation::contact_list() const {
 
 scree_energy Simulation::energy() const {
   const Particles& p = particles_;
+  // At the moment for which the stored energies are known.
+  const auto& velocity = force_time_ == time_ ? p.velocity : p.mid_velocity;
+  const auto& spin = force_time_ == time_ ? p.spin : p.mid_spin;
   double translation = 0, rotation = 0;
   for (int k = 0; k < scene_.dimension; ++k)
-    for (std::size_t i = 0; i < p.size(); ++i) translation += p.mass[i] * p.velocity[k][i] * p.velocity[k][i];
+    for (std::size_t i = 0; i < p.size(); ++i) translation += p.mass[i] * velocity[k][i] * velocity[k][i];
   for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-    for (std::size_t i = 0; i < p.size(); ++i) rotation += p.inertia[i] * p.spin[k][i] * p.spin[k][i];
+    for (std::size_t i = 0; i < p.size(); ++i) rotation += p.inertia[i] * spin[k][i] * spin[k][i];
   return audit_.balance(0.5 * translation, 0.5 * rotation, boundaries_.energy());
 }
 
@@ -204,7 +241,8 @@ double Simulation::momentum_residual() const {
 }
 
 double Simulation::min_steps_per_contact() const {
-  return shortest_contact_time(scene_, reference_speed) / scene_.step;
+  const double met = 2 * std::sqrt(max_square_speed_);
+  return shortest_contact_time(scene_, std::max(expected_speed(scene_), met)) / scene_.step;
 }
 
 std::uint64_t Simulation::state_hash() const {
@@ -216,7 +254,7 @@ std::uint64_t Simulation::state_hash() const {
   for (const PairGroup& group : contacts_.groups())
     for (std::size_t q = group.begin; q < group.end; ++q)
       for (std::uint32_t k = 0; k < group.history_width; ++k)
-        if (const double value = group.history_column(k)[q - group.begin]; value != 0) {
+        if (const double value = group.history_of(q, k); value != 0) {
           hash.add((std::uint64_t(contacts_.a[q]) << 32) | contacts_.b[q]);
           hash.add(std::uint64_t(k));
           hash.add(value);
@@ -229,32 +267,10 @@ Footprint Simulation::footprint() const {
   const Particles& p = particles_;
   std::uint32_t width = 0;
   for (const LawInstance& law : laws_) width = std::max(width, law.interface.history_width);
+  const std::size_t history_bytes = PairHistory(scene_.precision).bytes_per_number();
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
   return {p.size() * (std::size_t(scene_.dimension) + spins), p.bytes_per_body(),
-          forces_.bytes_per_pair() + width * sizeof(double), width};
-}
-
-double shortest_contact_time(const Scene& scene, double speed) {
-  const std::size_t materials = scene.materials.size();
-  std::vector<double> lightest(materials, infinite), radius(materials, infinite);
-  for (const Body& body : scene.bodies) {
-    lightest[body.material] = std::min(lightest[body.material], body.mass);
-    radius[body.material] = std::min(radius[body.material], body.radius);
-  }
-  double shortest = infinite;
-  for (std::size_t k = 0; k < scene.laws.size(); ++k) {
-    const ConfiguredLaw law(scene.laws[k].parameters, scene.dimension, nowhere, nowhere);
-    for (std::size_t a = 0; a < materials; ++a)
-      for (std::size_t b = 0; b < materials; ++b) {
-        if (scene.law_of[a * materials + b] != k || lightest[a] == infinite) continue;
-        const scree_encounter encounter = {1 / (1 / lightest[a] + 1 / lightest[b]),
-                                           1 / (1 / radius[a] + 1 / radius[b]), speed};
-        scree_closed_form form = {};
-        if (law.interface().closed_forms(law.storage(), &encounter, &form, 1) == 1)
-          shortest = std::min(shortest, form.value);
-      }
-  }
-  return shortest;
+          forces_.bytes_per_pair() + width * history_bytes, width};
 }
 
 }  // namespace scree

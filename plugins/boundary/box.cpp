@@ -81,6 +81,8 @@ struct Box {
     instance.plane_count = std::uint32_t(walls());
     instance.state_width = std::uint32_t(walls() * per_wall);
     instance.plane_names = names;
+    for (int w = 0; w < walls(); ++w)
+      if (moving(w)) instance.plane_mass = mass;
   }
 
   void start(const scree_boundary_step& s) const {

@@ -7,12 +7,15 @@
 
 #include <scree/contact_law.hpp>
 #include <scree/restitution.hpp>
+#include <scree/stability.hpp>
 
 namespace {
 
 using scree::Contact;
 using scree::Response;
 using scree::Vec;
+
+constexpr double pi = 3.14159265358979323846;
 
 enum HistoryForm { displacement, rescaled, potential };
 
@@ -81,18 +84,38 @@ struct HertzMindlin : scree::ContactLaw {
         2.8682656992 * std::pow(e.reduced_mass * e.reduced_mass /
                                     (e.effective_radius * effective_modulus * effective_modulus * e.speed),
                                 0.2);
-    const double steepest = 2 * effective_modulus * std::sqrt(e.effective_radius * deepest);
     const scree_closed_form all[] = {
         {"contact_time", "s", "t_c = 2.8682656992 (m*²/(R* E*² v))^(1/5), undamped", contact_time},
         {"restitution", "", "e, independent of speed", restitution},
-        {"critical_step", "s", "2/√(k/m*) with k = dF/dδ at the deepest overlap, for this pair",
-         2 / std::sqrt(steepest / e.reduced_mass)},
+        {"critical_step", "s", "longest stable step of velocity Verlet for this pair at its deepest overlap",
+         critical_step(e, deepest)},
+        {"rayleigh_time", "s", "π R √(ρ/G)/(0.1631 ν + 0.8766), of equal bodies", rayleigh_time(e)},
         {"damping_ratio", "", "β", damping_ratio},
         {"max_overlap", "m", "δ_max = (5 m* v²/(4 k))^(2/5), k = (4/3) E* √R*, undamped", deepest},
         {"max_force", "N", "k δ_max^(3/2)", stiffness * deepest * std::sqrt(deepest)}};
     std::uint32_t n = 0;
     for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
     return n;
+  }
+
+ private:
+  // Stiffness dF/dδ = 2 E* a and k_t = 8 G* a with a = √(R* δ), with their dashpots.
+  double critical_step(const scree_encounter& e, double overlap) const {
+    const double a = std::sqrt(e.effective_radius * overlap), m = e.reduced_mass;
+    const double beta = damping_ratio * std::sqrt(5.0 / 3.0 * a / m);
+    const double along =
+        scree::critical_step(2 * effective_modulus * a / m, 2 * beta * std::sqrt(effective_modulus));
+    const double light = friction > 0 ? scree::tangential_lightness : 0;
+    const double across = scree::critical_step(light * 8 * effective_shear_modulus * a / m,
+                                               light * 4 * beta * std::sqrt(effective_shear_modulus));
+    return light > 0 ? std::min(along, across) : along;
+  }
+
+  double rayleigh_time(const scree_encounter& e) const {
+    const double radius = 2 * e.effective_radius, mass = 2 * e.reduced_mass;
+    const double density = mass / (4.0 / 3.0 * pi * radius * radius * radius);
+    const double shear_modulus = youngs_modulus / (2 * (1 + poissons_ratio));
+    return pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poissons_ratio + 0.8766);
   }
 };
 
@@ -156,8 +179,9 @@ struct Kernel : HertzMindlin {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
 
     // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
-    const T growth =
-        contact_radius > h.contact_radius ? h.contact_radius / std::max(contact_radius, T(1e-300)) : T(1);
+    const T growth = contact_radius > h.contact_radius
+                         ? h.contact_radius / std::max(contact_radius, scree::smallest_divisor<T>)
+                         : T(1);
     const Vec<D, T> kept = (form == rescaled ? growth : T(1)) * h.spring;
     const Vec<D, T> xi = tangential_part(kept + c.tangential_increment, c.normal);
     const Vec<D, T> dashpot = gamma_t * v_t;
@@ -165,9 +189,9 @@ struct Kernel : HertzMindlin {
     const T test = norm(f_0), limit = T(friction) * f_n;
     const bool slides = test > limit;
 
-    const T scale = slides ? limit / std::max(test, T(1e-300)) : T(1);
+    const T scale = slides ? limit / std::max(test, scree::smallest_divisor<T>) : T(1);
     const Vec<D, T> f_t = scale * f_0;
-    const T inverse_k_t = T(1) / std::max(k_t, T(1e-300));
+    const T inverse_k_t = T(1) / std::max(k_t, scree::smallest_divisor<T>);
     for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];
     h.sliding = slides ? T(1) : T(0);
     h.contact_radius = contact_radius;
@@ -175,7 +199,9 @@ struct Kernel : HertzMindlin {
     out.force += f_t;
     // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ).
     if constexpr (form == potential)
-      out.force += (T(0.25) * k_t * dot(h.spring, h.spring) / std::max(c.overlap, T(1e-300))) * c.normal;
+      out.force +=
+          (T(0.25) * k_t * dot(h.spring, h.spring) / std::max(c.overlap, scree::smallest_divisor<T>)) *
+          c.normal;
     out.elastic_tangential = stored_energy(h);
     out.dissipated_tangential = dot(dashpot, v_t);
     // The work of the mean of the old and the new spring's force on what slipped: what the bodies lose,
@@ -190,9 +216,10 @@ struct Kernel : HertzMindlin {
     const T rate = norm(c.relative_spin);
     const T full = T(rolling_friction) * spring_force * c.effective_radius;
     const T inertia = T(0.4) * c.reduced_mass * c.effective_radius * c.effective_radius;
-    const T bound = T(0.5) * inertia * rate / std::max(T(c.step), T(1e-300));
+    const T step = c.step < T(0) ? -c.step : c.step;
+    const T bound = T(0.5) * inertia * rate / std::max(step, scree::smallest_divisor<T>);
     const T torque = std::min(full, bound);
-    out.couple = (-torque / std::max(rate, T(1e-300))) * c.relative_spin;
+    out.couple = (-torque / std::max(rate, scree::smallest_divisor<T>)) * c.relative_spin;
     out.dissipated_tangential += torque * rate;
   }
 };

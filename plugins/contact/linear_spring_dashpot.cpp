@@ -5,6 +5,7 @@
 
 #include <scree/contact_law.hpp>
 #include <scree/restitution.hpp>
+#include <scree/stability.hpp>
 
 namespace {
 
@@ -77,11 +78,19 @@ struct LinearSpringDashpot : scree::ContactLaw {
     // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
     const double contact_time =
         zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
+    const double along = scree::critical_step(k / m, 2 * zeta * omega_0),
+                 light = scree::tangential_lightness / m;
+    const double across = static_friction > 0
+                              ? scree::critical_step(light * tangential_stiffness, light * tangential_damping)
+                              : along;
     const scree_closed_form all[] = {
         {"contact_time", "s", "t_c = π/ω, ω² = k/m* − η², η = γ/2m* (tension cut: until f_n = 0)",
          contact_time},
         {"restitution", "", "r = exp(−η t_c)", r},
-        {"critical_step", "s", "2/√(k/m*), stability limit of velocity Verlet for this pair", 2 / omega_0},
+        {"critical_step", "s",
+         "2/(√(k/m* + (γ/m*)²) + γ/m*), longest stable step of velocity Verlet for this pair; the\n"
+         "                        same with 7/2 k_t, 7/2 γ_t if that is shorter",
+         std::min(along, across)},
         {"damping_ratio", "", "ζ = γ/(2√(k m*))", zeta}};
     std::uint32_t n = 0;
     for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
@@ -152,7 +161,7 @@ struct Kernel : LinearSpringDashpot {
     const T limit = (h.sliding > T(0) ? T(dynamic_friction) : T(static_friction)) * f_n;
     const bool slides = test > limit;
 
-    const T scale = slides ? T(dynamic_friction) * f_n / std::max(test, T(1e-300)) : T(1);
+    const T scale = slides ? T(dynamic_friction) * f_n / std::max(test, scree::smallest_divisor<T>) : T(1);
     const Vec<D, T> f_t = scale * f_0;
     for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) / k_t : xi[k];  // [D4]
     h.sliding = slides ? T(1) : T(0);

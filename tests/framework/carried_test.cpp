@@ -147,5 +147,5 @@ TEST_CASE("columns and histories begin on a cache line") {
     CHECK(aligned(s.particles().torque[k].data()));
   }
   for (const scree::PairGroup& group : s.contacts().groups())
-    for (std::uint32_t k = 0; k < group.history_width; ++k) CHECK(aligned(group.history_column(k)));
+    for (std::uint32_t k = 0; k < group.history_width; ++k) CHECK(aligned(group.history.column<double>(k)));
 }

@@ -81,7 +81,7 @@ void each_pair(Contacts& contacts, const Visit& visit) {
 void mark_all(Contacts& contacts) {
   each_pair(contacts, [](const Key& key, PairGroup& group, std::size_t p) {
     for (std::uint32_t k = 0; k < group.history_width; ++k)
-      group.history_column(k)[p - group.begin] = mark(key, k);
+      group.history.column<double>(k)[p - group.begin] = mark(key, k);
   });
 }
 
@@ -151,12 +151,12 @@ TEST_CASE("pairs that stay keep their history, new ones and padding start from z
       const bool was = before.count(key);
       ++(was ? carried : fresh);
       for (std::uint32_t k = 0; k < group.history_width; ++k)
-        REQUIRE(group.history_column(k)[p - group.begin] == (was ? mark(key, k) : 0));
+        REQUIRE(group.history.column<double>(k)[p - group.begin] == (was ? mark(key, k) : 0));
     });
     for (PairGroup& group : contacts.groups())
       for (std::uint32_t k = 0; k < group.history_width; ++k)
         for (std::size_t i = group.end - group.begin; i < group.padded_size(); ++i)
-          REQUIRE(group.history_column(k)[i] == 0);
+          REQUIRE(group.history.column<double>(k)[i] == 0);
   }
   CHECK(carried > 1000);
   CHECK(fresh > 1000);
@@ -176,7 +176,8 @@ TEST_CASE("when a law keeps more or less than before, the columns that both know
     least = std::min(least, columns);
     each_pair(contacts, [&](const Key& key, PairGroup& group, std::size_t p) {
       for (std::uint32_t k = 0; k < group.history_width; ++k)
-        REQUIRE(group.history_column(k)[p - group.begin] == (group.law == 1 || k < least ? mark(key, k) : 0));
+        REQUIRE(group.history.column<double>(k)[p - group.begin] ==
+                (group.law == 1 || k < least ? mark(key, k) : 0));
     });
   }
 }

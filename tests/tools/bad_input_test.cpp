@@ -76,7 +76,7 @@ TEST_CASE("options that make no sense are told in one line") {
                   "; see scree run --help");
   refused_options("--set time.step", "--set time.step: has no '='; ", "write --set key=value");
   refused_options("--set time.stp=1", "--set time.stp=1: unknown key 'stp' in [time]; did you mean 'step'? ",
-                  "energy_audit, step, duration");
+                  "step_guard, step, expected_speed, energy_audit, integrator, precision, duration");
   refused_options("--plugins nowhere", "--plugins nowhere: is no directory; ", "boundary/, body/, probe/");
   const Workspace w;
   check_refused(w, w.scree("rn scene.toml"), "no verb 'rn'; ", "did you mean 'run'?");

@@ -38,7 +38,9 @@ TEST_CASE("check finds what run would") {
   check_refused(w, w.scree("check scene.toml --set time.step=-1"),
                 "--set time.step=-1: ", "give a step above 0");
   check_refused(w, w.scree("check scene.toml --set contact.normal_stiffness=1e14"),
-                "scene.toml: the time step of 1e-05 s is too long for the shortest contact", " or less");
+                "scene.toml:4:8: the time step of 1e-05 s is too long: the contacts of law "
+                "'linear_spring_dashpot' allow ",
+                "time.step_guard = false to run it all the same");
   const Workspace walls(with(discs, "'energy'", "'particles'\nids = [99]"));
   check_refused(walls, walls.scree("check scene.toml"), "scene.toml:25:10: probe particles: an id in `ids` ",
                 "unless they say otherwise");

@@ -25,6 +25,10 @@ class Boundaries {
   void drift(double time, double step);
   // Completes velocities and energies with the loads at t + step.
   void kick(double time, double step);
+  // For integrators that evaluate forces in mid-step: shows the planes where they will be so much later, at
+  // the velocity they have; and takes them back to where the loads belong, before the next drift.
+  void run_ahead_of_forces(double time);
+  void return_to_forces() { planes_ = planes_at_forces_; }
   // New parameters for a boundary; its clock for programs starts again at `time`, state and planes stay.
   void reconfigure(const std::string& name, const Parameters& parameters, double time);
 
@@ -35,6 +39,8 @@ class Boundaries {
   const std::vector<std::uint32_t>& plane_materials() const { return materials_; }
   // "<boundary>.<plane>" of each plane.
   const std::vector<std::string>& plane_names() const { return names_; }
+  // Mass that forces on each plane move (kg); 0 where none do.
+  const std::vector<double>& plane_masses() const { return masses_; }
   // Sum over all boundaries.
   scree_boundary_energy energy() const;
   // Largest speed of a plane along its normal in the last drift (m/s); infinite if any is not finite.
@@ -57,10 +63,11 @@ class Boundaries {
   double lower_[3], upper_[3];
   Domain domain_;
   std::vector<Member> members_;
-  std::vector<scree_plane> planes_;
+  std::vector<scree_plane> planes_, planes_at_forces_;
   std::vector<scree_load> loads_;
   std::vector<std::uint32_t> materials_;
   std::vector<std::string> names_;
+  std::vector<double> masses_;
 };
 
 }  // namespace scree

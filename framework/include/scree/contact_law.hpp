@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <scree/contact_batch.hpp>
 #include <scree/declaration.hpp>
 #include <scree/plugin_abi.h>
 #include <scree/vec.hpp>
@@ -25,8 +26,14 @@ struct Contact {
   Vec<spin_components<D>, T> relative_spin;  // (rad/s) a minus b
   T reduced_mass;                            // (kg)
   T effective_radius;                        // (m)
-  double step;                               // (s)
+  T step;                                    // (s) below 0 in a substep that goes back in time
 };
+
+// What a divisor is raised to where it might be 0: its reciprocal is finite.
+template <class T>
+inline constexpr T smallest_divisor = T(1e-300);
+template <>
+inline constexpr float smallest_divisor<float> = 1e-36f;
 
 // Factor for forces that jump at first touch, such as dashpots: 1, but within two steps of the moment in
 // which the surfaces meet or part. A jump in mid-step, sampled at the ends of steps, gives an impulse that is
@@ -35,8 +42,8 @@ struct Contact {
 // integrator's second order.
 template <int D, class T>
 T onset_weight(const Contact<D, T>& c) {
-  const T normal_velocity = dot(c.relative_velocity, c.normal);
-  const T way = (normal_velocity < T(0) ? -normal_velocity : normal_velocity) * c.step;
+  const T moved = dot(c.relative_velocity, c.normal) * c.step;
+  const T way = moved < T(0) ? -moved : moved;
   const T rising = T(1.5) * c.overlap, falling = T(2) * way - T(0.5) * c.overlap;
   const T weight_times_way = std::min(rising, std::max(falling, way));
   return c.overlap < T(2) * way ? weight_times_way / way : T(1);
@@ -77,17 +84,17 @@ struct ContactLaw {
 namespace detail {
 
 template <int N, class T>
-inline void load(Vec<N, T>& vector, const double* const* columns, std::uint32_t i) {
+inline void load(Vec<N, T>& vector, const T* const* columns, std::uint32_t i) {
   for (int k = 0; k < N; ++k) vector[k] = columns[k][i];
 }
 
-template <class Kernel, int D>
-inline Contact<D> load_contact(const scree_contact_batch& batch, std::uint32_t i) {
-  Contact<D> c{};
-  const double* const* in = batch.input;
+template <class Kernel, int D, class T>
+inline Contact<D, T> load_contact(const ContactBatch<T>& batch, std::uint32_t i) {
+  Contact<D, T> c{};
+  const T* const* in = batch.input;
   if constexpr (Kernel::reads & reads_normal) load(c.normal, in + SCREE_NORMAL, i);
   c.overlap = in[SCREE_OVERLAP][i];
-  c.step = batch.step;
+  c.step = T(batch.step);
   if constexpr (Kernel::reads & reads_relative_velocity)
     load(c.relative_velocity, in + SCREE_RELATIVE_VELOCITY, i);
   if constexpr (Kernel::reads & reads_tangential_increment)
@@ -105,65 +112,65 @@ inline constexpr std::uint32_t history_width = std::is_empty_v<typename Kernel::
                                                    : sizeof(typename Kernel::template History<D, double>) /
                                                          sizeof(double);
 
-// Calls visit(k, component) for the `width` doubles that a history struct consists of.
-template <std::uint32_t width, class History, class Visit>
+// Calls visit(k, component) for the `width` numbers that a history struct consists of.
+template <std::uint32_t width, class T, class History, class Visit>
 inline void each_component(History& history, Visit visit) {
-  double* components = reinterpret_cast<double*>(&history);
+  T* components = reinterpret_cast<T*>(&history);
   [&]<std::size_t... k>(std::index_sequence<k...>) { (visit(std::uint32_t(k), components[k]), ...); }
   (std::make_index_sequence<width>{});
 }
 
 // Energy let go when a contact opens with its springs stretched.
-template <class Kernel, class History>
-inline double released_energy(const Kernel& kernel, const History& history) {
+template <class T, class Kernel, class History>
+inline T released_energy(const Kernel& kernel, const History& history) {
   if constexpr (requires { kernel.stored_energy(history); })
     return kernel.stored_energy(history);
   else
-    return 0;
+    return T(0);
 }
 
 // Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
 // so that a test can find it in the machine code.
-template <class Kernel, int D, bool audit>
-[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Kernel& kernel, const scree_contact_batch& shared) {
-  using History = typename Kernel::template History<D, double>;
+template <class Kernel, int D, bool audit, class T>
+[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Kernel& kernel, const ContactBatch<T>& shared) {
+  using History = typename Kernel::template History<D, T>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
-  const scree_contact_batch batch = shared;
+  const ContactBatch<T> batch = shared;
   const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Contact<D> contact = load_contact<Kernel, D>(batch, i);
+    const Contact<D, T> contact = load_contact<Kernel, D, T>(batch, i);
     History history{};
-    each_component<width>(history, [&](std::uint32_t k, double& value) { value = batch.history[k][i]; });
-    const double released = audit ? released_energy(kernel, history) : 0;
+    each_component<width, T>(history, [&](std::uint32_t k, T& value) { value = batch.history[k][i]; });
+    const T released = audit ? released_energy<T>(kernel, history) : T(0);
 
-    Response<D> response{};
+    Response<D, T> response{};
     kernel.force(contact, history, response);
 
-    const bool touching = contact.overlap > 0;
-    each_component<width>(
-        history, [&](std::uint32_t k, double& value) { batch.history[k][i] = touching ? value : 0.0; });
-    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = touching ? response.force[k] : 0.0;
+    const bool touching = contact.overlap > T(0);
+    each_component<width, T>(
+        history, [&](std::uint32_t k, T& value) { batch.history[k][i] = touching ? value : T(0); });
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = touching ? response.force[k] : T(0);
     if constexpr (Kernel::writes_couple)
       for (int k = 0; k < spin_components<D>; ++k)
-        batch.output[SCREE_COUPLE + k][i] = touching ? response.couple[k] : 0.0;
+        batch.output[SCREE_COUPLE + k][i] = touching ? response.couple[k] : T(0);
     if constexpr (audit) {
-      batch.output[SCREE_ELASTIC_NORMAL][i] = touching ? response.elastic_normal : 0.0;
-      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = touching ? response.elastic_tangential : 0.0;
-      batch.output[SCREE_DISSIPATED_NORMAL][i] = touching ? response.dissipated_normal : 0.0;
-      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = touching ? response.dissipated_tangential : 0.0;
+      batch.output[SCREE_ELASTIC_NORMAL][i] = touching ? response.elastic_normal : T(0);
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = touching ? response.elastic_tangential : T(0);
+      batch.output[SCREE_DISSIPATED_NORMAL][i] = touching ? response.dissipated_normal : T(0);
+      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = touching ? response.dissipated_tangential : T(0);
       batch.output[SCREE_DISSIPATED_FRICTION][i] = touching ? response.dissipated_friction : released;
     }
   }
 }
 
-template <class Parameters, class Kernel, int D>
-void evaluate_contacts(const void* storage, const scree_contact_batch* batch) {
+template <class Parameters, class Kernel, int D, class T>
+void evaluate_contacts(const void* storage, const ContactBatch<T>* batch) {
   const Kernel kernel{*static_cast<const Parameters*>(storage)};
   if (batch->output[SCREE_ELASTIC_NORMAL])
-    evaluate_batch<Kernel, D, true>(kernel, *batch);
+    evaluate_batch<Kernel, D, true, T>(kernel, *batch);
   else
-    evaluate_batch<Kernel, D, false>(kernel, *batch);
+    evaluate_batch<Kernel, D, false, T>(kernel, *batch);
 }
 
 template <class Parameters, class Kernel, int D>
@@ -179,7 +186,8 @@ scree_contact_instance describe_kernel() {
   instance.sliding_column = -1;
   if constexpr (requires { History::sliding_column; }) instance.sliding_column = History::sliding_column;
   if constexpr (requires { History::names; }) instance.history_names = History::names.data();
-  instance.evaluate = &evaluate_contacts<Parameters, Kernel, D>;
+  instance.evaluate = &evaluate_contacts<Parameters, Kernel, D, double>;
+  instance.evaluate_single = &evaluate_contacts<Parameters, Kernel, D, float>;
   return instance;
 }
 

@@ -5,6 +5,7 @@
 
 #include <scree/column.hpp>
 #include <scree/neighbours.hpp>
+#include <scree/pair_history.hpp>
 #include <scree/plugin_abi.h>
 
 namespace scree {
@@ -21,11 +22,11 @@ struct PairGroup {
   std::size_t begin = 0;  // multiple of SCREE_LANES
   std::size_t end = 0;    // the last real pair; padded up to the next multiple of SCREE_LANES
   std::uint32_t history_width = 0;
-  Column<double> history;  // (width, padded size), zero where the pair does not touch
+  PairHistory history = PairHistory();  // (width, padded size), zero where the pair does not touch
 
   std::size_t padded_size() const { return (end - begin + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
-  double* history_column(std::uint32_t k) { return history.data() + k * padded_size(); }
-  const double* history_column(std::uint32_t k) const { return history.data() + k * padded_size(); }
+  // Of one pair, numbered in the whole of all groups.
+  double history_of(std::size_t pair, std::uint32_t k) const { return history.value(k, pair - begin); }
 };
 
 // All neighbour pairs of a scene in a fixed order, with the history that their laws keep. A pair stays from
@@ -46,7 +47,7 @@ class Contacts {
     const std::uint32_t* plane_material = nullptr;
   };
 
-  explicit Contacts(const std::vector<Kind>& kinds = {});
+  explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::full);
 
   // Takes new pairs (sorted by a, b) and carries over the history of those that were there before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,

@@ -12,6 +12,10 @@
 
 namespace scree {
 
+namespace kernel {
+struct Scene;
+}
+
 // A configured contact law.
 struct LawInstance {
   scree_contact_instance interface = {};
@@ -35,6 +39,7 @@ class Forces {
     bool spin = false;  // bodies carry spin, contacts make torques
     bool periodic = false;
     bool audit = true;  // laws report energies
+    Precision precision = Precision::full;
   };
 
   explicit Forces(const Features& features) : features_(features) {}
@@ -55,6 +60,8 @@ class Forces {
     std::uint32_t count;
   };
   void plan_blocks(Contacts& contacts);
+  template <class T>
+  void evaluate_blocks(const kernel::Scene& scene, const std::vector<LawInstance>& laws, ThreadPool& threads);
 
   Features features_;
   std::vector<Block> blocks_;

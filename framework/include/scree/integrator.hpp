@@ -1,23 +1,54 @@
 #pragma once
 
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
 #include <scree/particles.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
 
-// Velocity Verlet in two halves around the force evaluation, for translation and rotation:
-//   v(t + h/2) = v(t) + h/2 F(t)/m,  x(t + h) = x(t) + h v(t + h/2)                               drift
-//   v(t + h) = v(t + h/2) + h/2 F(t + h)/m                                                         kick
-// Forces that depend on velocity see the prediction v(t) + h F(t)/m, so that damping keeps the second order;
-// tangential springs move by the mid-step velocity, so that elastic motion stays time-reversible.
-class VelocityVerlet {
- public:
-  // Largest squared speed met (m²/s²); infinite if any velocity or position is not a number.
-  double drift(Particles& particles, double step, ThreadPool& threads);
-  double kick(Particles& particles, double step, ThreadPool& threads);
+// How bodies move from one evaluation of the forces to the next.
+enum class Integration { velocity_verlet, position_verlet, fourth_order, predictor_corrector };
 
- private:
-  std::vector<double> largest_;
+// What to know before choosing.
+struct IntegrationTraits {
+  Integration integration;
+  const char* name;     // as in a scenario
+  const char* summary;  // one line: scheme, order, what damping and contact onset do to it
+  int evaluations;      // of the forces in a step
+  // The longest stable step as a share of velocity Verlet's, which for an oscillator with frequency ω and
+  // damping rate η is 2/(√(4η² + ω²) + 2η).
+  double stable_step;
 };
+std::span<const IntegrationTraits> integrations();
+const IntegrationTraits& traits_of(Integration integration);
+
+// Moves all bodies, in translation and rotation, around each evaluation of the forces.
+// Forces that depend on velocity see a prediction for the moment of evaluation, made with the forces of the
+// last one; tangential springs move by mid_velocity, the displacement since the last evaluation over its
+// time.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  // Shares of a step that are made one after the other, negative ones back in time; they add up to 1.
+  virtual std::span<const double> substeps() const;
+  // Forces are evaluated in the middle of a step rather than at its end.
+  virtual bool evaluates_at_mid_step() const { return false; }
+
+  // Moves positions to where forces are to be evaluated, and predicts velocities there.
+  // Largest squared speed met (m²/s²); infinite if any velocity or position is not a number.
+  virtual double drift(Particles& particles, double step, ThreadPool& threads) = 0;
+  // Completes the step with the forces there. Returns the same.
+  virtual double kick(Particles& particles, double step, ThreadPool& threads) = 0;
+
+ protected:
+  std::vector<double> largest_;  // of each thread
+};
+
+std::unique_ptr<Integrator> make_integrator(Integration integration);
 
 }  // namespace scree

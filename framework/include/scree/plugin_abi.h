@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-#define SCREE_ABI_VERSION 1u
+#define SCREE_ABI_VERSION 2u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
 #define SCREE_LANES 8u              /* batches are padded to a multiple of this, columns aligned to 64 bytes */
 #define SCREE_MAX_HISTORY 16u       /* history columns a law may keep per contact */
@@ -105,11 +105,21 @@ typedef enum scree_arms {
 typedef struct scree_contact_batch {
   uint32_t struct_size;
   uint32_t count;     /* multiple of SCREE_LANES; padding lanes do not touch and hold finite numbers */
-  double step;        /* (s) */
+  double step;        /* (s); below 0 in a substep that goes back in time */
   const double* input[SCREE_CONTACT_INPUT_COUNT]; /* filled only for columns that the law reads */
   double* history[SCREE_MAX_HISTORY];             /* read and written in place; zero before the first touch */
   double* output[SCREE_CONTACT_OUTPUT_COUNT];     /* energy columns are NULL when no audit is kept */
 } scree_contact_batch;
+
+/* The same in single precision, for runs in mixed precision. */
+typedef struct scree_contact_batch_single {
+  uint32_t struct_size;
+  uint32_t count;
+  double step;
+  const float* input[SCREE_CONTACT_INPUT_COUNT];
+  float* history[SCREE_MAX_HISTORY];
+  float* output[SCREE_CONTACT_OUTPUT_COUNT];
+} scree_contact_batch_single;
 
 typedef struct scree_contact_instance {
   uint32_t struct_size;
@@ -121,6 +131,8 @@ typedef struct scree_contact_instance {
   int32_t sliding_column;  /* history column that is 1 while the contact slides, -1 without */
   const char* const* history_names; /* (optional) history_width names */
   void (*evaluate)(const void* storage, const scree_contact_batch* batch);
+  /* (optional) NULL: the law cannot be used in a run of mixed precision */
+  void (*evaluate_single)(const void* storage, const scree_contact_batch_single* batch);
 } scree_contact_instance;
 
 /* A pair of bodies for which closed forms are asked. */
@@ -181,6 +193,7 @@ typedef struct scree_boundary_instance {
   uint32_t periodic[3];          /* nonzero: this axis is periodic between lower and upper */
   double lower[3], upper[3];     /* (m) */
   const char* const* plane_names; /* (optional) plane_count names */
+  double plane_mass;              /* (kg) of the lightest plane that forces move; 0 if none is */
 } scree_boundary_instance;
 
 typedef struct scree_boundary {

@@ -5,6 +5,8 @@
 
 #include <scree/body_terms.hpp>
 #include <scree/boundaries.hpp>
+#include <scree/integrator.hpp>
+#include <scree/pair_history.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
 
@@ -24,7 +26,11 @@ struct Scene {
   };
 
   int dimension = 3;
-  double step = 0;       // (s)
+  double step = 0;  // (s)
+  Integration integration = Integration::velocity_verlet;
+  Precision precision = Precision::full;
+  double expected_speed =
+      0;                 // (m/s) of impacts, for what the step is judged by; 0: from the bodies' at the start
   double skin = 0;       // (m), 0: a tenth of the mean radius
   unsigned threads = 1;  // at most; see least_bodies_per_thread
   // A thread costs some microseconds a step, so that small scenes run faster on fewer.

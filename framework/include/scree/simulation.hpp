@@ -59,8 +59,8 @@ class Simulation {
   double max_overlap_ratio() const { return max_overlap_ratio_; }
   std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
   double skin() const { return neighbours_.skin(); }
-  // Shortest contact of the lightest pair of each law, at reference_speed where it depends on that, over the
-  // step; infinite without pairs.
+  // Shortest contact of the lightest pair of each law over the step, at the speeds expected or met so far,
+  // whichever are higher; infinite without pairs.
   double min_steps_per_contact() const;
   std::uint64_t state_hash() const;
   Footprint footprint() const;
@@ -71,6 +71,10 @@ class Simulation {
   void configure_laws();
   void evaluate_forces(double step);
   void add_momentum_error(double step);
+  // Moves everything by one substep; largest squared speed (m²/s²).
+  double advance(double step);
+  // Brings forces and springs to where the bodies are, after an integrator that evaluates in mid-step.
+  void catch_up();
   // Of the bodies as the scene states them (m²/s²).
   double largest_square_speed() const;
   void check_health(double largest_square_speed) const;
@@ -84,23 +88,19 @@ class Simulation {
   Contacts contacts_;
   NeighbourList neighbours_;
   Forces forces_;
-  VelocityVerlet integrator_;
+  std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<ThreadPool> threads_;
 
   double time_ = 0;
+  double force_time_ = 0;  // (s) at which forces were evaluated last
   std::uint64_t steps_ = 0;
   ContactSums contact_sums_;
   BodySums body_sums_;
   EnergyAudit audit_;
   double max_overlap_ratio_ = 0;
+  double max_square_speed_ = 0;  // (m²/s²)
   double speed_limit_ = 0;
   double momentum_error_[3] = {}, momentum_exchanged_ = 0;
 };
-
-// Impact speed for contact times of laws that depend on it, weakly: Hertz' as v^(-1/5) (m/s).
-inline constexpr double reference_speed = 1;
-
-// Shortest contact of the lightest pair that each law may meet (s); infinite if the scene has no pairs.
-double shortest_contact_time(const Scene& scene, double speed);
 
 }  // namespace scree

@@ -4,6 +4,7 @@
 #include "plugin_parameters.hpp"
 #include "stage_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <scree/body_bounds.hpp>
 #include <scree/scenario/document.hpp>
 #include <scree/scenario/plan.hpp>
+#include <scree/step_guard.hpp>
 
 namespace scree::scenario {
 
@@ -66,17 +68,30 @@ void read_body_forces(const Table& root, PluginHost& host, Scene& scene, Instanc
   }
 }
 
-void read_time(const Table& root, Scene& scene) {
+Integration read_integration(const Table& time) {
+  std::vector<std::string> names;
+  for (const IntegrationTraits& traits : integrations()) names.emplace_back(traits.name);
+  const std::string name = time.choice("integrator", names, names[0]);
+  return integrations()[std::size_t(std::find(names.begin(), names.end(), name) - names.begin())].integration;
+}
+
+void read_time(const Table& root, Plan& plan) {
   const Table t = root.table("time");
+  Scene& scene = plan.scene;
+  plan.step_guard = t.boolean("step_guard", true);
+  plan.step_place = t.place("step");
+  scene.expected_speed = t.number("expected_speed", 0.0, Range::positive("m/s"));
   scene.audit = t.boolean("energy_audit", true);
+  scene.integration = read_integration(t);
+  scene.precision =
+      t.choice("precision", {"double", "mixed"}, "double") == "mixed" ? Precision::mixed : Precision::full;
   if (!t.is_table("step")) {
     scene.step = t.number("step", Range::positive("s"));
     return;
   }
   const Table step = t.table("step");
   const double fraction = step.number("fraction", Range::positive());
-  const double speed = step.number("speed", reference_speed, Range::positive("m/s"));
-  const double contact = shortest_contact_time(scene, speed);
+  const double contact = shortest_contact_time(scene, expected_speed(scene));
   if (!std::isfinite(contact))
     throw step.error("fraction", "the scene has no pair of bodies whose contact time could be taken",
                      "give time.step in s");
@@ -105,7 +120,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
   read_body_forces(root, host, plan.scene, instances);
-  read_time(root, plan.scene);
+  read_time(root, plan);
   plan.stages = read_stages(root, plan.scene, instances);
   plan.scene.spin = turns_later(plan.stages, plan.scene.dimension);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);

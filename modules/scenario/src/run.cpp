@@ -7,6 +7,8 @@
 #include <chrono>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include <scree/error.hpp>
 #include <scree/scenario/message.hpp>
 #include <scree/scenario/run.hpp>
@@ -107,7 +109,9 @@ class Run {
 
   void begin(const StageRunner& runner) {
     observe(runner.stages()[runner.current()].name, 0);
-    if (const auto problem = step_problem(*simulation_)) throw Error(*problem, ExitStatus::blow_up);
+    const auto problem = plan_.step_guard ? step_problem(*simulation_) : std::nullopt;
+    if (problem)
+      throw Error(fmt::format("t = {:g} s: {}", simulation_->time(), *problem), ExitStatus::blow_up);
   }
 
   // Samples and pictures that are due so many steps after the beginning of a stage.

@@ -1,10 +1,11 @@
-#include <numbers>
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/set_up.hpp>
+#include <scree/step_guard.hpp>
 
 namespace scree::scenario {
 
@@ -37,6 +38,8 @@ void check_probes(const Plan& plan, const Simulation& simulation) {
 
 std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads) {
   auto simulation = make_simulation(plan, threads);
+  if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
+    throw Error(fmt::format("{}: {}", plan.step_place, *problem));
   check_probes(plan, *simulation);
   return simulation;
 }
@@ -44,18 +47,21 @@ std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads) {
 std::string describe_step(const Simulation& s) {
   constexpr double few = 20;  // below which contacts are resolved to some per cent only
   const double steps = s.min_steps_per_contact();
-  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact{}", s.step_length(), steps,
+  const double share = s.step_length() / shortest_limit(s).longest_step;
+  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step{}",
+                     s.step_length(), steps, share,
                      steps < few ? "; that is few: use 20 or more, 50 for a per mille" : "");
 }
 
 std::optional<std::string> step_problem(const Simulation& s) {
-  const double steps = s.min_steps_per_contact();
-  if (!(steps < std::numbers::pi / 2)) return std::nullopt;
-  const double contact = steps * s.step_length();
+  const StepLimit limit = shortest_limit(s);
+  if (s.step_length() <= limit.longest_step) return std::nullopt;
+  const double contact = s.min_steps_per_contact() * s.step_length();
   return fmt::format(
-      "the time step of {:g} s is too long for the shortest contact, which lasts {:.3g} s between "
-      "particles of the smallest mass (t = {:g} s); use time.step = {:.2g} or less",
-      s.step_length(), contact, s.time(), contact / 50);
+      "the time step of {:g} s is too long: {} allow{} {:.3g} s at most; use time.step = {:.2g} or less, or "
+      "time.step_guard = false to run it all the same",
+      s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
+      std::min(contact / 50, limit.longest_step));
 }
 
 }  // namespace scree::scenario

@@ -68,6 +68,8 @@ struct Plan {
   std::string resolved_text;   // TOML with overrides
   std::string bodies_place;    // in the file, for messages
   std::string periodic_place;  // of the first periodic boundary; empty without one
+  std::string step_place;
+  bool step_guard = true;  // refuse a step that is too long
 };
 
 // Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any mistake in it.

@@ -10,14 +10,15 @@
 namespace scree::scenario {
 
 // The simulation of a plan at t = 0. Throws Error (bad_input), placed in the file, where the bodies overlap
-// beyond the limit, move too fast, or do not fit a periodic length, or a probe looks at what is not there.
+// beyond the limit, move too fast, or do not fit a periodic length, a step is too long, or a probe looks at
+// what is not there.
 std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads = 1);
 
 // One line for people: the step, and how many are in the shortest contact; says so if they are few.
 std::string describe_step(const Simulation& simulation);
 
-// What is wrong with the step, "<problem>; <cure>", if it is longer than the shortest contact allows: from
-// 2/ω on, which is 2/π of a contact, an oscillation grows by itself.
+// What is wrong with the step, "<problem>; <cure>", if it is longer than something in the scene allows: see
+// step_guard.hpp.
 std::optional<std::string> step_problem(const Simulation& simulation);
 
 }  // namespace scree::scenario

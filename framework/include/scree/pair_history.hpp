@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <scree/column.hpp>
+
+namespace scree {
+
+// In what numbers contacts are evaluated and their histories kept; positions, velocities and sums are always
+// double.
+enum class Precision { full, mixed };
+
+// What a law keeps for each pair of a group: columns of double or, in mixed precision, of float.
+class PairHistory {
+ public:
+  explicit PairHistory(Precision precision = Precision::full) : precision_(precision) {}
+
+  // Columns of zeros.
+  void reset(std::uint32_t width, std::size_t rows) {
+    rows_ = rows;
+    if (precision_ == Precision::full)
+      full_.assign(width * rows, 0.0);
+    else
+      single_.assign(width * rows, 0.0f);
+  }
+
+  Precision precision() const { return precision_; }
+  // Numbers in all columns together.
+  std::size_t size() const { return precision_ == Precision::full ? full_.size() : single_.size(); }
+  std::uint32_t width() const { return rows_ ? std::uint32_t(size() / rows_) : 0; }
+  std::size_t bytes_per_number() const {
+    return precision_ == Precision::full ? sizeof(double) : sizeof(float);
+  }
+
+  // T is double or float, as the precision says.
+  template <class T>
+  T* column(std::uint32_t k) {
+    if constexpr (std::is_same_v<T, double>)
+      return full_.data() + k * rows_;
+    else
+      return single_.data() + k * rows_;
+  }
+  template <class T>
+  const T* column(std::uint32_t k) const {
+    return const_cast<PairHistory*>(this)->column<T>(k);
+  }
+  double value(std::uint32_t k, std::size_t row) const {
+    const std::size_t i = k * rows_ + row;
+    return precision_ == Precision::full ? full_[i] : double(single_[i]);
+  }
+  // Takes a number over from another history of the same precision.
+  void set(std::uint32_t k, std::size_t row, double number) {
+    const std::size_t i = k * rows_ + row;
+    if (precision_ == Precision::full)
+      full_[i] = number;
+    else
+      single_[i] = float(number);
+  }
+
+ private:
+  Precision precision_;
+  std::size_t rows_ = 0;
+  Column<double> full_;
+  Column<float> single_;
+};
+
+}  // namespace scree

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/simulation.hpp>
+
+namespace scree {
+
+// One thing that bounds the time step.
+struct StepLimit {
+  std::string cause;    // "the contacts of law 'glass'"
+  double longest_step;  // (s)
+};
+
+// Impact speed that contacts are judged at (m/s): what the scene expects, else twice the fastest body's at
+// the start, but at least 1 m/s, since bodies at rest are set in motion later. Contact times of Hertz' law go
+// with its fifth root.
+double expected_speed(const Scene& scene);
+
+// Shortest contact of the lightest pair that each law may meet (s); infinite if the scene has no pairs.
+double shortest_contact_time(const Scene& scene, double speed);
+
+// Everything that bounds the step of a simulation as it is now, for its integrator:
+//   contacts     the step in which the lightest pair of a law is stable, halved where more than one contact
+//   may
+//                hold a body (the stiffest lattice of equal spheres swings twice as fast as a pair)
+//   surfaces     half the time in which a Rayleigh wave passes the smallest body, for laws that know it
+//   walls        the same for a wall that forces move, whose mass is shared by the bodies near it
+//   motion       the skin, which the fastest body or wall must not cross within a step
+std::vector<StepLimit> step_limits(const Simulation& simulation);
+// The shortest of them.
+StepLimit shortest_limit(const Simulation& simulation);
+
+}  // namespace scree

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include <scree/particles.hpp>
+#include <scree/thread_pool.hpp>
+
+namespace scree {
+
+// Largest |v|² of the bodies [begin, end); infinite if any component is not a number.
+inline double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin,
+                             std::size_t end) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  bool finite = true;
+  for (std::size_t i = begin; i < end; ++i) {
+    double square = 0;
+    for (int k = axes.first; k < axes.last; ++k) square += v[k][i] * v[k][i];
+    largest = std::max(largest, square);
+    finite &= square < infinite;
+  }
+  return finite ? largest : infinite;
+}
+
+// The columns of one axis, of translation or rotation.
+struct Axis {
+  double *position, *rate, *mid_rate;  // no positions of rotation: nullptr
+  const double *load, *inverse_inertia;
+  int number;  // 0 to 2 translation, 3 to 5 rotation
+};
+
+// Calls move(axis, begin, end) for every axis that the bodies carry, in parts for each thread, and returns
+// the largest squared speed of the velocities told by `speeds`; `largest` is room for one number per thread.
+template <class Move>
+double move_bodies(Particles& p, ThreadPool& threads, const Column<double> (&speeds)[3],
+                   std::vector<double>& largest, const Move& move) {
+  largest.resize(threads.size());
+  threads.run([&](unsigned worker) {
+    const auto [begin, end] = threads.part(p.size(), worker);
+    for (int k = p.axes().first; k < p.axes().last; ++k)
+      move(Axis{p.position[k].data(), p.velocity[k].data(), p.mid_velocity[k].data(), p.force[k].data(),
+                p.inverse_mass.data(), k},
+           begin, end);
+    for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
+      move(Axis{nullptr, p.spin[k].data(), p.mid_spin[k].data(), p.torque[k].data(), p.inverse_inertia.data(),
+                3 + k},
+           begin, end);
+    largest[worker] = largest_square(speeds, p.axes(), begin, end);
+  });
+  return *std::max_element(largest.begin(), largest.end());
+}
+
+}  // namespace scree

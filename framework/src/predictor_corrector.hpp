@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include <scree/integrator.hpp>
+
+namespace scree {
+
+// Gear's predictor-corrector with the Taylor series of five terms r_k = h^k/k! x^(k), for forces that depend
+// on velocity; C. W. Gear, "Numerical Initial Value Problems in Ordinary Differential Equations" (1971),
+// coefficients as in Allen & Tildesley, "Computer Simulation of Liquids" (1987), appendix E:
+//   drift: r_k <- Σ_j≥k binomial(j, k) r_j;   kick: r_k += c_k (h²/2 F/m − r_2), c = 19/90, 3/4, 1, 1/2, 1/12
+class PredictorCorrector : public Integrator {
+ public:
+  double drift(Particles& particles, double step, ThreadPool& threads) override;
+  double kick(Particles& particles, double step, ThreadPool& threads) override;
+
+ private:
+  // r_2, r_3, r_4 of each axis, translation then rotation.
+  struct Series {
+    Column<double> second, third, fourth;
+  };
+  void begin(const Particles& particles, double step);
+
+  std::array<Series, 6> series_;
+};
+
+}  // namespace scree

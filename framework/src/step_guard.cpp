@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <scree/step_guard.hpp>
+
+namespace scree {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double nowhere[3] = {0, 0, 0};
+constexpr double least_speed = 1;  // (m/s)
+
+// The lightest and the smallest body of a material; infinite where it has none.
+struct Smallest {
+  double mass = infinite, radius = infinite;
+};
+
+std::vector<Smallest> smallest_bodies(const Scene& scene) {
+  std::vector<Smallest> all(scene.materials.size());
+  for (const Body& body : scene.bodies) {
+    Smallest& s = all[body.material];
+    s.mass = std::min(s.mass, body.mass);
+    s.radius = std::min(s.radius, body.radius);
+  }
+  return all;
+}
+
+std::optional<double> closed_form(const ConfiguredLaw& law, const scree_encounter& encounter,
+                                  std::string_view name) {
+  scree_closed_form forms[32] = {};
+  const std::uint32_t count = law.interface().closed_forms(law.storage(), &encounter, forms, 32);
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (forms[k].name == name) return forms[k].value;
+  return std::nullopt;
+}
+
+scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed) {
+  return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed};
+}
+
+// Calls visit(law index, law, encounter) for the lightest pair of every two materials of which one has
+// bodies.
+template <class Visit>
+void each_encounter(const Scene& scene, double speed, const Visit& visit) {
+  const std::vector<Smallest> smallest = smallest_bodies(scene);
+  const std::size_t materials = smallest.size();
+  for (std::size_t k = 0; k < scene.laws.size(); ++k) {
+    const ConfiguredLaw law(scene.laws[k].parameters, scene.dimension, nowhere, nowhere);
+    for (std::size_t a = 0; a < materials; ++a)
+      for (std::size_t b = 0; b < materials; ++b)
+        if (scene.law_of[a * materials + b] == k && smallest[a].mass < infinite)
+          visit(k, law, encounter_of(smallest[a], smallest[b], speed));
+  }
+}
+
+// A law that does not tell its critical step is taken for a linear one, whose contact lasts π/ω.
+double stable_step(const ConfiguredLaw& law, const scree_encounter& encounter) {
+  if (const auto critical = closed_form(law, encounter, "critical_step")) return *critical;
+  constexpr double pi = 3.14159265358979323846;
+  return 2 / pi * closed_form(law, encounter, "contact_time").value_or(infinite);
+}
+
+// Bodies of one plane's neighbour pairs, and the lightest of them.
+struct NearPlane {
+  std::size_t count = 0;
+  double lightest = infinite, radius = infinite;
+  std::uint32_t law = 0;
+};
+
+std::vector<NearPlane> near_planes(const Simulation& s) {
+  std::vector<NearPlane> near(s.boundaries().planes().size());
+  for (const PairGroup& group : s.contacts().groups())
+    for (std::size_t p = group.begin; group.planes && p < group.end; ++p) {
+      NearPlane& plane = near[s.contacts().b[p]];
+      const std::uint32_t body = s.contacts().a[p];
+      ++plane.count;
+      plane.lightest = std::min(plane.lightest, s.particles().mass[body]);
+      plane.radius = std::min(plane.radius, s.particles().radius[body]);
+      plane.law = group.law;
+    }
+  return near;
+}
+
+void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits) {
+  const std::vector<NearPlane> near = near_planes(s);
+  for (std::size_t w = 0; w < near.size(); ++w) {
+    const double mass = s.boundaries().plane_masses()[w];
+    if (!(mass > 0) || near[w].count == 0) continue;
+    const ConfiguredLaw law(s.scene().laws[near[w].law].parameters, s.dimension(), nowhere, nowhere);
+    const Smallest body = {near[w].lightest, near[w].radius};
+    const Smallest share = {mass / double(near[w].count), infinite};
+    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {} bodies near it",
+                                  s.boundaries().plane_names()[w], mass, near[w].count),
+                      stable_step(law, encounter_of(body, share, speed))});
+  }
+}
+
+void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
+  double fastest = 0;
+  for (std::size_t i = 0; i < s.particles().size(); ++i)
+    fastest = std::max(fastest, norm(s.particles().body(i).velocity));
+  for (const scree_plane& plane : s.boundaries().planes())
+    fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
+  if (fastest > 0 && s.particles().size() > 0)
+    limits.push_back(
+        {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,", s.skin(),
+                     fastest),
+         s.skin() / fastest});
+}
+
+}  // namespace
+
+double expected_speed(const Scene& scene) {
+  if (scene.expected_speed > 0) return scene.expected_speed;
+  double fastest = 0;
+  for (const Body& body : scene.bodies) fastest = std::max(fastest, norm(body.velocity));
+  return std::max(least_speed, 2 * fastest);
+}
+
+double shortest_contact_time(const Scene& scene, double speed) {
+  double shortest = infinite;
+  each_encounter(scene, speed, [&](std::size_t, const ConfiguredLaw& law, const scree_encounter& encounter) {
+    shortest = std::min(shortest, closed_form(law, encounter, "contact_time").value_or(infinite));
+  });
+  return shortest;
+}
+
+std::vector<StepLimit> step_limits(const Simulation& s) {
+  const Scene& scene = s.scene();
+  const double speed = expected_speed(scene);
+  const double network = scene.bodies.size() + s.boundaries().planes().size() > 2 ? 2 : 1;
+  std::vector<StepLimit> limits;
+  each_encounter(
+      scene, speed, [&](std::size_t k, const ConfiguredLaw& law, const scree_encounter& encounter) {
+        limits.push_back({fmt::format("the contacts of law '{}'", scene.laws[k].name),
+                          stable_step(law, encounter) / network});
+        if (const auto wave = closed_form(law, encounter, "rayleigh_time"))
+          limits.push_back({fmt::format("the Rayleigh wave of {:.3g} s across the smallest body of law '{}'",
+                                        *wave, scene.laws[k].name),
+                            0.5 * *wave});
+      });
+  add_walls(s, speed, limits);
+  for (StepLimit& limit : limits) limit.longest_step *= traits_of(scene.integration).stable_step;
+  add_motion(s, limits);
+  return limits;
+}
+
+StepLimit shortest_limit(const Simulation& simulation) {
+  StepLimit shortest = {"", infinite};
+  for (const StepLimit& limit : step_limits(simulation))
+    if (limit.longest_step < shortest.longest_step) shortest = limit;
+  return shortest;
+}
+
+}  // namespace scree
