@@ -1,0 +1,82 @@
+// How far two bodies, or two copies of a scene, have come apart.
+
+#include <cmath>
+
+#include <scree/probe.hpp>
+#include <scree/vec.hpp>
+
+namespace {
+
+struct DifferenceProbe {
+  scree_value ids = {};
+  int dimension = 3;
+
+  static constexpr scree::About about = {
+      "difference", "motion of one body less that of another, for pairs of bodies",
+      "x_<a>_<b> = x_a − x_b, vx_<a>_<b> = v_a − v_b, spin_x_<a>_<b> = ω_a − ω_b and so on;\n"
+      "speed_<a>_<b> = |v_a| − |v_b|, spin_<a>_<b> = |ω_a| − |ω_b|: the same however the scene is turned",
+      "—"};
+
+  void declare(scree::Declaration& d) {
+    d.list("ids", ids, "", scree::Range{.minimum = 1}, "ids in pairs: a, b, a, b, ...").required();
+  }
+  void prepare(const scree::Setup& setup) {
+    dimension = setup.dimension();
+    if (ids.count % 2) setup.refuse("ids has an odd number of bodies; give them in pairs");
+  }
+
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = std::uint32_t(ids.count / 2) * per_pair();
+  }
+
+  scree::ColumnName column(std::uint32_t c) const {
+    static constexpr const char* spatial[] = {"x",      "y",      "z",      "vx",    "vy",  "vz",
+                                              "spin_x", "spin_y", "spin_z", "speed", "spin"};
+    static constexpr const char* flat[] = {"x", "y", "vx", "vy", "spin_z", "speed", "spin"};
+    const std::uint32_t pair = c / per_pair(), q = c % per_pair(), d = std::uint32_t(dimension);
+    const bool rate = q < 2 * d || q == per_pair() - 2;
+    char name[SCREE_MAX_NAME];
+    std::snprintf(name, sizeof(name), "%s_%lld_%lld", dimension == 2 ? flat[q] : spatial[q],
+                  static_cast<long long>(ids.data[2 * pair]), static_cast<long long>(ids.data[2 * pair + 1]));
+    return {name, q < d ? "m" : rate ? "m/s" : "rad/s"};
+  }
+
+  const char* start(const scree_view& view, double*) const {
+    for (std::uint64_t k = 0; k < ids.count; ++k)
+      if (find(view, ids.data[k]) == view.body_count)
+        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
+               "otherwise";
+    return nullptr;
+  }
+
+  void sample(const scree_view& view, const double*, double* row) const {
+    for (std::uint64_t n = 0; n < ids.count; n += 2) {
+      const std::uint64_t a = find(view, ids.data[n]), b = find(view, ids.data[n + 1]);
+      for (const auto* columns : {&view.position, &view.velocity, &view.spin}) {
+        const scree::Vec3 difference = at(*columns, a) - at(*columns, b);
+        const bool of_disc = columns == &view.spin && dimension == 2;
+        for (int k = of_disc ? 2 : 0; k < (of_disc ? 3 : dimension); ++k) *row++ = difference[k];
+      }
+      *row++ = norm(at(view.velocity, a)) - norm(at(view.velocity, b));
+      *row++ = norm(at(view.spin, a)) - norm(at(view.spin, b));
+    }
+  }
+
+ private:
+  std::uint32_t per_pair() const { return dimension == 2 ? 7 : 11; }
+  // Axes that the scene does not carry count as 0.
+  static scree::Vec3 at(const double* const (&columns)[3], std::uint64_t i) {
+    scree::Vec3 v = {};
+    for (int k = 0; k < 3; ++k) v[k] = columns[k] ? columns[k][i] : 0;
+    return v;
+  }
+  static std::uint64_t find(const scree_view& view, double id) {
+    std::uint64_t i = 0;
+    while (i < view.body_count && double(view.id[i]) != id) ++i;
+    return i;
+  }
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(DifferenceProbe)

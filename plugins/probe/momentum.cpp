@@ -1,0 +1,64 @@
+// Total momentum and angular momentum of the bodies.
+
+#include <scree/probe.hpp>
+#include <scree/vec.hpp>
+
+namespace {
+
+using scree::Vec3;
+
+struct MomentumProbe {
+  std::array<double, 3> about_point = {};
+  int dimension = 3;
+
+  static constexpr scree::About about = {
+      "momentum", "total momentum and angular momentum of the bodies",
+      "p = Σ m v,   L = Σ m (x − x_0) × v + I ω     x_0: about;  I = 2 m R²/5, discs m R²/2\n"
+      "Walls are not counted. Across a periodic axis p is conserved, but L is not.",
+      "—"};
+
+  void declare(scree::Declaration& d) {
+    d.vector("about", about_point, "m", "the point x_0 about which the angular momentum is taken");
+  }
+  void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
+
+  void describe(scree_probe_instance& instance) const { instance.column_count = dimension == 2 ? 3 : 6; }
+
+  scree::ColumnName column(std::uint32_t c) const {
+    static constexpr const char* flat[] = {"momentum_x", "momentum_y", "angular_momentum_z"};
+    static constexpr const char* spatial[] = {"momentum_x",         "momentum_y",
+                                              "momentum_z",         "angular_momentum_x",
+                                              "angular_momentum_y", "angular_momentum_z"};
+    const std::uint32_t axes = std::uint32_t(dimension);
+    return {dimension == 2 ? flat[c] : spatial[c], c < axes ? "kg m/s" : "kg m^2/s"};
+  }
+
+  const char* start(const scree_view&, double*) const { return nullptr; }
+
+  void sample(const scree_view& view, const double*, double* row) const {
+    Vec3 linear = {}, angular = {};
+    for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      Vec3 arm = at(view.position, i);
+      for (int k = 0; k < dimension; ++k) arm[k] -= about_point[std::size_t(k)];
+      const double shape = dimension == 2 ? 0.5 : 0.4;
+      const double inertia = shape * view.mass[i] * view.radius[i] * view.radius[i];
+      const Vec3 p = view.mass[i] * at(view.velocity, i);
+      linear += p;
+      angular += cross(arm, p) + inertia * at(view.spin, i);
+    }
+    for (int k = 0; k < dimension; ++k) *row++ = linear[k];
+    for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = angular[k];
+  }
+
+ private:
+  // Axes that the scene does not carry count as 0.
+  static Vec3 at(const double* const (&columns)[3], std::uint64_t i) {
+    Vec3 v = {};
+    for (int k = 0; k < 3; ++k) v[k] = columns[k] ? columns[k][i] : 0;
+    return v;
+  }
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(MomentumProbe)
