@@ -1,5 +1,6 @@
 #include "verbs.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -43,6 +44,23 @@ PluginHost make_host(const PluginOptions& options) {
 
 namespace {
 
+std::atomic<bool> interrupted = false;
+
+void on_interrupt(int signal) {
+  interrupted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+const std::atomic<bool>& watch_for_interrupt() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  return interrupted;
+}
+
+namespace {
+
 constexpr const char* footer =
     "Example:\n"
     "  scree run scenarios/david2005/quickstart.toml --out runs/first\n"
@@ -72,6 +90,7 @@ ExitStatus run_verb(CLI::App& app, int argc, char** argv) {
   add_check_verb(app, status);
   add_describe_verb(app, status);
   add_render_verb(app, status);
+  add_accuracy_verb(app, status);
   const bool verb_given = argc > 1 && argv[1][0] != '-';
   try {
     check_verb_name(app, argc, argv);

@@ -2,8 +2,6 @@
 #include "verbs.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 #include <fmt/format.h>
@@ -15,15 +13,6 @@
 namespace scree::tool {
 
 namespace {
-
-std::atomic<bool> interrupted = false;
-
-// The first Ctrl-C, or the end of a batch job, asks the run to save and end; a second one ends the program at
-// once.
-void on_interrupt(int signal) {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
-}
 
 struct RunArguments {
   std::string scenario, out;
@@ -76,7 +65,7 @@ scenario::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar)
                                       : std::filesystem::path(arguments.out);
   options.overwrite = arguments.overwrite;
   options.threads = arguments.threads;
-  options.stop = &interrupted;
+  options.stop = &watch_for_interrupt();
   if (!arguments.quiet) options.on_start = print_carried;
   options.on_progress = [&bar](const scenario::Progress& p) { bar.show(p); };
   options.on_message = [&bar](const std::string& line) {
@@ -96,8 +85,6 @@ scenario::RunResult run_with_bar(const scenario::Plan& plan, const RunArguments&
 ExitStatus run_scenario(const RunArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
   const scenario::RunResult result = run_with_bar(plan, arguments);
   if (!arguments.quiet) print_result(result);
   if (result.interrupted) fmt::print("interrupted; what was computed is saved\n");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -30,5 +31,10 @@ void add_run_verb(CLI::App& app, ExitStatus& status);
 void add_check_verb(CLI::App& app, ExitStatus& status);
 void add_describe_verb(CLI::App& app, ExitStatus& status);
 void add_render_verb(CLI::App& app, ExitStatus& status);
+void add_accuracy_verb(CLI::App& app, ExitStatus& status);
+
+// Set by the first Ctrl-C, or the end of a batch job, from now on: what runs saves what it has and ends. A
+// second one ends the program at once.
+const std::atomic<bool>& watch_for_interrupt();
 
 }  // namespace scree::tool

@@ -1,3 +1,4 @@
+#include "drive.hpp"
 #include "expectations.hpp"
 #include "final_packing.hpp"
 #include "pictures.hpp"
@@ -85,30 +86,21 @@ class Run {
     }
   }
 
-  bool stopped() const { return options_.stop && *options_.stop; }
-
   void loop() {
     started_ = Clock::now();
     StageRunner runner(*simulation_, plan_.stages);
-    std::size_t stage = 0;
-    std::uint64_t stage_began = 0;
-    begin(runner);
-    while (!runner.finished() && !stopped()) {
-      runner.step();
-      observe(runner.stages()[stage].name, simulation_->steps() - stage_began);
-      if (runner.current() != stage && !runner.finished()) {
-        stage = runner.current();
-        stage_began = simulation_->steps();
-        begin(runner);
-      }
-      report_progress(runner);
-    }
+    const std::string last = drive(
+        runner, [this](const std::string&) { check_step(); },
+        [this](const std::string& stage, std::uint64_t steps) { observe(stage, steps); },
+        [this](const StageRunner& r) {
+          report_progress(r);
+          return !(options_.stop && *options_.stop);
+        });
     result_.interrupted = !runner.finished();
-    sampler_.sample_last(*simulation_, runner.stages()[stage].name);
+    sampler_.sample_last(*simulation_, last);
   }
 
-  void begin(const StageRunner& runner) {
-    observe(runner.stages()[runner.current()].name, 0);
+  void check_step() const {
     const auto problem = plan_.step_guard ? step_problem(*simulation_) : std::nullopt;
     if (problem)
       throw Error(fmt::format("t = {:g} s: {}", simulation_->time(), *problem), ExitStatus::blow_up);

@@ -1,5 +1,6 @@
 #include <fstream>
 #include <unistd.h>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,9 +12,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Everything that a run writes.
-constexpr const char* parts[] = {"series",        "snapshots", "images",           "charts",
-                                 "scenario.toml", "run.json",  "final_packing.csv"};
+// Everything that is written into a directory of each kind; the last part tells the kind.
+struct Layout {
+  const char* name;
+  std::vector<const char*> parts;
+};
+const Layout& layout_of(RunDirectory::Kind kind) {
+  static const Layout run = {
+      "run", {"series", "snapshots", "images", "charts", "scenario.toml", "final_packing.csv", "run.json"}};
+  static const Layout study = {"accuracy study", {"charts", "accuracy.csv", "accuracy.json"}};
+  return kind == RunDirectory::Kind::run ? run : study;
+}
 
 // The path itself if it exists, else the nearest directory above that does.
 fs::path existing_part(const fs::path& path) {
@@ -23,24 +32,27 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
-void check_present(const fs::path& path, bool overwrite) {
+void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
   std::error_code failed;
-  const auto refuse = [&](const char* problem, const char* cure) {
+  const auto refuse = [&](const std::string& problem, const char* cure) {
     return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
   };
   if (!fs::is_directory(path, failed)) throw refuse("exists and is no directory", "give another --out");
   if (fs::is_empty(path, failed)) return;
-  if (!fs::exists(path / "run.json", failed))
-    throw refuse("holds files that are no run of scree", "give another --out");
-  if (!overwrite) throw refuse("holds a run already", "give another --out, or --overwrite to replace it");
+  if (!fs::exists(path / layout.parts.back(), failed))
+    throw refuse(fmt::format("holds files that are no {} of scree", layout.name), "give another --out");
+  const char* article = layout.name[0] == 'a' ? "an" : "a";
+  if (!overwrite)
+    throw refuse(fmt::format("holds {} {} already", article, layout.name),
+                 "give another --out, or --overwrite to replace it");
 }
 
 }  // namespace
 
-RunDirectory::RunDirectory(fs::path path, bool overwrite)
-    : path_(std::move(path)), existing_(existing_part(path_)) {
+RunDirectory::RunDirectory(fs::path path, bool overwrite, Kind kind)
+    : path_(std::move(path)), existing_(existing_part(path_)), kind_(kind) {
   std::error_code failed;
-  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, overwrite);
+  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, layout_of(kind_), overwrite);
   if (!fs::is_directory(existing_, failed) || access(existing_.c_str(), W_OK | X_OK) != 0)
     throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out",
                             path_.string(), existing_.string()));
@@ -48,7 +60,7 @@ RunDirectory::RunDirectory(fs::path path, bool overwrite)
 
 void RunDirectory::create() const {
   std::error_code failed;
-  for (const char* part : parts) fs::remove_all(path_ / part, failed);
+  for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
   fs::create_directories(path_, failed);
   if (failed)
     throw Error(
@@ -57,7 +69,7 @@ void RunDirectory::create() const {
 
 void RunDirectory::discard() const {
   std::error_code failed;
-  for (const char* part : parts) fs::remove_all(path_ / part, failed);
+  for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
   // Only what is empty: another run may have begun beside this one.
   for (fs::path p = fs::absolute(path_, failed).lexically_normal(); p != existing_ && p != p.parent_path();
        p = p.parent_path())
@@ -82,8 +94,9 @@ Error unwritable(const fs::path& path) {
                ExitStatus::failure);
 }
 
-fs::path RunDirectory::default_for(const fs::path& scenario) {
-  const fs::path base = fs::path("runs") / scenario.stem();
+fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
+  fs::path base = fs::path("runs") / scenario.stem();
+  if (kind == Kind::study) base += "-accuracy";
   fs::path path = base;
   std::error_code failed;
   for (int k = 2; fs::exists(path, failed); ++k) path = fs::path(fmt::format("{}-{}", base.string(), k));

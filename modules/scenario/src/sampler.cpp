@@ -20,6 +20,10 @@ void Sampler::open(const std::filesystem::path& folder) {
     p.series = std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), p.probe.units());
 }
 
+void Sampler::open() {
+  for (Active& p : probes_) p.series = std::make_unique<Series>(p.probe.names());
+}
+
 bool Sampler::Active::samples_in(const std::string& stage) const {
   const std::vector<std::string>& stages = plan->stages;
   return stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end();

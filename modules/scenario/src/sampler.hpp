@@ -23,6 +23,8 @@ class Sampler {
 
   // Creates the CSV files in a folder, if there are probes.
   void open(const std::filesystem::path& folder);
+  // Keeps the rows in memory alone.
+  void open();
   // Takes the samples that are due so many steps after the beginning of a stage.
   void sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
   // One more sample of the probes of that stage where a run ends, whatever is due.

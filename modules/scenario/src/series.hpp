@@ -7,13 +7,15 @@
 
 namespace scree::scenario {
 
-// The rows of one probe: kept for charts and expectations, and written as CSV while the run goes on.
+// The rows of one probe: kept for charts and expectations, and written as CSV while the run goes on, unless
+// it was made without a file.
 // Every function that writes throws Error (failure) when the disk refuses.
 class Series {
  public:
   // Header "time [s],<name> [<unit>],..."; numbers in the shortest form that reads back the same bits.
   Series(const std::filesystem::path& file, std::vector<std::string> names,
          const std::vector<std::string>& units);
+  explicit Series(std::vector<std::string> names);
 
   void add(double time, const std::vector<double>& row);
   void flush();

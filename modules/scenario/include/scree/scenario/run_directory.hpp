@@ -7,13 +7,15 @@
 
 namespace scree::scenario {
 
-// The directory of one run: series/, snapshots/, images/, charts/, scenario.toml, run.json,
-// final_packing.csv.
+// The directory of one run or study. Of a run: series/, snapshots/, images/, charts/, scenario.toml,
+// run.json, final_packing.csv.
 class RunDirectory {
  public:
+  enum class Kind { run, study };
+
   // Checks that a run may write there, without touching anything: throws Error if it holds a run already
   // (unless `overwrite`), holds foreign files, or cannot be created.
-  RunDirectory(std::filesystem::path path, bool overwrite);
+  RunDirectory(std::filesystem::path path, bool overwrite, Kind kind = Kind::run);
 
   // Creates it empty. An earlier run is removed only now.
   void create() const;
@@ -30,10 +32,11 @@ class RunDirectory {
   void write_file(const std::string& name, const std::string& text) const;
 
   // runs/<stem of the scenario>, with -2, -3, ... appended until it does not exist.
-  static std::filesystem::path default_for(const std::filesystem::path& scenario);
+  static std::filesystem::path default_for(const std::filesystem::path& scenario, Kind kind = Kind::run);
 
  private:
   std::filesystem::path path_, existing_;  // existing_: the part of the path that was there before
+  Kind kind_;
 };
 
 // What is thrown where a file of a run cannot be written.

@@ -1,0 +1,71 @@
+#include "horizon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <scree/scenario/set_up.hpp>
+#include <scree/scenario/trial.hpp>
+
+namespace scree::accuracy {
+
+namespace {
+
+constexpr int looks = 1000;  // at the distance, over the whole run
+
+// One of the two runs.
+class Companion {
+ public:
+  Companion(scenario::Plan plan, double step)
+      : plan_(with_step(std::move(plan), step)),
+        simulation_(scenario::set_up(plan_)),
+        runner_(*simulation_, plan_.stages) {}
+
+  void run_until(double time) {
+    while (!runner_.finished() && simulation_->time() < time - 0.5 * simulation_->step_length())
+      runner_.step();
+  }
+  bool finished() const { return runner_.finished(); }
+  std::vector<Vec3> positions() const { return scenario::unfolded_positions(*simulation_); }
+
+ private:
+  static scenario::Plan with_step(scenario::Plan plan, double step) {
+    plan.scene.step = step;
+    return plan;
+  }
+
+  scenario::Plan plan_;
+  std::unique_ptr<Simulation> simulation_;
+  StageRunner runner_;
+};
+
+double longest_duration(const scenario::Plan& plan) {
+  double sum = 0;
+  for (const Stage& stage : plan.stages)
+    sum += stage.duration.value_or(stage.at_most.value_or(stage.at_least));
+  return sum;
+}
+
+}  // namespace
+
+double distance_between(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i] - b[i], a[i] - b[i]);
+  return a.empty() ? 0 : std::sqrt(sum / double(a.size()));
+}
+
+std::optional<double> trustworthy_until(const scenario::Plan& plan, double step, double distance,
+                                        const std::function<void(double)>& on_progress,
+                                        const std::atomic<bool>* stop) {
+  Companion coarse(plan, step), fine(plan, 0.5 * step);
+  const double interval = longest_duration(plan) / looks;
+  for (int look = 1; look <= looks; ++look) {
+    coarse.run_until(look * interval);
+    fine.run_until(look * interval);
+    if (distance_between(coarse.positions(), fine.positions()) > distance) return (look - 1) * interval;
+    if (on_progress) on_progress(double(look) / looks);
+    if (coarse.finished() || fine.finished() || (stop && *stop)) break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace scree::accuracy

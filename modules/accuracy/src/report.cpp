@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <scree/accuracy/report.hpp>
+
+namespace scree::accuracy {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+void write_settings(const Study& study, Out out) {
+  const Outcome* best = cheapest(study);
+  const std::vector<const Outcome*> front = pareto_front(study);
+  fmt::format_to(out, "{:<20} {:<7} {:>10} {:>10} {:>10} {:>11}  {}\n", "integrator", "numbers", "step (s)",
+                 "steps", "wall (s)", "error", "of");
+  for (const Outcome& o : study.outcomes) {
+    fmt::format_to(out, "{:<20} {:<7} {:>10.4g} ", traits_of(o.setting.integration).name,
+                   o.setting.precision == Precision::mixed ? "mixed" : "double", o.setting.step);
+    if (!o.problem.empty()) {
+      fmt::format_to(out, "{:>10} {:>10} {:>11}  {}\n", "-", "-", "-", o.problem);
+      continue;
+    }
+    const bool on_front = std::find(front.begin(), front.end(), &o) != front.end();
+    fmt::format_to(out, "{:>10} {:>10.3g} {:>11.3g}  {}{}\n", o.steps, o.wall, o.worst(),
+                   study.quantities[o.worst_quantity()].name,
+                   &o == best ? "   <- cheapest within the tolerance"
+                   : on_front ? "   <- on the front"
+                              : "");
+  }
+}
+
+std::string order_text(const std::optional<double>& order) {
+  return order ? fmt::format("{:.2f}", *order) : std::string("-");
+}
+
+void write_orders(const Study& study, Out out) {
+  fmt::format_to(out, "\nobserved order of {:>12} {:>12}\n", "the error", "positions");
+  for (const Order& order : study.orders)
+    fmt::format_to(out, "{:<29} {:>1} {:>12}\n", method_name(order.method), order_text(order.of_worst),
+                   order_text(order.of_positions));
+}
+
+void write_references(const Study& study, Out out) {
+  fmt::format_to(out, "\ncompared at t = {:.6g} s\n", study.duration);
+  for (const Quantity& q : study.quantities)
+    if (q.closed_form)
+      fmt::format_to(out, "  {}: {:.9g}, closed form\n", q.name, q.reference);
+    else if (&q == &study.quantities.back())
+      fmt::format_to(out, "  {}: of the extrapolated reference, known to {:.2g} mean radii\n", q.name,
+                     q.uncertainty);
+    else
+      fmt::format_to(out, "  {}: {:.9g}, extrapolated, known to {:.2g}\n", q.name, q.reference,
+                     q.uncertainty);
+}
+
+void append_csv(Out out, double number) { fmt::format_to(out, ",{}", number); }
+
+}  // namespace
+
+std::string verdict(const Study& study) {
+  const auto describe = [](const Outcome& o) {
+    return fmt::format("{} with a step of {:.4g} s ({:.3g} s of wall time, error {:.2g})",
+                       method_name(o.setting), o.setting.step, o.wall, o.worst());
+  };
+  if (const Outcome* best = cheapest(study))
+    return fmt::format("The cheapest setting within {:g} is {}.", study.tolerance, describe(*best));
+  const Outcome* nearest = nullptr;
+  for (const Outcome& o : study.outcomes)
+    if (o.problem.empty() && (!nearest || o.worst() < nearest->worst())) nearest = &o;
+  if (!nearest) return "No setting gave a result.";
+  return fmt::format("No setting comes within {:g}; the nearest is {}.", study.tolerance, describe(*nearest));
+}
+
+std::string text_report(const Study& study) {
+  std::string text;
+  const Out out(text);
+  write_settings(study, out);
+  write_orders(study, out);
+  write_references(study, out);
+  if (study.horizon)
+    fmt::format_to(
+        out,
+        "Runs with ever smaller steps part ways: the reference is trustworthy until t = {:.4g} s, where "
+        "all were cut.\n",
+        *study.horizon);
+  if (study.interrupted) fmt::format_to(out, "Interrupted: not all settings were tried.\n");
+  fmt::format_to(out, "{}\n", verdict(study));
+  return text;
+}
+
+std::string csv_report(const Study& study) {
+  std::string text = "integrator,precision,step_s,steps,wall_s,worst_error";
+  const Out out(text);
+  for (const Quantity& q : study.quantities) fmt::format_to(out, ",{0},{0}_error", q.name);
+  fmt::format_to(out, ",problem\n");
+  for (const Outcome& o : study.outcomes) {
+    fmt::format_to(out, "{},{},{},{},{}", traits_of(o.setting.integration).name,
+                   o.setting.precision == Precision::mixed ? "mixed" : "double", o.setting.step, o.steps,
+                   o.wall);
+    append_csv(out, o.problem.empty() ? o.worst() : NAN);
+    for (std::size_t k = 0; k < study.quantities.size(); ++k) {
+      append_csv(out, o.problem.empty() ? o.values[k] : NAN);
+      append_csv(out, o.problem.empty() ? o.errors[k] : NAN);
+    }
+    std::string problem = o.problem;
+    std::replace(problem.begin(), problem.end(), '"', '\'');
+    fmt::format_to(out, ",{}\n", problem.empty() ? "" : fmt::format("\"{}\"", problem));
+  }
+  return text;
+}
+
+}  // namespace scree::accuracy

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/accuracy/report.hpp>
+#include <scree/snapshot/load_backend.hpp>
+
+namespace scree::accuracy {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
+
+std::string json_report(const Study& study) {
+  Json json = {{"verdict", verdict(study)},
+               {"tolerance", study.tolerance},
+               {"compared_at", study.duration},
+               {"trustworthy_until", number_or_null(study.horizon)},
+               {"interrupted", study.interrupted}};
+  for (const Quantity& q : study.quantities)
+    json["quantities"].push_back({{"name", q.name},
+                                  {"reference", q.reference},
+                                  {"uncertainty", q.uncertainty},
+                                  {"closed_form", q.closed_form}});
+  for (const Order& o : study.orders)
+    json["orders"].push_back({{"integrator", traits_of(o.method.integration).name},
+                              {"precision", o.method.precision == Precision::mixed ? "mixed" : "double"},
+                              {"order", number_or_null(o.of_worst)},
+                              {"order_of_positions", number_or_null(o.of_positions)}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// Error of one quantity, or the worst of all.
+double error_of(const Outcome& o, std::optional<std::size_t> quantity) {
+  return quantity ? o.errors[*quantity] : o.worst();
+}
+
+void add_point(snapshot::ChartSeries& series, const Outcome& o, std::optional<std::size_t> quantity) {
+  const double error = error_of(o, quantity);
+  if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // a logarithmic axis has no 0
+  series.x.push_back(o.wall);
+  series.y.push_back(error);
+}
+
+// Points of a quantity that no other point beats in both.
+snapshot::ChartSeries front_of(const Study& study, std::optional<std::size_t> quantity) {
+  std::vector<const Outcome*> all;
+  for (const Outcome& o : study.outcomes)
+    if (o.problem.empty()) all.push_back(&o);
+  std::sort(all.begin(), all.end(), [](const Outcome* a, const Outcome* b) { return a->wall < b->wall; });
+  snapshot::ChartSeries front{
+      "Pareto front", {}, {}, std::array<double, 3>{0, 0, 0}, snapshot::LineStyle::dashed};
+  double best = INFINITY;
+  for (const Outcome* o : all)
+    if (error_of(*o, quantity) < best) {
+      best = error_of(*o, quantity);
+      add_point(front, *o, quantity);
+    }
+  return front;
+}
+
+snapshot::ChartSpec chart_of(const Study& study, const std::string& title, const std::string& label,
+                             std::optional<std::size_t> quantity) {
+  snapshot::ChartSpec chart;
+  chart.title = title;
+  chart.x_label = "wall time (s)";
+  chart.y_label = label;
+  chart.log_x = chart.log_y = true;
+  for (const Order& order : study.orders) {
+    snapshot::ChartSeries series;
+    series.name = method_name(order.method);
+    series.markers = true;
+    if (order.method.precision == Precision::mixed) series.line = snapshot::LineStyle::dotted;
+    for (const Outcome& o : study.outcomes)
+      if (o.problem.empty() && method_name(o.setting) == series.name) add_point(series, o, quantity);
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  chart.series.push_back(front_of(study, quantity));
+  return chart;
+}
+
+void draw(const snapshot::ChartSpec& chart, const std::filesystem::path& file) {
+  if (chart.series.size() < 2 || chart.series.back().x.empty()) return;  // all errors are exactly 0
+  snapshot::load_backend()->chart(chart, file);
+}
+
+}  // namespace
+
+void write_report(const Study& study, const std::string& title, const scenario::RunDirectory& files) {
+  files.create();
+  files.write_file("accuracy.csv", csv_report(study));
+  files.write_file("accuracy.json", json_report(study));
+  constexpr std::size_t most_charts = 6;
+  draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt),
+       files.charts() / "worst_error.png");
+  for (std::size_t k = 0; k < study.quantities.size(); ++k)
+    if (k < most_charts || k + 1 == study.quantities.size())
+      draw(chart_of(study, title, fmt::format("error of {}", study.quantities[k].name), k),
+           files.charts() / (study.quantities[k].name + ".png"));
+}
+
+}  // namespace scree::accuracy

@@ -1,0 +1,190 @@
+#include "horizon.hpp"
+#include "orders.hpp"
+#include "reference.hpp"
+#include "steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/accuracy/study.hpp>
+#include <scree/error.hpp>
+#include <scree/scenario/trial.hpp>
+
+namespace scree::accuracy {
+
+namespace {
+
+using scenario::Plan;
+using scenario::Trial;
+
+Plan with(Plan plan, const Setting& setting) {
+  plan.scene.step = setting.step;
+  plan.scene.integration = setting.integration;
+  plan.scene.precision = setting.precision;
+  return plan;
+}
+
+class Studying {
+ public:
+  Studying(const Plan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
+    coarsest_ = fitting_step(plan, options.coarsest * plan.scene.step);
+    finest_ = std::ldexp(coarsest_, 1 - options.count);
+    // Blocks of about equal work for the progress: a run with the finest step counts 1.
+    all_work_ = 3 + 14 + 2 * evaluations_of_all();
+  }
+
+  Study execute() {
+    study_.tolerance = options_.tolerance;
+    find_horizon();
+    make_reference();
+    for (const Integration integration : chosen())
+      for (const Precision precision : {Precision::full, Precision::mixed})
+        for (int k = 0; k < options_.count && !stopped(); ++k)
+          try_setting({integration, precision, std::ldexp(coarsest_, -k)});
+    study_.orders = fit_orders(study_);
+    study_.interrupted = stopped();
+    return std::move(study_);
+  }
+
+ private:
+  std::vector<Integration> chosen() const {
+    if (!options_.integrations.empty()) return options_.integrations;
+    std::vector<Integration> all;
+    for (const IntegrationTraits& traits : integrations()) all.push_back(traits.integration);
+    return all;
+  }
+  double evaluations_of_all() const {
+    double sum = 0;
+    for (const Integration integration : chosen()) sum += 2 * traits_of(integration).evaluations;
+    return sum;
+  }
+  bool stopped() const { return options_.stop && *options_.stop; }
+
+  void tell(double work, const std::string& what) {
+    if (options_.on_progress) options_.on_progress((done_ + work) / all_work_, what);
+  }
+  void count(double work) { done_ += work; }
+
+  void find_horizon() {
+    const double distance = 0.1 * options_.tolerance * mean_radius(plan_);
+    const auto until = trustworthy_until(
+        with(plan_, {Integration::velocity_verlet, Precision::full, finest_}), finest_, distance,
+        [&](double share) { tell(3 * share, "how long the reference holds"); }, options_.stop);
+    count(3);
+    if (!until) return;
+    study_.horizon = std::max(1.0, std::floor(*until / coarsest_)) * coarsest_;
+    until_ = *study_.horizon;
+  }
+
+  void make_reference() {
+    std::vector<Trial> trials;
+    for (int k = 1; k <= 3 && !stopped(); ++k) {
+      tell(0, "reference");
+      const Setting setting = {Integration::velocity_verlet, Precision::full, std::ldexp(finest_, -k)};
+      trials.push_back(scenario::try_plan(with(plan_, setting), {1, until_, options_.stop}));
+      count(std::ldexp(1, k));
+    }
+    if (trials.size() < 3 || trials.back().stopped)
+      throw Error("stopped before there was a reference to compare with", ExitStatus::interrupted);
+    study_.quantities = reference_quantities(plan_, trials);
+    reference_positions_ = reference_positions(trials);
+    study_.duration = trials.back().time;
+  }
+
+  // The shortest of a few runs, so that other work on the machine counts less.
+  Trial timed(const Plan& plan) {
+    constexpr int most = 5;
+    constexpr double enough = 0.2;  // (s) of wall time
+    Trial best = scenario::try_plan(plan, {1, until_, options_.stop});
+    double spent = best.wall;
+    for (int n = 1; n < most && spent < enough && !stopped(); ++n) {
+      const double wall = scenario::try_plan(plan, {1, until_, options_.stop}).wall;
+      spent += wall;
+      best.wall = std::min(best.wall, wall);
+    }
+    return best;
+  }
+
+  void try_setting(const Setting& setting) {
+    tell(0, fmt::format("{}, step {:.3g} s", method_name(setting), setting.step));
+    Outcome outcome;
+    outcome.setting = setting;
+    try {
+      const Trial trial = timed(with(plan_, setting));
+      if (trial.stopped) return;
+      outcome.wall = trial.wall;
+      outcome.steps = trial.steps;
+      compare(trial, outcome);
+    } catch (const Error& error) {
+      outcome.problem = error.what();
+    }
+    study_.outcomes.push_back(std::move(outcome));
+    count(traits_of(setting.integration).evaluations * finest_ / setting.step);
+  }
+
+  void compare(const Trial& trial, Outcome& outcome) const {
+    outcome.values = trial.quantities;
+    outcome.values.push_back(distance_between(trial.positions, reference_positions_) / mean_radius(plan_));
+    for (std::size_t k = 0; k < study_.quantities.size(); ++k)
+      outcome.errors.push_back(std::abs(outcome.values[k] - study_.quantities[k].reference) /
+                               study_.quantities[k].scale());
+  }
+
+  const Plan& plan_;
+  const StudyOptions& options_;
+  Study study_;
+  std::vector<Vec3> reference_positions_;
+  double coarsest_ = 0, finest_ = 0;
+  double until_ = std::numeric_limits<double>::infinity();
+  double done_ = 0, all_work_ = 1;
+};
+
+}  // namespace
+
+std::string method_name(const Setting& setting) {
+  return fmt::format("{}, {}", traits_of(setting.integration).name,
+                     setting.precision == Precision::mixed ? "mixed" : "double");
+}
+
+double Quantity::scale() const { return reference != 0 ? std::abs(reference) : 1; }
+
+// A quantity that took no sample, because its stage was cut off, is no error.
+std::size_t Outcome::worst_quantity() const {
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    if (!(errors[worst] >= errors[k]) && !std::isnan(errors[k])) worst = k;
+  return worst;
+}
+
+double Outcome::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }
+
+Study study(const scenario::Plan& plan, const StudyOptions& options) {
+  return Studying(plan, options).execute();
+}
+
+const Outcome* cheapest(const Study& study) {
+  const Outcome* best = nullptr;
+  for (const Outcome& o : study.outcomes)
+    if (o.problem.empty() && o.worst() <= study.tolerance && (!best || o.wall < best->wall)) best = &o;
+  return best;
+}
+
+std::vector<const Outcome*> pareto_front(const Study& study) {
+  std::vector<const Outcome*> front;
+  for (const Outcome& o : study.outcomes)
+    if (o.problem.empty()) front.push_back(&o);
+  std::sort(front.begin(), front.end(), [](const Outcome* a, const Outcome* b) {
+    return a->wall != b->wall ? a->wall < b->wall : a->worst() < b->worst();
+  });
+  double best = std::numeric_limits<double>::infinity();
+  std::erase_if(front, [&](const Outcome* o) {
+    if (o->worst() >= best) return true;
+    best = o->worst();
+    return false;
+  });
+  return front;
+}
+
+}  // namespace scree::accuracy

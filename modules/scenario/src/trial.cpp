@@ -1,0 +1,67 @@
+#include "drive.hpp"
+#include "expectations.hpp"
+#include "sampler.hpp"
+
+#include <chrono>
+
+#include <scree/scenario/run_quantities.hpp>
+#include <scree/scenario/set_up.hpp>
+#include <scree/scenario/trial.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+std::vector<double> quantities_of(const Plan& plan, const Simulation& simulation, const Sampler& sampler) {
+  const auto numbers = run_quantities(simulation);
+  const auto column = [&](const std::string& probe, const std::string& name) {
+    return sampler.series(probe).column(name);
+  };
+  std::vector<double> values;
+  for (const Expectation& e : plan.expectations)
+    values.push_back(judge_expectation(e, numbers, column).value);
+  return values;
+}
+
+}  // namespace
+
+std::vector<Vec3> unfolded_positions(const Simulation& s) {
+  const Particles& p = s.particles();
+  std::vector<Vec3> positions;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 x = p.body(i).position;
+    for (int k = 0; k < p.dimension(); ++k)
+      if (s.boundaries().domain().periodic[std::size_t(k)])
+        x[k] += p.image[k][i] * s.boundaries().domain().length(k);
+    positions.push_back(x);
+  }
+  return positions;
+}
+
+Trial try_plan(const Plan& plan, const TrialOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto simulation = set_up(plan, options.threads);
+  Sampler sampler(plan);
+  sampler.open();
+  StageRunner runner(*simulation, plan.stages);
+  Trial trial;
+  // Half a step early, so that a time that is a multiple of the step but for rounding is met.
+  const double end = options.until - 0.5 * plan.scene.step;
+  const auto start = Clock::now();
+  const std::string last = drive(
+      runner, [](const std::string&) {},
+      [&](const std::string& stage, std::uint64_t steps) { sampler.sample(*simulation, stage, steps); },
+      [&](const StageRunner&) {
+        trial.stopped = options.stop && *options.stop;
+        return !trial.stopped && simulation->time() < end;
+      });
+  trial.wall = std::chrono::duration<double>(Clock::now() - start).count();
+  sampler.sample_last(*simulation, last);
+  trial.steps = simulation->steps();
+  trial.time = simulation->time();
+  trial.quantities = quantities_of(plan, *simulation, sampler);
+  trial.positions = unfolded_positions(*simulation);
+  return trial;
+}
+
+}  // namespace scree::scenario

@@ -1,0 +1,102 @@
+#include "progress_bar.hpp"
+#include "verbs.hpp"
+
+#include <chrono>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <scree/accuracy/report.hpp>
+#include <scree/accuracy/study.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+struct AccuracyArguments {
+  std::string scenario, out;
+  std::vector<std::string> overrides, integrators;
+  double tolerance = 1e-3, coarsest = 4;
+  int count = 6;
+  bool overwrite = false, quiet = false;
+  PluginOptions plugins;
+};
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const IntegrationTraits& traits : integrations()) names.emplace_back(traits.name);
+  return names;
+}
+
+accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBar& bar) {
+  accuracy::StudyOptions options;
+  options.tolerance = arguments.tolerance;
+  options.coarsest = arguments.coarsest;
+  options.count = arguments.count;
+  for (const IntegrationTraits& traits : integrations())
+    if (std::find(arguments.integrators.begin(), arguments.integrators.end(), traits.name) !=
+        arguments.integrators.end())
+      options.integrations.push_back(traits.integration);
+  options.stop = &watch_for_interrupt();
+  const auto start = std::chrono::steady_clock::now();
+  options.on_progress = [&bar, start](double share, const std::string& what) {
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    bar.show({share, wall, 0, what});
+  };
+  return options;
+}
+
+ExitStatus study_scenario(const AccuracyArguments& arguments) {
+  PluginHost host = make_host(arguments.plugins);
+  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
+  constexpr auto kind = scenario::RunDirectory::Kind::study;
+  const auto out = arguments.out.empty() ? scenario::RunDirectory::default_for(arguments.scenario, kind)
+                                         : std::filesystem::path(arguments.out);
+  const scenario::RunDirectory directory(out, arguments.overwrite, kind);
+  ProgressBar bar(arguments.quiet);
+  const accuracy::Study study = [&] {
+    // Cleared also where an error leaves, so that its line stands alone.
+    const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
+    return accuracy::study(plan, options_of(arguments, bar));
+  }();
+  accuracy::write_report(study, plan.title.empty() ? plan.source.stem().string() : plan.title, directory);
+  if (arguments.quiet)
+    fmt::print("{}\n", accuracy::verdict(study));
+  else
+    fmt::print("{}", accuracy::text_report(study));
+  fmt::print("results in {}\n", directory.path().string());
+  return study.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+}
+
+}  // namespace
+
+void add_accuracy_verb(CLI::App& app, ExitStatus& status) {
+  CLI::App* verb = app.add_subcommand(
+      "accuracy", "Speed against error of a scenario, over steps, integrators, precisions");
+  auto a = std::make_shared<AccuracyArguments>();
+  verb->add_option("scenario", a->scenario, "Scenario file (TOML); compared is what its [[expect]]s name")
+      ->required();
+  verb->add_option("--out", a->out, "Directory of the study; default runs/<scenario>-accuracy")
+      ->type_name("DIR");
+  verb->add_option("--tolerance", a->tolerance,
+                   "Relative error that the cheapest setting must meet (default 1e-3)")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--coarsest", a->coarsest, "Longest step, in steps of the scenario (default 4)")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--count", a->count, "Number of steps, each half of the one before (default 6)")
+      ->check(CLI::Range(2, 20));
+  verb->add_option("--integrator", a->integrators, "Only this one, repeatable; default all")
+      ->check(CLI::IsMember(integrator_names()))
+      ->allow_extra_args(false);
+  verb->add_option("--set", a->overrides, "Change a value of the scenario")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb->add_flag("--overwrite", a->overwrite, "Replace the study that the directory holds");
+  verb->add_flag("--quiet", a->quiet, "No progress and no table, only the verdict");
+  add_plugin_options(*verb, a->plugins);
+  verb->footer(
+      "Example: scree accuracy scenarios/david2005/quickstart.toml --tolerance 1e-3 --out runs/accuracy");
+  verb->callback([a, &status] { status = study_scenario(*a); });
+}
+
+}  // namespace scree::tool
