@@ -1,0 +1,77 @@
+// What becomes of the kinetic energy of chosen bodies.
+
+#include <algorithm>
+
+#include <scree/probe.hpp>
+
+namespace {
+
+struct BodyEnergyProbe {
+  scree_value ids = {};
+  int dimension = 3;
+
+  static constexpr scree::About about = {
+      "body_energy", "kinetic energy of chosen bodies over that at their first sample",
+      "ratio_<id> = E/E_0, E = ½ m v² + ½ I ω²    I = 2mR²/5 of a sphere, mR²/2 of a disc\n"
+      "smallest_ratio, largest_ratio: over the chosen bodies",
+      "—"};
+
+  void declare(scree::Declaration& d) {
+    d.list("ids", ids, "", scree::Range{.minimum = 1}, "ids of the bodies to record").required();
+  }
+  void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
+
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = std::uint32_t(ids.count) + 2;
+    instance.state_width = std::uint32_t(ids.count);
+  }
+
+  scree::ColumnName column(std::uint32_t c) const {
+    if (c < 2) return {c == 0 ? "smallest_ratio" : "largest_ratio", ""};
+    char name[SCREE_MAX_NAME];
+    std::snprintf(name, sizeof(name), "ratio_%lld", static_cast<long long>(ids.data[c - 2]));
+    return {name, ""};
+  }
+
+  const char* start(const scree_view& view, double* first) const {
+    for (std::uint64_t k = 0; k < ids.count; ++k) {
+      const std::uint64_t i = find(view, ids.data[k]);
+      if (i == view.body_count)
+        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
+               "otherwise";
+      first[k] = energy(view, i);
+      if (!(first[k] > 0))
+        return "a body in `ids` is at rest at the first sample, there is no energy to compare with; leave "
+               "its id out, or let it move";
+    }
+    return nullptr;
+  }
+
+  void sample(const scree_view& view, const double* first, double* row) const {
+    double* const ratios = row + 2;
+    for (std::uint64_t k = 0; k < ids.count; ++k)
+      ratios[k] = energy(view, find(view, ids.data[k])) / first[k];
+    row[0] = *std::min_element(ratios, ratios + ids.count);
+    row[1] = *std::max_element(ratios, ratios + ids.count);
+  }
+
+ private:
+  static std::uint64_t find(const scree_view& view, double id) {
+    std::uint64_t i = 0;
+    while (i < view.body_count && double(view.id[i]) != id) ++i;
+    return i;
+  }
+  double energy(const scree_view& view, std::uint64_t i) const {
+    double v2 = 0, spin2 = 0;
+    for (int k = 0; k < 3; ++k) {
+      if (view.velocity[k]) v2 += view.velocity[k][i] * view.velocity[k][i];
+      if (view.spin[k]) spin2 += view.spin[k][i] * view.spin[k][i];
+    }
+    const double gyration2 = (dimension == 2 ? 0.5 : 0.4) * view.radius[i] * view.radius[i];
+    return 0.5 * view.mass[i] * (v2 + gyration2 * spin2);
+  }
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(BodyEnergyProbe)

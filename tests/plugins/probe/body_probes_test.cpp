@@ -1,0 +1,142 @@
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include <scree/probes.hpp>
+
+// walls, contact and body_energy: the probes of two-body scenes.
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+constexpr double radius = 0.005, mass = 1e-3, stiffness = 5000, friction = 0.3;
+
+const Values law = {{"normal_stiffness", {stiffness}},
+                    {"normal_damping", {0}},
+                    {"tangential_stiffness", {1000}},
+                    {"static_friction", {friction}}};
+
+struct Recorder {
+  Recorder(const Simulation& s, const std::string& plugin, const Values& values)
+      : probe(parameters(plugin, SCREE_PROBE, values), s.dimension()) {
+    sample(s);
+  }
+  void sample(const Simulation& s) { row = probe.sample(SimulationView(s, true).get()); }
+  double operator[](const std::string& name) const {
+    const std::vector<std::string> names = probe.names();
+    const auto at = std::find(names.begin(), names.end(), name);
+    INFO(name);
+    REQUIRE(at != names.end());
+    return row[std::size_t(at - names.begin())];
+  }
+  Probe probe;
+  std::vector<double> row;
+};
+
+// Body 7 lies 2e-4 m deep in the floor, body 3 leans on it from the side and a little above; body 5 floats
+// free.
+Scene corner() {
+  Scene s = scene(
+      3, 1e-5,
+      {body(7, radius, mass, {{0, 0, radius - 2e-4}}, {{1, 0, 0}}, {{0, -200, 0}}),
+       body(3, radius, mass, {{0, 2 * radius - 1e-4, radius + 1e-4}}), body(5, radius, mass, {{1, 1, 1}})},
+      law);
+  add_boundary(s, "plane", {{"point", {0, 0, -1}}, {"normal", {0, 0, 2}}}, "cellar");
+  add_boundary(s, "plane", {{"point", {3, 4, 0}}, {"normal", {0, 0, 1}}}, "floor");
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("contact: overlap, forces and normal in the order that the scene asks for", "[probe]") {
+  const Simulation s(corner());
+  const Recorder c(s, "contact", {{"pairs", {3, 7, 7, 3, 5, 7}}, {"at_walls", {7, 2, 3, 2}}});
+  const double distance = std::hypot(2 * radius - 1e-4, 3e-4), overlap = 2 * radius - distance;
+  CHECK(c["overlap_3_7"] == Approx(overlap));
+  CHECK(c["normal_force_3_7"] == Approx(stiffness * overlap));
+  CHECK(c["normal_y_3_7"] == Approx((2 * radius - 1e-4) / distance));
+  CHECK(c["normal_z_7_3"] == Approx(-3e-4 / distance));
+  CHECK(c["overlap_7_wall2"] == Approx(2e-4));
+  CHECK(c["normal_force_7_wall2"] == Approx(stiffness * 2e-4));
+  CHECK(c["tangential_force_7_wall2"] == 0);
+  CHECK(c["normal_z_7_wall2"] == 1);
+  for (const char* open : {"overlap_5_7", "normal_force_5_7", "normal_x_5_7", "overlap_3_wall2"})
+    CHECK(c[open] == 0);
+}
+
+TEST_CASE("contact and walls: a sliding body pulls with the friction of its normal force", "[probe]") {
+  Simulation s(corner());
+  run(s, 40);  // moved by 4e-4 m at least, 1.3 times the spring that slides
+  const Recorder c(s, "contact", {{"at_walls", {7, 2}}});
+  CHECK(c["sliding_7_wall2"] == 1);
+  CHECK(c["tangential_force_7_wall2"] == Approx(friction * c["normal_force_7_wall2"]));
+  const Recorder w(s, "walls", {{"walls", {2, 1}}});
+  CHECK(w["normal_force_2"] == Approx(c["normal_force_7_wall2"]));
+  CHECK(w["tangential_force_2"] == Approx(c["tangential_force_7_wall2"]));
+  CHECK(w["normal_force_1"] == 0);
+}
+
+TEST_CASE("walls: position and velocity along the normal of a wall that is moved", "[probe]") {
+  Scene moving = corner();
+  add_boundary(moving, "plane",
+               {{"point", {2, 0, 0}}, {"normal", {-1, 0, 0}}, {"displacement", {3, 0, 0.5, 10}}}, "piston");
+  Simulation s(moving);
+  Recorder w(s, "walls", {{"walls", {3}}});
+  CHECK(w["position_3"] == -2);
+  run(s, 10);
+  w.sample(s);
+  CHECK(w["position_3"] == Approx(-2 + 0.05 * 10 * 1e-5).epsilon(1e-12));
+  CHECK(w["velocity_3"] == Approx(0.05));
+}
+
+TEST_CASE("contact: in 2D the normal has two components", "[probe]") {
+  Scene scene2 = scene(2, 1e-5, {body(1, radius, mass, {{0, radius - 1e-4, 0}}, {}, {}, 2)}, law);
+  add_boundary(scene2, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
+  const Simulation s(scene2);
+  const Recorder c(s, "contact", {{"at_walls", {1, 1}}});
+  CHECK(c.row.size() == 6);
+  CHECK(c["normal_y_1_wall1"] == 1);
+}
+
+TEST_CASE("body_energy: the share of translation and rotation that is left", "[probe]") {
+  for (const int dimension : {2, 3}) {
+    const double gyration = dimension == 2 ? 0.5 : 0.4;
+    const auto of = [&](double v, double spin) { return v * v + gyration * radius * radius * spin * spin; };
+    Simulation s(scene(dimension, 1e-5,
+                       {body(1, radius, mass, {{0, 0, 0}}, {{2, 0, 0}}, {{0, 0, 300}}, dimension),
+                        body(2, radius, mass, {{1, 0, 0}}, {{1, 0, 0}}, {}, dimension)},
+                       law));
+    Scene faster = s.scene();
+    faster.bodies[0].velocity = {{1, 0, 0}};
+    faster.bodies[1].velocity = {{3, 0, 0}};
+    Recorder e(s, "body_energy", {{"ids", {2, 1}}});
+    CHECK(e["largest_ratio"] == 1);
+    e.sample(Simulation(faster));
+    CHECK(e["ratio_1"] == Approx(of(1, 300) / of(2, 300)));
+    CHECK(e["ratio_2"] == Approx(9));
+    CHECK(e["smallest_ratio"] == e["ratio_1"]);
+    CHECK(e["largest_ratio"] == e["ratio_2"]);
+  }
+}
+
+TEST_CASE("body probes: what is not there is refused", "[probe]") {
+  const Simulation s(corner());
+  const auto refusal = [&](const std::string& plugin, const Values& values, const std::string& says) {
+    CHECK_THROWS_WITH(Recorder(s, plugin, values), Catch::Contains(says));
+  };
+  refusal("contact", {{"pairs", {3, 8}}}, "no body");
+  refusal("contact", {{"pairs", {3, 3}}}, "twice");
+  refusal("contact", {{"pairs", {3, 7, 5}}}, "odd number");
+  refusal("contact", {}, "no contact is named");
+  refusal("contact", {{"at_walls", {3, 3}}}, "no wall");
+  refusal("contact", {{"at_walls", {4, 1}}}, "no body");
+  refusal("walls", {{"walls", {1.5}}}, "no wall");
+  refusal("walls", {{"walls", {3}}}, "no wall");
+  refusal("body_energy", {{"ids", {9}}}, "no body");
+  refusal("body_energy", {{"ids", {5}}}, "at rest");
+}
