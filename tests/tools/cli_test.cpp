@@ -51,7 +51,7 @@ TEST_CASE("describe lists all plug-ins by kind") {
   CHECK(list.status == 0);
   for (const char* part :
        {"contact laws, [[contact]]\n  ", "\n  linear_spring_dashpot ", "boundaries, [[boundary]]\n  box ",
-        "body terms, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  box "})
+        "body terms, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  body_energy "})
     CHECK(contains(list.out, part));
   CHECK_FALSE(contains(list.out, "cannot be used"));
 }
