@@ -7,6 +7,7 @@
 
 #include <scree/contact_law.hpp>
 #include <scree/restitution.hpp>
+#include <scree/rolling.hpp>
 #include <scree/stability.hpp>
 
 namespace {
@@ -39,7 +40,9 @@ struct HertzMindlin : scree::ContactLaw {
       "T = −μ_r k_n δ R* Δω/|Δω|      rolling; smaller where it would turn the motion round within a step\n"
       "1/E* = Σ (1−ν²)/E,  1/G* = Σ 2(2−ν)(1+ν)/E   over both bodies; equal ones: E/(2(1−ν²)), "
       "E/(4(2−ν)(1+ν))\n"
-      "history: displacement (ξ kept), rescaled (f_t kept while k_t grows, ξ while it falls),\n"
+      "history: displacement (ξ kept), rescaled (f_t kept while k_t grows, ξ while it falls; the energy "
+      "that\n"
+      "         this lets go of counts as friction's),\n"
       "         potential (½ k_t(δ) ξ², with the extra normal force ½ k_t'(δ) ξ² that conserves energy)",
       "Lemrich et al. 2017, equations 1 to 7"};
 
@@ -167,7 +170,7 @@ struct Kernel : HertzMindlin {
     out.elastic_normal = T(0.4) * spring_force * overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
     if constexpr (frictional) slide_or_stick(c, pushing, contact_radius, weight, h, out);
-    if constexpr (rolling) resist_rolling(c, spring_force, out);
+    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
  private:
@@ -183,6 +186,7 @@ struct Kernel : HertzMindlin {
                          ? h.contact_radius / std::max(contact_radius, scree::smallest_divisor<T>)
                          : T(1);
     const Vec<D, T> kept = (form == rescaled ? growth : T(1)) * h.spring;
+    const T let_go = form == rescaled ? stored_energy(h) - T(0.5) * k_t * dot(kept, kept) : T(0);
     const Vec<D, T> xi = tangential_part(kept + c.tangential_increment, c.normal);
     const Vec<D, T> dashpot = gamma_t * v_t;
     const Vec<D, T> f_0 = -(k_t * xi) - dashpot;
@@ -206,21 +210,7 @@ struct Kernel : HertzMindlin {
     out.dissipated_tangential = dot(dashpot, v_t);
     // The work of the mean of the old and the new spring's force on what slipped: what the bodies lose,
     // exactly.
-    out.dissipated_friction = T(0.5) * k_t * dot(kept + h.spring, xi - h.spring);
-  }
-
-  // [L7] with R*, as in the code that L used. Towards Δω = 0 the torque is bounded by what would halve the
-  // relative spin of a sphere of the pair's mass and radius within the step: a body at rest is not shaken.
-  template <int D, class T>
-  void resist_rolling(const Contact<D, T>& c, const T& spring_force, Response<D, T>& out) const {
-    const T rate = norm(c.relative_spin);
-    const T full = T(rolling_friction) * spring_force * c.effective_radius;
-    const T inertia = T(0.4) * c.reduced_mass * c.effective_radius * c.effective_radius;
-    const T step = c.step < T(0) ? -c.step : c.step;
-    const T bound = T(0.5) * inertia * rate / std::max(step, scree::smallest_divisor<T>);
-    const T torque = std::min(full, bound);
-    out.couple = (-torque / std::max(rate, scree::smallest_divisor<T>)) * c.relative_spin;
-    out.dissipated_tangential += torque * rate;
+    out.dissipated_friction = let_go + T(0.5) * k_t * dot(kept + h.spring, xi - h.spring);
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include <scree/contact_law.hpp>
 #include <scree/restitution.hpp>
+#include <scree/rolling.hpp>
 #include <scree/stability.hpp>
 
 namespace {
@@ -24,6 +25,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
   double tangential_damping = 0;
   double static_friction = 0;
   double dynamic_friction = -1;  // below 0: the same as static
+  double rolling_friction = 0;
   double damping_ratio = 0;
 
   static constexpr scree::About about = {
@@ -35,6 +37,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "f_0 = −k_t ξ − γ_t v_t                            test force\n"
       "stick: |f_0| <= μ f_n, f_t = f_0                  μ = μ_s while sticking, μ_d while sliding\n"
       "slip:  f_t = μ_d f_n f_0/|f_0|, ξ = −(f_t + γ_t v_t)/k_t\n"
+      "T = −μ_r k δ R* Δω/|Δω|  rolling; smaller where it would turn the motion round within a step\n"
       "arms of the torque: R − δ/2 (angular momentum is conserved)",
       "David et al. 2005, equations 1 to 4"};
 
@@ -57,6 +60,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
     d.number("dynamic_friction", dynamic_friction, "", non_negative,
              "μ_d <= μ_s, the same as static if absent")
         .optional();
+    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0 leaves rolling resistance out");
   }
 
   void prepare(const scree::Setup& setup) {
@@ -68,7 +72,9 @@ struct LinearSpringDashpot : scree::ContactLaw {
     if (restitution > 0) damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
   }
 
-  std::size_t kernel() const { return (static_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0); }
+  std::size_t kernel() const {
+    return (rolling_friction > 0 ? 4 : 0) + (static_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0);
+  }
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
                              std::uint32_t capacity) const {
@@ -98,13 +104,15 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 };
 
-template <bool frictional, bool by_restitution>
+template <bool frictional, bool by_restitution, bool rolling = false>
 struct Kernel : LinearSpringDashpot {
-  static constexpr std::uint32_t reads = scree::reads_normal | scree::reads_overlap |
-                                         scree::reads_relative_velocity |
-                                         (frictional ? scree::reads_tangential_increment : 0u) |
-                                         (by_restitution ? scree::reads_reduced_mass : 0u);
-  static constexpr bool tangential = frictional;
+  static constexpr std::uint32_t reads =
+      scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
+      (frictional ? scree::reads_tangential_increment : 0u) |
+      (by_restitution ? scree::reads_reduced_mass : 0u) |
+      (rolling ? scree::reads_relative_spin | scree::reads_reduced_mass | scree::reads_effective_radius : 0u);
+  static constexpr bool tangential = frictional || rolling;
+  static constexpr bool writes_couple = rolling;
 
   template <int D, class T>
   struct Friction {
@@ -143,6 +151,7 @@ struct Kernel : LinearSpringDashpot {
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
     if constexpr (frictional) slide_or_stick(c, pushing, weight, h, out);
+    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
  private:
@@ -178,4 +187,5 @@ struct Kernel : LinearSpringDashpot {
 }  // namespace
 
 SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, Kernel<false, false>, Kernel<false, true>, Kernel<true, false>,
-                         Kernel<true, true>)
+                         Kernel<true, true>, Kernel<false, false, true>, Kernel<false, true, true>,
+                         Kernel<true, false, true>, Kernel<true, true, true>)

@@ -26,6 +26,7 @@ inline double restitution_of(double zeta, Tension tension) {
 // The damping ratio ζ that gives a restitution in (0, 1].
 inline double damping_ratio_of(double restitution, Tension tension) {
   constexpr double pi = 3.14159265358979323846;
+  if (restitution == 1) return 0;
   if (tension == Tension::allowed) {
     const double log_r = std::log(restitution);
     return -log_r / std::sqrt(pi * pi + log_r * log_r);

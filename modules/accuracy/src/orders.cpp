@@ -20,31 +20,53 @@ bool same_method(const Setting& a, const Setting& b) {
 }
 
 Order order_of(const Study& study, const Setting& method) {
+  // What is below its floor counts as 0.
+  const auto usable = [&](const Outcome& o, std::size_t k) {
+    return o.errors[k] > floor_of(study.quantities[k], method.precision) ? o.errors[k] : 0;
+  };
   std::vector<double> steps, worst, positions;
-  double floor = 0;
   for (const Outcome& o : study.outcomes) {
     if (!same_method(o.setting, method) || !o.problem.empty()) continue;
     steps.push_back(o.setting.step);
-    worst.push_back(o.worst());
-    positions.push_back(o.errors.back());
-    floor = std::max(floor, floor_of(study.quantities[o.worst_quantity()], method.precision));
+    worst.push_back(usable(o, o.worst_quantity()));
+    positions.push_back(usable(o, study.quantities.size() - 1));
   }
   return {{method.integration, method.precision, 0},
-          fitted_order(steps, worst, floor, ceiling),
-          fitted_order(steps, positions, floor_of(study.quantities.back(), method.precision), ceiling)};
+          fitted_order(steps, worst, ceiling),
+          fitted_order(steps, positions, ceiling)};
+}
+
+// Halving the step must lower the error by this much, or the error is no longer the step's.
+constexpr double least_gain = 1.4;
+
+}  // namespace
+
+namespace {
+
+// The longest run of points [first, last) in which each step's error is usable and lower than the one before.
+std::pair<std::size_t, std::size_t> falling_run(const std::vector<double>& errors, double top) {
+  std::pair<std::size_t, std::size_t> longest = {0, 0};
+  for (std::size_t first = 0, k = 0; k < errors.size(); ++k) {
+    const bool usable = errors[k] > 0 && errors[k] < top;
+    if (k > 0 && errors[k] * least_gain > errors[k - 1]) first = k;
+    if (!usable) first = k + 1;
+    if (k + 1 - first > longest.second - longest.first && first <= k) longest = {first, k + 1};
+  }
+  return longest;
 }
 
 }  // namespace
 
 std::optional<double> fitted_order(const std::vector<double>& steps, const std::vector<double>& errors,
-                                   double floor, double ceiling_) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (!(errors[k] > floor && errors[k] < ceiling_)) continue;
+                                   double top) {
+  const auto [first, last] = falling_run(errors, top);
+  if (last - first < 3) return std::nullopt;
+  const double n = double(last - first);
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t k = first; k < last; ++k) {
     const double u = std::log(steps[k]), v = std::log(errors[k]);
-    n += 1, x += u, y += v, xx += u * u, xy += u * v;
+    x += u, y += v, xx += u * u, xy += u * v;
   }
-  if (n < 3) return std::nullopt;
   return (n * xy - x * y) / (n * xx - x * x);
 }
 

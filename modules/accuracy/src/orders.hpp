@@ -4,10 +4,10 @@
 
 namespace scree::accuracy {
 
-// Slope of log(error) over log(step) through the points above `floor` and below `ceiling`; nothing with fewer
-// than three.
+// Slope of log(error) over log(step), steps from the longest, through the longest run of points in which
+// errors lie between 0 and `top` and fall; nothing with fewer than three.
 std::optional<double> fitted_order(const std::vector<double>& steps, const std::vector<double>& errors,
-                                   double floor, double ceiling);
+                                   double top);
 
 // One per method, in the order in which they were tried.
 std::vector<Order> fit_orders(const Study& study);

@@ -4,48 +4,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scree::accuracy {
 
 Limit extrapolate(double at_h, double at_half, double at_quarter) {
-  constexpr double least_order = 1, most_order = 4;
-  const double first = at_half - at_h, second = at_quarter - at_half;
-  if (second == 0) return {at_quarter, 0};
-  const double ratio = std::clamp(std::abs(first / second), std::exp2(least_order), std::exp2(most_order));
-  const double correction = second / (ratio - 1);
-  return {at_quarter + correction, std::abs(correction)};
+  Limit best = {at_quarter, std::numeric_limits<double>::infinity()};
+  for (const double gain : {2.0, 4.0}) {  // per halving, of the first and of the second order
+    const double once = at_half + (at_half - at_h) / (gain - 1);
+    const double twice = at_quarter + (at_quarter - at_half) / (gain - 1);
+    if (std::abs(twice - once) < best.uncertainty) best = {twice, std::abs(twice - once)};
+  }
+  return best;
 }
 
 namespace {
 
 Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario::Trial>& trials,
                      std::size_t k) {
-  if (e.reference) return {e.quantity, *e.reference, 0, true};
-  if (e.quantity == "energy_residual" || e.quantity == "momentum_residual") return {e.quantity, 0, 0, true};
+  const double scale = e.scale.value_or(0);
+  if (e.reference && !e.of_step) return {e.quantity, *e.reference, 0, scale, true};
+  if (e.quantity == "energy_residual" || e.quantity == "momentum_residual")
+    return {e.quantity, 0, 0, 1, true};
   const Limit limit = extrapolate(trials[0].quantities[k], trials[1].quantities[k], trials[2].quantities[k]);
-  return {e.quantity, limit.value, limit.uncertainty, false};
+  return {e.quantity, limit.value, limit.uncertainty, scale, false};
 }
 
 }  // namespace
 
+std::vector<std::size_t> compared_expectations(const scenario::Plan& plan) {
+  static const std::vector<std::string> of_the_run = {"steps", "time", "neighbour_searches",
+                                                      "min_steps_per_contact"};
+  std::vector<std::size_t> compared;
+  for (std::size_t k = 0; k < plan.expectations.size(); ++k)
+    if (std::find(of_the_run.begin(), of_the_run.end(), plan.expectations[k].quantity) == of_the_run.end())
+      compared.push_back(k);
+  return compared;
+}
+
 std::vector<Quantity> reference_quantities(const scenario::Plan& plan,
                                            const std::vector<scenario::Trial>& trials) {
   std::vector<Quantity> quantities;
-  for (std::size_t k = 0; k < plan.expectations.size(); ++k)
+  for (const std::size_t k : compared_expectations(plan))
     quantities.push_back(quantity_of(plan.expectations[k], trials, k));
-  const double uncertainty =
-      distance_between(reference_positions(trials), trials.back().positions) / mean_radius(plan);
-  quantities.push_back({"positions", 0, uncertainty, false});
+  const ReferencePositions positions = reference_positions(trials);
+  quantities.push_back({"positions", 0, positions.uncertainty / mean_radius(plan), 1, false});
   return quantities;
 }
 
-std::vector<Vec3> reference_positions(const std::vector<scenario::Trial>& trials) {
-  std::vector<Vec3> limit = trials.back().positions;
-  for (std::size_t i = 0; i < limit.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      limit[i][k] =
-          extrapolate(trials[0].positions[i][k], trials[1].positions[i][k], trials[2].positions[i][k]).value;
-  return limit;
+ReferencePositions reference_positions(const std::vector<scenario::Trial>& trials) {
+  ReferencePositions reference = {trials.back().positions, 0};
+  double square = 0;
+  for (std::size_t i = 0; i < reference.positions.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const Limit limit =
+          extrapolate(trials[0].positions[i][k], trials[1].positions[i][k], trials[2].positions[i][k]);
+      reference.positions[i][k] = limit.value;
+      square += limit.uncertainty * limit.uncertainty;
+    }
+  if (square > 0) reference.uncertainty = std::sqrt(square / double(reference.positions.size()));
+  return reference;
 }
 
 double mean_radius(const scenario::Plan& plan) {

@@ -26,6 +26,12 @@ Plan with(Plan plan, const Setting& setting) {
   return plan;
 }
 
+std::string without_place_and_cure(const std::string& message) {
+  const auto place = message.find(": "), cure = message.find("; ");
+  const std::size_t from = place == std::string::npos || place > cure ? 0 : place + 2;
+  return message.substr(from, cure == std::string::npos ? cure : cure - from);
+}
+
 class Studying {
  public:
   Studying(const Plan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
@@ -89,7 +95,7 @@ class Studying {
     if (trials.size() < 3 || trials.back().stopped)
       throw Error("stopped before there was a reference to compare with", ExitStatus::interrupted);
     study_.quantities = reference_quantities(plan_, trials);
-    reference_positions_ = reference_positions(trials);
+    reference_positions_ = reference_positions(trials).positions;
     study_.duration = trials.back().time;
   }
 
@@ -118,14 +124,14 @@ class Studying {
       outcome.steps = trial.steps;
       compare(trial, outcome);
     } catch (const Error& error) {
-      outcome.problem = error.what();
+      outcome.problem = without_place_and_cure(error.what());
     }
     study_.outcomes.push_back(std::move(outcome));
     count(traits_of(setting.integration).evaluations * finest_ / setting.step);
   }
 
   void compare(const Trial& trial, Outcome& outcome) const {
-    outcome.values = trial.quantities;
+    for (const std::size_t k : compared_expectations(plan_)) outcome.values.push_back(trial.quantities[k]);
     outcome.values.push_back(distance_between(trial.positions, reference_positions_) / mean_radius(plan_));
     for (std::size_t k = 0; k < study_.quantities.size(); ++k)
       outcome.errors.push_back(std::abs(outcome.values[k] - study_.quantities[k].reference) /
@@ -148,7 +154,10 @@ std::string method_name(const Setting& setting) {
                      setting.precision == Precision::mixed ? "mixed" : "double");
 }
 
-double Quantity::scale() const { return reference != 0 ? std::abs(reference) : 1; }
+double Quantity::scale() const {
+  if (chosen_scale > 0) return chosen_scale;
+  return reference != 0 ? std::abs(reference) : 1;
+}
 
 // A quantity that took no sample, because its stage was cut off, is no error.
 std::size_t Outcome::worst_quantity() const {

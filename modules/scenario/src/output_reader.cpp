@@ -123,6 +123,8 @@ Expectation read_expectation(const Table& t, const std::vector<std::string>& kno
   e.tolerance = t.optional_number("tolerance", Range::non_negative());
   e.at_most = t.optional_number("at_most");
   e.at_least = t.optional_number("at_least");
+  e.of_step = t.boolean("of_step", false);
+  e.scale = t.optional_number("scale", Range::positive());
   if (e.reference.has_value() != e.tolerance.has_value())
     throw t.error(e.reference ? "reference" : "tolerance", "reference and tolerance go together",
                   "give both, or at_most / at_least");

@@ -87,7 +87,8 @@ TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset w
   check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
   CHECK(c.history[3][0] == 1);
   // What slipped against the mean of the old and the new spring's force.
-  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0.5 * k_t * dot(old + spring_of(c), old - spring_of(c))));
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) ==
+        Approx(0.5 * k_t * dot(old + spring_of(c), old - spring_of(c))));
 }
 
 TEST_CASE("between μ_d and μ_s the state in memory decides", "[equations]") {

@@ -28,8 +28,9 @@ std::map<std::string, Counts> disassemble(const std::string& library, const std:
     if (!line.empty() && line[0] != ' ')
       symbol = line.find("evaluate_batch") != std::string::npos ? line : "";
     if (symbol.empty() || line.find(vector_register) == std::string::npos) continue;
-    if (line.find("mulpd") != std::string::npos) ++all[symbol].packed;
-    if (line.find("divpd") != std::string::npos || line.find("sqrtpd") != std::string::npos)
+    const auto holds = [&](const char* instruction) { return line.find(instruction) != std::string::npos; };
+    if (holds("mulpd") || holds("mulps")) ++all[symbol].packed;
+    if (holds("divpd") || holds("sqrtpd") || holds("divps") || holds("sqrtps"))
       ++all[symbol].packed_division_or_root;
   }
   return all;
@@ -39,13 +40,13 @@ std::map<std::string, Counts> disassemble(const std::string& library, const std:
 
 TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
   const std::string folder = SCREE_TEST_PLUGINS "/contact/";
-  for (const std::string law : {"linear_spring_dashpot"})
+  for (const std::string law : {"linear_spring_dashpot", "hertz_mindlin"})
     for (const auto& [level, vector_register] :
          {std::pair<std::string, std::string>{"", "%xmm"}, {"x86-64-v3/", "%ymm"}, {"x86-64-v4/", "%zmm"}}) {
       const auto functions = disassemble(folder + level + law + ".so", vector_register);
       INFO(law << " at " << (level.empty() ? "baseline" : level) << ": " << functions.size() << " functions");
-      // 4 kernels × 2 dimensions × with and without audit.
-      CHECK(functions.size() == 16);
+      // 8 kernels × 2 dimensions × with and without audit × double and single precision.
+      CHECK(functions.size() == 64);
       for (const auto& [symbol, counts] : functions) {
         INFO(symbol);
         CHECK(counts.packed >= 5);

@@ -25,8 +25,9 @@ struct Quantity {
   std::string name;
   double reference = 0;
   double uncertainty = 0;    // of the reference: how much its last refinement changed it
+  double chosen_scale = 0;   // of [[expect]]; 0: none
   bool closed_form = false;  // the reference is the one that [[expect]] names
-  // What errors are divided by: |reference|, or 1 where that is 0.
+  // What errors are divided by: the chosen scale, or |reference|, or 1 where that is 0.
   double scale() const;
 };
 
@@ -42,8 +43,8 @@ struct Outcome {
   std::size_t worst_quantity() const;
 };
 
-// Slope of log(error) over log(step), fitted where errors are neither saturated nor lost in the reference's
-// own uncertainty or in round-off.
+// Slope of log(error) over log(step), fitted where errors fall with the step: neither saturated, nor lost in
+// the reference's own uncertainty, in round-off or in what does not depend on the step.
 struct Order {
   Setting method;                                // its step is 0
   std::optional<double> of_worst, of_positions;  // absent with fewer than 3 points to fit

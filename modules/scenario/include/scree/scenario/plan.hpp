@@ -52,6 +52,8 @@ struct Expectation {
   std::string quantity;     // "energy_residual" or "<probe>.<column>.<last|first|min|max|mean>"
   std::optional<double> reference, tolerance;
   std::optional<double> at_most, at_least;
+  bool of_step = false;         // the reference holds for the step of the file alone
+  std::optional<double> scale;  // what an error is small against; |reference| if absent
 };
 
 // A scenario file, read and checked; good as long as the PluginHost it was read with.

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+
+#include <scree/contact_law.hpp>
+
+namespace scree {
+
+// Rolling resistance of constant torque against the relative spin, μ_r f R* [L7], with R* as in the code that
+// Lemrich et al. used. Towards Δω = 0 the torque is bounded by what would halve the relative spin of a sphere
+// of the pair's mass and radius within the step, so that a body at rest is not shaken.
+// spring_force: elastic part of the normal force (N). Adds to the couple and to the dissipated power.
+template <int D, class T>
+void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rolling_friction,
+                    Response<D, T>& out) {
+  const T rate = norm(c.relative_spin);
+  const T full = T(rolling_friction) * spring_force * c.effective_radius;
+  const T inertia = T(0.4) * c.reduced_mass * c.effective_radius * c.effective_radius;
+  const T step = c.step < T(0) ? -c.step : c.step;
+  const T bound = T(0.5) * inertia * rate / std::max(step, smallest_divisor<T>);
+  const T torque = std::min(full, bound);
+  out.couple = (-torque / std::max(rate, smallest_divisor<T>)) * c.relative_spin;
+  out.dissipated_tangential += torque * rate;
+}
+
+}  // namespace scree
