@@ -1,0 +1,30 @@
+#include "program.hpp"
+
+#include <catch2/catch.hpp>
+
+using scree::test::Workspace;
+
+TEST_CASE("accuracy tells the cheapest setting and writes table, summary and charts") {
+  const Workspace w;
+  const auto outcome = w.scree("accuracy scene.toml --out study --count 3 --coarsest 1 --tolerance 1e-2");
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  for (const char* part : {"integrator", "velocity_verlet", "observed order of",
+                           "The cheapest setting within 0.01 is ", "results in study"})
+    CHECK(outcome.out.find(part) != std::string::npos);
+  CHECK(w.has("study/accuracy.csv"));
+  CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["orders"].size() == 8);
+  CHECK(w.has("study/charts/worst_error.png"));
+  CHECK(w.scree("accuracy scene.toml --out study").status == 2);  // holds a study already
+}
+
+TEST_CASE("accuracy refuses what makes no sense and writes nothing") {
+  const Workspace w;
+  for (const std::string options : {"--tolerance 0", "--count 1", "--coarsest -1", "--integrator euler"}) {
+    INFO(options);
+    CHECK(w.scree("accuracy scene.toml --out study " + options).status == 2);
+    CHECK_FALSE(w.has("study"));
+  }
+  CHECK(w.scree("accuracy scene.toml --out study --set time.step=1").status == 2);
+  CHECK_FALSE(w.has("study"));
+}
