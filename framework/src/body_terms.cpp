@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <scree/body_terms.hpp>
@@ -35,6 +37,15 @@ BodySums BodyTerms::apply(Particles& p) const {
   batch.inertia = data_or_null(p.inertia);
   for (const Member& member : members_) member.plugin.interface().apply(member.plugin.storage(), &batch);
   return {batch.potential, batch.dissipated_translation, batch.dissipated_rotation};
+}
+
+double BodyTerms::largest_damping_rate(const std::vector<Body>& bodies) const {
+  double largest = 0;
+  for (const Member& member : members_)
+    if (const auto rate = member.plugin.interface().damping_rate)
+      for (const Body& b : bodies)
+        largest = std::max(largest, rate(member.plugin.storage(), b.mass, b.inertia, b.radius));
+  return largest;
 }
 
 void BodyTerms::reconfigure(const std::string& name, const Parameters& parameters) {

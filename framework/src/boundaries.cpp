@@ -23,7 +23,7 @@ Boundaries::Boundaries(const std::vector<Entry>& entries, int dimension, const V
       names_.push_back(instance.plane_names ? fmt::format("{}.{}", entry.name, instance.plane_names[k])
                                             : entry.name);
       materials_.push_back(entry.material);
-      masses_.push_back(instance.plane_mass);
+      masses_.push_back(instance.plane_masses ? instance.plane_masses[k] : 0);
     }
     planes_.resize(planes_.size() + instance.plane_count);
     loads_.resize(planes_.size());
@@ -88,7 +88,8 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
           "boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
     member.plugin = std::move(changed);
     for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
-      masses_[member.first_plane + k] = member.plugin.instance().plane_mass;
+      masses_[member.first_plane + k] =
+          member.plugin.instance().plane_masses ? member.plugin.instance().plane_masses[k] : 0;
     member.clock_start = time;
     return;
   }

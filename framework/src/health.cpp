@@ -44,10 +44,13 @@ void report_overlap(const Simulation& s) {
   const std::uint32_t b = list.b[worst];
   const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
                                          : fmt::format("wall {}", s.boundaries().plane_names()[b - p.size()]);
+  const char* cure = s.steps() > 0 ? "use a stiffer contact, a lower load or a shorter time.step"
+                     : worst_ratio >= 2 && b < p.size() ? "their centres coincide: move them apart"
+                                                        : "they start inside each other: move them apart";
   stop(fmt::format(
       "contact of particle {} with {}: overlap is {:.3g} of the smaller radius {}, above the limit of {:g}; "
-      "use a stiffer contact, a lower load or a shorter time.step, or raise limits.overlap_ratio",
-      p.id[list.a[worst]], other, worst_ratio, where(s), s.scene().limits.overlap_ratio));
+      "{}, or raise limits.overlap_ratio",
+      p.id[list.a[worst]], other, worst_ratio, where(s), s.scene().limits.overlap_ratio, cure));
 }
 
 }  // namespace

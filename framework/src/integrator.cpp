@@ -16,7 +16,8 @@ constexpr IntegrationTraits all[] = {
     {Integration::position_verlet, "position_verlet",
      "order 2, symplectic, forces in mid-step; as velocity Verlet", 1, 1},
     {Integration::fourth_order, "fourth_order",
-     "order 4, symplectic (Suzuki), on elastic motion; dashpots bring it to 2, and to 1 where contacts begin", 5, 1.35},
+     "order 4, symplectic (Suzuki), on elastic motion; dashpots bring it to 2, and to 1 where contacts begin",
+     5, 1.35},
     {Integration::predictor_corrector, "predictor_corrector",
      "order 4 (Gear) in smooth motion, 2 through starts and contacts; not symplectic, elastic motion gains "
      "energy",

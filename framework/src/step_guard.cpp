@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/stability.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree {
@@ -19,6 +20,7 @@ constexpr double least_speed = 1;  // (m/s)
 // The lightest and the smallest body of a material; infinite where it has none.
 struct Smallest {
   double mass = infinite, radius = infinite;
+  std::size_t count = 0;
 };
 
 std::vector<Smallest> smallest_bodies(const Scene& scene) {
@@ -27,6 +29,7 @@ std::vector<Smallest> smallest_bodies(const Scene& scene) {
     Smallest& s = all[body.material];
     s.mass = std::min(s.mass, body.mass);
     s.radius = std::min(s.radius, body.radius);
+    ++s.count;
   }
   return all;
 }
@@ -44,8 +47,17 @@ scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed)
   return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed};
 }
 
-// Calls visit(law index, law, encounter) for the lightest pair of every two materials of which one has
-// bodies.
+// Which materials meet the bodies of material `a`, as the lightest partner of each: other bodies and walls.
+std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
+                                                       const std::vector<Smallest>& smallest, std::size_t a) {
+  std::vector<std::pair<std::size_t, Smallest>> all;
+  for (std::size_t b = 0; b < smallest.size(); ++b)
+    if (smallest[b].count > (a == b ? 1 : 0)) all.push_back({b, smallest[b]});
+  for (const Boundaries::Entry& boundary : scene.boundaries) all.push_back({boundary.material, {}});
+  return all;
+}
+
+// Calls visit(law index, law, encounter) for the lightest pair of every two materials that may meet.
 template <class Visit>
 void each_encounter(const Scene& scene, double speed, const Visit& visit) {
   const std::vector<Smallest> smallest = smallest_bodies(scene);
@@ -53,9 +65,9 @@ void each_encounter(const Scene& scene, double speed, const Visit& visit) {
   for (std::size_t k = 0; k < scene.laws.size(); ++k) {
     const ConfiguredLaw law(scene.laws[k].parameters, scene.dimension, nowhere, nowhere);
     for (std::size_t a = 0; a < materials; ++a)
-      for (std::size_t b = 0; b < materials; ++b)
-        if (scene.law_of[a * materials + b] == k && smallest[a].mass < infinite)
-          visit(k, law, encounter_of(smallest[a], smallest[b], speed));
+      for (const auto& [b, partner] : partners(scene, smallest, a))
+        if (smallest[a].count > 0 && scene.law_of[a * materials + b] == k)
+          visit(k, law, encounter_of(smallest[a], partner, speed));
   }
 }
 
@@ -99,6 +111,13 @@ void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits
                                   s.boundaries().plane_names()[w], mass, near[w].count),
                       stable_step(law, encounter_of(body, share, speed))});
   }
+}
+
+void add_body_terms(const Simulation& s, std::vector<StepLimit>& limits) {
+  const double rate = s.body_terms().largest_damping_rate(s.scene().bodies);
+  if (rate > 0)
+    limits.push_back({fmt::format("the drag of a body force, which slows a body at {:.3g}/s,", rate),
+                      critical_step(0, rate)});
 }
 
 void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
@@ -146,6 +165,7 @@ std::vector<StepLimit> step_limits(const Simulation& s) {
                             0.5 * *wave});
       });
   add_walls(s, speed, limits);
+  add_body_terms(s, limits);
   for (StepLimit& limit : limits) limit.longest_step *= traits_of(scene.integration).stable_step;
   add_motion(s, limits);
   return limits;

@@ -20,6 +20,11 @@ struct BackgroundDamping {
              "γ_br; no effect in a scene without spin");
   }
 
+  double damping_rate(double mass, double inertia, double radius) const {
+    const double turning = inertia > 0 ? rotational * radius * radius / inertia : 0;
+    return turning > translational / mass ? turning : translational / mass;
+  }
+
   void apply(scree_body_batch& batch) const {
     for (int k = 0; k < 3; ++k)
       if (batch.velocity[k])

@@ -22,6 +22,7 @@ struct Box {
   scree::Program axis_stress[3];
   scree::Program wall_stress[most_walls];
   int dimension = 3;
+  double masses[most_walls] = {};  // of the walls that forces move
 
   static constexpr scree::About about = {
       "box", "4 or 6 walls, each fixed or stress-controlled with mass and viscosity",
@@ -67,6 +68,7 @@ struct Box {
     bool any_moves = false, any_stress = stress.given();
     for (int w = 0; w < walls(); ++w) {
       any_moves |= moving(w);
+      masses[w] = moving(w) ? mass : 0;
       any_stress |= wall_stress[w].given() || axis_stress[w / 2].given();
       if (!wall_stress[w].given()) wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : stress;
       if (control[w] == stress_controlled && !wall_stress[w].given())
@@ -81,8 +83,7 @@ struct Box {
     instance.plane_count = std::uint32_t(walls());
     instance.state_width = std::uint32_t(walls() * per_wall);
     instance.plane_names = names;
-    for (int w = 0; w < walls(); ++w)
-      if (moving(w)) instance.plane_mass = mass;
+    instance.plane_masses = masses;
   }
 
   void start(const scree_boundary_step& s) const {

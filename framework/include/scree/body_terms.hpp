@@ -21,6 +21,8 @@ class BodyTerms {
 
   // Adds to the bodies' forces and torques.
   BodySums apply(Particles& particles) const;
+  // Fastest at which any term slows any of the bodies (1/s); 0 without drag.
+  double largest_damping_rate(const std::vector<Body>& bodies) const;
   void reconfigure(const std::string& name, const Parameters& parameters);
 
  private:

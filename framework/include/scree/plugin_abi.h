@@ -193,7 +193,8 @@ typedef struct scree_boundary_instance {
   uint32_t periodic[3];          /* nonzero: this axis is periodic between lower and upper */
   double lower[3], upper[3];     /* (m) */
   const char* const* plane_names; /* (optional) plane_count names */
-  double plane_mass;              /* (kg) of the lightest plane that forces move; 0 if none is */
+  const double* plane_masses;     /* (optional) plane_count masses (kg), 0 for planes that forces do not move; in
+                                     the plug-in's storage */
 } scree_boundary_instance;
 
 typedef struct scree_boundary {
@@ -229,6 +230,8 @@ typedef struct scree_body_term {
   uint32_t storage_size;
   int (*configure)(const scree_setup* setup, void* storage);
   void (*apply)(const void* storage, scree_body_batch* batch);
+  /* (optional) Largest rate (1/s) at which the term slows a body of this mass, inertia and radius. */
+  double (*damping_rate)(const void* storage, double mass, double inertia, double radius);
 } scree_body_term;
 
 /* ---- probes ----------------------------------------------------------------------------------------- */

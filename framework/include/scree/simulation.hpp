@@ -47,6 +47,7 @@ class Simulation {
   std::uint64_t steps() const { return steps_; }
   const Particles& particles() const { return particles_; }
   const Boundaries& boundaries() const { return boundaries_; }
+  const BodyTerms& body_terms() const { return body_terms_; }
   const Contacts& contacts() const { return contacts_; }
   const Scene& scene() const { return scene_; }
   ContactList contact_list() const;

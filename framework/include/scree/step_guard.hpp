@@ -27,6 +27,7 @@ double shortest_contact_time(const Scene& scene, double speed);
 //                hold a body (the stiffest lattice of equal spheres swings twice as fast as a pair)
 //   surfaces     half the time in which a Rayleigh wave passes the smallest body, for laws that know it
 //   walls        the same for a wall that forces move, whose mass is shared by the bodies near it
+//   drag         the step in which body forces leave a body slower rather than turn it round
 //   motion       the skin, which the fastest body or wall must not cross within a step
 std::vector<StepLimit> step_limits(const Simulation& simulation);
 // The shortest of them.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,16 @@ std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads) {
   return simulation;
 }
 
+namespace {
+
+// To two digits, so that the number as printed is allowed.
+double rounded_down(double step) {
+  const double unit = std::pow(10, std::floor(std::log10(step)) - 1);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
+}
+
+}  // namespace
+
 std::string describe_step(const Simulation& s) {
   constexpr double few = 20;  // below which contacts are resolved to some per cent only
   const double steps = s.min_steps_per_contact();
@@ -58,10 +69,10 @@ std::optional<std::string> step_problem(const Simulation& s) {
   if (s.step_length() <= limit.longest_step) return std::nullopt;
   const double contact = s.min_steps_per_contact() * s.step_length();
   return fmt::format(
-      "the time step of {:g} s is too long: {} allow{} {:.3g} s at most; use time.step = {:.2g} or less, or "
+      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less, or "
       "time.step_guard = false to run it all the same",
       s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
-      std::min(contact / 50, limit.longest_step));
+      rounded_down(std::min(contact / 50, limit.longest_step)));
 }
 
 }  // namespace scree::scenario

@@ -11,7 +11,7 @@ struct NeedsFeatures {
 
 const scree_body_term body_term = {sizeof(scree_body_term), sizeof(NeedsFeatures),
                                    &scree::configure_author<NeedsFeatures>,
-                                   &scree::detail::apply_body_term<NeedsFeatures>};
+                                   &scree::detail::apply_body_term<NeedsFeatures>, nullptr};
 
 }  // namespace
 
