@@ -20,7 +20,7 @@ BodyTerms::BodyTerms(const std::vector<Entry>& entries, int dimension) : dimensi
     members_.push_back({entry.name, ConfiguredBodyTerm(entry.parameters, dimension, nowhere, nowhere)});
 }
 
-BodySums BodyTerms::apply(Particles& p) const {
+BodySums BodyTerms::apply(Particles& p, const Domain& domain) const {
   scree_body_batch batch = {};
   batch.struct_size = sizeof(batch);
   batch.dimension = std::uint32_t(dimension_);
@@ -31,6 +31,9 @@ BodySums BodyTerms::apply(Particles& p) const {
     batch.spin[k] = data_or_null(p.spin[k]);
     batch.force[k] = data_or_null(p.force[k]);
     batch.torque[k] = data_or_null(p.torque[k]);
+    if (!domain.periodic[std::size_t(k)] || p.image[k].empty()) continue;
+    batch.image[k] = p.image[k].data();
+    batch.period[k] = domain.length(k);
   }
   batch.radius = p.radius.data();
   batch.mass = p.mass.data();

@@ -96,6 +96,12 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
   throw Error(fmt::format("no boundary '{}'", name));
 }
 
+double Boundaries::largest_damping_rate() const {
+  double largest = 0;
+  for (const Member& member : members_) largest = std::max(largest, member.plugin.instance().damping_rate);
+  return largest;
+}
+
 scree_boundary_energy Boundaries::energy() const {
   scree_boundary_energy sum = {};
   for (const Member& member : members_) {

@@ -18,6 +18,8 @@ void EnergyAudit::store(const ContactSums& contacts, const BodySums& bodies) {
   totals_.elastic_normal = contacts.elastic_normal;
   totals_.elastic_tangential = contacts.elastic_tangential;
   totals_.potential = bodies.potential;
+  const double height = started_ ? std::abs(totals_.potential - potential_at_start_) : 0;
+  most_stored_ = std::max(most_stored_, totals_.elastic_normal + totals_.elastic_tangential + height);
 }
 
 void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodySums& bodies) {
@@ -32,6 +34,8 @@ void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodyS
 
 void EnergyAudit::start(double kinetic_translation, double kinetic_rotation,
                         const scree_boundary_energy& boundaries) {
+  kinetic_at_start_ = kinetic_translation + kinetic_rotation;
+  potential_at_start_ = totals_.potential;
   stored_at_start_ = balance(kinetic_translation, kinetic_rotation, boundaries).residual;
   started_ = true;
 }
@@ -60,8 +64,9 @@ double dissipated_energy(const scree_energy& e) {
          e.dissipated_rotation + e.dissipated_boundary;
 }
 
-double energy_turnover(const scree_energy& e) {
-  return std::max(std::abs(e.work), kinetic_energy(e) + elastic_energy(e) + dissipated_energy(e));
+double EnergyAudit::turnover(const scree_energy& e) const {
+  const double most = std::max({kinetic_energy(e) + elastic_energy(e), kinetic_at_start_, most_stored_});
+  return std::max(std::abs(e.work), most + dissipated_energy(e));
 }
 
 }  // namespace scree

@@ -20,8 +20,9 @@ void report_body(const Simulation& s, std::size_t i, double speed_limit) {
   if (!std::isfinite(norm(body.position)) || !std::isfinite(speed) || !std::isfinite(norm(body.spin)))
     stop(fmt::format(
         "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
-        "look for overlapping bodies at the start",
-        body.id, where(s), s.step_length()));
+        "look for overlapping bodies at the start{}",
+        body.id, where(s), s.step_length(),
+        s.scene().precision == Precision::mixed ? ", or compute in precision = \"double\"" : ""));
   if (speed > speed_limit)
     stop(
         fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "

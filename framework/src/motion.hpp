@@ -9,19 +9,20 @@
 
 namespace scree {
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // Largest |v|² of the bodies [begin, end); infinite if any component is not a number.
 inline double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin,
                              std::size_t end) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   double largest = 0;
   bool finite = true;
   for (std::size_t i = begin; i < end; ++i) {
     double square = 0;
     for (int k = axes.first; k < axes.last; ++k) square += v[k][i] * v[k][i];
     largest = std::max(largest, square);
-    finite &= square < infinite;
+    finite &= square < infinity;
   }
-  return finite ? largest : infinite;
+  return finite ? largest : infinity;
 }
 
 // The columns of one axis, of translation or rotation.
@@ -47,7 +48,9 @@ double move_bodies(Particles& p, ThreadPool& threads, const Column<double> (&spe
       move(Axis{nullptr, p.spin[k].data(), p.mid_spin[k].data(), p.torque[k].data(), p.inverse_inertia.data(),
                 3 + k},
            begin, end);
-    largest[worker] = largest_square(speeds, p.axes(), begin, end);
+    // Spins have no limit, but must be numbers.
+    const bool spins_finite = largest_square(p.spin, p.spin_axes(), begin, end) < infinity;
+    largest[worker] = spins_finite ? largest_square(speeds, p.axes(), begin, end) : infinity;
   });
   return *std::max_element(largest.begin(), largest.end());
 }

@@ -114,7 +114,7 @@ void Simulation::evaluate_forces(double step) {
   contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
                                    boundaries_.domain(), step, *threads_);
   add_momentum_error(step);
-  body_sums_ = body_terms_.apply(particles_);
+  body_sums_ = body_terms_.apply(particles_, boundaries_.domain());
   max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
 }
 
@@ -169,6 +169,7 @@ void Simulation::catch_up() {
   boundaries_.drift(force_time_, behind);
   evaluate_forces(behind);
   boundaries_.kick(force_time_, behind);
+  if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);
   force_time_ = time_;
 }
 
@@ -185,6 +186,7 @@ void Simulation::check_health(double largest_square_speed) const {
 }
 
 void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
+  catch_up();
   for (Scene::Law& law : scene_.laws)
     if (law.name == name) {
       law.parameters = parameters;
@@ -194,16 +196,17 @@ void Simulation::reconfigure_law(const std::string& name, const Parameters& para
 }
 
 void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
+  catch_up();
   boundaries_.reconfigure(name, parameters, time_);
 }
 
 void Simulation::reconfigure_body_term(const std::string& name, const Parameters& parameters) {
+  catch_up();
   body_terms_.reconfigure(name, parameters);
 }
 
 void Simulation::apply_reconfiguration() {
   configure_laws();
-  catch_up();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
   neighbours_.rebuild(particles_, boundaries_, contacts_);
   evaluate_forces(0);
@@ -230,7 +233,7 @@ scree_energy Simulation::energy() const {
 double Simulation::energy_residual() const {
   if (!scene_.audit) return 0;
   const scree_energy e = energy();
-  const double turnover = energy_turnover(e);
+  const double turnover = audit_.turnover(e);
   return turnover > 0 ? std::abs(e.residual) / turnover : 0;
 }
 

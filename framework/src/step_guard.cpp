@@ -17,6 +17,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nowhere[3] = {0, 0, 0};
 constexpr double least_speed = 1;  // (m/s)
 
+// How many times stiffer than a pair the stiffest packing of equal spheres is: 12 contacts hold a body of the
+// face-centred cubic lattice, and a wave in which its layers swing against each other feels 8 k/m, a pair 2
+// k/m.
+constexpr double dense_network = 4;
+
 // The lightest and the smallest body of a material; infinite where it has none.
 struct Smallest {
   double mass = infinite, radius = infinite;
@@ -44,7 +49,7 @@ std::optional<double> closed_form(const ConfiguredLaw& law, const scree_encounte
 }
 
 scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed) {
-  return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed};
+  return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed, 1};
 }
 
 // Which materials meet the bodies of material `a`, as the lightest partner of each: other bodies and walls.
@@ -72,10 +77,11 @@ void each_encounter(const Scene& scene, double speed, const Visit& visit) {
 }
 
 // A law that does not tell its critical step is taken for a linear one, whose contact lasts π/ω.
-double stable_step(const ConfiguredLaw& law, const scree_encounter& encounter) {
+double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double network) {
+  encounter.network = network;
   if (const auto critical = closed_form(law, encounter, "critical_step")) return *critical;
   constexpr double pi = 3.14159265358979323846;
-  return 2 / pi * closed_form(law, encounter, "contact_time").value_or(infinite);
+  return 2 / pi / std::sqrt(network) * closed_form(law, encounter, "contact_time").value_or(infinite);
 }
 
 // Bodies of one plane's neighbour pairs, and the lightest of them.
@@ -84,6 +90,15 @@ struct NearPlane {
   double lightest = infinite, radius = infinite;
   std::uint32_t law = 0;
 };
+
+Smallest smallest_of(const Scene& scene) {
+  Smallest all;
+  for (const Smallest& s : smallest_bodies(scene)) {
+    all.mass = std::min(all.mass, s.mass);
+    all.radius = std::min(all.radius, s.radius);
+  }
+  return all;
+}
 
 std::vector<NearPlane> near_planes(const Simulation& s) {
   std::vector<NearPlane> near(s.boundaries().planes().size());
@@ -103,14 +118,24 @@ void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits
   const std::vector<NearPlane> near = near_planes(s);
   for (std::size_t w = 0; w < near.size(); ++w) {
     const double mass = s.boundaries().plane_masses()[w];
-    if (!(mass > 0) || near[w].count == 0) continue;
+    if (!(mass > 0) || s.particles().size() == 0) continue;
+    // A wall that nothing is near to yet will meet a face of the packing.
+    const double face = std::pow(double(s.particles().size()), 1 - 1.0 / s.dimension());
+    const double count = std::max(double(near[w].count), std::floor(face));
+    const Smallest body =
+        near[w].count > 0 ? Smallest{near[w].lightest, near[w].radius} : smallest_of(s.scene());
+    const Smallest share = {mass / count, infinite};
     const ConfiguredLaw law(s.scene().laws[near[w].law].parameters, s.dimension(), nowhere, nowhere);
-    const Smallest body = {near[w].lightest, near[w].radius};
-    const Smallest share = {mass / double(near[w].count), infinite};
-    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {} bodies near it",
-                                  s.boundaries().plane_names()[w], mass, near[w].count),
-                      stable_step(law, encounter_of(body, share, speed))});
+    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {:g} bodies near it",
+                                  s.boundaries().plane_names()[w], mass, count),
+                      stable_step(law, encounter_of(body, share, speed), 1)});
   }
+}
+
+void add_viscosity(const Simulation& s, std::vector<StepLimit>& limits) {
+  if (const double rate = s.boundaries().largest_damping_rate(); rate > 0)
+    limits.push_back(
+        {fmt::format("the viscosity of a wall, which slows it at {:.3g}/s,", rate), critical_step(0, rate)});
 }
 
 void add_body_terms(const Simulation& s, std::vector<StepLimit>& limits) {
@@ -153,18 +178,19 @@ double shortest_contact_time(const Scene& scene, double speed) {
 std::vector<StepLimit> step_limits(const Simulation& s) {
   const Scene& scene = s.scene();
   const double speed = expected_speed(scene);
-  const double network = scene.bodies.size() + s.boundaries().planes().size() > 2 ? 2 : 1;
+  const double network = scene.bodies.size() + s.boundaries().planes().size() > 2 ? dense_network : 1;
   std::vector<StepLimit> limits;
   each_encounter(
       scene, speed, [&](std::size_t k, const ConfiguredLaw& law, const scree_encounter& encounter) {
         limits.push_back({fmt::format("the contacts of law '{}'", scene.laws[k].name),
-                          stable_step(law, encounter) / network});
+                          stable_step(law, encounter, network)});
         if (const auto wave = closed_form(law, encounter, "rayleigh_time"))
           limits.push_back({fmt::format("the Rayleigh wave of {:.3g} s across the smallest body of law '{}'",
                                         *wave, scene.laws[k].name),
                             0.5 * *wave});
       });
   add_walls(s, speed, limits);
+  add_viscosity(s, limits);
   add_body_terms(s, limits);
   for (StepLimit& limit : limits) limit.longest_step *= traits_of(scene.integration).stable_step;
   add_motion(s, limits);

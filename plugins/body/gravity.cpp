@@ -20,7 +20,8 @@ struct Gravity {
       const double g = acceleration[k];
       for (std::uint32_t i = 0; i < batch.count; ++i) {
         batch.force[k][i] += batch.mass[i] * g;
-        batch.potential -= batch.mass[i] * g * batch.position[k][i];
+        const double crossed = batch.image[k] ? batch.image[k][i] * batch.period[k] : 0;
+        batch.potential -= batch.mass[i] * g * (batch.position[k][i] + crossed);
       }
     }
   }

@@ -84,6 +84,8 @@ struct Box {
     instance.state_width = std::uint32_t(walls() * per_wall);
     instance.plane_names = names;
     instance.plane_masses = masses;
+    for (int w = 0; w < walls(); ++w)
+      if (moving(w)) instance.damping_rate = viscosity / mass;
   }
 
   void start(const scree_boundary_step& s) const {
@@ -117,7 +119,7 @@ struct Box {
       const int k = w / 2;
       const double push = push_on(w, s, s.time + s.step);
       if (moving(w)) {
-        // Implicit in the viscosity: stable however light the wall.
+        // Implicit in the viscosity.
         const double force = s.loads[w].force[k] + sign(w) * push;
         const double mid = plane.mid_velocity[k];
         plane.velocity[k] = (mid + 0.5 * s.step * force / mass) / (1 + 0.5 * s.step * viscosity / mass);

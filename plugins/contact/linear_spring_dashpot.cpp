@@ -84,11 +84,9 @@ struct LinearSpringDashpot : scree::ContactLaw {
     // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
     const double contact_time =
         zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
-    const double along = scree::critical_step(k / m, 2 * zeta * omega_0),
-                 light = scree::tangential_lightness / m;
-    const double across = static_friction > 0
-                              ? scree::critical_step(light * tangential_stiffness, light * tangential_damping)
-                              : along;
+    const double light = static_friction > 0 ? scree::tangential_lightness / m : 0;
+    const double critical_step = scree::critical_step(
+        {k / m, 2 * zeta * omega_0}, {light * tangential_stiffness, light * tangential_damping}, e.network);
     const scree_closed_form all[] = {
         {"contact_time", "s", "t_c = π/ω, ω² = k/m* − η², η = γ/2m* (tension cut: until f_n = 0)",
          contact_time},
@@ -96,7 +94,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
         {"critical_step", "s",
          "2/(√(k/m* + (γ/m*)²) + γ/m*), longest stable step of velocity Verlet for this pair; the\n"
          "                        same with 7/2 k_t, 7/2 γ_t if that is shorter",
-         std::min(along, across)},
+         critical_step},
         {"damping_ratio", "", "ζ = γ/(2√(k m*))", zeta}};
     std::uint32_t n = 0;
     for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];

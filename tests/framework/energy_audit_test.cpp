@@ -83,13 +83,19 @@ TEST_CASE("energies that are there before the start are no work") {
   CHECK(e.residual == 0);
 }
 
-TEST_CASE("turnover is the work, or what is stored and lost if that is more") {
+TEST_CASE("turnover is the work, or what is moved, stored and lost if that is more") {
+  EnergyAudit audit;
+  audit.restate({}, {.potential = 5});
+  audit.start(1, 0, {});
   scree_energy e = {};
-  CHECK(scree::energy_turnover(e) == 0);
+  CHECK(audit.turnover(e) == 1);  // what moved at the start
   e.kinetic_translation = 1, e.elastic_normal = 2, e.dissipated_friction = 4;
-  CHECK(scree::energy_turnover(e) == 7);
+  CHECK(audit.turnover(e) == 7);
   e.work = -9;
-  CHECK(scree::energy_turnover(e) == 9);
+  CHECK(audit.turnover(e) == 9);
+  audit.add_step(1, {.elastic_normal = 6}, {.potential = 8});  // 6 in springs and 3 by height
+  audit.add_step(1, {}, {.potential = 5});
+  CHECK(audit.turnover(e) == 13);
 }
 
 TEST_CASE("the books of an elastic bounce under gravity close to the integrator's second order") {

@@ -1,7 +1,9 @@
 #include "progress_bar.hpp"
 #include "verbs.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
@@ -59,13 +61,17 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
     const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
     return accuracy::study(plan, options_of(arguments, bar));
   }();
-  accuracy::write_report(study, plan.title.empty() ? plan.source.stem().string() : plan.title, directory);
   if (arguments.quiet)
     fmt::print("{}\n", accuracy::verdict(study));
   else
     fmt::print("{}", accuracy::text_report(study));
+  std::fflush(stdout);
+  accuracy::write_report(study, plan.title.empty() ? plan.source.stem().string() : plan.title, directory);
   fmt::print("results in {}\n", directory.path().string());
-  return study.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+  const bool any = std::any_of(study.outcomes.begin(), study.outcomes.end(),
+                               [](const accuracy::Outcome& o) { return o.problem.empty(); });
+  if (study.interrupted) return ExitStatus::interrupted;
+  return any ? ExitStatus::success : ExitStatus::failure;
 }
 
 }  // namespace
@@ -80,9 +86,9 @@ void add_accuracy_verb(CLI::App& app, ExitStatus& status) {
       ->type_name("DIR");
   verb->add_option("--tolerance", a->tolerance,
                    "Relative error that the cheapest setting must meet (default 1e-3)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_and_finite);
   verb->add_option("--coarsest", a->coarsest, "Longest step, in steps of the scenario (default 4)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_and_finite);
   verb->add_option("--count", a->count, "Number of steps, each half of the one before (default 6)")
       ->check(CLI::Range(2, 20));
   verb->add_option("--integrator", a->integrators, "Only this one, repeatable; default all")

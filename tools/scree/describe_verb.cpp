@@ -121,8 +121,8 @@ void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {
   const double mass = a.density * (a.dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r);
   print_forms(fmt::format("two equal {}, R = {:g} m, density {:g} kg/m^3",
                           a.dimension == 2 ? "discs" : "spheres", r, a.density),
-              law, {mass / 2, r / 2, a.speed});
-  print_forms("one of them and a wall", law, {mass, r, a.speed});
+              law, {mass / 2, r / 2, a.speed, 1});
+  print_forms("one of them and a wall", law, {mass, r, a.speed, 1});
 }
 
 // All plug-ins of a name; "probe/box" tells the kinds apart where a name stands for several.
@@ -169,13 +169,6 @@ ExitStatus describe(const DescribeArguments& arguments) {
     gap = "\n";
   }
   return ExitStatus::success;
-}
-
-// CLI::PositiveNumber takes infinity.
-std::string positive_and_finite(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is no number above 0";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "verbs.hpp"
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -52,6 +53,12 @@ void on_interrupt(int signal) {
 }
 
 }  // namespace
+
+std::string positive_and_finite(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is no number above 0";
+}
 
 const std::atomic<bool>& watch_for_interrupt() {
   std::signal(SIGINT, on_interrupt);

@@ -42,6 +42,10 @@ void print_result(const scenario::RunResult& r) {
       "energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the "
       "radius\n",
       quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
+  constexpr double much = 0.05;
+  if (quantity("energy_residual") > much)
+    fmt::print(
+        "WARNING: the energy books do not close; shorten time.step, or look for a law that makes energy\n");
   fmt::print("state hash {:016x}\n", r.state_hash);
   for (const scenario::Verdict& v : r.verdicts)
     fmt::print("{}  {} ({} = {:.6g})\n", v.met ? "met    " : "NOT MET", v.expectation.requirement,

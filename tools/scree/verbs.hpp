@@ -26,6 +26,9 @@ void add_plugin_options(CLI::App& verb, PluginOptions& options);
 // Directories of --plugins, then of SCREE_PLUGIN_PATH, then of the build or install tree.
 PluginHost make_host(const PluginOptions& options);
 
+// A check for options; CLI::PositiveNumber takes infinity.
+std::string positive_and_finite(const std::string& word);
+
 // Each adds its verb; the callback sets `status`.
 void add_run_verb(CLI::App& app, ExitStatus& status);
 void add_check_verb(CLI::App& app, ExitStatus& status);

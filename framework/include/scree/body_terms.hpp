@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/domain.hpp>
 #include <scree/energy_audit.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_host.hpp>
@@ -20,7 +21,7 @@ class BodyTerms {
   BodyTerms(const std::vector<Entry>& entries, int dimension);
 
   // Adds to the bodies' forces and torques.
-  BodySums apply(Particles& particles) const;
+  BodySums apply(Particles& particles, const Domain& domain) const;
   // Fastest at which any term slows any of the bodies (1/s); 0 without drag.
   double largest_damping_rate(const std::vector<Body>& bodies) const;
   void reconfigure(const std::string& name, const Parameters& parameters);

@@ -41,6 +41,8 @@ class Boundaries {
   const std::vector<std::string>& plane_names() const { return names_; }
   // Mass that forces on each plane move (kg); 0 where none do.
   const std::vector<double>& plane_masses() const { return masses_; }
+  // Fastest at which a boundary's own viscosity slows a plane (1/s); 0 without.
+  double largest_damping_rate() const;
   // Sum over all boundaries.
   scree_boundary_energy energy() const;
   // Largest speed of a plane along its normal in the last drift (m/s); infinite if any is not finite.

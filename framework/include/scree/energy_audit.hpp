@@ -23,6 +23,9 @@ class EnergyAudit {
 
   // Fixes the start against which the residual is taken.
   void start(double kinetic_translation, double kinetic_rotation, const scree_boundary_energy& boundaries);
+  // What a residual is measured against: the work put in, or all energy that went and the most that moved or
+  // was stored in springs and by height, if that is more (J).
+  double turnover(const scree_energy& now) const;
   // The books at this moment.
   scree_energy balance(double kinetic_translation, double kinetic_rotation,
                        const scree_boundary_energy& boundaries) const;
@@ -33,7 +36,8 @@ class EnergyAudit {
   scree_energy totals_ = {};
   ContactSums contacts_;
   BodySums bodies_;
-  double stored_at_start_ = 0;
+  double stored_at_start_ = 0, kinetic_at_start_ = 0, potential_at_start_ = 0;
+  double most_stored_ = 0;  // in springs and by height since the start (J)
   bool started_ = false;
 };
 
@@ -41,8 +45,5 @@ class EnergyAudit {
 double kinetic_energy(const scree_energy& energy);
 double elastic_energy(const scree_energy& energy);
 double dissipated_energy(const scree_energy& energy);
-// What a residual is measured against: the work put in, or all energy that is stored or went if that is more
-// (J).
-double energy_turnover(const scree_energy& energy);
 
 }  // namespace scree

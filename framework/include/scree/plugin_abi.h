@@ -138,6 +138,8 @@ typedef struct scree_contact_instance {
 /* A pair of bodies for which closed forms are asked. */
 typedef struct scree_encounter {
   double reduced_mass, effective_radius, speed; /* (kg), (m), (m/s) */
+  double network; /* 1: the pair alone; more: how many times stiffer and more damped than the pair, in normal and
+                     tangential contacts together, the network is that holds it. For critical_step alone. */
 } scree_encounter;
 
 typedef struct scree_closed_form {
@@ -195,6 +197,7 @@ typedef struct scree_boundary_instance {
   const char* const* plane_names; /* (optional) plane_count names */
   const double* plane_masses;     /* (optional) plane_count masses (kg), 0 for planes that forces do not move; in
                                      the plug-in's storage */
+  double damping_rate;            /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
 } scree_boundary_instance;
 
 typedef struct scree_boundary {
@@ -223,6 +226,8 @@ typedef struct scree_body_batch {
   double potential;          /* (J) out: added to */
   double dissipated_translation; /* (W) out: added to */
   double dissipated_rotation;    /* (W) out: added to */
+  const int32_t* image[3];       /* (optional) periods that each body has crossed along a periodic axis, NULL elsewhere */
+  double period[3];              /* (m) */
 } scree_body_batch;
 
 typedef struct scree_body_term {

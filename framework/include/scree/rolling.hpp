@@ -7,9 +7,10 @@
 namespace scree {
 
 // Rolling resistance of constant torque against the relative spin, μ_r f R* [L7], with R* as in the code that
-// Lemrich et al. used. Towards Δω = 0 the torque is bounded by what would halve the relative spin of a sphere
-// of the pair's mass and radius within the step, so that a body at rest is not shaken.
-// spring_force: elastic part of the normal force (N). Adds to the couple and to the dissipated power.
+// Lemrich et al. used. Towards Δω = 0 the torque is bounded by what would take a sixteenth of the relative
+// spin of a sphere of the pair's mass and radius within the step: a body at rest is not shaken, with a dozen
+// contacts and whatever the integrator. spring_force: elastic part of the normal force (N). Adds to the
+// couple and to the dissipated power.
 template <int D, class T>
 void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rolling_friction,
                     Response<D, T>& out) {
@@ -17,7 +18,7 @@ void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rollin
   const T full = T(rolling_friction) * spring_force * c.effective_radius;
   const T inertia = T(0.4) * c.reduced_mass * c.effective_radius * c.effective_radius;
   const T step = c.step < T(0) ? -c.step : c.step;
-  const T bound = T(0.5) * inertia * rate / std::max(step, smallest_divisor<T>);
+  const T bound = T(1.0 / 16) * inertia * rate / std::max(step, smallest_divisor<T>);
   const T torque = std::min(full, bound);
   out.couple = (-torque / std::max(rate, smallest_divisor<T>)) * c.relative_spin;
   out.dissipated_tangential += torque * rate;

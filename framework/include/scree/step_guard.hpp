@@ -22,12 +22,13 @@ double expected_speed(const Scene& scene);
 double shortest_contact_time(const Scene& scene, double speed);
 
 // Everything that bounds the step of a simulation as it is now, for its integrator:
-//   contacts     the step in which the lightest pair of a law is stable, halved where more than one contact
-//   may
-//                hold a body (the stiffest lattice of equal spheres swings twice as fast as a pair)
+//   contacts     the step in which the lightest pair of a law is stable; where more than one contact may hold
+//   a
+//                body, with four times its stiffness and damping, as in the densest packing of equal spheres
 //   surfaces     half the time in which a Rayleigh wave passes the smallest body, for laws that know it
-//   walls        the same for a wall that forces move, whose mass is shared by the bodies near it
-//   drag         the step in which body forces leave a body slower rather than turn it round
+//   walls        the same for a wall that forces move, whose mass is shared by the bodies that it may meet
+//   viscosity    of walls, and
+//   drag         of body forces: the step in which they leave a body slower rather than turn it round
 //   motion       the skin, which the fastest body or wall must not cross within a step
 std::vector<StepLimit> step_limits(const Simulation& simulation);
 // The shortest of them.

@@ -20,8 +20,9 @@ class Companion {
         simulation_(scenario::set_up(plan_)),
         runner_(*simulation_, plan_.stages) {}
 
-  void run_until(double time) {
-    while (!runner_.finished() && simulation_->time() < time - 0.5 * simulation_->step_length())
+  void run_until(double time, const std::atomic<bool>* stop) {
+    while (!runner_.finished() && simulation_->time() < time - 0.5 * simulation_->step_length() &&
+           !(stop && *stop))
       runner_.step();
   }
   bool finished() const { return runner_.finished(); }
@@ -38,6 +39,8 @@ class Companion {
   StageRunner runner_;
 };
 
+}  // namespace
+
 double longest_duration(const scenario::Plan& plan) {
   double sum = 0;
   for (const Stage& stage : plan.stages)
@@ -45,25 +48,26 @@ double longest_duration(const scenario::Plan& plan) {
   return sum;
 }
 
-}  // namespace
-
 double distance_between(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i] - b[i], a[i] - b[i]);
   return a.empty() ? 0 : std::sqrt(sum / double(a.size()));
 }
 
-std::optional<double> trustworthy_until(const scenario::Plan& plan, double step, double distance,
-                                        const std::function<void(double)>& on_progress,
+std::optional<double> trustworthy_until(const scenario::Plan& plan, double step, double interval,
+                                        double distance, const std::function<void(double)>& on_progress,
                                         const std::atomic<bool>* stop) {
   Companion coarse(plan, step), fine(plan, 0.5 * step);
-  const double interval = longest_duration(plan) / looks;
-  for (int look = 1; look <= looks; ++look) {
-    coarse.run_until(look * interval);
-    fine.run_until(look * interval);
-    if (distance_between(coarse.positions(), fine.positions()) > distance) return (look - 1) * interval;
-    if (on_progress) on_progress(double(look) / looks);
-    if (coarse.finished() || fine.finished() || (stop && *stop)) break;
+  const double end = longest_duration(plan),
+               between = interval * std::max(1.0, std::round(end / looks / interval));
+  for (int look = 1; (look - 1) * between < end; ++look) {
+    coarse.run_until(look * between, stop);
+    fine.run_until(look * between, stop);
+    if (stop && *stop) break;
+    // Runs that end by a condition end at times of their own.
+    if (coarse.finished() || fine.finished()) break;
+    if (distance_between(coarse.positions(), fine.positions()) > distance) return (look - 1) * between;
+    if (on_progress) on_progress(std::min(1.0, look * between / end));
   }
   return std::nullopt;
 }

@@ -21,9 +21,9 @@ Limit extrapolate(double at_h, double at_half, double at_quarter) {
 namespace {
 
 Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario::Trial>& trials,
-                     std::size_t k) {
+                     std::size_t k, bool cut) {
   const double scale = e.scale.value_or(0);
-  if (e.reference && !e.of_step) return {e.quantity, *e.reference, 0, scale, true};
+  if (e.reference && !e.of_step && !cut) return {e.quantity, *e.reference, 0, scale, true};
   if (e.quantity == "energy_residual" || e.quantity == "momentum_residual")
     return {e.quantity, 0, 0, 1, true};
   const Limit limit = extrapolate(trials[0].quantities[k], trials[1].quantities[k], trials[2].quantities[k]);
@@ -32,21 +32,31 @@ Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario:
 
 }  // namespace
 
-std::vector<std::size_t> compared_expectations(const scenario::Plan& plan) {
+std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
+                                               const std::vector<scenario::Trial>& trials,
+                                               std::vector<std::string>& without) {
   static const std::vector<std::string> of_the_run = {"steps", "time", "neighbour_searches",
                                                       "min_steps_per_contact"};
   std::vector<std::size_t> compared;
-  for (std::size_t k = 0; k < plan.expectations.size(); ++k)
-    if (std::find(of_the_run.begin(), of_the_run.end(), plan.expectations[k].quantity) == of_the_run.end())
+  for (std::size_t k = 0; k < plan.expectations.size(); ++k) {
+    const std::string& name = plan.expectations[k].quantity;
+    if (std::find(of_the_run.begin(), of_the_run.end(), name) != of_the_run.end()) continue;
+    const bool known = std::all_of(trials.begin(), trials.end(),
+                                   [k](const scenario::Trial& t) { return std::isfinite(t.quantities[k]); });
+    if (known)
       compared.push_back(k);
+    else
+      without.push_back(name);
+  }
   return compared;
 }
 
 std::vector<Quantity> reference_quantities(const scenario::Plan& plan,
-                                           const std::vector<scenario::Trial>& trials) {
+                                           const std::vector<scenario::Trial>& trials,
+                                           const std::vector<std::size_t>& compared, bool cut) {
   std::vector<Quantity> quantities;
-  for (const std::size_t k : compared_expectations(plan))
-    quantities.push_back(quantity_of(plan.expectations[k], trials, k));
+  for (const std::size_t k : compared)
+    quantities.push_back(quantity_of(plan.expectations[k], trials, k, cut));
   const ReferencePositions positions = reference_positions(trials);
   quantities.push_back({"positions", 0, positions.uncertainty / mean_radius(plan), 1, false});
   return quantities;

@@ -87,6 +87,7 @@ std::string text_report(const Study& study) {
         "Runs with ever smaller steps part ways: the reference is trustworthy until t = {:.4g} s, where "
         "all were cut.\n",
         *study.horizon);
+  for (const std::string& note : study.notes) fmt::format_to(out, "{}\n", note);
   if (study.interrupted) fmt::format_to(out, "Interrupted: not all settings were tried.\n");
   fmt::format_to(out, "{}\n", verdict(study));
   return text;

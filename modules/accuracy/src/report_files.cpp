@@ -16,11 +16,9 @@ using Json = nlohmann::ordered_json;
 Json number_or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
 std::string json_report(const Study& study) {
-  Json json = {{"verdict", verdict(study)},
-               {"tolerance", study.tolerance},
-               {"compared_at", study.duration},
-               {"trustworthy_until", number_or_null(study.horizon)},
-               {"interrupted", study.interrupted}};
+  Json json = {{"verdict", verdict(study)},     {"tolerance", study.tolerance},
+               {"compared_at", study.duration}, {"trustworthy_until", number_or_null(study.horizon)},
+               {"notes", study.notes},          {"interrupted", study.interrupted}};
   for (const Quantity& q : study.quantities)
     json["quantities"].push_back({{"name", q.name},
                                   {"reference", q.reference},

@@ -10,4 +10,7 @@ namespace scree::accuracy {
 // time; the step itself where there are none, or they have no common measure (s).
 double fitting_step(const scenario::Plan& plan, double step);
 
+// Whether it divides them all.
+bool divides_durations(const scenario::Plan& plan, double step);
+
 }  // namespace scree::accuracy

@@ -43,8 +43,10 @@ class Studying {
 
   Study execute() {
     study_.tolerance = options_.tolerance;
+    check_length();
     find_horizon();
     make_reference();
+    note_ends();
     for (const Integration integration : chosen())
       for (const Precision precision : {Precision::full, Precision::mixed})
         for (int k = 0; k < options_.count && !stopped(); ++k)
@@ -74,14 +76,44 @@ class Studying {
   void count(double work) { done_ += work; }
 
   void find_horizon() {
-    const double distance = 0.1 * options_.tolerance * mean_radius(plan_);
+    // Extrapolation knows more than the runs it is made from, so that a strict tolerance asks no more of
+    // them.
+    constexpr double good_enough = 1e-5;
+    const double distance = std::max(0.1 * options_.tolerance, good_enough) * mean_radius(plan_);
     const auto until = trustworthy_until(
-        with(plan_, {Integration::velocity_verlet, Precision::full, finest_}), finest_, distance,
+        with(plan_, {Integration::velocity_verlet, Precision::full, finest_}), finest_, coarsest_, distance,
         [&](double share) { tell(3 * share, "how long the reference holds"); }, options_.stop);
     count(3);
     if (!until) return;
-    study_.horizon = std::max(1.0, std::floor(*until / coarsest_)) * coarsest_;
-    until_ = *study_.horizon;
+    if (*until <= 0)
+      throw Error(fmt::format(
+          "steps of {:g} and {:g} s part ways before they can be compared; give a smaller --coarsest "
+          "or a larger --count or --tolerance",
+          finest_, 0.5 * finest_));
+    study_.horizon = until_ = *until;
+  }
+
+  // A study of more steps than this would not end.
+  void check_length() const {
+    constexpr double most_steps = 1e10;
+    const double steps = 8 * longest_duration(plan_) / finest_;
+    if (steps > most_steps)
+      throw Error(
+          fmt::format("the finest reference of {:g} s would take {:.3g} steps; give a larger --coarsest or a "
+                      "smaller --count, for at most {:g}",
+                      finest_ / 8, steps, most_steps));
+  }
+
+  void note_ends() {
+    bool by_condition = false;
+    for (const Stage& stage : plan_.stages) by_condition |= !stage.duration;
+    if (until_ < std::numeric_limits<double>::infinity()) return;
+    if (by_condition)
+      study_.notes.push_back(
+          "Stages that end by a condition end at times that depend on the step; errors include that.");
+    else if (!divides_durations(plan_, coarsest_))
+      study_.notes.push_back(
+          "The durations of the stages have no common step; errors include the ends of stages.");
   }
 
   void make_reference() {
@@ -94,7 +126,12 @@ class Studying {
     }
     if (trials.size() < 3 || trials.back().stopped)
       throw Error("stopped before there was a reference to compare with", ExitStatus::interrupted);
-    study_.quantities = reference_quantities(plan_, trials);
+    std::vector<std::string> without;
+    compared_ = compared_expectations(plan_, trials, without);
+    for (const std::string& name : without)
+      study_.notes.push_back(
+          fmt::format("{} has no number{} and is left out.", name, study_.horizon ? " before the cut" : ""));
+    study_.quantities = reference_quantities(plan_, trials, compared_, study_.horizon.has_value());
     reference_positions_ = reference_positions(trials).positions;
     study_.duration = trials.back().time;
   }
@@ -106,9 +143,10 @@ class Studying {
     Trial best = scenario::try_plan(plan, {1, until_, options_.stop});
     double spent = best.wall;
     for (int n = 1; n < most && spent < enough && !stopped(); ++n) {
-      const double wall = scenario::try_plan(plan, {1, until_, options_.stop}).wall;
-      spent += wall;
-      best.wall = std::min(best.wall, wall);
+      const Trial again = scenario::try_plan(plan, {1, until_, options_.stop});
+      if (again.stopped) break;
+      spent += again.wall;
+      best.wall = std::min(best.wall, again.wall);
     }
     return best;
   }
@@ -131,17 +169,20 @@ class Studying {
   }
 
   void compare(const Trial& trial, Outcome& outcome) const {
-    for (const std::size_t k : compared_expectations(plan_)) outcome.values.push_back(trial.quantities[k]);
+    for (const std::size_t k : compared_) outcome.values.push_back(trial.quantities[k]);
     outcome.values.push_back(distance_between(trial.positions, reference_positions_) / mean_radius(plan_));
     for (std::size_t k = 0; k < study_.quantities.size(); ++k)
       outcome.errors.push_back(std::abs(outcome.values[k] - study_.quantities[k].reference) /
                                study_.quantities[k].scale());
+    for (std::size_t k = 0; k < study_.quantities.size(); ++k)
+      if (!std::isfinite(outcome.errors[k])) outcome.problem = study_.quantities[k].name + " is not a number";
   }
 
   const Plan& plan_;
   const StudyOptions& options_;
   Study study_;
   std::vector<Vec3> reference_positions_;
+  std::vector<std::size_t> compared_;  // expectations
   double coarsest_ = 0, finest_ = 0;
   double until_ = std::numeric_limits<double>::infinity();
   double done_ = 0, all_work_ = 1;
@@ -159,12 +200,8 @@ double Quantity::scale() const {
   return reference != 0 ? std::abs(reference) : 1;
 }
 
-// A quantity that took no sample, because its stage was cut off, is no error.
 std::size_t Outcome::worst_quantity() const {
-  std::size_t worst = 0;
-  for (std::size_t k = 0; k < errors.size(); ++k)
-    if (!(errors[worst] >= errors[k]) && !std::isnan(errors[k])) worst = k;
-  return worst;
+  return std::size_t(std::max_element(errors.begin(), errors.end()) - errors.begin());
 }
 
 double Outcome::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }

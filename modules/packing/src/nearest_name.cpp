@@ -1,9 +1,9 @@
 #include "nearest_name.hpp"
 
+#include <vector>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <vector>
 
 #include <scree/nearest.hpp>
 
@@ -11,7 +11,8 @@ namespace scree::packing {
 
 std::string suggest_name(std::string_view unknown, std::span<const std::string_view> known) {
   const auto near = nearest_word(unknown, {known.begin(), known.end()});
-  return near ? fmt::format("did you mean '{}'?", *near) : fmt::format("known are {}", fmt::join(known, ", "));
+  return near ? fmt::format("did you mean '{}'?", *near)
+              : fmt::format("known are {}", fmt::join(known, ", "));
 }
 
 }  // namespace scree::packing

@@ -98,6 +98,20 @@ void read_time(const Table& root, Plan& plan) {
   scene.step = fraction * contact;
 }
 
+// Without an audit nothing is known of energies in springs and of what is lost.
+void check_audit(const Table& root, const Plan& plan) {
+  if (plan.scene.audit) return;
+  const auto refuse = [&](const std::string& who) {
+    throw root.table("time").error("energy_audit", fmt::format("{} needs the energy books", who),
+                                   "set energy_audit = true, or leave that out");
+  };
+  for (const Stage& stage : plan.stages)
+    if (stage.kinetic_over_elastic) refuse(fmt::format("the condition of stage '{}'", stage.name));
+  for (const Expectation& e : plan.expectations)
+    for (const char* name : {"energy_residual", "elastic_energy", "dissipated_energy", "work"})
+      if (e.quantity == name) refuse(fmt::format("the [[expect]] of '{}'", name));
+}
+
 // Bodies carry spins from the start if a later stage turns them.
 bool turns_later(const std::vector<Stage>& stages, int dimension) {
   for (const Stage& stage : stages)
@@ -127,6 +141,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
+  check_audit(root, plan);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
   return plan;

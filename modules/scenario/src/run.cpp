@@ -90,7 +90,7 @@ class Run {
     started_ = Clock::now();
     StageRunner runner(*simulation_, plan_.stages);
     const std::string last = drive(
-        runner, [this](const std::string&) { check_step(); },
+        runner, [this](const std::string&) { check_step(plan_, *simulation_); },
         [this](const std::string& stage, std::uint64_t steps) { observe(stage, steps); },
         [this](const StageRunner& r) {
           report_progress(r);
@@ -98,12 +98,6 @@ class Run {
         });
     result_.interrupted = !runner.finished();
     sampler_.sample_last(*simulation_, last);
-  }
-
-  void check_step() const {
-    const auto problem = plan_.step_guard ? step_problem(*simulation_) : std::nullopt;
-    if (problem)
-      throw Error(fmt::format("t = {:g} s: {}", simulation_->time(), *problem), ExitStatus::blow_up);
   }
 
   // Samples and pictures that are due so many steps after the beginning of a stage.

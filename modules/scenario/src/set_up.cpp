@@ -27,6 +27,11 @@ std::unique_ptr<Simulation> make_simulation(const Plan& plan, unsigned threads) 
 void check_probes(const Plan& plan, const Simulation& simulation) {
   const SimulationView view(simulation, false);
   for (const ProbePlan& probe : plan.probes) {
+    // What a probe of later stages looks at may not be there yet.
+    const std::string& first = plan.stages.front().name;
+    if (!probe.stages.empty() &&
+        std::find(probe.stages.begin(), probe.stages.end(), first) == probe.stages.end())
+      continue;
     try {
       Probe(probe.parameters, plan.scene.dimension).check(view.get());
     } catch (const Error& error) {
@@ -37,10 +42,44 @@ void check_probes(const Plan& plan, const Simulation& simulation) {
 
 }  // namespace
 
+void check_step(const Plan& plan, const Simulation& s) {
+  const auto problem = plan.step_guard ? step_problem(s) : std::nullopt;
+  if (problem) throw Error(fmt::format("t = {:g} s: {}", s.time(), *problem), ExitStatus::blow_up);
+}
+
+namespace {
+
+// Takes over what a stage changes of laws and body forces; whether there was anything.
+bool change_scene(const Stage& stage, Scene& scene) {
+  bool changed = false;
+  for (const Stage::Change& change : stage.changes) {
+    for (Scene::Law& law : scene.laws)
+      if (change.kind == SCREE_CONTACT_LAW && law.name == change.name)
+        law.parameters = change.parameters, changed = true;
+    for (BodyTerms::Entry& term : scene.body_terms)
+      if (change.kind == SCREE_BODY_TERM && term.name == change.name)
+        term.parameters = change.parameters, changed = true;
+  }
+  return changed;
+}
+
+// Whether the step is short enough for what later stages make of the scene, without running them.
+void check_later_stages(const Plan& plan) {
+  Scene scene = plan.scene;
+  for (const Stage& stage : plan.stages) {
+    if (!plan.step_guard || !change_scene(stage, scene)) continue;
+    if (const auto problem = step_problem(Simulation(scene)))
+      throw Error(fmt::format("{}: in stage '{}' {}", plan.step_place, stage.name, *problem));
+  }
+}
+
+}  // namespace
+
 std::unique_ptr<Simulation> set_up(const Plan& plan, unsigned threads) {
   auto simulation = make_simulation(plan, threads);
   if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
     throw Error(fmt::format("{}: {}", plan.step_place, *problem));
+  check_later_stages(plan);
   check_probes(plan, *simulation);
   return simulation;
 }

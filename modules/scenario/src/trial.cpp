@@ -49,7 +49,7 @@ Trial try_plan(const Plan& plan, const TrialOptions& options) {
   const double end = options.until - 0.5 * plan.scene.step;
   const auto start = Clock::now();
   const std::string last = drive(
-      runner, [](const std::string&) {},
+      runner, [&](const std::string&) { check_step(plan, *simulation); },
       [&](const std::string& stage, std::uint64_t steps) { sampler.sample(*simulation, stage, steps); },
       [&](const StageRunner&) {
         trial.stopped = options.stop && *options.stop;

@@ -156,7 +156,7 @@ TEST_CASE("a step that contacts do not allow is refused before anything is writt
   CHECK_NOTHROW(set_up(plan_of(slow, {"time.step=1e-2", "time.duration=1", "time.step_guard=false"})));
 }
 
-TEST_CASE("a stage that makes contacts too stiff for the step ends the run where it begins") {
+TEST_CASE("a stage that makes contacts too stiff for the step is found before the run begins") {
   const Bench bench(with(discs, "duration = 1e-4\n", "") +
                     "[[stage]]\nname = 'soft'\nduration = 1e-4\n[[stage]]\nname = 'stiff'\n"
                     "duration = 1e-4\nset.linear_spring_dashpot.normal_stiffness = 1e14\n");
@@ -164,8 +164,11 @@ TEST_CASE("a stage that makes contacts too stiff for the step ends the run where
     bench.run();
     FAIL("the step is too long");
   } catch (const Error& error) {
-    CHECK(error.status() == ExitStatus::blow_up);
-    CHECK(std::string(error.what()).starts_with("t = 0.0001 s: the time step of 1e-05 s is too long: "));
+    CHECK(error.status() == ExitStatus::bad_input);
+    CHECK(std::string(error.what())
+              .find("scene.toml:4:8: in stage 'stiff' the time step of 1e-05 s is too long: ") !=
+          std::string::npos);
+    CHECK_FALSE(fs::exists(bench.options.out));
   }
 }
 

@@ -122,7 +122,7 @@ TEST_CASE("the numbers of David et al. come out of describe's closed forms", "[c
   constexpr double nowhere[3] = {};
   const ConfiguredLaw law(p, 3, nowhere, nowhere);
   const double m = 2000 * 4.0 / 3.0 * pi * std::pow(0.005, 3);
-  const scree_encounter encounter = {m / 2, 0.0025, 1};
+  const scree_encounter encounter = {m / 2, 0.0025, 1, 1};
   scree_closed_form forms[2];
   REQUIRE(law.interface().closed_forms(law.storage(), &encounter, forms, 2) == 2);
   CHECK(std::string(forms[0].name) == "contact_time");

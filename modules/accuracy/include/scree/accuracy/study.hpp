@@ -54,6 +54,8 @@ struct Study {
   double duration = 0;            // (s) of the time that is compared
   std::optional<double> horizon;  // (s) until when the reference is trustworthy, if it ends before the scene
   std::vector<Quantity> quantities;
+  std::vector<std::string>
+      notes;  // what a reader must know: left-out quantities, ends that depend on the step
   std::vector<Outcome> outcomes;
   std::vector<Order> orders;
   double tolerance = 0;
@@ -72,9 +74,9 @@ struct StudyOptions {
 // Runs a plan over steps, integrators and precisions, and compares with a reference: the closed form of
 // [[expect]] where it gives one, 0 for residuals, else Richardson's extrapolation of velocity Verlet in
 // double with steps of 1/2, 1/4 and 1/8 of the finest. Steps divide the durations of the stages. Where runs
-// with finer and finer steps part ways, as chaotic scenes do, all are cut at the time until which the
-// reference is known to a tenth of the tolerance, and compared there. Throws Error where the scenario itself
-// cannot run.
+// with finer and finer steps part ways, as chaotic scenes do, all are cut at the time until which they
+// agree to a tenth of the tolerance (or 1e-5 if that is more) in mean radii, and compared there. Throws Error
+// where the scenario itself cannot run.
 Study study(const scenario::Plan& plan, const StudyOptions& options);
 
 // The cheapest outcome whose worst error is within the tolerance; null if none is.

@@ -21,4 +21,8 @@ std::string describe_step(const Simulation& simulation);
 // step_guard.hpp.
 std::optional<std::string> step_problem(const Simulation& simulation);
 
+// Throws Error (blow_up) if the plan keeps a step guard and the step has become too long, as a stage may make
+// it.
+void check_step(const Plan& plan, const Simulation& simulation);
+
 }  // namespace scree::scenario
