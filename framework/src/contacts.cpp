@@ -17,13 +17,13 @@ Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision) {
     group.law = kind.law;
     group.planes = kind.planes;
     group.history_width = kind.history_width;
-    group.history = PairHistory(precision);
+    group.history = PairColumns(precision);
     groups_.push_back(std::move(group));
   }
 }
 
 void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
-                       const Lookup& lookup, std::size_t body_count) {
+                       const Lookup& lookup) {
   const auto law_of = [&](std::uint32_t material_a, std::uint32_t material_b) {
     return lookup.law_of[material_a * lookup.materials + material_b];
   };
@@ -50,7 +50,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
     group.history.reset(group.history_width, group.padded_size());
   }
   carry_history(old, old_a, old_b);
-  index_incidents(body_count);
+  ++revision_;
 }
 
 void Contacts::carry_history(const std::vector<PairGroup>& old, const Column<std::uint32_t>& old_a,
@@ -68,22 +68,6 @@ void Contacts::carry_history(const std::vector<PairGroup>& old, const Column<std
       for (std::uint32_t k = 0; k < width; ++k) now.history.set(k, q - now.begin, before.history_of(p, k));
     }
   }
-}
-
-void Contacts::index_incidents(std::size_t body_count) {
-  first_incident.assign(body_count + 1, 0);
-  const auto each_end = [&](auto visit) {
-    for (const PairGroup& group : groups_)
-      for (std::size_t p = group.begin; p < group.end; ++p) {
-        visit(a[p], std::uint32_t(2 * p));
-        if (!group.planes) visit(b[p], std::uint32_t(2 * p + 1));
-      }
-  };
-  each_end([&](std::uint32_t body, std::uint32_t) { ++first_incident[body + 1]; });
-  for (std::size_t i = 0; i < body_count; ++i) first_incident[i + 1] += first_incident[i];
-  incident.resize(first_incident[body_count]);
-  std::vector<std::uint32_t> next(first_incident.begin(), first_incident.end() - 1);
-  each_end([&](std::uint32_t body, std::uint32_t end) { incident[next[body]++] = end; });
 }
 
 }  // namespace scree

@@ -70,7 +70,7 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
   contacts.rebuild(find_neighbours(particles, boundaries.domain(), skin_),
-                   near_planes(particles, boundaries.planes(), skin_), lookup, particles.size());
+                   near_planes(particles, boundaries.planes(), skin_), lookup);
   for (int k = 0; k < particles.dimension(); ++k) searched_position_[k] = particles.position[k];
   searched_planes_ = boundaries.planes();
   travelled_ = planes_travelled_ = 0;

@@ -1,3 +1,5 @@
+#include "instruction_levels.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -18,23 +20,6 @@ namespace scree {
 namespace fs = std::filesystem;
 
 namespace {
-
-// Folders of builds that this processor runs, best first; "." is the one that runs everywhere.
-std::vector<std::string> levels() {
-  std::vector<std::string> all;
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("x86-64-v4")) all.push_back("x86-64-v4");
-  if (__builtin_cpu_supports("x86-64-v3")) all.push_back("x86-64-v3");
-#endif
-  const char* chosen = std::getenv("SCREE_LEVEL");
-  if (chosen && std::string(chosen) == "baseline") return {"."};
-  if (chosen && *chosen && std::find(all.begin(), all.end(), chosen) == all.end())
-    throw Error(fmt::format("SCREE_LEVEL={}: this processor does not run that; give {}baseline", chosen,
-                            all.empty() ? "" : fmt::format("{} or ", fmt::join(all, ", "))));
-  if (chosen && *chosen) return {chosen, "."};
-  all.push_back(".");
-  return all;
-}
 
 // False for names that the file system cannot even look up.
 bool lies_at(const fs::path& path) {
@@ -61,7 +46,7 @@ bool is_truncated(const fs::path& path) {
 }
 
 fs::path best_build(const fs::path& baseline) {
-  for (const std::string& level : levels())
+  for (const std::string& level : instruction_levels())
     if (const fs::path build = baseline.parent_path() / level / baseline.filename(); lies_at(build))
       return build.lexically_normal();
   return baseline;

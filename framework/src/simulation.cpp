@@ -118,10 +118,25 @@ void Simulation::evaluate_forces(double step) {
   max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
 }
 
+namespace {
+
+// Sum of a column and of its absolute values, in eight interleaved parts that vector registers hold.
+std::pair<double, double> interleaved_sums(const Column<double>& column) {
+  constexpr std::size_t parts = 8;
+  double sum[parts] = {}, size[parts] = {};
+  const std::size_t whole = column.size() / parts * parts;
+  for (std::size_t i = 0; i < whole; i += parts)
+    for (std::size_t k = 0; k < parts; ++k) sum[k] += column[i + k], size[k] += std::abs(column[i + k]);
+  for (std::size_t i = whole; i < column.size(); ++i) sum[0] += column[i], size[0] += std::abs(column[i]);
+  for (std::size_t k = 1; k < parts; ++k) sum[0] += sum[k], size[0] += size[k];
+  return {sum[0], size[0]};
+}
+
+}  // namespace
+
 void Simulation::add_momentum_error(double step) {
   for (int k = 0; k < scene_.dimension; ++k) {
-    double sum = 0, size = 0;
-    for (const double force : particles_.force[k]) sum += force, size += std::abs(force);
+    auto [sum, size] = interleaved_sums(particles_.force[k]);
     for (const scree_load& load : boundaries_.loads()) sum += load.force[k], size += std::abs(load.force[k]);
     momentum_error_[k] += step * sum;
     momentum_exchanged_ += std::abs(step) * size;
@@ -270,9 +285,9 @@ Footprint Simulation::footprint() const {
   const Particles& p = particles_;
   std::uint32_t width = 0;
   for (const LawInstance& law : laws_) width = std::max(width, law.interface.history_width);
-  const std::size_t history_bytes = PairHistory(scene_.precision).bytes_per_number();
+  const std::size_t history_bytes = PairColumns(scene_.precision).bytes_per_number();
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
-  return {p.size() * (std::size_t(scene_.dimension) + spins), p.bytes_per_body(),
+  return {p.size() * (std::size_t(scene_.dimension) + spins), p.bytes_per_body() + forces_.bytes_per_body(),
           forces_.bytes_per_pair() + width * history_bytes, width};
 }
 

@@ -4,9 +4,10 @@ namespace scree {
 
 namespace {
 
-// Steps follow each other within microseconds, so a waiting thread spins before it sleeps; some 50 µs, not
-// more, for on a busy machine the one it waits for may not be running.
-constexpr int spins_before_sleep = 1000;
+// Steps follow each other within microseconds, so a waiting thread spins before it sleeps, for some 400 µs:
+// waking a sleeper takes a virtual machine 100 µs. Not longer, for on a busy machine the one it waits for may
+// not run.
+constexpr int spins_before_sleep = 8000;
 
 template <class Done>
 void spin_until(const Done& done) {

@@ -41,13 +41,20 @@ struct BackgroundDamping {
   // Adds −coefficient × rate to the load; returns the power lost.
   template <class Coefficient>
   static double drag(const double* rate, double* load, std::uint32_t count, const Coefficient& coefficient) {
-    double lost = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    // Eight interleaved sums, so that the loop runs on vector registers with the same bits on all.
+    constexpr std::uint32_t parts = 8;
+    double lost[parts] = {};
+    const auto slow = [&](std::uint32_t i, std::uint32_t part) {
       const double resistance = coefficient(i) * rate[i];
       load[i] -= resistance;
-      lost += resistance * rate[i];
-    }
-    return lost;
+      lost[part] += resistance * rate[i];
+    };
+    const std::uint32_t whole = count / parts * parts;
+    for (std::uint32_t i = 0; i < whole; i += parts)
+      for (std::uint32_t k = 0; k < parts; ++k) slow(i + k, k);
+    for (std::uint32_t i = whole; i < count; ++i) slow(i, 0);
+    for (std::uint32_t k = 1; k < parts; ++k) lost[0] += lost[k];
+    return lost[0];
   }
 };
 

@@ -85,14 +85,16 @@ void check(const Carries& c) {
   const std::size_t dimension = std::size_t(c.dimension), spins = !spin ? 0 : flat ? 1 : 3;
   const Footprint footprint = s.footprint();
   CHECK(footprint.degrees_of_freedom == p.size() * (dimension + spins));
-  CHECK(footprint.bytes_per_body * p.size() == bytes(p));
+  // Beside the columns a record of 32 bytes for each vector that contacts read, and one or two for the loads.
+  const std::size_t records = 2 + (spin ? 1 : 0) + (c.friction && !flat ? 2 : 0) + (spin && !flat ? 2 : 1);
+  CHECK(footprint.bytes_per_body * p.size() == bytes(p) + 32 * records * p.size());
   // Springs in the dimension's axes and whether the contact slides.
   CHECK(footprint.history_width == (c.friction ? dimension + 1 : 0));
-  // Two bodies, an image, an incidence for each of the bodies at 4 bytes; force, and two torques if bodies
-  // turn.
+  // Two bodies, an image, a slot for each of the bodies at 4 bytes; force, reduced mass, effective radius,
+  // sum of the radii.
   const std::size_t indices =
       sizeof(s.contacts().a[0]) + sizeof(s.contacts().b[0]) + sizeof(s.contacts().image[0]);
-  const std::size_t doubles = dimension + 2 * spins + footprint.history_width;
+  const std::size_t doubles = dimension + 3 + footprint.history_width;
   CHECK(footprint.bytes_per_pair >= indices + doubles * sizeof(double));
   CHECK(footprint.bytes_per_pair <= indices + 2 * sizeof(std::uint32_t) + doubles * sizeof(double));
   for (const scree::PairGroup& group : s.contacts().groups()) {
@@ -124,11 +126,11 @@ TEST_CASE("periodic scenes count images") {
       check({.dimension = dimension, .friction = friction, .periodic = true});
 }
 
-TEST_CASE("a frictionless disc is 4 times 2 doubles of motion, 3 constants, id and material") {
+TEST_CASE("a frictionless disc is 4 times 2 doubles of motion, 3 constants, id and material, and 3 records") {
   const Simulation s(scene_of({.dimension = 2}));
-  CHECK(s.footprint().bytes_per_body == (4 * 2 + 3) * 8 + 8 + 4);
+  CHECK(s.footprint().bytes_per_body == (4 * 2 + 3) * 8 + 8 + 4 + 3 * 32);
   const Simulation frictional(scene_of({.dimension = 3, .friction = true}));
-  CHECK(frictional.footprint().bytes_per_body == (4 * 3 + 3 * 3 + 5) * 8 + 8 + 4);
+  CHECK(frictional.footprint().bytes_per_body == (4 * 3 + 3 * 3 + 5) * 8 + 8 + 4 + 7 * 32);
 }
 
 TEST_CASE("what a scene does not carry reads as zero") {

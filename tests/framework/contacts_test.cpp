@@ -60,7 +60,7 @@ Contacts two_laws() {
 }
 
 void rebuild(Contacts& contacts, const Table& table, const Pairs& pairs) {
-  contacts.rebuild(pairs.body, pairs.plane, table.lookup(), bodies);
+  contacts.rebuild(pairs.body, pairs.plane, table.lookup());
 }
 
 using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;  // law, plane, a, b
@@ -179,28 +179,6 @@ TEST_CASE("when a law keeps more or less than before, the columns that both know
         REQUIRE(group.history.column<double>(k)[p - group.begin] ==
                 (group.law == 1 || k < least ? mark(key, k) : 0));
     });
-  }
-}
-
-TEST_CASE("each body lists the pairs that it is in, ascending, with its side") {
-  const Table table;
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    Contacts contacts = two_laws();
-    rebuild(contacts, table, some_pairs(0.05 * seed, seed));
-    std::vector<std::vector<std::uint32_t>> expected(bodies);
-    each_pair(contacts, [&](const Key& key, PairGroup& group, std::size_t p) {
-      expected[std::get<2>(key)].push_back(std::uint32_t(2 * p));
-      if (!group.planes) expected[std::get<3>(key)].push_back(std::uint32_t(2 * p + 1));
-    });
-    REQUIRE(contacts.first_incident.size() == bodies + 1);
-    REQUIRE(contacts.first_incident.front() == 0);
-    REQUIRE(contacts.first_incident.back() == contacts.incident.size());
-    for (std::size_t i = 0; i < bodies; ++i) {
-      std::sort(expected[i].begin(), expected[i].end());
-      const auto first = contacts.incident.begin();
-      REQUIRE(expected[i] == std::vector<std::uint32_t>(first + contacts.first_incident[i],
-                                                        first + contacts.first_incident[i + 1]));
-    }
   }
 }
 

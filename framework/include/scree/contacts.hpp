@@ -5,7 +5,7 @@
 
 #include <scree/column.hpp>
 #include <scree/neighbours.hpp>
-#include <scree/pair_history.hpp>
+#include <scree/pair_columns.hpp>
 #include <scree/plugin_abi.h>
 
 namespace scree {
@@ -22,7 +22,7 @@ struct PairGroup {
   std::size_t begin = 0;  // multiple of SCREE_LANES
   std::size_t end = 0;    // the last real pair; padded up to the next multiple of SCREE_LANES
   std::uint32_t history_width = 0;
-  PairHistory history = PairHistory();  // (width, padded size), zero where the pair does not touch
+  PairColumns history = PairColumns();  // (width, padded size), zero where the pair does not touch
 
   std::size_t padded_size() const { return (end - begin + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
   // Of one pair, numbered in the whole of all groups.
@@ -51,7 +51,7 @@ class Contacts {
 
   // Takes new pairs (sorted by a, b) and carries over the history of those that were there before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
-               const Lookup& lookup, std::size_t body_count);
+               const Lookup& lookup);
 
   std::vector<PairGroup>& groups() { return groups_; }
   const std::vector<PairGroup>& groups() const { return groups_; }
@@ -60,16 +60,15 @@ class Contacts {
   Column<std::uint32_t> a, b;  // padding repeats body 0 with itself
   Column<std::uint8_t> image;
 
-  // For each body its pairs in ascending order: incident[first_incident[i] ... first_incident[i + 1]),
-  // each pair · 2 + (1 if the body is b).
-  std::vector<std::uint32_t> first_incident, incident;
+  // Counts the rebuilds, so that what is derived from the pairs knows when to follow.
+  std::uint64_t revision() const { return revision_; }
 
  private:
   void carry_history(const std::vector<PairGroup>& old, const Column<std::uint32_t>& old_a,
                      const Column<std::uint32_t>& old_b);
-  void index_incidents(std::size_t body_count);
 
   std::vector<PairGroup> groups_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace scree

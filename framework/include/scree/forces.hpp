@@ -1,20 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
-#include <scree/column.hpp>
 #include <scree/contacts.hpp>
 #include <scree/domain.hpp>
+#include <scree/pair_constants.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_abi.h>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
-
-namespace kernel {
-struct Scene;
-}
 
 // A configured contact law.
 struct LawInstance {
@@ -30,7 +27,7 @@ struct ContactSums {
   double max_overlap_ratio = 0;                             // overlap / smaller radius
 };
 
-// Evaluates all contacts: gather -> law -> scatter in blocks, then the sum over each body's contacts.
+// Evaluates all contacts in tiles of bodies: gather -> law -> scatter in blocks of pairs.
 // Every sum has a fixed order, so that results have the same bits for any number of threads.
 class Forces {
  public:
@@ -42,7 +39,8 @@ class Forces {
     Precision precision = Precision::full;
   };
 
-  explicit Forces(const Features& features) : features_(features) {}
+  explicit Forces(const Features& features);
+  ~Forces();
 
   // Sets force and torque of all bodies and loads of all planes; step = 0 evaluates without moving springs.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
@@ -52,21 +50,16 @@ class Forces {
   // Force on a of pair p at the last evaluation (N), z = 0 in 2D.
   Vec3 pair_force(std::size_t p) const;
   std::size_t bytes_per_pair() const;
+  std::size_t bytes_per_body() const;
 
  private:
-  struct Block {
-    PairGroup* group;
-    std::size_t begin;  // in the group
-    std::uint32_t count;
-  };
-  void plan_blocks(Contacts& contacts);
-  template <class T>
-  void evaluate_blocks(const kernel::Scene& scene, const std::vector<LawInstance>& laws, ThreadPool& threads);
+  struct Work;
+  void follow_pairs(const Particles& particles, const Contacts& contacts, std::size_t planes);
+  void finish_tile(std::size_t tile, Particles& particles);
+  void sum_loads(std::vector<scree_load>& loads) const;
 
   Features features_;
-  std::vector<Block> blocks_;
-  std::vector<ContactSums> block_sums_;
-  Column<double> records_;  // (pairs, record width): force on a, torque on a, torque on b
+  std::unique_ptr<Work> work_;
 };
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 #include <scree/body_terms.hpp>
 #include <scree/boundaries.hpp>
 #include <scree/integrator.hpp>
-#include <scree/pair_history.hpp>
+#include <scree/pair_columns.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
 

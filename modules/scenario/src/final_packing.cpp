@@ -23,6 +23,9 @@ packing::Packing packing_of(const Simulation& s) {
                           .velocity = b.velocity,
                           .spin = b.spin});
   }
+  // As the ids go, whatever the order in memory.
+  std::stable_sort(all.bodies.begin(), all.bodies.end(),
+                   [](const packing::Body& a, const packing::Body& b) { return a.id < b.id; });
   return all;
 }
 

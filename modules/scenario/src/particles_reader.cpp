@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <scree/packing/import.hpp>
+#include <scree/spatial_order.hpp>
 
 namespace scree::scenario {
 
@@ -114,6 +115,16 @@ void number_bodies(std::vector<Body>& bodies) {
     if (body.id <= 0) body.id = next++;
 }
 
+// Small scenes lie in the caches anyway and keep the order of the file.
+constexpr std::size_t least_bodies_to_sort = 1024;
+
+void sort_in_space(std::vector<Body>& bodies, int dimension) {
+  if (bodies.size() < least_bodies_to_sort) return;
+  std::vector<Body> sorted;
+  for (const std::uint32_t i : spatial_order(bodies, dimension)) sorted.push_back(bodies[i]);
+  bodies = std::move(sorted);
+}
+
 }  // namespace
 
 std::vector<Body> read_bodies(const Table& root, int dimension, const std::vector<Material>& materials,
@@ -133,6 +144,7 @@ std::vector<Body> read_bodies(const Table& root, int dimension, const std::vecto
   }
   add_inline(root, dimension, materials, bodies);
   number_bodies(bodies);
+  sort_in_space(bodies, dimension);
   if (bodies.empty())
     throw root.error("the scene has no bodies", "add [particles] with lattice and radius, or [[particle]]");
   return bodies;

@@ -12,10 +12,10 @@ namespace scree {
 // double.
 enum class Precision { full, mixed };
 
-// What a law keeps for each pair of a group: columns of double or, in mixed precision, of float.
-class PairHistory {
+// Columns of numbers of pairs, such as what a law keeps: of double or, in mixed precision, of float.
+class PairColumns {
  public:
-  explicit PairHistory(Precision precision = Precision::full) : precision_(precision) {}
+  explicit PairColumns(Precision precision = Precision::full) : precision_(precision) {}
 
   // Columns of zeros.
   void reset(std::uint32_t width, std::size_t rows) {
@@ -44,7 +44,7 @@ class PairHistory {
   }
   template <class T>
   const T* column(std::uint32_t k) const {
-    return const_cast<PairHistory*>(this)->column<T>(k);
+    return const_cast<PairColumns*>(this)->column<T>(k);
   }
   double value(std::uint32_t k, std::size_t row) const {
     const std::size_t i = k * rows_ + row;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "body_records.hpp"
+#include "lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <scree/contacts.hpp>
+#include <scree/forces.hpp>
+
+namespace scree::kernel {
+
+// Contacts a law is given in one call; what they need lies in the first-level cache.
+inline constexpr std::uint32_t block_size = 128;
+
+// What every block of an evaluation shares.
+struct Scene {
+  const Particles& particles;
+  const Contacts& contacts;
+  const BodyRecords& records;
+  const scree_plane* planes;
+  const double* shifts;  // (27, 4) of each image code
+  bool periodic;
+  double step;
+  bool audit;
+};
+
+// A block of pairs between gather and scatter, as columns. T is what laws compute in, double or float; only
+// separations stay double, since overlaps are their small differences.
+template <class T>
+struct alignas(64) Block {
+  double separation[3][block_size];  // x_a − x_b (m); of a plane the normal distance
+  T radius_difference[block_size];   // R_a − R_b (m)
+  T distance[block_size];
+  T velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
+  T spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
+  T input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
+  T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // forces go straight to the pairs
+  T torque[2][3][block_size];                              // on a, on b (N m)
+};
+
+}  // namespace scree::kernel

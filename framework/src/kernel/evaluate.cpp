@@ -1,0 +1,184 @@
+#include "evaluate.hpp"
+
+#include "../instruction_levels.hpp"
+#include "gather.hpp"
+#include "kinematics.hpp"
+#include "scatter.hpp"
+#include "sums.hpp"
+
+#include <type_traits>
+
+#include <scree/contact_batch.hpp>
+
+namespace scree::kernel {
+
+namespace {
+
+// One block of a tile, as its phases see it.
+template <class T>
+struct BlockJob {
+  const TileJob& tile;
+  const Tiles::Block& place;
+  PairGroup& group;
+  const LawInstance& law;
+  std::uint32_t count;  // pairs without padding
+  const double* radius_sum;
+
+  bool reads(scree_contact_input column) const { return law.interface.reads & (1u << column); }
+  bool arms_to_contact_point() const { return law.interface.arms == SCREE_ARM_CONTACT_POINT; }
+};
+
+template <class T>
+SCREE_HOT BlockJob<T> block_job(const TileJob& job, std::size_t k) {
+  const Tiles::Block& place = job.tiles->blocks()[k];
+  PairGroup& group = (*job.groups)[place.group];
+  const std::size_t end = std::min(place.begin + place.count, std::max(group.end, place.begin));
+  return {job,
+          place,
+          group,
+          job.laws[group.law],
+          std::uint32_t(end - place.begin),
+          job.constants->radius_sum.data() + place.begin};
+}
+
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void gather(const BlockJob<T>& b, Block<T>& w) {
+  const Scene& s = *b.tile.scene;
+  if constexpr (planes) {
+    for (std::uint32_t i = 0; i < b.count; ++i) gather_plane<D, spin>(s, b.place.begin + i, i, w);
+    clear_lanes(b.count, b.place.count, w);
+  } else {
+    const bool with_mid = b.reads(SCREE_TANGENTIAL_INCREMENT);
+    for (std::uint32_t i = 0; i < b.place.count; i += 4)
+      gather_bodies<D, spin>(s, with_mid, b.place.begin + i, i, w);
+  }
+}
+
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void resolve(const BlockJob<T>& b, Block<T>& w) {
+  const std::uint32_t padded = b.place.count;
+  const bool to_contact_point = b.arms_to_contact_point();
+  resolve_overlaps<D, planes>(b.radius_sum, padded, w);
+  if (b.reads(SCREE_RELATIVE_VELOCITY) || b.reads(SCREE_TANGENTIAL_INCREMENT))
+    resolve_velocities<D, spin, planes>(to_contact_point, b.radius_sum, padded, w);
+  if (b.reads(SCREE_TANGENTIAL_INCREMENT))
+    resolve_increments<D, spin, planes>(to_contact_point, b.radius_sum, b.tile.scene->step, padded, w);
+}
+
+template <int D, class T>
+SCREE_HOT void call_law(const BlockJob<T>& b, Block<T>& w) {
+  const std::size_t begin = b.place.begin;
+  ContactBatch<T> batch = {};
+  batch.struct_size = sizeof(batch);
+  batch.count = b.place.count;
+  batch.step = b.tile.scene->step;
+  for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) batch.input[k] = w.input[k];
+  PairConstants& constants = *b.tile.constants;
+  batch.input[SCREE_REDUCED_MASS] = constants.terms.column<T>(PairConstants::reduced_mass) + begin;
+  batch.input[SCREE_EFFECTIVE_RADIUS] = constants.terms.column<T>(PairConstants::effective_radius) + begin;
+  for (std::uint32_t k = 0; k < b.group.history_width; ++k)
+    batch.history[k] = b.group.history.template column<T>(k) + (begin - b.group.begin);
+  const std::uint32_t outputs = b.tile.scene->audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
+  for (std::uint32_t k = 0; k < outputs; ++k) batch.output[k] = w.output[k];
+  for (std::uint32_t k = 0; k < std::uint32_t(D); ++k)
+    batch.output[SCREE_FORCE + k] = constants.force.column<T>(k) + begin;
+  if constexpr (std::is_same_v<T, float>)
+    b.law.interface.evaluate_single(b.law.storage, &batch);
+  else
+    b.law.interface.evaluate(b.law.storage, &batch);
+}
+
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void scatter(const BlockJob<T>& b, Block<T>& w) {
+  const T* force[3] = {};
+  for (std::uint32_t k = 0; k < std::uint32_t(D); ++k)
+    force[k] = b.tile.constants->force.template column<T>(k) + b.place.begin;
+  if constexpr (spin)
+    resolve_torques<D, planes>(b.arms_to_contact_point(), b.law.interface.writes_couple != 0, b.radius_sum,
+                               force, b.place.count, w);
+  const std::uint32_t* slot_a = b.tile.tiles->slot_a().data() + b.place.begin;
+  const std::uint32_t* slot_b = b.tile.tiles->slot_b().data() + b.place.begin;
+  for (std::uint32_t i = 0; i < b.place.count; i += 4)
+    scatter_four<D, spin>(force, slot_a + i, slot_b + i, i, w, b.tile.slots);
+}
+
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT ContactSums evaluate_block(const BlockJob<T>& b, Block<T>& w, double& largest_ratio) {
+  gather<D, spin, planes>(b, w);
+  resolve<D, spin, planes>(b, w);
+  call_law<D>(b, w);
+  scatter<D, spin, planes>(b, w);
+  largest_ratio = largest_overlap_ratio<planes>(b.radius_sum, b.place.count, w, largest_ratio);
+  return b.tile.scene->audit ? sum_block(w, b.place.count) : ContactSums();
+}
+
+template <int D, bool spin, class T>
+SCREE_HOT void evaluate_tile(const TileJob& job) {
+  constexpr std::size_t width = slot_width<D, spin>;
+  const Tiles::Tile& tile = job.tiles->tiles()[job.tile];
+  const std::size_t planes_and_padding =
+      (job.tile + 1 < job.tiles->tiles().size() ? job.tiles->tiles()[job.tile + 1].first_foreign
+                                                : job.tiles->slots());
+  std::fill(job.slots + width * tile.first_body, job.slots + width * tile.last_body, 0.0);
+  std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
+  Block<T> work;
+  double largest_ratio = 0;
+  for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+    const BlockJob<T> block = block_job<T>(job, k);
+    job.sums[k] = block.group.planes ? evaluate_block<D, spin, true>(block, work, largest_ratio)
+                                     : evaluate_block<D, spin, false>(block, work, largest_ratio);
+    job.sums[k].max_overlap_ratio = largest_ratio;
+  }
+}
+
+// The same code once more for each instruction level. No contraction and no reassociation: the same bits.
+#if defined(__x86_64__)
+#define SCREE_LEVELS(X) \
+  X(baseline, )         \
+  X(v3, gnu::target("arch=x86-64-v3")) X(v4, gnu::target("arch=x86-64-v4,prefer-vector-width=512"))
+#else
+#define SCREE_LEVELS(X) X(baseline, )
+#endif
+#define SCREE_LEVEL_FUNCTION(level, ...)                                              \
+  template <int D, bool spin, class T>                                                \
+  [[gnu::flatten __VA_OPT__(, ) __VA_ARGS__]] void tile_##level(const TileJob& job) { \
+    evaluate_tile<D, spin, T>(job);                                                   \
+  }
+SCREE_LEVELS(SCREE_LEVEL_FUNCTION)
+
+template <int D, bool spin, class T>
+EvaluateTile best_level() {
+  const std::string level = instruction_levels().front();
+#if defined(__x86_64__)
+  if (level == "x86-64-v4") return &tile_v4<D, spin, T>;
+  if (level == "x86-64-v3") return &tile_v3<D, spin, T>;
+#endif
+  return &tile_baseline<D, spin, T>;
+}
+
+template <class Use>
+void specialise(const Forces::Features& f, const Use& use) {
+  if (f.dimension == 2)
+    f.spin ? use.template operator()<2, true>() : use.template operator()<2, false>();
+  else
+    f.spin ? use.template operator()<3, true>() : use.template operator()<3, false>();
+}
+
+}  // namespace
+
+EvaluateTile tile_evaluation(const Forces::Features& features) {
+  EvaluateTile evaluate = nullptr;
+  specialise(features, [&]<int D, bool spin>() {
+    evaluate =
+        features.precision == Precision::mixed ? best_level<D, spin, float>() : best_level<D, spin, double>();
+  });
+  return evaluate;
+}
+
+std::size_t slot_width_of(const Forces::Features& features) {
+  std::size_t width = 0;
+  specialise(features, [&]<int D, bool spin>() { width = slot_width<D, spin>; });
+  return width;
+}
+
+}  // namespace scree::kernel

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "tiles.hpp"
+
+#include <scree/forces.hpp>
+
+namespace scree::kernel {
+
+struct Scene;
+
+// Everything that the evaluation of one tile needs.
+struct TileJob {
+  const Scene* scene;
+  const Tiles* tiles;
+  std::size_t tile;
+  std::vector<PairGroup>* groups;
+  const LawInstance* laws;
+  PairConstants* constants;
+  double* slots;      // (slots, slot width)
+  ContactSums* sums;  // of each block
+};
+
+// Evaluates all pairs of a tile: gather -> law -> scatter in blocks.
+using EvaluateTile = void (*)(const TileJob&);
+
+// For the features of a scene, compiled for the best instruction level that the processor has, or for the one
+// that SCREE_LEVEL names. All levels give the same bits.
+EvaluateTile tile_evaluation(const Forces::Features& features);
+
+// Doubles of a slot, for the features of a scene.
+std::size_t slot_width_of(const Forces::Features& features);
+
+}  // namespace scree::kernel

@@ -1,0 +1,141 @@
+#pragma once
+
+#include "block.hpp"
+
+namespace scree::kernel {
+
+template <int N, class T>
+SCREE_HOT Vec<N, T> lanes_of(const T (*columns)[block_size], std::uint32_t lane) {
+  Vec<N, T> v;
+  for (int k = 0; k < N; ++k) v[k] = columns[k][lane];
+  return v;
+}
+template <int N, class T>
+SCREE_HOT void set_lanes(T (*columns)[block_size], std::uint32_t lane, const Vec<N, T>& v) {
+  for (int k = 0; k < N; ++k) columns[k][lane] = v[k];
+}
+
+// n × (arm_a ω_a + arm_b ω_b): what turning adds to the velocity of a's contact point relative to b's [D2].
+template <int D, class T>
+SCREE_HOT Vec<D, T> turning(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
+                            const Vec<spin_components<D>, T>& spin_a,
+                            const Vec<spin_components<D>, T>& spin_b) {
+  const auto spin = arm_a * spin_a + arm_b * spin_b;
+  if constexpr (D == 2)
+    return -cross(spin, n);
+  else
+    return cross(n, spin);
+}
+
+// Lever arms from the centres to the contact point, R − δ/2 or R; a plane has none. With s = R_a + R_b and
+// δ = s − distance, R_a − δ/2 = (distance + R_a − R_b)/2 and R_b − δ/2 = (distance − R_a + R_b)/2.
+template <bool planes, class T>
+struct Arms {
+  T a, b;
+  SCREE_HOT static Arms of(bool to_contact_point, const T& distance, const T& radius_sum,
+                           const T& difference) {
+    const T reach = to_contact_point ? distance : radius_sum;
+    if constexpr (planes) return {T(0.5) * (reach + difference), T(0)};
+    return {T(0.5) * (reach + difference), T(0.5) * (reach - difference)};
+  }
+};
+
+// Normal, distance and overlap. Where centres coincide the normal is along x.
+template <int D, bool planes, class T>
+SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, Block<T>& w) {
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < padded; ++i) {
+    double distance = 0;
+    if constexpr (planes) {
+      for (int k = 0; k < D; ++k) distance += w.separation[k][i] * double(w.input[SCREE_NORMAL + k][i]);
+    } else {
+      for (int k = 0; k < D; ++k) distance += w.separation[k][i] * w.separation[k][i];
+      distance = std::sqrt(distance);
+      const bool apart = distance > 0;
+      const double inverse = 1 / (apart ? distance : 1.0);
+      for (int k = 0; k < D; ++k)
+        w.input[SCREE_NORMAL + k][i] = T(k == 0 && !apart ? 1.0 : w.separation[k][i] * inverse);
+    }
+    w.distance[i] = T(distance);
+    w.input[SCREE_OVERLAP][i] = T(radius_sum[i] - distance);
+  }
+}
+
+// Relative velocity of the contact points, and relative spin.
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void resolve_velocities(bool to_contact_point, const double* radius_sum, std::uint32_t padded,
+                                  Block<T>& w) {
+  constexpr int S = spin_components<D>;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < padded; ++i) {
+    Vec<D, T> v = lanes_of<D>(w.velocity, i);
+    if constexpr (spin) {
+      const Vec<D, T> n = lanes_of<D>(w.input + SCREE_NORMAL, i);
+      const auto arms =
+          Arms<planes, T>::of(to_contact_point, w.distance[i], T(radius_sum[i]), w.radius_difference[i]);
+      const Vec<S, T> spin_a = lanes_of<S>(w.spin[0], i), spin_b = lanes_of<S>(w.spin[1], i);
+      v += turning(n, arms.a, arms.b, spin_a, spin_b);
+      set_lanes<S>(w.input + SCREE_RELATIVE_SPIN, i, spin_a - spin_b);
+    }
+    set_lanes<D>(w.input + SCREE_RELATIVE_VELOCITY, i, v);
+  }
+}
+
+// Displacement along the surface during the step, at the normal of mid-step. A pair that met during this step
+// has moved along its surface only since then.
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void resolve_increments(bool to_contact_point, const double* radius_sum, double step,
+                                  std::uint32_t padded, Block<T>& w) {
+  constexpr int S = spin_components<D>;
+  const T h = T(step), half = T(0.5 * step);
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < padded; ++i) {
+    const Vec<D, T> motion = lanes_of<D>(w.mid_velocity, i), n = lanes_of<D>(w.input + SCREE_NORMAL, i);
+    Vec<D, T> mid_normal = n, slip = motion;
+    T distance = w.distance[i];
+    if constexpr (planes) {
+      distance = distance - half * dot(motion, n);
+    } else {
+      Vec<D, T> separation;
+      for (int k = 0; k < D; ++k) separation[k] = T(w.separation[k][i]) - half * motion[k];
+      const T square = dot(separation, separation);
+      const bool apart = square > T(0);
+      distance = apart ? std::sqrt(square) : T(0);
+      const T inverse = T(1) / (apart ? distance : T(1));
+      for (int k = 0; k < D; ++k) mid_normal[k] = apart ? separation[k] * inverse : n[k];
+    }
+    if constexpr (spin) {
+      const auto arms =
+          Arms<planes, T>::of(to_contact_point, distance, T(radius_sum[i]), w.radius_difference[i]);
+      slip +=
+          turning(mid_normal, arms.a, arms.b, lanes_of<S>(w.mid_spin[0], i), lanes_of<S>(w.mid_spin[1], i));
+    }
+    const T approach = -dot(lanes_of<D>(w.input + SCREE_RELATIVE_VELOCITY, i), n) * h;
+    const T overlap = w.input[SCREE_OVERLAP][i];
+    const bool met = overlap < approach;
+    const T touched = (met ? overlap : T(1)) / (met ? approach : T(1));
+    set_lanes<D>(w.input + SCREE_TANGENTIAL_INCREMENT, i, (h * touched) * tangential_part(slip, mid_normal));
+  }
+}
+
+// −arm n × f ± couple: torques on a and b.
+template <int D, bool planes, class T>
+SCREE_HOT void resolve_torques(bool to_contact_point, bool has_couple, const double* radius_sum,
+                               const T* const (&force)[3], std::uint32_t padded, Block<T>& w) {
+  constexpr int S = spin_components<D>;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < padded; ++i) {
+    Vec<D, T> f;
+    for (int k = 0; k < D; ++k) f[k] = force[k][i];
+    const Vec<S, T> lever = cross(lanes_of<D>(w.input + SCREE_NORMAL, i), f);
+    const auto arms =
+        Arms<planes, T>::of(to_contact_point, w.distance[i], T(radius_sum[i]), w.radius_difference[i]);
+    for (int k = 0; k < S; ++k) {
+      const T couple = has_couple ? w.output[SCREE_COUPLE + k][i] : T(0);
+      w.torque[0][k][i] = couple - arms.a * lever[k];
+      w.torque[1][k][i] = -arms.b * lever[k] - couple;
+    }
+  }
+}
+
+}  // namespace scree::kernel

@@ -1,0 +1,88 @@
+#include "tiles.hpp"
+
+#include "block.hpp"
+
+#include <algorithm>
+
+namespace scree::kernel {
+
+namespace {
+
+// Enough tiles for the threads of a large machine, large enough that few pairs cross from one to another.
+constexpr std::size_t usual_bodies_per_tile = 1024;
+
+// First pair of a group whose a is at least `body`, rounded up to whole lanes.
+std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std::size_t body) {
+  const auto begin = contacts.a.begin() + std::ptrdiff_t(group.begin),
+             end = contacts.a.begin() + std::ptrdiff_t(group.end);
+  const std::size_t offset = std::size_t(std::lower_bound(begin, end, body) - begin);
+  return group.begin + (offset + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
+}
+
+}  // namespace
+
+std::uint32_t Tiles::owner(std::size_t body) const {
+  return std::uint32_t(std::min(body / bodies_per_tile_, tiles_.size() - 1));
+}
+
+void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
+  Tile& tile = tiles_[t];
+  tile.first_block = blocks_.size();
+  for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
+    const PairGroup& group = contacts.groups()[g];
+    const std::size_t all = group.begin + group.padded_size();
+    const std::size_t from = t == 0 ? group.begin : pair_boundary(contacts, group, tile.first_body);
+    const std::size_t to = t + 1 == tiles_.size() ? all : pair_boundary(contacts, group, tile.last_body);
+    for (std::size_t p = from; p < to; p += block_size)
+      blocks_.push_back({g, p, std::uint32_t(std::min<std::size_t>(block_size, to - p))});
+  }
+  tile.last_block = blocks_.size();
+}
+
+void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
+  slot_a_.assign(contacts.padded_size(), 0);
+  slot_b_.assign(contacts.padded_size(), 0);
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    Tile& tile = tiles_[t];
+    const auto slot_of = [&](std::uint32_t body) {
+      if (owner(body) == t) return body;
+      tiles_[owner(body)].incoming.push_back({body, std::uint32_t(slots_)});
+      return std::uint32_t(slots_++);
+    };
+    tile.first_foreign = slots_;
+    for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+      const Block& block = blocks_[k];
+      const PairGroup& group = contacts.groups()[block.group];
+      for (std::size_t p = block.begin; p < std::min(block.begin + block.count, group.end); ++p) {
+        slot_a_[p] = slot_of(contacts.a[p]);
+        if (!group.planes) slot_b_[p] = slot_of(contacts.b[p]);
+      }
+    }
+    tile.last_foreign = tile.first_own = slots_;
+    slots_ += planes + 1;
+    for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+      const Block& block = blocks_[k];
+      const PairGroup& group = contacts.groups()[block.group];
+      for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
+        if (p >= group.end) slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
+        if (p < group.end && group.planes) slot_b_[p] = std::uint32_t(tile.first_own + contacts.b[p]);
+      }
+    }
+  }
+}
+
+void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t planes) {
+  bodies_per_tile_ = usual_bodies_per_tile;
+  const std::size_t count = std::max<std::size_t>(1, bodies / bodies_per_tile_);
+  tiles_.assign(count, {});
+  blocks_.clear();
+  slots_ = bodies;
+  for (std::size_t t = 0; t < count; ++t) {
+    tiles_[t].first_body = t * bodies_per_tile_;
+    tiles_[t].last_body = t + 1 == count ? bodies : (t + 1) * bodies_per_tile_;
+    cut_blocks(contacts, std::uint32_t(t));
+  }
+  lay_slots(contacts, planes);
+}
+
+}  // namespace scree::kernel

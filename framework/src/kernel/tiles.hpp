@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <scree/contacts.hpp>
+
+namespace scree::kernel {
+
+// The pairs of a scene cut into parts that can be evaluated at the same time: a tile owns a range of bodies
+// and takes the pairs whose a it owns. Where the loads of a pair's two ends go is laid down beforehand, as
+// slots:
+//   [0, bodies)         of a body, if the tile that evaluates the pair owns it
+//   behind              of one end of one pair, if another tile owns the body
+//   then, for each tile, of each plane, and one for padding
+// Loads of the second kind are added to their bodies afterwards in the order of the pairs. Tiles depend on
+// the scene alone, never on the number of threads, and so do the sums.
+class Tiles {
+ public:
+  struct Block {
+    std::uint32_t group;
+    std::size_t begin;    // pair
+    std::uint32_t count;  // multiple of SCREE_LANES
+  };
+  struct Incoming {
+    std::uint32_t body, slot;
+  };
+  struct Tile {
+    std::size_t first_body, last_body;        // [first, last)
+    std::size_t first_block, last_block;      // [first, last)
+    std::size_t first_foreign, last_foreign;  // slots written for other tiles
+    std::size_t first_own;                    // slots of planes and padding
+    std::vector<Incoming> incoming;
+  };
+
+  void plan(const Contacts& contacts, std::size_t bodies, std::size_t planes);
+
+  const std::vector<Tile>& tiles() const { return tiles_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  std::size_t slots() const { return slots_; }
+  std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
+  // Of both ends of each pair, padding included.
+  const std::vector<std::uint32_t>& slot_a() const { return slot_a_; }
+  const std::vector<std::uint32_t>& slot_b() const { return slot_b_; }
+
+ private:
+  void cut_blocks(const Contacts& contacts, std::uint32_t tile);
+  std::uint32_t owner(std::size_t body) const;
+  void lay_slots(const Contacts& contacts, std::size_t planes);
+
+  std::size_t bodies_per_tile_ = 1;
+  std::size_t slots_ = 0;
+  std::vector<Tile> tiles_;
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> slot_a_, slot_b_;
+};
+
+}  // namespace scree::kernel

@@ -1,0 +1,38 @@
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/spatial_order.hpp>
+
+using scree::Body;
+using scree::spatial_order;
+
+TEST_CASE("the spatial order names each body once and brings neighbours together") {
+  // A lattice of 16³ in random order. Along the curve, cells of 2 x 2 x 2 follow each other: seven of eight
+  // steps stay within one, so that the mean way is a few spacings rather than the third of the box of a
+  // random order.
+  std::vector<Body> bodies;
+  for (int i = 0; i < 16 * 16 * 16; ++i)
+    bodies.push_back(scree::test::body(i, 0.5, 1, {{double(i % 16), double(i / 16 % 16), double(i / 256)}}));
+  std::shuffle(bodies.begin(), bodies.end(), std::mt19937_64(3));
+  const std::vector<std::uint32_t> order = spatial_order(bodies, 3);
+  std::vector<std::uint32_t> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  double way = 0;
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) REQUIRE(sorted[i] == i);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    way += norm(bodies[order[i]].position - bodies[order[i - 1]].position);
+  CHECK(way / double(order.size()) < 2);
+}
+
+TEST_CASE("bodies far out and no bodies have an order") {
+  CHECK(spatial_order({}, 3).empty());
+  const std::vector<Body> bodies = {scree::test::body(1, 1, 1, {{1e300, 0, 0}}),
+                                    scree::test::body(2, 1, 1, {{-1e300, 0, 0}}),
+                                    scree::test::body(3, 1, 1, {{0, 0, 0}})};
+  CHECK(spatial_order(bodies, 3).size() == 3);
+}
