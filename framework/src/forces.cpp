@@ -70,8 +70,9 @@ void Forces::follow_pairs(const Particles& particles, const Contacts& contacts, 
 
 ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                              const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                             const Domain& domain, double step, ThreadPool& threads) {
+                             const Domain& domain, double step, ThreadPool& threads, Profile* profile) {
   Work& w = *work_;
+  Laps laps(profile);
   follow_pairs(particles, contacts, planes.size());
   w.records.resize(particles, read_increments(laws));
   alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
@@ -82,18 +83,22 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
     const auto part = threads.part((particles.size() + 3) / 4, worker);
     w.records.pack(particles, 4 * part.begin, std::min(4 * part.end, particles.size()));
   });
+  laps.lap(Profile::records);
   threads.run([&](unsigned worker) {
     const auto part = threads.part(tiles, worker);
     for (std::size_t t = part.begin; t < part.end; ++t)
       w.evaluate({&scene, &w.tiles, t, &contacts.groups(), laws.data(), &w.constants, w.slots.data(),
                   w.block_sums.data()});
   });
+  laps.lap(Profile::contacts);
   threads.run([&](unsigned worker) {
     const auto part = threads.part(tiles, worker);
     for (std::size_t t = part.begin; t < part.end; ++t) finish_tile(t, particles);
   });
   sum_loads(loads);
-  return add_up(w.block_sums);
+  const ContactSums total = add_up(w.block_sums);
+  laps.lap(Profile::sums);
+  return total;
 }
 
 // Loads of the tile's bodies: those of pairs of other tiles are added, and all go to the columns.

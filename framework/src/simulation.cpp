@@ -112,9 +112,12 @@ Contacts::Lookup Simulation::lookup() const {
 
 void Simulation::evaluate_forces(double step) {
   contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
-                                   boundaries_.domain(), step, *threads_);
+                                   boundaries_.domain(), step, *threads_, profile_);
+  Laps laps(profile_);
   add_momentum_error(step);
+  laps.lap(Profile::books);
   body_sums_ = body_terms_.apply(particles_, boundaries_.domain());
+  laps.lap(Profile::body_forces);
   max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
 }
 
@@ -158,15 +161,22 @@ double Simulation::advance(double step) {
   const bool in_step = force_time_ == time_;
   const double elapsed = mid_step && in_step ? 0.5 * step : step;
   if (mid_step && !in_step) boundaries_.return_to_forces();
+  Laps laps(profile_);
   boundaries_.drift(force_time_, elapsed);
-  const double square_speed = integrator_->drift(particles_, step, *threads_);
   const double plane_speed = boundaries_.largest_speed();
+  laps.lap(Profile::boundaries);
+  const double square_speed = integrator_->drift(particles_, step, *threads_);
+  laps.lap(Profile::drift);
   if (!(square_speed < infinite && plane_speed < infinite)) report_blow_up(*this, speed_limit_);
   neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
                      contacts_);
+  laps.lap(Profile::neighbours);
   evaluate_forces(elapsed);
+  laps = Laps(profile_);
   boundaries_.kick(force_time_, elapsed);
+  laps.lap(Profile::boundaries);
   const double largest = integrator_->kick(particles_, step, *threads_);
+  laps.lap(Profile::kick);
   if (scene_.audit) audit_.add_step(elapsed, contact_sums_, body_sums_);
   force_time_ += elapsed;
   time_ += step;

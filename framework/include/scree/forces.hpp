@@ -9,6 +9,7 @@
 #include <scree/pair_constants.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_abi.h>
+#include <scree/profile.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
@@ -45,7 +46,7 @@ class Forces {
   // Sets force and torque of all bodies and loads of all planes; step = 0 evaluates without moving springs.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                        const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                       const Domain& domain, double step, ThreadPool& threads);
+                       const Domain& domain, double step, ThreadPool& threads, Profile* profile = nullptr);
 
   // Force on a of pair p at the last evaluation (N), z = 0 in 2D.
   Vec3 pair_force(std::size_t p) const;

@@ -14,6 +14,7 @@
 #include <scree/forces.hpp>
 #include <scree/integrator.hpp>
 #include <scree/neighbour_list.hpp>
+#include <scree/profile.hpp>
 #include <scree/scene.hpp>
 
 namespace scree {
@@ -33,6 +34,9 @@ class Simulation {
 
   // Advances by one time step. Throws Error(blow_up) naming particle, contact, time and cure.
   void step();
+
+  // Tells where the time of steps goes from now on; null ends it. The profile must live as long.
+  void measure(Profile* profile) { profile_ = profile; }
 
   // New parameters for a law, boundary or body term by name, between steps; histories and walls stay.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
@@ -91,6 +95,7 @@ class Simulation {
   Forces forces_;
   std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<ThreadPool> threads_;
+  Profile* profile_ = nullptr;
 
   double time_ = 0;
   double force_time_ = 0;  // (s) at which forces were evaluated last

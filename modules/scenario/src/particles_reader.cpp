@@ -36,12 +36,37 @@ packing::Packing read_file(const Table& particles, int dimension, const std::fil
   return read;
 }
 
+// Copies of a periodic packing side by side: so many along each axis, one period apart.
+void repeat(const Table& particles, int dimension, packing::Packing& packing) {
+  if (!particles.has("repeat")) return;
+  const std::vector<double> times =
+      particles.numbers("repeat", std::size_t(dimension), Range::between(1, 1e4));
+  const std::vector<double> period =
+      particles.numbers("period", std::size_t(dimension), Range::positive("m"));
+  for (const double n : times)
+    if (n != std::floor(n))
+      throw particles.error("repeat", fmt::format("{:g} is no whole number", n),
+                            "give counts, such as [5, 1, 5]");
+  for (int k = 0; k < dimension; ++k) {
+    const std::size_t original = packing.bodies.size();
+    for (int n = 1; n < int(times[std::size_t(k)]); ++n)
+      for (std::size_t i = 0; i < original; ++i) {
+        packing::Body copy = packing.bodies[i];
+        copy.id = 0;
+        copy.position[k] += n * period[std::size_t(k)];
+        packing.bodies.push_back(copy);
+      }
+  }
+}
+
 packing::Packing read_source(const Table& particles, int dimension, packing::Random& random,
                              const std::filesystem::path& folder, const std::vector<Material>& materials) {
   if (!particles.has("file")) return read_lattice_bodies(particles, dimension, random);
   if (particles.has("lattice"))
     throw particles.error("file", "both a file and a lattice are given", "keep one of them");
-  return read_file(particles, dimension, folder, materials);
+  packing::Packing packing = read_file(particles, dimension, folder, materials);
+  repeat(particles, dimension, packing);
+  return packing;
 }
 
 packing::Body read_inline(const Table& t, int dimension) {

@@ -1,0 +1,43 @@
+#include "plan_support.hpp"
+
+#include <set>
+
+#include <catch2/catch.hpp>
+
+using scree::test::plan_of;
+using scree::test::refusal;
+using scree::test::TemporaryFolder;
+
+namespace {
+
+std::string scene_with(const std::string& keys) {
+  return "[time]\nstep = 1e-6\nduration = 1e-5\n[[material]]\nname = 'a'\ndensity = 1\n"
+         "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1\nnormal_damping = 0\n"
+         "[particles]\nfile = 'two.csv'\n" +
+         keys;
+}
+
+}  // namespace
+
+TEST_CASE("a packing is repeated along each axis, one period apart, with ids of its own") {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n8,0.5,1,0,0.2\n");
+  const auto file = folder.write("scene.toml", scene_with("repeat = [3, 1, 2]\nperiod = [1, 2, 4]\n"));
+  const auto bodies = scree::scenario::read_plan(file, {}, scree::test::host()).scene.bodies;
+  REQUIRE(bodies.size() == 12);
+  double x = 0, z = 0;
+  std::set<std::int64_t> ids;
+  for (const scree::Body& b : bodies) x += b.position[0], z += b.position[2], ids.insert(b.id);
+  CHECK(x == 12 * 1.5);
+  CHECK(z == 12 * 2);
+  CHECK(ids.size() == 12);
+}
+
+TEST_CASE("a repetition needs whole counts and a period") {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
+  for (const std::string keys : {"repeat = [1.5, 1, 1]\nperiod = [1, 1, 1]\n", "repeat = [2, 1, 1]\n",
+                                 "repeat = [0, 1, 1]\nperiod = [1, 1, 1]\n"})
+    CHECK_THROWS(
+        scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host()));
+}
