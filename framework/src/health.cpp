@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/step_guard.hpp>
 
 namespace scree {
 
@@ -45,7 +46,9 @@ void report_overlap(const Simulation& s) {
   const std::uint32_t b = list.b[worst];
   const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
                                          : fmt::format("wall {}", s.boundaries().plane_names()[b - p.size()]);
-  const char* cure = s.steps() > 0 ? "use a stiffer contact, a lower load or a shorter time.step"
+  const bool unstable = s.step_length() > shortest_limit(s).longest_step;
+  const char* cure = s.steps() > 0 && unstable ? "use a shorter time.step (it is longer than what is stable)"
+                     : s.steps() > 0           ? "use a stiffer contact, a lower load or a shorter time.step"
                      : worst_ratio >= 2 && b < p.size() ? "their centres coincide: move them apart"
                                                         : "they start inside each other: move them apart";
   stop(fmt::format(

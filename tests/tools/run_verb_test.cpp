@@ -90,7 +90,8 @@ TEST_CASE("an expectation that is not met gives status 1 and keeps the run") {
   const Workspace w(expectation("reference = 11\ntolerance = 0.5"));
   const Outcome outcome = w.run();
   CHECK(outcome.status == 1);
-  CHECK(outcome.out.find("NOT MET  Ten steps (steps = 10)") != std::string::npos);
+  CHECK(outcome.out.find("NOT MET  Ten steps (steps = 10, expected 11 ± 0.5, off by -1)") !=
+        std::string::npos);
   CHECK(w.record()["status"] == "finished");
   CHECK(w.record()["expect"][0]["met"] == false);
 }

@@ -48,8 +48,23 @@ void print_result(const scenario::RunResult& r) {
         "WARNING: the energy books do not close; shorten time.step, or look for a law that makes energy\n");
   fmt::print("state hash {:016x}\n", r.state_hash);
   for (const scenario::Verdict& v : r.verdicts)
-    fmt::print("{}  {} ({} = {:.6g})\n", v.met ? "met    " : "NOT MET", v.expectation.requirement,
-               v.expectation.quantity, v.value);
+    if (v.met)
+      fmt::print("met      {} ({} = {:.6g})\n", v.expectation.requirement, v.expectation.quantity, v.value);
+}
+
+// What is not met is told even to those who asked for quiet.
+void print_unmet(const scenario::RunResult& r) {
+  for (const scenario::Verdict& v : r.verdicts) {
+    if (v.met) continue;
+    const scenario::Expectation& e = v.expectation;
+    std::string wanted;
+    if (e.reference)
+      wanted += fmt::format(", expected {} ± {:g}, off by {:.3g}", *e.reference, *e.tolerance,
+                            v.value - *e.reference);
+    if (e.at_most) wanted += fmt::format(", expected at most {}", *e.at_most);
+    if (e.at_least) wanted += fmt::format(", expected at least {}", *e.at_least);
+    fmt::print("NOT MET  {} ({} = {}{})\n", e.requirement, e.quantity, v.value, wanted);
+  }
 }
 
 void print_places(const std::filesystem::path& directory) {
@@ -91,6 +106,7 @@ ExitStatus run_scenario(const RunArguments& arguments) {
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
   const scenario::RunResult result = run_with_bar(plan, arguments);
   if (!arguments.quiet) print_result(result);
+  print_unmet(result);
   if (result.interrupted) fmt::print("interrupted; what was computed is saved\n");
   print_places(result.directory);
   if (result.interrupted) return ExitStatus::interrupted;

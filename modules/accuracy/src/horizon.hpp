@@ -8,12 +8,11 @@
 
 namespace scree::accuracy {
 
-// Runs a plan with a step and with half of it side by side, compares them at multiples of `interval` (s, itself
-// a multiple of the step), and returns the last of these until which the bodies are within `distance` (m, root
-// mean square) of each other; nothing if they are to the end.
+// Runs a plan with a step and with half of it side by side, compares them at multiples of `interval` (s,
+// itself a multiple of the step), and returns the last of these until which the bodies are within `distance`
+// (m, root mean square) of each other; nothing if they are to the end.
 std::optional<double> trustworthy_until(const scenario::Plan& plan, double step, double interval,
-                                        double distance,
-                                        const std::function<void(double share)>& on_progress,
+                                        double distance, const std::function<void(double share)>& on_progress,
                                         const std::atomic<bool>* stop);
 
 // Sum over the stages, of those that end by a condition the longest they may take (s).

@@ -23,6 +23,8 @@ namespace {
 Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario::Trial>& trials,
                      std::size_t k, bool cut) {
   const double scale = e.scale.value_or(0);
+  // What must be 0 cannot be measured in itself.
+  if (e.reference && *e.reference == 0 && scale == 0 && cut) return {e.quantity, 0, INFINITY, 0, false};
   if (e.reference && !e.of_step && !cut) return {e.quantity, *e.reference, 0, scale, true};
   if (e.quantity == "energy_residual" || e.quantity == "momentum_residual")
     return {e.quantity, 0, 0, 1, true};

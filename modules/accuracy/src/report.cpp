@@ -39,15 +39,25 @@ std::string order_text(const std::optional<double>& order) {
 
 void write_orders(const Study& study, Out out) {
   fmt::format_to(out, "\nobserved order of {:>12} {:>12}\n", "the error", "positions");
-  for (const Order& order : study.orders)
+  bool missing = false;
+  for (const Order& order : study.orders) {
+    missing |= !order.of_worst || !order.of_positions;
     fmt::format_to(out, "{:<29} {:>1} {:>12}\n", method_name(order.method), order_text(order.of_worst),
                    order_text(order.of_positions));
+  }
+  if (missing) fmt::format_to(out, "-: fewer than three steps whose error falls with the step\n");
 }
 
 void write_references(const Study& study, Out out) {
   fmt::format_to(out, "\ncompared at t = {:.6g} s\n", study.duration);
+  constexpr std::size_t many = 12;
+  const bool brief = study.quantities.size() > many;
+  if (brief)
+    fmt::format_to(out, "  {} quantities, their references in accuracy.json\n", study.quantities.size());
   for (const Quantity& q : study.quantities)
-    if (q.closed_form)
+    if (brief && &q != &study.quantities.back())
+      continue;
+    else if (q.closed_form)
       fmt::format_to(out, "  {}: {:.9g}, closed form\n", q.name, q.reference);
     else if (&q == &study.quantities.back())
       fmt::format_to(out, "  {}: of the extrapolated reference, known to {:.2g} mean radii\n", q.name,

@@ -132,8 +132,23 @@ class Studying {
       study_.notes.push_back(
           fmt::format("{} has no number{} and is left out.", name, study_.horizon ? " before the cut" : ""));
     study_.quantities = reference_quantities(plan_, trials, compared_, study_.horizon.has_value());
+    leave_out_unknown();
     reference_positions_ = reference_positions(trials).positions;
     study_.duration = trials.back().time;
+  }
+
+  // A reference that is not known to its own size says nothing of relative errors.
+  void leave_out_unknown() {
+    for (std::size_t k = compared_.size(); k-- > 0;) {
+      const Quantity& q = study_.quantities[k];
+      if (q.closed_form || !(q.uncertainty >= q.scale())) continue;
+      study_.notes.push_back(
+          fmt::format("{} is left out: its reference {:.3g} is known to {:.3g} only; give its "
+                      "[[expect]] a scale.",
+                      q.name, q.reference, q.uncertainty));
+      study_.quantities.erase(study_.quantities.begin() + std::ptrdiff_t(k));
+      compared_.erase(compared_.begin() + std::ptrdiff_t(k));
+    }
   }
 
   // The shortest of a few runs, so that other work on the machine counts less.
@@ -226,7 +241,8 @@ std::vector<const Outcome*> pareto_front(const Study& study) {
   });
   double best = std::numeric_limits<double>::infinity();
   std::erase_if(front, [&](const Outcome* o) {
-    if (o->worst() >= best) return true;
+    constexpr double gain = 1.05;  // less is timing noise
+    if (o->worst() * gain >= best) return true;
     best = o->worst();
     return false;
   });

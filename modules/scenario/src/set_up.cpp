@@ -100,7 +100,10 @@ std::string describe_step(const Simulation& s) {
   const double share = s.step_length() / shortest_limit(s).longest_step;
   return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step{}",
                      s.step_length(), steps, share,
-                     steps < few ? "; that is few: use 20 or more, 50 for a per mille" : "");
+                     share > 1 ? "; UNSTABLE (step_guard = false)"
+                     : steps < few
+                         ? "; that is few: use 20 or more, 50 for a per mille unless damping is strong"
+                         : "");
 }
 
 std::optional<std::string> step_problem(const Simulation& s) {
@@ -108,10 +111,12 @@ std::optional<std::string> step_problem(const Simulation& s) {
   if (s.step_length() <= limit.longest_step) return std::nullopt;
   const double contact = s.min_steps_per_contact() * s.step_length();
   return fmt::format(
-      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less, or "
+      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}, "
+      "or "
       "time.step_guard = false to run it all the same",
       s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
-      rounded_down(std::min(contact / 50, limit.longest_step)));
+      rounded_down(std::min(contact / 50, limit.longest_step)),
+      contact / 50 < limit.longest_step ? " (50 steps to a contact)" : "");
 }
 
 }  // namespace scree::scenario
