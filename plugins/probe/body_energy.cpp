@@ -35,7 +35,7 @@ struct BodyEnergyProbe {
 
   const char* start(const scree_view& view, double* first) const {
     for (std::uint64_t k = 0; k < ids.count; ++k) {
-      const std::uint64_t i = find(view, ids.data[k]);
+      const std::uint64_t i = scree::index_of_body(view, ids.data[k]);
       if (i == view.body_count)
         return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
                "otherwise";
@@ -50,17 +50,12 @@ struct BodyEnergyProbe {
   void sample(const scree_view& view, const double* first, double* row) const {
     double* const ratios = row + 2;
     for (std::uint64_t k = 0; k < ids.count; ++k)
-      ratios[k] = energy(view, find(view, ids.data[k])) / first[k];
+      ratios[k] = energy(view, scree::index_of_body(view, ids.data[k])) / first[k];
     row[0] = *std::min_element(ratios, ratios + ids.count);
     row[1] = *std::max_element(ratios, ratios + ids.count);
   }
 
  private:
-  static std::uint64_t find(const scree_view& view, double id) {
-    std::uint64_t i = 0;
-    while (i < view.body_count && double(view.id[i]) != id) ++i;
-    return i;
-  }
   double energy(const scree_view& view, std::uint64_t i) const {
     double v2 = 0, spin2 = 0;
     for (int k = 0; k < 3; ++k) {

@@ -55,11 +55,11 @@ struct ContactProbe {
 
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < pairs.count; ++k)
-      if (find(view, pairs.data[k]) == view.body_count) return no_body;
+      if (scree::index_of_body(view, pairs.data[k]) == view.body_count) return no_body;
     for (std::uint64_t k = 0; k < pairs.count; k += 2)
       if (pairs.data[k] == pairs.data[k + 1]) return "a pair in `pairs` names one body twice; give two ids";
     for (std::uint64_t k = 0; k < at_walls.count; k += 2) {
-      if (find(view, at_walls.data[k]) == view.body_count) return no_body;
+      if (scree::index_of_body(view, at_walls.data[k]) == view.body_count) return no_body;
       const double wall = at_walls.data[k + 1];
       if (wall > view.plane_count || wall != std::floor(wall))
         return "a number in `at_walls` is no wall of this scene; walls are numbered from 1 in the order of "
@@ -70,10 +70,11 @@ struct ContactProbe {
 
   void sample(const scree_view& view, const double*, double* row) const {
     for (std::uint64_t k = 0; k < pairs.count; k += 2, row += per_contact())
-      record(view, find(view, pairs.data[k]), find(view, pairs.data[k + 1]), row);
-    for (std::uint64_t k = 0; k < at_walls.count; k += 2, row += per_contact())
-      record(view, find(view, at_walls.data[k]), view.body_count + std::uint64_t(at_walls.data[k + 1]) - 1,
+      record(view, scree::index_of_body(view, pairs.data[k]), scree::index_of_body(view, pairs.data[k + 1]),
              row);
+    for (std::uint64_t k = 0; k < at_walls.count; k += 2, row += per_contact())
+      record(view, scree::index_of_body(view, at_walls.data[k]),
+             view.body_count + std::uint64_t(at_walls.data[k + 1]) - 1, row);
   }
 
  private:
@@ -81,11 +82,6 @@ struct ContactProbe {
       "an id is no body of this scene; bodies are numbered from 1 unless they say otherwise";
 
   std::uint32_t per_contact() const { return 4 + std::uint32_t(dimension); }
-  static std::uint64_t find(const scree_view& view, double id) {
-    std::uint64_t i = 0;
-    while (i < view.body_count && double(view.id[i]) != id) ++i;
-    return i;
-  }
 
   // The row of the contact of a and b, whichever of the two the host names first.
   void record(const scree_view& view, std::uint64_t a, std::uint64_t b, double* row) const {

@@ -43,7 +43,7 @@ struct DifferenceProbe {
 
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < ids.count; ++k)
-      if (find(view, ids.data[k]) == view.body_count)
+      if (scree::index_of_body(view, ids.data[k]) == view.body_count)
         return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
                "otherwise";
     return nullptr;
@@ -51,7 +51,8 @@ struct DifferenceProbe {
 
   void sample(const scree_view& view, const double*, double* row) const {
     for (std::uint64_t n = 0; n < ids.count; n += 2) {
-      const std::uint64_t a = find(view, ids.data[n]), b = find(view, ids.data[n + 1]);
+      const std::uint64_t a = scree::index_of_body(view, ids.data[n]),
+                          b = scree::index_of_body(view, ids.data[n + 1]);
       for (const auto* columns : {&view.position, &view.velocity, &view.spin}) {
         const scree::Vec3 difference = at(*columns, a) - at(*columns, b);
         const bool of_disc = columns == &view.spin && dimension == 2;
@@ -69,11 +70,6 @@ struct DifferenceProbe {
     scree::Vec3 v = {};
     for (int k = 0; k < 3; ++k) v[k] = columns[k] ? columns[k][i] : 0;
     return v;
-  }
-  static std::uint64_t find(const scree_view& view, double id) {
-    std::uint64_t i = 0;
-    while (i < view.body_count && double(view.id[i]) != id) ++i;
-    return i;
   }
 };
 

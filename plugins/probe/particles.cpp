@@ -35,7 +35,7 @@ struct ParticlesProbe {
 
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < ids.count; ++k)
-      if (find(view, ids.data[k]) == view.body_count)
+      if (scree::index_of_body(view, ids.data[k]) == view.body_count)
         return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
                "otherwise";
     return nullptr;
@@ -43,7 +43,7 @@ struct ParticlesProbe {
 
   void sample(const scree_view& view, const double*, double* row) const {
     for (std::uint64_t n = 0; n < ids.count; ++n) {
-      const std::uint64_t i = find(view, ids.data[n]);
+      const std::uint64_t i = scree::index_of_body(view, ids.data[n]);
       for (const auto* columns : {view.position, view.velocity, view.force})
         for (int k = 0; k < dimension; ++k) *row++ = columns[k][i];
       for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = view.spin[k] ? view.spin[k][i] : 0;
@@ -52,11 +52,6 @@ struct ParticlesProbe {
 
  private:
   std::uint32_t per_body() const { return dimension == 2 ? 7 : 12; }
-  static std::uint64_t find(const scree_view& view, double id) {
-    std::uint64_t i = 0;
-    while (i < view.body_count && double(view.id[i]) != id) ++i;
-    return i;
-  }
 };
 
 }  // namespace

@@ -23,6 +23,13 @@ struct ColumnName {
   std::string unit;  // "" when it has none
 };
 
+// Index of the body with this id; body_count if there is none.
+inline std::uint64_t index_of_body(const scree_view& view, double id) {
+  std::uint64_t i = 0;
+  while (i < view.body_count && double(view.id[i]) != id) ++i;
+  return i;
+}
+
 namespace detail {
 
 template <class Author>

@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "probe_support.hpp"
 
 #include <algorithm>
 
@@ -12,21 +12,6 @@ using namespace scree::test;
 
 namespace {
 
-struct Sampled {
-  std::vector<std::string> names;
-  std::vector<double> row;
-  double operator[](const std::string& name) const {
-    const auto at = std::find(names.begin(), names.end(), name);
-    REQUIRE(at != names.end());
-    return row[std::size_t(at - names.begin())];
-  }
-};
-
-Sampled sample(const Simulation& s, const Values& values) {
-  Probe probe(parameters("difference", SCREE_PROBE, values), s.dimension());
-  return {probe.names(), probe.sample(SimulationView(s, false).get())};
-}
-
 Simulation three_bodies(int dimension) {
   const double z = dimension == 2 ? 0 : 1;
   return Simulation(scene(dimension, 1e-3,
@@ -39,7 +24,7 @@ Simulation three_bodies(int dimension) {
 }  // namespace
 
 TEST_CASE("difference: vectors and magnitudes of each pair, in the order given", "[probe]") {
-  const Sampled d = sample(three_bodies(3), {{"ids", {5, 3, 3, 9}}});
+  const Sampled d = sample(three_bodies(3), "difference", {{"ids", {5, 3, 3, 9}}});
   CHECK(d.row.size() == 22);
   CHECK(d["x_5_3"] == 2);
   CHECK(d["z_5_3"] == 7);
@@ -54,7 +39,7 @@ TEST_CASE("difference: vectors and magnitudes of each pair, in the order given",
 }
 
 TEST_CASE("difference: discs have two axes and one spin", "[probe]") {
-  const Sampled d = sample(three_bodies(2), {{"ids", {5, 3}}});
+  const Sampled d = sample(three_bodies(2), "difference", {{"ids", {5, 3}}});
   CHECK(d.row.size() == 7);
   CHECK(d["y_5_3"] == 5);
   CHECK(d["vy_5_3"] == -2);
@@ -65,6 +50,6 @@ TEST_CASE("difference: discs have two axes and one spin", "[probe]") {
 
 TEST_CASE("difference: ids come in pairs and exist", "[probe]") {
   const Simulation s = three_bodies(3);
-  CHECK_THROWS_WITH(sample(s, {{"ids", {3, 5, 9}}}), Catch::Contains("pairs"));
-  CHECK_THROWS_WITH(sample(s, {{"ids", {3, 4}}}), Catch::Contains("no body"));
+  CHECK_THROWS_WITH(sample(s, "difference", {{"ids", {3, 5, 9}}}), Catch::Contains("pairs"));
+  CHECK_THROWS_WITH(sample(s, "difference", {{"ids", {3, 4}}}), Catch::Contains("no body"));
 }

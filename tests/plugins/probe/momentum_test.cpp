@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "probe_support.hpp"
 
 #include <algorithm>
 
@@ -16,21 +16,6 @@ const Values law = {{"normal_stiffness", {5000}},
                     {"tangential_stiffness", {1000}},
                     {"static_friction", {0.3}}};
 
-struct Sampled {
-  std::vector<std::string> names;
-  std::vector<double> row;
-  double operator[](const std::string& name) const {
-    const auto at = std::find(names.begin(), names.end(), name);
-    REQUIRE(at != names.end());
-    return row[std::size_t(at - names.begin())];
-  }
-};
-
-Sampled sample(const Simulation& s, const Values& values = {}) {
-  Probe probe(parameters("momentum", SCREE_PROBE, values), s.dimension());
-  return {probe.names(), probe.sample(SimulationView(s, true).get())};
-}
-
 // Two bodies apart, with round numbers: m x × v of the first is (2, 1, −4) kg m²/s.
 Scene pair_of_bodies(int dimension) {
   const bool flat = dimension == 2;
@@ -44,7 +29,7 @@ Scene pair_of_bodies(int dimension) {
 }  // namespace
 
 TEST_CASE("momentum: translation and spin of spheres, about the origin", "[probe]") {
-  const Sampled m = sample(Simulation(pair_of_bodies(3)));
+  const Sampled m = sample(Simulation(pair_of_bodies(3)), "momentum");
   CHECK(m.row.size() == 6);
   CHECK(m["momentum_x"] == 1);
   CHECK(m["momentum_y"] == -2 + 6);
@@ -56,7 +41,7 @@ TEST_CASE("momentum: translation and spin of spheres, about the origin", "[probe
 }
 
 TEST_CASE("momentum: discs have I = m R²/2 and one axis of rotation", "[probe]") {
-  const Sampled m = sample(Simulation(pair_of_bodies(2)));
+  const Sampled m = sample(Simulation(pair_of_bodies(2)), "momentum");
   CHECK(m.row.size() == 3);
   CHECK(m["momentum_x"] == 1);
   CHECK(m["momentum_y"] == 4);
@@ -65,7 +50,7 @@ TEST_CASE("momentum: discs have I = m R²/2 and one axis of rotation", "[probe]"
 
 TEST_CASE("momentum: another point changes the angular momentum by −x_0 × p", "[probe]") {
   const Simulation s(pair_of_bodies(3));
-  const Sampled origin = sample(s), other = sample(s, {{"about", {1, -2, 3}}});
+  const Sampled origin = sample(s, "momentum"), other = sample(s, "momentum", {{"about", {1, -2, 3}}});
   const Vec3 change = cross(Vec3{{-1, 2, -3}}, Vec3{{1, 4, -2}});
   CHECK(other["momentum_y"] == origin["momentum_y"]);
   CHECK(other["angular_momentum_x"] - origin["angular_momentum_x"] == Approx(change[0]));
@@ -78,7 +63,7 @@ TEST_CASE("momentum: a scene without spins has angular momentum of translation a
                    {{"normal_stiffness", {5000}}, {"normal_damping", {0}}});
   const Simulation s(sc);
   REQUIRE_FALSE(s.particles().has_spin());
-  CHECK(sample(s)["angular_momentum_z"] == -6);
+  CHECK(sample(s, "momentum")["angular_momentum_z"] == -6);
 }
 
 TEST_CASE("momentum: a frictional collision keeps both", "[probe]") {
@@ -87,10 +72,10 @@ TEST_CASE("momentum: a frictional collision keeps both", "[probe]") {
                     body(2, 0.004, 5e-4, {{0.0088, 0.001, -0.0005}}, {{-1, 0, 0.5}})},
                    law);
   Simulation s(sc);
-  const Sampled before = sample(s);
+  const Sampled before = sample(s, "momentum");
   const Vec3 spin = s.particles().body(0).spin;
   run(s, 2000);
-  const Sampled after = sample(s);
+  const Sampled after = sample(s, "momentum");
   REQUIRE(norm(s.particles().body(0).spin - spin) > 1);  // they met and rubbed
   // Each of 2000 steps rounds a handful of numbers of the size of the largest term, m v or m v R.
   const double largest = 1e-3 * 1.2, rounding = 2000 * 8 * 2.2e-16;

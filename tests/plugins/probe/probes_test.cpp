@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "probe_support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +16,6 @@ const Values law = {{"normal_stiffness", {5000}},
                     {"normal_damping", {0.5}},
                     {"tangential_stiffness", {1000}},
                     {"static_friction", {0.3}}};
-
-struct Sampled {
-  std::vector<std::string> names;
-  std::vector<double> row;
-  double operator[](const std::string& name) const {
-    const auto at = std::find(names.begin(), names.end(), name);
-    REQUIRE(at != names.end());
-    return row[std::size_t(at - names.begin())];
-  }
-};
-
-Sampled sample(const Simulation& s, const std::string& plugin, const Values& values = {}) {
-  Probe probe(parameters(plugin, SCREE_PROBE, values), s.dimension());
-  return {probe.names(), probe.sample(SimulationView(s, true).get())};
-}
 
 // Three spheres in a row between fixed walls in x, each contact overlapping by 1e-4 m, and one that floats
 // free.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/probes.hpp>
+
+namespace scree::test {
+
+// One row of a probe, by column name.
+struct Sampled {
+  std::vector<std::string> names;
+  std::vector<double> row;
+  double operator[](const std::string& name) const {
+    const auto at = std::find(names.begin(), names.end(), name);
+    REQUIRE(at != names.end());
+    return row[std::size_t(at - names.begin())];
+  }
+};
+
+inline Sampled sample(const Simulation& s, const std::string& plugin, const Values& values = {}) {
+  Probe probe(parameters(plugin, SCREE_PROBE, values), s.dimension());
+  return {probe.names(), probe.sample(SimulationView(s, true).get())};
+}
+
+}  // namespace scree::test
