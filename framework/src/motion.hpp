@@ -25,6 +25,13 @@ inline double largest_square(const Column<double> (&v)[3], Particles::Axes axes,
   return finite ? largest : infinity;
 }
 
+// x += step × rate; bodies have no positions of rotation, for which x is null.
+inline void move_positions(double* x, const double* rate, double step, std::size_t begin, std::size_t end) {
+  if (!x) return;
+#pragma GCC ivdep
+  for (std::size_t i = begin; i < end; ++i) x[i] += step * rate[i];
+}
+
 // The columns of one axis, of translation or rotation.
 struct Axis {
   double *position, *rate, *mid_rate;  // no positions of rotation: nullptr

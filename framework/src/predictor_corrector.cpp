@@ -35,9 +35,7 @@ double PredictorCorrector::drift(Particles& p, double step, ThreadPool& threads)
                          second[i] += 3 * third[i] + 6 * fourth[i];
                          third[i] += 4 * fourth[i];
                        }
-                       if (!x) return;
-#pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) x[i] += step * axis.mid_rate[i];
+                       move_positions(x, axis.mid_rate, step, begin, end);
                      });
 }
 

@@ -114,36 +114,11 @@ void Simulation::evaluate_forces(double step) {
   contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
                                    boundaries_.domain(), step, *threads_, profile_);
   Laps laps(profile_);
-  add_momentum_error(step);
+  momentum_audit_.add_step(step, particles_, boundaries_.loads());
   laps.lap(Profile::books);
   body_sums_ = body_terms_.apply(particles_, boundaries_.domain());
   laps.lap(Profile::body_forces);
   max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
-}
-
-namespace {
-
-// Sum of a column and of its absolute values, in eight interleaved parts that vector registers hold.
-std::pair<double, double> interleaved_sums(const Column<double>& column) {
-  constexpr std::size_t parts = 8;
-  double sum[parts] = {}, size[parts] = {};
-  const std::size_t whole = column.size() / parts * parts;
-  for (std::size_t i = 0; i < whole; i += parts)
-    for (std::size_t k = 0; k < parts; ++k) sum[k] += column[i + k], size[k] += std::abs(column[i + k]);
-  for (std::size_t i = whole; i < column.size(); ++i) sum[0] += column[i], size[0] += std::abs(column[i]);
-  for (std::size_t k = 1; k < parts; ++k) sum[0] += sum[k], size[0] += size[k];
-  return {sum[0], size[0]};
-}
-
-}  // namespace
-
-void Simulation::add_momentum_error(double step) {
-  for (int k = 0; k < scene_.dimension; ++k) {
-    auto [sum, size] = interleaved_sums(particles_.force[k]);
-    for (const scree_load& load : boundaries_.loads()) sum += load.force[k], size += std::abs(load.force[k]);
-    momentum_error_[k] += step * sum;
-    momentum_exchanged_ += std::abs(step) * size;
-  }
 }
 
 void Simulation::step() {
@@ -260,12 +235,6 @@ double Simulation::energy_residual() const {
   const scree_energy e = energy();
   const double turnover = audit_.turnover(e);
   return turnover > 0 ? std::abs(e.residual) / turnover : 0;
-}
-
-double Simulation::momentum_residual() const {
-  return momentum_exchanged_ > 0
-             ? norm(Vec3{{momentum_error_[0], momentum_error_[1], momentum_error_[2]}}) / momentum_exchanged_
-             : 0;
 }
 
 double Simulation::min_steps_per_contact() const {

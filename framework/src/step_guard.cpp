@@ -84,52 +84,36 @@ double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double n
   return 2 / pi / std::sqrt(network) * closed_form(law, encounter, "contact_time").value_or(infinite);
 }
 
-// Bodies of one plane's neighbour pairs, and the lightest of them.
-struct NearPlane {
-  std::size_t count = 0;
-  double lightest = infinite, radius = infinite;
-  std::uint32_t law = 0;
-};
-
-Smallest smallest_of(const Scene& scene) {
-  Smallest all;
-  for (const Smallest& s : smallest_bodies(scene)) {
-    all.mass = std::min(all.mass, s.mass);
-    all.radius = std::min(all.radius, s.radius);
-  }
-  return all;
-}
-
-std::vector<NearPlane> near_planes(const Simulation& s) {
-  std::vector<NearPlane> near(s.boundaries().planes().size());
+// How many bodies each plane is near to.
+std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
+  std::vector<std::size_t> near(s.boundaries().planes().size(), 0);
   for (const PairGroup& group : s.contacts().groups())
-    for (std::size_t p = group.begin; group.planes && p < group.end; ++p) {
-      NearPlane& plane = near[s.contacts().b[p]];
-      const std::uint32_t body = s.contacts().a[p];
-      ++plane.count;
-      plane.lightest = std::min(plane.lightest, s.particles().mass[body]);
-      plane.radius = std::min(plane.radius, s.particles().radius[body]);
-      plane.law = group.law;
-    }
+    for (std::size_t p = group.begin; group.planes && p < group.end; ++p) ++near[s.contacts().b[p]];
   return near;
 }
 
-void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits) {
-  const std::vector<NearPlane> near = near_planes(s);
-  for (std::size_t w = 0; w < near.size(); ++w) {
-    const double mass = s.boundaries().plane_masses()[w];
-    if (!(mass > 0) || s.particles().size() == 0) continue;
-    // A wall that nothing is near to yet will meet a face of the packing.
-    const double face = std::pow(double(s.particles().size()), 1 - 1.0 / s.dimension());
-    const double count = std::max(double(near[w].count), std::floor(face));
-    const Smallest body =
-        near[w].count > 0 ? Smallest{near[w].lightest, near[w].radius} : smallest_of(s.scene());
-    const Smallest share = {mass / count, infinite};
-    const ConfiguredLaw law(s.scene().laws[near[w].law].parameters, s.dimension(), nowhere, nowhere);
+// The mass of a wall is shared by the bodies near it, or by a face of the packing, which it may meet later.
+void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double speed,
+              std::vector<StepLimit>& limits) {
+  const Scene& scene = s.scene();
+  const double mass = s.boundaries().plane_masses()[wall];
+  const double face = std::pow(double(s.particles().size()), 1 - 1.0 / s.dimension());
+  const double count = std::max(double(near), std::floor(face));
+  const std::vector<Smallest> smallest = smallest_bodies(scene);
+  for (std::size_t a = 0; a < smallest.size(); ++a) {
+    if (smallest[a].count == 0) continue;
+    const std::size_t k = scene.law_of[a * smallest.size() + s.boundaries().plane_materials()[wall]];
+    const ConfiguredLaw law(scene.laws[k].parameters, s.dimension(), nowhere, nowhere);
     limits.push_back({fmt::format("wall '{}' of {:g} kg against the {:g} bodies near it",
-                                  s.boundaries().plane_names()[w], mass, count),
-                      stable_step(law, encounter_of(body, share, speed), 1)});
+                                  s.boundaries().plane_names()[wall], mass, count),
+                      stable_step(law, encounter_of(smallest[a], {mass / count, infinite}, speed), 1)});
   }
+}
+
+void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits) {
+  const std::vector<std::size_t> near = bodies_near_planes(s);
+  for (std::size_t w = 0; w < near.size(); ++w)
+    if (s.boundaries().plane_masses()[w] > 0) add_wall(s, w, near[w], speed, limits);
 }
 
 void add_viscosity(const Simulation& s, std::vector<StepLimit>& limits) {

@@ -18,9 +18,7 @@ double VelocityVerlet::drift(Particles& p, double step, ThreadPool& threads) {
                          mid[i] = now[i] + kick;
                          now[i] = mid[i] + kick;
                        }
-                       if (!x) return;
-#pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) x[i] += step * mid[i];
+                       move_positions(x, mid, step, begin, end);
                      });
 }
 
@@ -50,9 +48,7 @@ double PositionVerlet::drift(Particles& p, double step, ThreadPool& threads) {
                          mid[i] = now[i];
                          now[i] += half_step * axis.load[i] * axis.inverse_inertia[i];
                        }
-                       if (!x) return;
-#pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) x[i] += half_step * mid[i];
+                       move_positions(x, mid, half_step, begin, end);
                      });
 }
 
@@ -67,9 +63,7 @@ double PositionVerlet::kick(Particles& p, double step, ThreadPool& threads) {
                          now[i] = mid[i] + step * axis.load[i] * axis.inverse_inertia[i];
                          mid[i] = 0.5 * (mid[i] + now[i]);
                        }
-                       if (!x) return;
-#pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) x[i] += half_step * now[i];
+                       move_positions(x, now, half_step, begin, end);
                      });
 }
 

@@ -107,3 +107,16 @@ TEST_CASE("a strongly damped lattice stays at rest at the longest step, and expl
   CHECK(energy_after(1) < 1e-15);
   CHECK_THROWS_WITH(energy_after(3), Catch::Contains("overlap is "));
 }
+
+TEST_CASE("a moving wall that nothing is near to yet is judged by the law of its own material") {
+  Scene s = scree::test::scene(3, 1e-9, {ball(1, 0)}, law());
+  s.materials = {"grain", "wall"};
+  s.law_of = {0, 1, 1, 0};
+  s.laws.push_back({"stiff", s.laws[0].parameters});
+  s.laws[1].parameters.set("normal_stiffness", {100 * stiffness});
+  const double light = 1e-6;
+  scree::test::add_boundary(s, "box", {{"gap", {5}}, {"stress", {0, 1}}, {"mass", {light}}});
+  s.boundaries.back().material = 1;
+  CHECK(shortest_limit(Simulation(s)).longest_step ==
+        Approx(2 / std::sqrt(100 * stiffness * (1 / mass + 1 / light))));
+}

@@ -1,11 +1,12 @@
 /* The only binary contract between scree and its plug-ins: C types, no exceptions, no allocation.
  *
- * Rules that hold for every struct: `struct_size` is set by whoever fills the struct, so that a newer host can
- * still read an older plug-in's; pointers are never NULL unless marked (optional); strings are UTF-8, static,
- * and owned by the plug-in; all quantities are in SI units; vectors have 3 components, in 2D the third is 0.
- * Functions that can fail return 0 on success, else nonzero with one line of text in `message`.
- * No function is called from two threads on the same storage, except `evaluate` and `apply`, which only read it.
- * Plug-in authors write the C++ adapters of contact_law.hpp, boundary.hpp, probe.hpp, body_term.hpp instead. */
+ * Rules that hold for every struct: `struct_size` is set by whoever fills the struct, so that a newer host
+ * can still read an older plug-in's; pointers are never NULL unless marked (optional); strings are UTF-8,
+ * static, and owned by the plug-in; all quantities are in SI units; vectors have 3 components, in 2D the
+ * third is 0. Functions that can fail return 0 on success, else nonzero with one line of text in `message`.
+ * No function is called from two threads on the same storage, except `evaluate` and `apply`, which only read
+ * it. Plug-in authors write the C++ adapters of contact_law.hpp, boundary.hpp, probe.hpp, body_term.hpp
+ * instead. */
 #ifndef SCREE_PLUGIN_ABI_H
 #define SCREE_PLUGIN_ABI_H
 
@@ -18,10 +19,10 @@ extern "C" {
 
 #define SCREE_ABI_VERSION 2u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
-#define SCREE_LANES 8u              /* batches are padded to a multiple of this, columns aligned to 64 bytes */
-#define SCREE_MAX_HISTORY 16u       /* history columns a law may keep per contact */
+#define SCREE_LANES 8u        /* batches are padded to a multiple of this, columns aligned to 64 bytes */
+#define SCREE_MAX_HISTORY 16u /* history columns a law may keep per contact */
 #define SCREE_MAX_INSTANCE_SIZE 1024u /* bytes of storage a configured plug-in may ask for */
-#define SCREE_MAX_NAME 64u          /* bytes of a column name or unit, final zero included */
+#define SCREE_MAX_NAME 64u            /* bytes of a column name or unit, final zero included */
 
 /* ---- parameters ------------------------------------------------------------------------------------- */
 
@@ -36,22 +37,22 @@ typedef enum scree_type {
 } scree_type;
 
 enum {
-  SCREE_REQUIRED = 1u << 0,          /* must be given unless the parameter named by `excludes` is */
-  SCREE_OPTIONAL = 1u << 1,          /* may be absent: its value then has count 0 */
-  SCREE_MINIMUM_EXCLUDED = 1u << 2,  /* range is (minimum, ...) */
-  SCREE_MAXIMUM_EXCLUDED = 1u << 3   /* range is (..., maximum) */
+  SCREE_REQUIRED = 1u << 0,         /* must be given unless the parameter named by `excludes` is */
+  SCREE_OPTIONAL = 1u << 1,         /* may be absent: its value then has count 0 */
+  SCREE_MINIMUM_EXCLUDED = 1u << 2, /* range is (minimum, ...) */
+  SCREE_MAXIMUM_EXCLUDED = 1u << 3  /* range is (..., maximum) */
 };
 
 typedef struct scree_parameter {
   uint32_t struct_size;
-  uint32_t type;         /* scree_type */
+  uint32_t type; /* scree_type */
   uint32_t flags;
-  const char* key;       /* snake_case */
-  const char* unit;      /* "" when it has none */
-  const char* doc;       /* one line */
-  const char* choices;   /* (optional) "first|second|third" for SCREE_CHOICE */
-  const char* excludes;  /* (optional) key of the parameter that may be given in its place, never together */
-  double default_value;  /* used when neither required nor optional */
+  const char* key;      /* snake_case */
+  const char* unit;     /* "" when it has none */
+  const char* doc;      /* one line */
+  const char* choices;  /* (optional) "first|second|third" for SCREE_CHOICE */
+  const char* excludes; /* (optional) key of the parameter that may be given in its place, never together */
+  double default_value; /* used when neither required nor optional */
   double minimum, maximum; /* infinite where open */
 } scree_parameter;
 
@@ -62,10 +63,11 @@ typedef struct scree_value {
 
 typedef struct scree_setup {
   uint32_t struct_size;
-  uint32_t dimension;          /* 2 or 3 */
-  const scree_value* values;   /* one per declared parameter, in declared order */
-  double lower[3], upper[3];   /* (m) bounding box of the bodies' surfaces at the start, shrunk to 0 without bodies */
-  char* message;               /* where to write what is wrong */
+  uint32_t dimension;        /* 2 or 3 */
+  const scree_value* values; /* one per declared parameter, in declared order */
+  double lower[3],
+      upper[3];  /* (m) bounding box of the bodies' surfaces at the start, shrunk to 0 without bodies */
+  char* message; /* where to write what is wrong */
   size_t message_size;
 } scree_setup;
 
@@ -74,14 +76,14 @@ typedef struct scree_setup {
 /* Columns a law may read. A vector takes 3 consecutive columns, of which 2D fills the first 2;
  * a spin takes 3, of which 2D fills the first 1. */
 typedef enum scree_contact_input {
-  SCREE_NORMAL = 0,                /* unit vector from b to a */
-  SCREE_OVERLAP = 3,               /* (m) > 0 while touching */
-  SCREE_RELATIVE_VELOCITY = 4,     /* (m/s) of a's contact point relative to b's, at the end of the step */
-  SCREE_TANGENTIAL_INCREMENT = 7,  /* (m) displacement of a's contact point relative to b's during the part of the
-                                      step in which they touch, perpendicular to the normal of mid-step */
-  SCREE_RELATIVE_SPIN = 10,        /* (rad/s) spin of a minus spin of b, at the end of the step */
-  SCREE_REDUCED_MASS = 13,         /* (kg) m_a m_b/(m_a+m_b); for a wall m_a */
-  SCREE_EFFECTIVE_RADIUS = 14,     /* (m) R_a R_b/(R_a+R_b); for a wall R_a */
+  SCREE_NORMAL = 0,               /* unit vector from b to a */
+  SCREE_OVERLAP = 3,              /* (m) > 0 while touching */
+  SCREE_RELATIVE_VELOCITY = 4,    /* (m/s) of a's contact point relative to b's, at the end of the step */
+  SCREE_TANGENTIAL_INCREMENT = 7, /* (m) displacement of a's contact point relative to b's during the part of
+                                     the step in which they touch, perpendicular to the normal of mid-step */
+  SCREE_RELATIVE_SPIN = 10,       /* (rad/s) spin of a minus spin of b, at the end of the step */
+  SCREE_REDUCED_MASS = 13,        /* (kg) m_a m_b/(m_a+m_b); for a wall m_a */
+  SCREE_EFFECTIVE_RADIUS = 14,    /* (m) R_a R_b/(R_a+R_b); for a wall R_a */
   SCREE_CONTACT_INPUT_COUNT = 15
 } scree_contact_input;
 
@@ -104,8 +106,8 @@ typedef enum scree_arms {
 
 typedef struct scree_contact_batch {
   uint32_t struct_size;
-  uint32_t count;     /* multiple of SCREE_LANES; padding lanes do not touch and hold finite numbers */
-  double step;        /* (s); below 0 in a substep that goes back in time */
+  uint32_t count; /* multiple of SCREE_LANES; padding lanes do not touch and hold finite numbers */
+  double step;    /* (s); below 0 in a substep that goes back in time */
   const double* input[SCREE_CONTACT_INPUT_COUNT]; /* filled only for columns that the law reads */
   double* history[SCREE_MAX_HISTORY];             /* read and written in place; zero before the first touch */
   double* output[SCREE_CONTACT_OUTPUT_COUNT];     /* energy columns are NULL when no audit is kept */
@@ -123,12 +125,12 @@ typedef struct scree_contact_batch_single {
 
 typedef struct scree_contact_instance {
   uint32_t struct_size;
-  uint32_t reads;          /* bit (1 << first column) of each input read */
-  uint32_t writes_couple;  /* nonzero if SCREE_COUPLE is written */
-  uint32_t tangential;     /* nonzero if forces have tangential parts, so that bodies must carry spin */
-  uint32_t arms;           /* scree_arms */
-  uint32_t history_width;  /* <= SCREE_MAX_HISTORY */
-  int32_t sliding_column;  /* history column that is 1 while the contact slides, -1 without */
+  uint32_t reads;         /* bit (1 << first column) of each input read */
+  uint32_t writes_couple; /* nonzero if SCREE_COUPLE is written */
+  uint32_t tangential;    /* nonzero if forces have tangential parts, so that bodies must carry spin */
+  uint32_t arms;          /* scree_arms */
+  uint32_t history_width; /* <= SCREE_MAX_HISTORY */
+  int32_t sliding_column; /* history column that is 1 while the contact slides, -1 without */
   const char* const* history_names; /* (optional) history_width names */
   void (*evaluate)(const void* storage, const scree_contact_batch* batch);
   /* (optional) NULL: the law cannot be used in a run of mixed precision */
@@ -138,8 +140,9 @@ typedef struct scree_contact_instance {
 /* A pair of bodies for which closed forms are asked. */
 typedef struct scree_encounter {
   double reduced_mass, effective_radius, speed; /* (kg), (m), (m/s) */
-  double network; /* 1: the pair alone; more: how many times stiffer and more damped than the pair, in normal and
-                     tangential contacts together, the network is that holds it. For critical_step alone. */
+  double
+      network; /* 1: the pair alone; more: how many times stiffer and more damped than the pair, in normal and
+                  tangential contacts together, the network is that holds it. For critical_step alone. */
 } scree_encounter;
 
 typedef struct scree_closed_form {
@@ -161,10 +164,10 @@ typedef struct scree_contact_law {
 /* ---- boundaries ------------------------------------------------------------------------------------- */
 
 typedef struct scree_plane {
-  double point[3];         /* (m) */
-  double normal[3];        /* unit, pointing into the material */
-  double velocity[3];      /* (m/s) at the end of the step */
-  double mid_velocity[3];  /* (m/s) displacement during the step / step */
+  double point[3];        /* (m) */
+  double normal[3];       /* unit, pointing into the material */
+  double velocity[3];     /* (m/s) at the end of the step */
+  double mid_velocity[3]; /* (m/s) displacement during the step / step */
 } scree_plane;
 
 typedef struct scree_load {
@@ -172,19 +175,19 @@ typedef struct scree_load {
 } scree_load;
 
 typedef struct scree_boundary_energy { /* running totals since the start of the run */
-  double kinetic;    /* (J) now, not a total */
-  double work;       /* (J) done on scene by loads and prescribed motion */
-  double dissipated; /* (J) lost in the boundary's own viscosity */
+  double kinetic;                      /* (J) now, not a total */
+  double work;                         /* (J) done on scene by loads and prescribed motion */
+  double dissipated;                   /* (J) lost in the boundary's own viscosity */
 } scree_boundary_energy;
 
 typedef struct scree_boundary_step {
   uint32_t struct_size;
   uint32_t dimension;
-  double time;  /* (s) at the start of the step, since the parameters in force were set */
-  double step;  /* (s) */
-  const scree_load* loads;         /* plane_count; at `drift` those at the start, at `kick` at the end of the step */
-  scree_plane* planes;             /* plane_count */
-  double* state;                   /* state_width doubles kept by the host: saved, restored and hashed by it */
+  double time;             /* (s) at the start of the step, since the parameters in force were set */
+  double step;             /* (s) */
+  const scree_load* loads; /* plane_count; at `drift` those at the start, at `kick` at the end of the step */
+  scree_plane* planes;     /* plane_count */
+  double* state;           /* state_width doubles kept by the host: saved, restored and hashed by it */
   scree_boundary_energy* energy;
 } scree_boundary_step;
 
@@ -192,19 +195,20 @@ typedef struct scree_boundary_instance {
   uint32_t struct_size;
   uint32_t plane_count;
   uint32_t state_width;
-  uint32_t periodic[3];          /* nonzero: this axis is periodic between lower and upper */
-  double lower[3], upper[3];     /* (m) */
+  uint32_t periodic[3];           /* nonzero: this axis is periodic between lower and upper */
+  double lower[3], upper[3];      /* (m) */
   const char* const* plane_names; /* (optional) plane_count names */
-  const double* plane_masses;     /* (optional) plane_count masses (kg), 0 for planes that forces do not move; in
-                                     the plug-in's storage */
-  double damping_rate;            /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
+  const double* plane_masses; /* (optional) plane_count masses (kg), 0 for planes that forces do not move; in
+                                 the plug-in's storage */
+  double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
 } scree_boundary_instance;
 
 typedef struct scree_boundary {
   uint32_t struct_size;
   uint32_t storage_size;
   int (*configure)(const scree_setup* setup, void* storage, scree_boundary_instance* instance);
-  void (*start)(const void* storage, const scree_boundary_step* step); /* once: state and planes at the start */
+  void (*start)(const void* storage,
+                const scree_boundary_step* step); /* once: state and planes at the start */
   void (*drift)(const void* storage, const scree_boundary_step* step); /* planes from t to t + step */
   void (*kick)(const void* storage, const scree_boundary_step* step);  /* end-of-step velocities, energies */
 } scree_boundary;
@@ -217,17 +221,18 @@ typedef struct scree_body_batch {
   uint32_t count;
   const double* position[3]; /* NULL for the axes that the scene does not carry */
   const double* velocity[3];
-  const double* spin[3];     /* NULL in a scene without spin; 2D carries [2] alone */
+  const double* spin[3]; /* NULL in a scene without spin; 2D carries [2] alone */
   const double* radius;
   const double* mass;
-  const double* inertia;     /* (optional) NULL in a scene without spin */
-  double* force[3];          /* added to */
-  double* torque[3];         /* NULL in a scene without spin */
-  double potential;          /* (J) out: added to */
+  const double* inertia;         /* (optional) NULL in a scene without spin */
+  double* force[3];              /* added to */
+  double* torque[3];             /* NULL in a scene without spin */
+  double potential;              /* (J) out: added to */
   double dissipated_translation; /* (W) out: added to */
   double dissipated_rotation;    /* (W) out: added to */
-  const int32_t* image[3];       /* (optional) periods that each body has crossed along a periodic axis, NULL elsewhere */
-  double period[3];              /* (m) */
+  const int32_t*
+      image[3];     /* (optional) periods that each body has crossed along a periodic axis, NULL elsewhere */
+  double period[3]; /* (m) */
 } scree_body_batch;
 
 typedef struct scree_body_term {
@@ -266,12 +271,12 @@ typedef struct scree_view {
   const double* radius;
   const double* mass;
   const int64_t* id;
-  uint64_t contact_count;     /* contacts that touch; 0 unless SCREE_NEEDS_CONTACTS */
-  const uint32_t* contact_a;  /* index of a body */
-  const uint32_t* contact_b;  /* index of a body or, from body_count on, of a plane */
-  const double* contact_normal;  /* (contact_count, 3) */
+  uint64_t contact_count;       /* contacts that touch; 0 unless SCREE_NEEDS_CONTACTS */
+  const uint32_t* contact_a;    /* index of a body */
+  const uint32_t* contact_b;    /* index of a body or, from body_count on, of a plane */
+  const double* contact_normal; /* (contact_count, 3) */
   const double* contact_overlap;
-  const double* contact_force;   /* (contact_count, 3) on a */
+  const double* contact_force; /* (contact_count, 3) on a */
   const uint8_t* contact_sliding;
   uint32_t plane_count;
   const scree_plane* planes;
@@ -293,26 +298,32 @@ typedef struct scree_probe {
   int (*configure)(const scree_setup* setup, void* storage, scree_probe_instance* instance);
   void (*column)(const void* storage, uint32_t column, char name[SCREE_MAX_NAME], char unit[SCREE_MAX_NAME]);
   /* Once, before the first sample: checks that the scene has what the probe looks at, sets the state. */
-  int (*start)(const void* storage, const scree_view* view, double* state, char* message, size_t message_size);
+  int (*start)(const void* storage, const scree_view* view, double* state, char* message,
+               size_t message_size);
   void (*sample)(const void* storage, const scree_view* view, const double* state, double* row);
 } scree_probe;
 
 /* ---- manifest --------------------------------------------------------------------------------------- */
 
-typedef enum scree_kind { SCREE_CONTACT_LAW = 1, SCREE_BOUNDARY = 2, SCREE_BODY_TERM = 3, SCREE_PROBE = 4 } scree_kind;
+typedef enum scree_kind {
+  SCREE_CONTACT_LAW = 1,
+  SCREE_BOUNDARY = 2,
+  SCREE_BODY_TERM = 3,
+  SCREE_PROBE = 4
+} scree_kind;
 
 typedef struct scree_plugin {
   uint32_t struct_size;
-  uint32_t abi_version;   /* SCREE_ABI_VERSION of the build; checked before anything below is read */
-  uint32_t kind;          /* scree_kind */
+  uint32_t abi_version; /* SCREE_ABI_VERSION of the build; checked before anything below is read */
+  uint32_t kind;        /* scree_kind */
   uint32_t parameter_count;
-  uint64_t features;      /* bits of capabilities that the plug-in requires of the host; 0 today */
-  const char* name;       /* as in the scenario: plugin = "name" */
-  const char* summary;    /* one line */
-  const char* equation;   /* the equations in plain text, lines separated by \n */
-  const char* source;     /* paper and equation numbers */
+  uint64_t features;    /* bits of capabilities that the plug-in requires of the host; 0 today */
+  const char* name;     /* as in the scenario: plugin = "name" */
+  const char* summary;  /* one line */
+  const char* equation; /* the equations in plain text, lines separated by \n */
+  const char* source;   /* paper and equation numbers */
   const scree_parameter* parameters;
-  const void* interface;  /* scree_contact_law, scree_boundary, scree_body_term or scree_probe */
+  const void* interface; /* scree_contact_law, scree_boundary, scree_body_term or scree_probe */
 } scree_plugin;
 
 /* The one symbol a library exports. */

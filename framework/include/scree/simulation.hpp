@@ -13,6 +13,7 @@
 #include <scree/energy_audit.hpp>
 #include <scree/forces.hpp>
 #include <scree/integrator.hpp>
+#include <scree/momentum_audit.hpp>
 #include <scree/neighbour_list.hpp>
 #include <scree/profile.hpp>
 #include <scree/scene.hpp>
@@ -60,7 +61,7 @@ class Simulation {
   // |residual| over the turnover of energy; 0 without an audit.
   double energy_residual() const;
   // Momentum made by the contact handling, which pairs and planes must cancel, over the momentum exchanged.
-  double momentum_residual() const;
+  double momentum_residual() const { return momentum_audit_.residual(); }
   double max_overlap_ratio() const { return max_overlap_ratio_; }
   std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
   double skin() const { return neighbours_.skin(); }
@@ -75,7 +76,6 @@ class Simulation {
   Contacts::Lookup lookup() const;
   void configure_laws();
   void evaluate_forces(double step);
-  void add_momentum_error(double step);
   // Moves everything by one substep; largest squared speed (m²/s²).
   double advance(double step);
   // Brings forces and springs to where the bodies are, after an integrator that evaluates in mid-step.
@@ -103,10 +103,10 @@ class Simulation {
   ContactSums contact_sums_;
   BodySums body_sums_;
   EnergyAudit audit_;
+  MomentumAudit momentum_audit_;
   double max_overlap_ratio_ = 0;
   double max_square_speed_ = 0;  // (m²/s²)
   double speed_limit_ = 0;
-  double momentum_error_[3] = {}, momentum_exchanged_ = 0;
 };
 
 }  // namespace scree

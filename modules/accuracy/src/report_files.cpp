@@ -32,32 +32,17 @@ std::string json_report(const Study& study) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-// Error of one quantity, or the worst of all.
-double error_of(const Outcome& o, std::optional<std::size_t> quantity) {
-  return quantity ? o.errors[*quantity] : o.worst();
-}
-
 void add_point(snapshot::ChartSeries& series, const Outcome& o, std::optional<std::size_t> quantity) {
-  const double error = error_of(o, quantity);
+  const double error = o.error(quantity);
   if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // a logarithmic axis has no 0
   series.x.push_back(o.wall);
   series.y.push_back(error);
 }
 
-// Points of a quantity that no other point beats in both.
 snapshot::ChartSeries front_of(const Study& study, std::optional<std::size_t> quantity) {
-  std::vector<const Outcome*> all;
-  for (const Outcome& o : study.outcomes)
-    if (o.problem.empty()) all.push_back(&o);
-  std::sort(all.begin(), all.end(), [](const Outcome* a, const Outcome* b) { return a->wall < b->wall; });
   snapshot::ChartSeries front{
       "Pareto front", {}, {}, std::array<double, 3>{0, 0, 0}, snapshot::LineStyle::dashed};
-  double best = INFINITY;
-  for (const Outcome* o : all)
-    if (constexpr double gain = 1.05; error_of(*o, quantity) * gain < best) {  // less is timing noise
-      best = error_of(*o, quantity);
-      add_point(front, *o, quantity);
-    }
+  for (const Outcome* o : pareto_front(study, quantity)) add_point(front, *o, quantity);
   return front;
 }
 

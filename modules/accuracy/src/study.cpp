@@ -232,18 +232,18 @@ const Outcome* cheapest(const Study& study) {
   return best;
 }
 
-std::vector<const Outcome*> pareto_front(const Study& study) {
+std::vector<const Outcome*> pareto_front(const Study& study, std::optional<std::size_t> quantity) {
+  constexpr double gain = 1.05;
   std::vector<const Outcome*> front;
   for (const Outcome& o : study.outcomes)
     if (o.problem.empty()) front.push_back(&o);
-  std::sort(front.begin(), front.end(), [](const Outcome* a, const Outcome* b) {
-    return a->wall != b->wall ? a->wall < b->wall : a->worst() < b->worst();
+  std::sort(front.begin(), front.end(), [&](const Outcome* a, const Outcome* b) {
+    return a->wall != b->wall ? a->wall < b->wall : a->error(quantity) < b->error(quantity);
   });
   double best = std::numeric_limits<double>::infinity();
   std::erase_if(front, [&](const Outcome* o) {
-    constexpr double gain = 1.05;  // less is timing noise
-    if (o->worst() * gain >= best) return true;
-    best = o->worst();
+    if (o->error(quantity) * gain >= best) return true;
+    best = o->error(quantity);
     return false;
   });
   return front;

@@ -40,6 +40,8 @@ struct Outcome {
   std::vector<double> values, errors;  // of each quantity; errors are relative
   // The largest error of all quantities, and whose it is.
   double worst() const;
+  // Of one quantity, or the worst.
+  double error(std::optional<std::size_t> quantity) const { return quantity ? errors[*quantity] : worst(); }
   std::size_t worst_quantity() const;
 };
 
@@ -81,7 +83,9 @@ Study study(const scenario::Plan& plan, const StudyOptions& options);
 
 // The cheapest outcome whose worst error is within the tolerance; null if none is.
 const Outcome* cheapest(const Study& study);
-// Outcomes that no other beats in both wall time and worst error, by wall time.
-std::vector<const Outcome*> pareto_front(const Study& study);
+// Outcomes that no other beats in both wall time and the error of a quantity, or the worst, by wall time;
+// gains under 5 % of the error are timing noise and do not count.
+std::vector<const Outcome*> pareto_front(const Study& study,
+                                         std::optional<std::size_t> quantity = std::nullopt);
 
 }  // namespace scree::accuracy
