@@ -36,11 +36,12 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
   return shifts;
 }
 
-// Whether laws read displacements of the step.
-bool read_increments(const std::vector<LawInstance>& laws) {
-  return std::any_of(laws.begin(), laws.end(), [](const LawInstance& law) {
-    return law.interface.reads & (1u << SCREE_TANGENTIAL_INCREMENT);
-  });
+// Inputs that any law reads, and what these are made of.
+std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
+  std::uint32_t reads = 0;
+  for (const LawInstance& law : laws) reads |= law.interface.reads;
+  if (reads & (1u << SCREE_CONTACT_RADIUS)) reads |= 1u << SCREE_EFFECTIVE_RADIUS;
+  return reads;
 }
 
 ContactSums add_up(const std::vector<ContactSums>& blocks) {
@@ -58,12 +59,13 @@ ContactSums add_up(const std::vector<ContactSums>& blocks) {
 
 }  // namespace
 
-void Forces::follow_pairs(const Particles& particles, const Contacts& contacts, std::size_t planes) {
+void Forces::follow_pairs(const Particles& particles, const Contacts& contacts, std::uint32_t reads,
+                          std::size_t planes) {
   Work& w = *work_;
   if (w.revision == contacts.revision()) return;
   w.revision = contacts.revision();
   w.tiles.plan(contacts, particles.size(), planes);
-  w.constants.update(contacts, particles);
+  w.constants.update(contacts, particles, reads);
   w.slots.resize(w.tiles.slots() * w.slot_width);
   w.block_sums.resize(w.tiles.blocks().size());
 }
@@ -73,8 +75,9 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
                              const Domain& domain, double step, ThreadPool& threads, Profile* profile) {
   Work& w = *work_;
   Laps laps(profile);
-  follow_pairs(particles, contacts, planes.size());
-  w.records.resize(particles, read_increments(laws));
+  const std::uint32_t reads = reads_of(laws);
+  follow_pairs(particles, contacts, reads, planes.size());
+  w.records.resize(particles, reads & (1u << SCREE_TANGENTIAL_INCREMENT));
   alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
   const kernel::Scene scene{particles,     contacts,           w.records, planes.data(),
                             shifts.data(), features_.periodic, step,      features_.audit};
@@ -138,9 +141,7 @@ std::size_t Forces::bytes_per_body() const {
 }
 
 std::size_t Forces::bytes_per_pair() const {
-  const std::size_t numbers = std::size_t(features_.dimension) + PairConstants::column_count;
-  return numbers * work_->constants.force.bytes_per_number() + sizeof(double) + 4 * sizeof(std::uint32_t) +
-         sizeof(std::uint8_t);
+  return work_->constants.bytes_per_pair() + 4 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
 }
 
 }  // namespace scree

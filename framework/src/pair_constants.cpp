@@ -1,21 +1,37 @@
+#include <cmath>
+
 #include <scree/pair_constants.hpp>
 
 namespace scree {
 
-void PairConstants::update(const Contacts& contacts, const Particles& p) {
+void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads) {
   const std::size_t all = contacts.padded_size();
   radius_sum.assign(all, -1.0);
-  terms.reset(column_count, all);
   force.reset(std::uint32_t(p.dimension()), all);
-  for (std::size_t q = 0; q < all; ++q)
-    for (std::uint32_t k = 0; k < column_count; ++k) terms.set(k, q, 1);
+  for (std::uint32_t k = 0; k < column_count; ++k) {
+    const bool read = reads & (1u << (SCREE_REDUCED_MASS + k));
+    terms[k].reset(read ? 1 : 0, all);
+    for (std::size_t q = 0; q < terms[k].size(); ++q) terms[k].set(0, q, 1);
+  }
+  const auto set = [this](scree_contact_input column, std::size_t q, double value) {
+    PairColumns& term = terms[column - SCREE_REDUCED_MASS];
+    if (term.size() > 0) term.set(0, q, value);
+  };
   for (const PairGroup& group : contacts.groups())
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      const double mass = 1 / (p.inverse_mass[a] + (group.planes ? 0 : p.inverse_mass[b]));
       radius_sum[q] = p.radius[a] + (group.planes ? 0 : p.radius[b]);
-      terms.set(reduced_mass, q, 1 / (p.inverse_mass[a] + (group.planes ? 0 : p.inverse_mass[b])));
-      terms.set(effective_radius, q, group.planes ? p.radius[a] : 1 / (1 / p.radius[a] + 1 / p.radius[b]));
+      set(SCREE_REDUCED_MASS, q, mass);
+      set(SCREE_REDUCED_MASS_ROOT, q, std::sqrt(mass));
+      set(SCREE_EFFECTIVE_RADIUS, q, group.planes ? p.radius[a] : 1 / (1 / p.radius[a] + 1 / p.radius[b]));
     }
+}
+
+std::size_t PairConstants::bytes_per_pair() const {
+  std::size_t bytes = sizeof(double) + force.width() * force.bytes_per_number();
+  for (const PairColumns& term : terms) bytes += term.width() * term.bytes_per_number();
+  return bytes;
 }
 
 }  // namespace scree

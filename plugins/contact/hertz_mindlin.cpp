@@ -125,8 +125,10 @@ template <bool frictional, HistoryForm form, bool rolling>
 struct Kernel : HertzMindlin {
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
-      scree::reads_reduced_mass | scree::reads_effective_radius |
-      (frictional ? scree::reads_tangential_increment : 0u) | (rolling ? scree::reads_relative_spin : 0u);
+      scree::reads_onset_weight | scree::reads_contact_radius | scree::reads_reduced_mass_root |
+      (frictional ? scree::reads_tangential_increment : 0u) |
+      (rolling ? scree::reads_relative_spin | scree::reads_effective_radius : 0u) |
+      (form == potential ? scree::reads_effective_radius : 0u);
   static constexpr bool tangential = frictional || rolling;
   static constexpr bool writes_couple = rolling;
 
@@ -154,57 +156,51 @@ struct Kernel : HertzMindlin {
 
   template <int D, class T>
   void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
-    using std::sqrt;
-    const T overlap = std::max(c.overlap, T(0));
-    const T contact_radius = sqrt(c.effective_radius * overlap);  // a = √(R* δ)
     const T v_n = dot(c.relative_velocity, c.normal);
-    const T weight = onset_weight(c) * T(damping_ratio) * sqrt(contact_radius * c.reduced_mass);
+    const T weight = T(damping_ratio) * c.onset_weight * c.reduced_mass_root * c.contact_radius_root;
 
-    const T spring_force = T(4.0 / 3.0 * effective_modulus) * contact_radius * overlap;
+    const T spring_force = T(4.0 / 3.0 * effective_modulus) * c.contact_radius.value * c.overlap;
     const T gamma_n = weight * T(2 * std::sqrt(5.0 / 3.0 * effective_modulus));
     const T pushing_or_pulling = spring_force - gamma_n * v_n;
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
     out.force = f_n * c.normal;
-    out.elastic_normal = T(0.4) * spring_force * overlap;
+    out.elastic_normal = T(0.4) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
-    if constexpr (frictional) slide_or_stick(c, pushing, contact_radius, weight, h, out);
+    if constexpr (frictional) slide_or_stick(c, pushing, weight, h, out);
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
  private:
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& contact_radius, const T& weight,
-                      Friction<D, T>& h, Response<D, T>& out) const {
-    const T k_t = T(8 * effective_shear_modulus) * contact_radius;
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& weight, Friction<D, T>& h,
+                      Response<D, T>& out) const {
+    const T k_t = T(8 * effective_shear_modulus) * c.contact_radius.value;
     const T gamma_t = weight * T(4 * std::sqrt(5.0 / 3.0 * effective_shear_modulus));
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
 
     // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
-    const T growth = contact_radius > h.contact_radius
-                         ? h.contact_radius / std::max(contact_radius, scree::smallest_divisor<T>)
-                         : T(1);
+    const T growth = std::min(h.contact_radius * c.contact_radius.inverse, T(1));
     const Vec<D, T> kept = (form == rescaled ? growth : T(1)) * h.spring;
     const T let_go = form == rescaled ? stored_energy(h) - T(0.5) * k_t * dot(kept, kept) : T(0);
     const Vec<D, T> xi = tangential_part(kept + c.tangential_increment, c.normal);
     const Vec<D, T> dashpot = gamma_t * v_t;
     const Vec<D, T> f_0 = -(k_t * xi) - dashpot;
-    const T test = norm(f_0), limit = T(friction) * f_n;
-    const bool slides = test > limit;
+    const T square = dot(f_0, f_0), limit = T(friction) * f_n;
+    const bool slides = square > limit * limit;
 
-    const T scale = slides ? limit / std::max(test, scree::smallest_divisor<T>) : T(1);
-    const Vec<D, T> f_t = scale * f_0;
-    const T inverse_k_t = T(1) / std::max(k_t, scree::smallest_divisor<T>);
+    const Vec<D, T> f_t = (slides ? limit * scree::inverse_sqrt(square) : T(1)) * f_0;
+    const T inverse_k_t = T(1 / (8 * effective_shear_modulus)) * c.contact_radius.inverse;
     for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];
     h.sliding = slides ? T(1) : T(0);
-    h.contact_radius = contact_radius;
+    h.contact_radius = c.contact_radius.value;
 
     out.force += f_t;
-    // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ).
+    // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ) = 4 G* R*/a.
     if constexpr (form == potential)
-      out.force +=
-          (T(0.25) * k_t * dot(h.spring, h.spring) / std::max(c.overlap, scree::smallest_divisor<T>)) *
-          c.normal;
+      out.force += (T(2 * effective_shear_modulus) * c.effective_radius * c.contact_radius.inverse *
+                    dot(h.spring, h.spring)) *
+                   c.normal;
     out.elastic_tangential = stored_energy(h);
     out.dissipated_tangential = dot(dashpot, v_t);
     // The work of the mean of the old and the new spring's force on what slipped: what the bodies lose,

@@ -106,9 +106,10 @@ template <bool frictional, bool by_restitution, bool rolling = false>
 struct Kernel : LinearSpringDashpot {
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
-      (frictional ? scree::reads_tangential_increment : 0u) |
-      (by_restitution ? scree::reads_reduced_mass : 0u) |
-      (rolling ? scree::reads_relative_spin | scree::reads_reduced_mass | scree::reads_effective_radius : 0u);
+      scree::reads_onset_weight | (frictional ? scree::reads_tangential_increment : 0u) |
+      (by_restitution ? scree::reads_reduced_mass_root : 0u) |
+      (rolling ? scree::reads_relative_spin | scree::reads_reduced_mass_root | scree::reads_effective_radius
+               : 0u);
   static constexpr bool tangential = frictional || rolling;
   static constexpr bool writes_couple = rolling;
 
@@ -134,43 +135,41 @@ struct Kernel : LinearSpringDashpot {
 
   template <int D, class T>
   void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
-    using std::sqrt;
-    const T weight = onset_weight(c);
     const T v_n = dot(c.relative_velocity, c.normal);
     T gamma = T(normal_damping);
-    if constexpr (by_restitution) gamma = T(2 * damping_ratio) * sqrt(T(normal_stiffness) * c.reduced_mass);
+    if constexpr (by_restitution)
+      gamma = T(2 * damping_ratio * std::sqrt(normal_stiffness)) * c.reduced_mass_root;
 
     // [D1], δ' = −v_n
     const T spring_force = T(normal_stiffness) * c.overlap;
-    const T pushing_or_pulling = spring_force - weight * gamma * v_n;
+    const T pushing_or_pulling = spring_force - c.onset_weight * gamma * v_n;
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
     out.force = f_n * c.normal;
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
-    if constexpr (frictional) slide_or_stick(c, pushing, weight, h, out);
+    if constexpr (frictional) slide_or_stick(c, pushing, h, out);
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
  private:
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& weight, Friction<D, T>& h,
-                      Response<D, T>& out) const {
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, Friction<D, T>& h, Response<D, T>& out) const {
     const T k_t = T(tangential_stiffness);
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
-    const Vec<D, T> dashpot = (weight * T(tangential_damping)) * v_t;
+    const Vec<D, T> dashpot = (c.onset_weight * T(tangential_damping)) * v_t;
 
     // The old spring, moved by this step's displacement and turned into the present tangent plane.
     const Vec<D, T> old = h.spring;
     const Vec<D, T> xi = tangential_part(old + c.tangential_increment, c.normal);
     const Vec<D, T> f_0 = -(k_t * xi) - dashpot;  // [D3]
-    const T test = norm(f_0);
+    const T square = dot(f_0, f_0);
     const T limit = (h.sliding > T(0) ? T(dynamic_friction) : T(static_friction)) * f_n;
-    const bool slides = test > limit;
+    const bool slides = square > limit * limit;
 
-    const T scale = slides ? T(dynamic_friction) * f_n / std::max(test, scree::smallest_divisor<T>) : T(1);
-    const Vec<D, T> f_t = scale * f_0;
-    for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) / k_t : xi[k];  // [D4]
+    const Vec<D, T> f_t = (slides ? T(dynamic_friction) * f_n * scree::inverse_sqrt(square) : T(1)) * f_0;
+    const T inverse_k_t = T(1 / tangential_stiffness);
+    for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];  // [D4]
     h.sliding = slides ? T(1) : T(0);
 
     out.force += f_t;

@@ -90,11 +90,11 @@ void check(const Carries& c) {
   CHECK(footprint.bytes_per_body * p.size() == bytes(p) + 32 * records * p.size());
   // Springs in the dimension's axes and whether the contact slides.
   CHECK(footprint.history_width == (c.friction ? dimension + 1 : 0));
-  // Two bodies, an image, a slot for each of the bodies at 4 bytes; force, reduced mass, effective radius,
-  // sum of the radii.
+  // Two bodies, an image, a slot for each of the bodies at 4 bytes; force, sum of the radii, and what
+  // the law asks for: the root of the reduced mass.
   const std::size_t indices =
       sizeof(s.contacts().a[0]) + sizeof(s.contacts().b[0]) + sizeof(s.contacts().image[0]);
-  const std::size_t doubles = dimension + 3 + footprint.history_width;
+  const std::size_t doubles = dimension + 2 + footprint.history_width;
   CHECK(footprint.bytes_per_pair >= indices + doubles * sizeof(double));
   CHECK(footprint.bytes_per_pair <= indices + 2 * sizeof(std::uint32_t) + doubles * sizeof(double));
   for (const scree::PairGroup& group : s.contacts().groups()) {

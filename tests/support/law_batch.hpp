@@ -2,7 +2,9 @@
 
 #include "scenes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ class LawBatch {
     for (auto& column : input_) column.fill(0.0);
     for (auto& column : history) column.fill(0.0);
     input_[SCREE_NORMAL].fill(1.0);
+    input_[SCREE_ONSET_WEIGHT].fill(1.0);
     input_[SCREE_REDUCED_MASS].fill(1.0);
     input_[SCREE_EFFECTIVE_RADIUS].fill(1.0);
   }
@@ -31,6 +34,7 @@ class LawBatch {
   const scree_contact_instance& instance() const { return law_.instance(); }
 
   void evaluate(double step) {
+    derive_inputs();
     scree_contact_batch batch = {};
     batch.struct_size = sizeof(batch);
     batch.count = SCREE_LANES;
@@ -45,6 +49,14 @@ class LawBatch {
   alignas(64) std::array<Lanes, SCREE_MAX_HISTORY> history;
 
  private:
+  void derive_inputs() {
+    input(SCREE_REDUCED_MASS_ROOT) = std::sqrt(input(SCREE_REDUCED_MASS));
+    const double radius = std::sqrt(input(SCREE_EFFECTIVE_RADIUS) * std::max(input(SCREE_OVERLAP), 0.0));
+    input(SCREE_CONTACT_RADIUS, 0) = radius;
+    input(SCREE_CONTACT_RADIUS, 1) = radius > 0 ? 1 / radius : 0;
+    input(SCREE_CONTACT_RADIUS, 2) = std::sqrt(radius);
+  }
+
   static constexpr double nowhere_[3] = {0, 0, 0};
   ConfiguredLaw law_;
   alignas(64) std::array<Lanes, SCREE_CONTACT_INPUT_COUNT> input_;

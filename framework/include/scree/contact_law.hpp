@@ -8,6 +8,7 @@
 #include <scree/contact_batch.hpp>
 #include <scree/declaration.hpp>
 #include <scree/plugin_abi.h>
+#include <scree/roots.hpp>
 #include <scree/vec.hpp>
 
 // How to write a contact law: plugins/README.md. The author's `force` is a pure, branch-free function of one
@@ -24,7 +25,10 @@ struct Contact {
   Vec<D, T> tangential_increment;            // (m) moved while touching in this step,
                                              // perpendicular to the mid-step normal
   Vec<spin_components<D>, T> relative_spin;  // (rad/s) a minus b
-  T reduced_mass;                            // (kg)
+  T onset_weight;                            // factor for forces that jump at first touch
+  Root<T> contact_radius;                    // (m) a = √(R* δ) of a Hertzian contact, and 1/a
+  T contact_radius_root;                     // (m^½) √a
+  T reduced_mass, reduced_mass_root;         // (kg), (kg^½)
   T effective_radius;                        // (m)
   T step;                                    // (s) below 0 in a substep that goes back in time
 };
@@ -34,20 +38,6 @@ template <class T>
 inline constexpr T smallest_divisor = T(1e-300);
 template <>
 inline constexpr float smallest_divisor<float> = 1e-36f;
-
-// Factor for forces that jump at first touch, such as dashpots: 1, but within two steps of the moment in
-// which the surfaces meet or part. A jump in mid-step, sampled at the ends of steps, gives an impulse that is
-// off by up to half a step; with s = overlap / way per step, the weights 3s/2 (s < 1) and 2 − s/2 (s < 2) add
-// up to the right impulse wherever in a step the surfaces meet, and are continuous, so that damping keeps the
-// integrator's second order.
-template <int D, class T>
-T onset_weight(const Contact<D, T>& c) {
-  const T moved = dot(c.relative_velocity, c.normal) * c.step;
-  const T way = moved < T(0) ? -moved : moved;
-  const T rising = T(1.5) * c.overlap, falling = T(2) * way - T(0.5) * c.overlap;
-  const T weight_times_way = std::min(rising, std::max(falling, way));
-  return c.overlap < T(2) * way ? weight_times_way / way : T(1);
-}
 
 // What a law answers. Everything starts at 0.
 template <int D, class T = double>
@@ -70,7 +60,10 @@ inline constexpr std::uint32_t reads_overlap = 1u << SCREE_OVERLAP;
 inline constexpr std::uint32_t reads_relative_velocity = 1u << SCREE_RELATIVE_VELOCITY;
 inline constexpr std::uint32_t reads_tangential_increment = 1u << SCREE_TANGENTIAL_INCREMENT;
 inline constexpr std::uint32_t reads_relative_spin = 1u << SCREE_RELATIVE_SPIN;
+inline constexpr std::uint32_t reads_onset_weight = 1u << SCREE_ONSET_WEIGHT;
+inline constexpr std::uint32_t reads_contact_radius = 1u << SCREE_CONTACT_RADIUS;
 inline constexpr std::uint32_t reads_reduced_mass = 1u << SCREE_REDUCED_MASS;
+inline constexpr std::uint32_t reads_reduced_mass_root = 1u << SCREE_REDUCED_MASS_ROOT;
 inline constexpr std::uint32_t reads_effective_radius = 1u << SCREE_EFFECTIVE_RADIUS;
 
 // Base of every law; a kernel states what differs.
@@ -100,7 +93,13 @@ inline Contact<D, T> load_contact(const ContactBatch<T>& batch, std::uint32_t i)
   if constexpr (Kernel::reads & reads_tangential_increment)
     load(c.tangential_increment, in + SCREE_TANGENTIAL_INCREMENT, i);
   if constexpr (Kernel::reads & reads_relative_spin) load(c.relative_spin, in + SCREE_RELATIVE_SPIN, i);
+  if constexpr (Kernel::reads & reads_onset_weight) c.onset_weight = in[SCREE_ONSET_WEIGHT][i];
+  if constexpr (Kernel::reads & reads_contact_radius) {
+    c.contact_radius = {in[SCREE_CONTACT_RADIUS][i], in[SCREE_CONTACT_RADIUS + 1][i]};
+    c.contact_radius_root = in[SCREE_CONTACT_RADIUS + 2][i];
+  }
   if constexpr (Kernel::reads & reads_reduced_mass) c.reduced_mass = in[SCREE_REDUCED_MASS][i];
+  if constexpr (Kernel::reads & reads_reduced_mass_root) c.reduced_mass_root = in[SCREE_REDUCED_MASS_ROOT][i];
   if constexpr (Kernel::reads & reads_effective_radius) c.effective_radius = in[SCREE_EFFECTIVE_RADIUS][i];
   return c;
 }
@@ -132,9 +131,12 @@ inline T released_energy(const Kernel& kernel, const History& history) {
 // Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
 // so that a test can find it in the machine code.
 template <class Kernel, int D, bool audit, class T>
-[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Kernel& kernel, const ContactBatch<T>& shared) {
+[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Kernel& shared_kernel,
+                                                    const ContactBatch<T>& shared) {
   using History = typename Kernel::template History<D, T>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
+  // Copies, which no column that is written can overlap.
+  const Kernel kernel = shared_kernel;
   const ContactBatch<T> batch = shared;
   const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
 #pragma GCC ivdep

@@ -55,7 +55,8 @@ class Forces {
 
  private:
   struct Work;
-  void follow_pairs(const Particles& particles, const Contacts& contacts, std::size_t planes);
+  void follow_pairs(const Particles& particles, const Contacts& contacts, std::uint32_t reads,
+                    std::size_t planes);
   void finish_tile(std::size_t tile, Particles& particles);
   void sum_loads(std::vector<scree_load>& loads) const;
 

@@ -1,24 +1,27 @@
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include <scree/contacts.hpp>
 #include <scree/particles.hpp>
+#include <scree/plugin_abi.h>
 
 namespace scree {
 
 // What does not change for a pair from one neighbour search to the next, and what contacts leave for it.
 struct PairConstants {
-  enum Column { reduced_mass, effective_radius, column_count };
+  // Inputs of laws from SCREE_REDUCED_MASS on.
+  static constexpr std::uint32_t column_count = SCREE_CONTACT_INPUT_COUNT - SCREE_REDUCED_MASS;
 
-  explicit PairConstants(Precision precision) : terms(precision), force(precision) {}
+  explicit PairConstants(Precision precision) : force(precision) { terms.fill(PairColumns(precision)); }
 
-  // For all pairs, padding included.
-  void update(const Contacts& contacts, const Particles& particles);
+  // For all pairs, padding included; reads: bits of the inputs that any law reads, others are left out.
+  void update(const Contacts& contacts, const Particles& particles, std::uint32_t reads);
+  std::size_t bytes_per_pair() const;
 
   scree::Column<double> radius_sum;  // R_a + R_b, of a plane R_a; −1 for padding, which never touches (m)
-  PairColumns terms;                 // m* (kg), R* (m)
-  PairColumns force;                 // (3 or 2) on a at the last evaluation (N)
+  std::array<PairColumns, column_count> terms;
+  PairColumns force;  // (3 or 2) on a at the last evaluation (N)
 };
 
 }  // namespace scree

@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-#define SCREE_ABI_VERSION 2u
+#define SCREE_ABI_VERSION 3u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
 #define SCREE_LANES 8u        /* batches are padded to a multiple of this, columns aligned to 64 bytes */
 #define SCREE_MAX_HISTORY 16u /* history columns a law may keep per contact */
@@ -82,9 +82,13 @@ typedef enum scree_contact_input {
   SCREE_TANGENTIAL_INCREMENT = 7, /* (m) displacement of a's contact point relative to b's during the part of
                                      the step in which they touch, perpendicular to the normal of mid-step */
   SCREE_RELATIVE_SPIN = 10,       /* (rad/s) spin of a minus spin of b, at the end of the step */
-  SCREE_REDUCED_MASS = 13,        /* (kg) m_a m_b/(m_a+m_b); for a wall m_a */
-  SCREE_EFFECTIVE_RADIUS = 14,    /* (m) R_a R_b/(R_a+R_b); for a wall R_a */
-  SCREE_CONTACT_INPUT_COUNT = 15
+  SCREE_ONSET_WEIGHT = 13,        /* factor for forces that jump at first touch: see contact_law.hpp */
+  SCREE_CONTACT_RADIUS = 14,      /* 3 columns: (m) a = √(R* δ) of a Hertzian contact, 0 apart; (1/m) 1/a,
+                                     finite; (m^½) √a */
+  SCREE_REDUCED_MASS = 17,        /* (kg) m* = m_a m_b/(m_a+m_b); for a wall m_a */
+  SCREE_REDUCED_MASS_ROOT = 18,   /* (kg^½) √m* */
+  SCREE_EFFECTIVE_RADIUS = 19,    /* (m) R* = R_a R_b/(R_a+R_b); for a wall R_a */
+  SCREE_CONTACT_INPUT_COUNT = 20
 } scree_contact_input;
 
 /* Columns a law writes. */

@@ -14,14 +14,14 @@ namespace scree {
 template <int D, class T>
 void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rolling_friction,
                     Response<D, T>& out) {
-  const T rate = norm(c.relative_spin);
+  const T square_rate = dot(c.relative_spin, c.relative_spin);
   const T full = T(rolling_friction) * spring_force * c.effective_radius;
-  const T inertia = T(0.4) * c.reduced_mass * c.effective_radius * c.effective_radius;
+  const T root = c.reduced_mass_root * c.effective_radius;
   const T step = c.step < T(0) ? -c.step : c.step;
-  const T bound = T(1.0 / 16) * inertia * rate / std::max(step, smallest_divisor<T>);
-  const T torque = std::min(full, bound);
-  out.couple = (-torque / std::max(rate, smallest_divisor<T>)) * c.relative_spin;
-  out.dissipated_tangential += torque * rate;
+  const T bound = T(0.4) * root * root * (T(1.0 / 16) / std::max(step, smallest_divisor<T>));
+  const T torque_by_rate = std::min(full * inverse_sqrt(square_rate), bound);
+  out.couple = -torque_by_rate * c.relative_spin;
+  out.dissipated_tangential += torque_by_rate * square_rate;
 }
 
 }  // namespace scree

@@ -24,6 +24,10 @@ struct BlockJob {
   std::uint32_t count;  // pairs without padding
   const double* radius_sum;
 
+  // Of what is kept for every pair.
+  const T* constant(scree_contact_input column) const {
+    return tile.constants->terms[column - SCREE_REDUCED_MASS].template column<T>(0) + place.begin;
+  }
   bool reads(scree_contact_input column) const { return law.interface.reads & (1u << column); }
   bool arms_to_contact_point() const { return law.interface.arms == SCREE_ARM_CONTACT_POINT; }
 };
@@ -59,10 +63,13 @@ SCREE_HOT void resolve(const BlockJob<T>& b, Block<T>& w) {
   const std::uint32_t padded = b.place.count;
   const bool to_contact_point = b.arms_to_contact_point();
   resolve_overlaps<D, planes>(b.radius_sum, padded, w);
-  if (b.reads(SCREE_RELATIVE_VELOCITY) || b.reads(SCREE_TANGENTIAL_INCREMENT))
+  if (b.reads(SCREE_CONTACT_RADIUS)) resolve_contact_radii(b.constant(SCREE_EFFECTIVE_RADIUS), padded, w);
+  const double step = b.tile.scene->step;
+  const bool increments = b.reads(SCREE_TANGENTIAL_INCREMENT), onset = b.reads(SCREE_ONSET_WEIGHT);
+  if (b.reads(SCREE_RELATIVE_VELOCITY) || increments || onset)
     resolve_velocities<D, spin, planes>(to_contact_point, b.radius_sum, padded, w);
-  if (b.reads(SCREE_TANGENTIAL_INCREMENT))
-    resolve_increments<D, spin, planes>(to_contact_point, b.radius_sum, b.tile.scene->step, padded, w);
+  if (increments || onset) resolve_onsets<D>(step, padded, w);
+  if (increments) resolve_increments<D, spin, planes>(to_contact_point, b.radius_sum, step, padded, w);
 }
 
 template <int D, class T>
@@ -73,15 +80,14 @@ SCREE_HOT void call_law(const BlockJob<T>& b, Block<T>& w) {
   batch.count = b.place.count;
   batch.step = b.tile.scene->step;
   for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) batch.input[k] = w.input[k];
-  PairConstants& constants = *b.tile.constants;
-  batch.input[SCREE_REDUCED_MASS] = constants.terms.column<T>(PairConstants::reduced_mass) + begin;
-  batch.input[SCREE_EFFECTIVE_RADIUS] = constants.terms.column<T>(PairConstants::effective_radius) + begin;
+  for (const scree_contact_input k : {SCREE_REDUCED_MASS, SCREE_REDUCED_MASS_ROOT, SCREE_EFFECTIVE_RADIUS})
+    if (b.reads(k)) batch.input[k] = b.constant(k);
   for (std::uint32_t k = 0; k < b.group.history_width; ++k)
     batch.history[k] = b.group.history.template column<T>(k) + (begin - b.group.begin);
   const std::uint32_t outputs = b.tile.scene->audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
   for (std::uint32_t k = 0; k < outputs; ++k) batch.output[k] = w.output[k];
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k)
-    batch.output[SCREE_FORCE + k] = constants.force.column<T>(k) + begin;
+    batch.output[SCREE_FORCE + k] = b.tile.constants->force.template column<T>(k) + begin;
   if constexpr (std::is_same_v<T, float>)
     b.law.interface.evaluate_single(b.law.storage, &batch);
   else

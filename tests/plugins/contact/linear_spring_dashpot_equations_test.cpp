@@ -123,22 +123,6 @@ TEST_CASE("a pair that does not touch feels nothing and lets its spring go, on t
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0.5 * k_t * 1e-8));
 }
 
-TEST_CASE("the weights of a dashpot around first touch add up to the time of touching", "[equations]") {
-  // Approach at 1 m/s: touch at a fraction of a step, then one step further each time. The sum of weights
-  // must be the number of steps from the touch to half a step after the last evaluation.
-  for (const double fraction : {0.01, 0.3, 0.5, 0.99}) {
-    double sum = 0;
-    for (int n = 0; n < 5; ++n) {
-      LawBatch c = contact();
-      c.input(SCREE_OVERLAP) = (fraction + n) * 1 * 1e-4;
-      c.set(SCREE_RELATIVE_VELOCITY, {{0, 0, -1}});
-      c.evaluate(1e-4);
-      sum += c.output(SCREE_DISSIPATED_NORMAL) / gamma_n;
-    }
-    CHECK(sum == Approx(fraction + 4 + 0.5));
-  }
-}
-
 TEST_CASE("friction costs nothing where there is none", "[equations]") {
   const LawBatch smooth("linear_spring_dashpot", {{"normal_stiffness", {k}}, {"normal_damping", {gamma_n}}});
   CHECK(smooth.instance().history_width == 0);

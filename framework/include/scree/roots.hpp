@@ -1,0 +1,46 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
+#include <scree/vec.hpp>
+
+namespace scree {
+
+// Square roots as multiplications and subtractions: several times faster than the processor's square root and
+// division, of which there is one unit that does not pipeline, and with the same bits at every instruction
+// level. For x >= 0; an infinite x gives no number.
+
+// 1/√x to 1.5 units in the last place; finite at 0. A guess that halves the exponent, then Newton's
+// iteration, which squares the error: 3.4 %, 1.8e-3, 4.7e-6, 3.3e-11, round-off.
+template <class T>
+inline T inverse_sqrt(const T& x) {
+  constexpr bool full = std::is_same_v<T, double>;
+  using Bits = std::conditional_t<full, std::uint64_t, std::uint32_t>;
+  constexpr Bits halved_exponent = Bits(full ? 0x5fe6eb50c7b537a9u : 0x5f375a86u);
+  T y = std::bit_cast<T>(Bits(halved_exponent - (std::bit_cast<Bits>(x) >> 1)));
+  const T half = T(0.5) * x;
+  for (int k = 0; k < (full ? 4 : 3); ++k) y = y * (T(1.5) - half * y * y);
+  return y;
+}
+
+// A square root and its reciprocal.
+template <class T>
+struct Root {
+  T value, inverse;
+};
+
+// √x to one unit in the last place, and 1/√x as above.
+template <class T>
+inline Root<T> root_of(const T& x) {
+  const T inverse = inverse_sqrt(x), value = x * inverse;
+  return {value + T(0.5) * inverse * (x - value * value), inverse};
+}
+
+template <int D, class T>
+inline Root<T> length_of(const Vec<D, T>& v) {
+  return root_of(dot(v, v));
+}
+
+}  // namespace scree

@@ -1,0 +1,47 @@
+#include "../../framework/src/kernel/kinematics.hpp"
+
+#include <memory>
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::kernel;
+
+namespace {
+
+// Pairs that close at 1 m/s (or open, at −1) with overlaps of `ways` times what they go in a step.
+std::unique_ptr<Block<double>> pairs(const std::vector<double>& ways, double closing) {
+  auto w = std::make_unique<Block<double>>();
+  for (std::uint32_t i = 0; i < block_size; ++i) {
+    for (int k = 0; k < 3; ++k) w->input[SCREE_NORMAL + k][i] = w->input[SCREE_RELATIVE_VELOCITY + k][i] = 0;
+    w->input[SCREE_NORMAL][i] = 1;
+    w->input[SCREE_RELATIVE_VELOCITY][i] = -closing;
+    w->input[SCREE_OVERLAP][i] = i < ways.size() ? ways[i] * 1e-4 : -1;
+  }
+  resolve_onsets<3>(1e-4, block_size, *w);
+  return w;
+}
+
+}  // namespace
+
+TEST_CASE("the weights of a dashpot around first touch add up to the time of touching") {
+  // Touch at a fraction of a step, then one step further each time. The sum of weights must be the number of
+  // steps from the touch to half a step after the last evaluation.
+  for (const double fraction : {0.01, 0.3, 0.5, 0.99}) {
+    const auto w = pairs({fraction, fraction + 1, fraction + 2, fraction + 3, fraction + 4}, 1);
+    double sum = 0;
+    for (int n = 0; n < 5; ++n) sum += w->input[SCREE_ONSET_WEIGHT][n];
+    CHECK(sum == Approx(fraction + 4 + 0.5));
+    CHECK(w->touched[0] == Approx(fraction));
+    CHECK(w->touched[1] == 1);
+  }
+}
+
+TEST_CASE("pairs that part have touched all the step, and those long in contact are not weighted") {
+  const auto parting = pairs({0.5, 3}, -1);
+  CHECK(parting->touched[0] == 1);
+  CHECK(parting->input[SCREE_ONSET_WEIGHT][0] == Approx(0.75));
+  CHECK(parting->input[SCREE_ONSET_WEIGHT][1] == 1);
+  const auto resting = pairs({5, 7}, 1);
+  for (int k = 0; k < 2; ++k) CHECK((resting->input[SCREE_ONSET_WEIGHT][k] == 1 && resting->touched[k] == 1));
+}
