@@ -25,6 +25,14 @@ SCREE_HOT void four_records(const double* records, const std::uint32_t* body, Fo
   transpose(out[0], out[1], out[2], out[3]);
 }
 
+// Whether any of four pairs reaches across a periodic face.
+SCREE_HOT bool any_across(const std::uint8_t* image) {
+  constexpr std::uint32_t none = 0x01010101u * Domain::no_shift;
+  std::uint32_t images;
+  __builtin_memcpy(&images, image, sizeof(images));
+  return images != none;
+}
+
 template <class T>
 SCREE_HOT void store_vector(T (*columns)[block_size], int count, std::uint32_t lane, const Four (&v)[4]) {
   for (int k = 0; k < count; ++k) store_lanes(columns[k] + lane, v[k]);
@@ -38,10 +46,10 @@ SCREE_HOT void gather_bodies(const Scene& s, bool with_mid, std::size_t pair, st
   const std::uint8_t* image = s.contacts.image.data() + pair;
   const BodyRecords& r = s.records;
   Four v[4];
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 4; ++k)
     v[k] = load_four(record_of(r.place.data(), a[k])) - load_four(record_of(r.place.data(), b[k]));
-    if (s.periodic) v[k] += load_four(s.shifts + 4 * image[k]);
-  }
+  if (s.periodic && any_across(image))
+    for (int k = 0; k < 4; ++k) v[k] += load_four(s.shifts + 4 * image[k]);
   transpose(v[0], v[1], v[2], v[3]);
   store_vector(w.separation, D, lane, v);
   store_lanes(w.radius_difference + lane, v[3]);

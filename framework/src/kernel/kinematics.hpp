@@ -121,9 +121,10 @@ template <class T>
 SCREE_HOT void resolve_contact_radii(const T* effective_radius, std::uint32_t padded, Block<T>& w) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    const Root<T> radius = root_of(effective_radius[i] * std::max(w.input[SCREE_OVERLAP][i], T(0)));
-    w.input[SCREE_CONTACT_RADIUS][i] = radius.value;
-    w.input[SCREE_CONTACT_RADIUS + 1][i] = radius.inverse;
+    const T square = effective_radius[i] * std::max(w.input[SCREE_OVERLAP][i], T(0));
+    const T inverse = inverse_sqrt(square);
+    w.input[SCREE_CONTACT_RADIUS][i] = square * inverse;
+    w.input[SCREE_CONTACT_RADIUS + 1][i] = inverse;
   }
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
@@ -149,9 +150,9 @@ SCREE_HOT void resolve_increments(bool to_contact_point, const double* radius_su
     } else {
       Vec<D, T> separation;
       for (int k = 0; k < D; ++k) separation[k] = T(w.separation[k][i]) - half * motion[k];
-      const Root<T> length = length_of(separation);
-      distance = length.value;
-      for (int k = 0; k < D; ++k) mid_normal[k] = distance > T(0) ? separation[k] * length.inverse : n[k];
+      const T square = dot(separation, separation), inverse = inverse_sqrt(square);
+      distance = square * inverse;
+      for (int k = 0; k < D; ++k) mid_normal[k] = distance > T(0) ? separation[k] * inverse : n[k];
     }
     if constexpr (spin) {
       const auto arms =

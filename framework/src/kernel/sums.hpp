@@ -23,12 +23,11 @@ SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t p
     const double difference = double(w.radius_difference[i]);
     return planes ? difference : 0.5 * (radius_sum[i] - std::abs(difference));
   };
-  double excess[SCREE_LANES] = {};
-  for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
-    for (std::uint32_t k = 0; k < SCREE_LANES; ++k)
-      excess[k] =
-          std::max(excess[k], double(w.input[SCREE_OVERLAP][i + k]) - largest * smaller_radius(i + k));
-  if (*std::max_element(excess, excess + SCREE_LANES) <= 0) return largest;
+  int deeper = 0;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < padded; ++i)
+    deeper += double(w.input[SCREE_OVERLAP][i]) > largest * smaller_radius(i);
+  if (deeper == 0) return largest;
   for (std::uint32_t i = 0; i < padded; ++i)
     if (w.input[SCREE_OVERLAP][i] > T(0))
       largest = std::max(largest, double(w.input[SCREE_OVERLAP][i]) / smaller_radius(i));
