@@ -85,6 +85,15 @@ void check_sources(const Campaign& c) {
     }
 }
 
+// Whether it is there; whether it is good is a question of each run.
+void check_scenario(const Campaign& c) {
+  try {
+    Document::load(c.scenario);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", c.scenario_place, error.what()));
+  }
+}
+
 void check_count(const Table& root, const Campaign& c) {
   if (count_points(c, most_runs) <= most_runs) return;
   throw root.error("campaign", fmt::format("the campaign has more than {} runs", most_runs),
@@ -102,6 +111,7 @@ Campaign read_campaign(const std::filesystem::path& path) {
   c.title = table.string("title", path.stem().string());
   c.scenario = path.parent_path() / table.string("scenario");
   c.scenario_place = table.place("scenario");
+  check_scenario(c);
   if (table.has("collect")) c.collect = table.strings("collect");
   c.collect_place = table.place("collect");
   c.seeds = read_seeds(table);

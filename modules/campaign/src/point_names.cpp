@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::size_t longest_name = 120;  // (bytes); file systems take 255
 
-// Readable as part of a file name: "[5, 5, 8]" becomes "5_5_8".
-std::string file_safe(const std::string& text) {
+// Readable as part of a file name: "[5, 5, 8]" becomes "5_5_8", "1000.0" becomes "1000".
+std::string file_safe(std::string_view text) {
+  if (text.ends_with(".0")) text.remove_suffix(2);
   std::string safe;
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
