@@ -1,7 +1,5 @@
 #include "csv_line.hpp"
 
-#include "setting_json.hpp"
-
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,11 +19,6 @@ std::string csv_line(const std::vector<std::string>& cells) {
     line += '"';
   }
   return line + "\n";
-}
-
-std::string csv_value(const std::string& toml) {
-  const Json json = setting_json(toml);
-  return json.is_string() ? json.get<std::string>() : toml;
 }
 
 std::string csv_number(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }

@@ -8,9 +8,6 @@ namespace scree::campaign {
 // One line of a CSV file; what holds a comma, a quote or a line end is quoted.
 std::string csv_line(const std::vector<std::string>& cells);
 
-// The value of a setting as a cell: a string without its quotes, anything else as TOML.
-std::string csv_value(const std::string& toml);
-
 // Shortest form that reads back the same bits; empty where the number is missing or not finite.
 std::string csv_number(double number);
 

@@ -1,5 +1,7 @@
 #include "point_names.hpp"
 
+#include "setting_json.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -58,7 +60,7 @@ void name_points(const Campaign& campaign, std::vector<Point>& points) {
   for (Point& point : points) {
     std::vector<std::string> parts, exact_parts;
     const auto add = [&](const std::string& label, const std::string& value) {
-      parts.push_back(label + "=" + file_safe(value));
+      parts.push_back(label + "=" + file_safe(setting_text(value)));
       exact_parts.push_back(label + "=" + value);
     };
     if (!point.case_name.empty()) add("case", point.case_name);

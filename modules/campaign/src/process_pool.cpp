@@ -38,10 +38,30 @@ Error no_process(int code) {
                ExitStatus::failure);
 }
 
+// No signal reaches this process while one lives: in a new process the handlers of its parent would take it,
+// and exec would forget that it came.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  const sigset_t& before() const { return before_; }
+
+ private:
+  sigset_t before_;
+};
+
 // What the new process does: between fork and exec nothing may allocate.
-[[noreturn]] void become(char* const* words, pid_t parent, int log, int alive) {
+[[noreturn]] void become(char* const* words, pid_t parent, int log, int alive, const sigset_t& signals) {
   setpgid(0, 0);
+  for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  sigprocmask(SIG_SETMASK, &signals, nullptr);
   const int nothing = open("/dev/null", O_RDONLY);
   const bool ready = getppid() == parent && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
                      dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0 &&
@@ -87,8 +107,9 @@ void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
   std::vector<char*> words;
   for (std::string& word : copies) words.push_back(word.data());
   words.push_back(nullptr);
+  const SignalsHeld signals;
   const pid_t parent = getpid(), process = fork();
-  if (process == 0) become(words.data(), parent, output.get(), held.get());
+  if (process == 0) become(words.data(), parent, output.get(), held.get(), signals.before());
   if (process < 0) throw no_process(errno);
   running_.push_back({id, process, alive.release()});
 }

@@ -14,4 +14,10 @@ inline Json setting_json(const std::string& toml) {
   return json.is_discarded() ? Json(toml) : json;
 }
 
+// The same for people: a string without its quotes, anything else as TOML.
+inline std::string setting_text(const std::string& toml) {
+  const Json json = setting_json(toml);
+  return json.is_string() ? json.get<std::string>() : toml;
+}
+
 }  // namespace scree::campaign

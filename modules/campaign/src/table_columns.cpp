@@ -1,6 +1,6 @@
 #include "table_columns.hpp"
 
-#include "csv_line.hpp"
+#include "setting_json.hpp"
 
 #include <limits>
 #include <set>
@@ -34,7 +34,7 @@ std::vector<std::string> point_cells(const Campaign& campaign, const Point& poin
   if (!campaign.cases.empty()) cells.push_back(point.case_name);
   for (const std::string& key : campaign.varying_keys()) {
     const Setting* setting = point.find(key);
-    cells.push_back(setting ? csv_value(setting->value) : "");
+    cells.push_back(setting ? setting_text(setting->value) : "");
   }
   return cells;
 }
