@@ -15,7 +15,8 @@ struct CampaignWorkspace : Workspace {
 
 const std::string call = "campaign campaign.toml --out out ";
 
-std::vector<std::string> column(const std::string& csv, std::size_t number_from_behind_name) {
+// The cells of a column, counted from 0 behind the name of the run, which stands in quotes.
+std::vector<std::string> column(const std::string& csv, std::size_t number) {
   std::istringstream stream(csv);
   std::vector<std::string> cells;
   std::string line;
@@ -23,7 +24,7 @@ std::vector<std::string> column(const std::string& csv, std::size_t number_from_
   while (std::getline(stream, line)) {
     std::istringstream rest(line.substr(line.rfind('"') + 2));
     std::string cell;
-    for (std::size_t k = 0; k <= number_from_behind_name; ++k) std::getline(rest, cell, ',');
+    for (std::size_t k = 0; k <= number; ++k) std::getline(rest, cell, ',');
     cells.push_back(cell);
   }
   return cells;

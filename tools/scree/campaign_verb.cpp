@@ -66,8 +66,9 @@ ExitStatus run_campaign(const CampaignArguments& a) {
   const campaign::Execution result = execute_with_bar(c, directory, a);
   fmt::print("{}", campaign::text_report(c, result));
   const std::filesystem::path& path = directory.files().path();
-  fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n", path.string(),
-             c.seeds.size() > 1 ? ", means.csv" : "");
+  if (std::filesystem::exists(path / "table.csv"))
+    fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n", path.string(),
+               c.seeds.size() > 1 ? ", means.csv" : "");
   if (result.interrupted) {
     fmt::print("interrupted; the same call goes on with what is left\n");
     return ExitStatus::interrupted;

@@ -85,7 +85,11 @@ void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes
   const scenario::RunDirectory& files = directory.files();
   files.write_file("campaign.json", campaign_json(campaign, outcomes));
   files.write_file("table.csv", table_csv(campaign, outcomes));
-  if (campaign.seeds.size() > 1) files.write_file("means.csv", means_csv(campaign, outcomes));
+  std::error_code failed;
+  if (campaign.seeds.size() > 1)
+    files.write_file("means.csv", means_csv(campaign, outcomes));
+  else  // of the campaign as it was
+    std::filesystem::remove(files.path() / "means.csv", failed);
 }
 
 }  // namespace scree::campaign
