@@ -43,7 +43,7 @@ accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBa
   const auto start = std::chrono::steady_clock::now();
   options.on_progress = [&bar, start](double share, const std::string& what) {
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    bar.show({share, wall, 0, what});
+    bar.show(share, wall, what);
   };
   return options;
 }

@@ -98,6 +98,7 @@ ExitStatus run_verb(CLI::App& app, int argc, char** argv) {
   add_describe_verb(app, status);
   add_render_verb(app, status);
   add_accuracy_verb(app, status);
+  add_campaign_verb(app, status);
   add_bench_verb(app, status);
   const bool verb_given = argc > 1 && argv[1][0] != '-';
   try {

@@ -14,9 +14,9 @@ namespace {
 constexpr double seconds_between_plain_lines = 5;
 constexpr int bar_width = 30;
 
-std::string time_left(const scenario::Progress& p) {
-  if (p.share <= 0 || p.wall < 0.5) return "";
-  return fmt::format(", {} left", duration_text(p.wall * (1 - p.share) / p.share));
+std::string time_left(double share, double wall) {
+  if (share <= 0 || wall < 0.5) return "";
+  return fmt::format(", {} left", duration_text(wall * (1 - share) / share));
 }
 
 }  // namespace
@@ -31,17 +31,20 @@ std::string duration_text(double seconds) {
 ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
 void ProgressBar::show(const scenario::Progress& p) {
+  show(p.share, p.wall, fmt::format("t = {:.4g} s  {}", p.time, p.stage));
+}
+
+void ProgressBar::show(double share, double wall, std::string_view what) {
   if (quiet_) return;
-  const std::string text =
-      fmt::format("{:3.0f} %  t = {:.4g} s  {}{}", 100 * p.share, p.time, p.stage, time_left(p));
+  const std::string text = fmt::format("{:3.0f} %  {}{}", 100 * share, what, time_left(share, wall));
   if (terminal_) {
-    const int full = int(std::clamp(p.share, 0.0, 1.0) * bar_width);
+    const int full = int(std::clamp(share, 0.0, 1.0) * bar_width);
     fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(std::size_t(full), '#'),
                std::string(std::size_t(bar_width - full), '.'), text);
     std::fflush(stderr);
-  } else if (p.wall >= next_plain_line_) {
-    if (p.wall >= 1) fmt::print("{}\n", text), std::fflush(stdout);
-    next_plain_line_ = p.wall + (next_plain_line_ > 0 ? seconds_between_plain_lines : 2);
+  } else if (wall >= next_plain_line_) {
+    if (wall >= 1) fmt::print("{}\n", text), std::fflush(stdout);
+    next_plain_line_ = wall + (next_plain_line_ > 0 ? seconds_between_plain_lines : 2);
   }
 }
 

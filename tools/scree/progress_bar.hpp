@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <scree/scenario/run.hpp>
 
@@ -12,6 +13,8 @@ class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
   void show(const scenario::Progress& progress);
+  // A share from 0 to 1, seconds since the start, and what is going on.
+  void show(double share, double wall, std::string_view what);
   // Clears the moving line, so that other text can follow.
   void clear();
 

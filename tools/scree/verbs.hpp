@@ -35,6 +35,7 @@ void add_check_verb(CLI::App& app, ExitStatus& status);
 void add_describe_verb(CLI::App& app, ExitStatus& status);
 void add_render_verb(CLI::App& app, ExitStatus& status);
 void add_accuracy_verb(CLI::App& app, ExitStatus& status);
+void add_campaign_verb(CLI::App& app, ExitStatus& status);
 void add_bench_verb(CLI::App& app, ExitStatus& status);
 
 // Set by the first Ctrl-C, or the end of a batch job, from now on: what runs saves what it has and ends. A

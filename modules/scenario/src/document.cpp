@@ -15,11 +15,12 @@ constexpr std::size_t longest_name = 4096;
 
 }  // namespace
 
-Document Document::load(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+Document Document::load(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                        std::string_view cure) {
   const std::string text = read_text_file(path, largest_file);
   Document document = parse(text, path.string(), overrides);
   if (!document.state_->root->children.empty()) return document;
-  throw document.root().error("the file holds no key", "write a scene: [scene], [time], [particles], ...");
+  throw document.root().error("the file holds no key", cure);
 }
 
 Document Document::parse(std::string_view text, std::string_view name,

@@ -43,6 +43,8 @@ std::string array_form(std::optional<std::size_t> count, std::string_view what) 
   return count ? fmt::format("an array of {} {}", *count, what) : fmt::format("an array of {}", what);
 }
 
+}  // namespace
+
 void check_array(const DocumentState& state, const Node& node, std::optional<std::size_t> count,
                  std::string_view what) {
   if (node.kind != NodeKind::array) throw wrong_type(state, node, array_form(count, what));
@@ -51,8 +53,6 @@ void check_array(const DocumentState& state, const Node& node, std::optional<std
   throw state.error(node, fmt::format("{} has {} {}", node.path(), size, size == 1 ? "element" : "elements"),
                     "give " + array_form(count, what));
 }
-
-}  // namespace
 
 double read_number(const DocumentState& state, const Node& node, const Range& range) {
   if (!node.is_number()) throw wrong_type(state, node, number_cure(node, range));
@@ -122,6 +122,14 @@ std::vector<std::string> read_strings(const DocumentState& state, const Node& no
   std::vector<std::string> values;
   values.reserve(node.children.size());
   for (const auto& element : node.children) values.push_back(read_string(state, *element));
+  return values;
+}
+
+std::vector<std::int64_t> read_integers(const DocumentState& state, const Node& node, const Range& range) {
+  check_array(state, node, std::nullopt, "whole numbers");
+  std::vector<std::int64_t> values;
+  values.reserve(node.children.size());
+  for (const auto& element : node.children) values.push_back(read_integer(state, *element, range));
   return values;
 }
 

@@ -22,6 +22,11 @@ std::vector<double> read_numbers(const DocumentState& state, const Node& node,
                                  std::optional<std::size_t> count, const Range& range);
 std::vector<std::vector<double>> read_rows(const DocumentState& state, const Node& node, std::size_t columns,
                                            const Range& range);
+// Throws unless the node is an array, of that many elements where a count is given; what they are is for the
+// message.
+void check_array(const DocumentState& state, const Node& node, std::optional<std::size_t> count,
+                 std::string_view what);
 std::vector<std::string> read_strings(const DocumentState& state, const Node& node);
+std::vector<std::int64_t> read_integers(const DocumentState& state, const Node& node, const Range& range);
 
 }  // namespace scree::scenario

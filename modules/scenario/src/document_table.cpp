@@ -114,12 +114,20 @@ Error Table::error(std::string_view key, std::string_view what, std::string_view
   return state_->error(child != nullptr ? *child : *node_, what, cure);
 }
 
+const Node& Table::at(std::string_view key, std::size_t element) const {
+  const Node* child = find(key);
+  if (child == nullptr) return *node_;
+  const bool inside = child->kind == NodeKind::array && element < child->children.size();
+  return inside ? *child->children[element] : *child;
+}
+
+std::string Table::place(std::string_view key, std::size_t element) const {
+  return state_->place_text(at(key, element));
+}
+
 Error Table::error(std::string_view key, std::size_t element, std::string_view what,
                    std::string_view cure) const {
-  const Node* child = find(key);
-  if (child == nullptr) return error(what, cure);
-  const bool inside = child->kind == NodeKind::array && element < child->children.size();
-  return state_->error(inside ? *child->children[element] : *child, what, cure);
+  return state_->error(at(key, element), what, cure);
 }
 
 }  // namespace scree::scenario

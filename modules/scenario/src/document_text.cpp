@@ -34,8 +34,6 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : quoted(key);
 }
 
-std::string value_text(const Node& node);
-
 std::string inline_table_text(const Node& table) {
   std::string entries;
   for (const auto& child : table.children) {
@@ -53,6 +51,8 @@ std::string array_text(const Node& array) {
   }
   return fmt::format("[{}]", elements);
 }
+
+}  // namespace
 
 std::string value_text(const Node& node) {
   switch (node.kind) {
@@ -73,6 +73,8 @@ std::string value_text(const Node& node) {
   }
   return "";
 }
+
+namespace {
 
 bool has_header(const Node& node) { return node.kind == NodeKind::table && !node.inline_table; }
 

@@ -9,4 +9,7 @@ namespace scree::scenario {
 // A tree as TOML text, keys in the order of the tree.
 std::string toml_text(const Node& root);
 
+// One value as TOML in one line.
+std::string value_text(const Node& node);
+
 }  // namespace scree::scenario

@@ -1,5 +1,6 @@
 #include "document_message.hpp"
 #include "document_read.hpp"
+#include "document_text.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,11 @@ bool Table::is_string(std::string_view key) const {
 bool Table::is_boolean(std::string_view key) const {
   const Node* node = find(key);
   return node != nullptr && node->kind == NodeKind::boolean;
+}
+
+bool Table::is_inline_table(std::string_view key) const {
+  const Node* node = find(key);
+  return node != nullptr && node->kind == NodeKind::table && node->inline_table;
 }
 
 double Table::number(std::string_view key, const Range& range) const {
@@ -129,6 +135,26 @@ std::vector<std::vector<double>> Table::rows(std::string_view key, std::size_t c
 
 std::vector<std::string> Table::strings(std::string_view key) const {
   return read_strings(*state_, require(key, form(key, "[\"<text>\", ...]")));
+}
+
+std::vector<std::int64_t> Table::integers(std::string_view key, const Range& range) const {
+  return read_integers(*state_, require(key, form(key, "[<whole number>, ...]", range)), range);
+}
+
+std::string Table::toml(std::string_view key) const {
+  Node& node = require(key, form(key, "<value>"));
+  node.accepted = true;
+  return value_text(node);
+}
+
+std::vector<std::string> Table::toml_elements(std::string_view key) const {
+  Node& node = require(key, form(key, "[<value>, ...]"));
+  check_array(*state_, node, std::nullopt, "values");
+  node.accepted = true;
+  std::vector<std::string> values;
+  values.reserve(node.children.size());
+  for (const auto& element : node.children) values.push_back(value_text(*element));
+  return values;
 }
 
 }  // namespace scree::scenario

@@ -1,30 +1,19 @@
 #include "expectations.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+
+#include <scree/scenario/run_quantities.hpp>
 
 namespace scree::scenario {
 
 namespace {
 
-double statistic_of(const std::vector<double>& values, const std::string& statistic) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  if (statistic == "first") return values.front();
-  if (statistic == "min") return *std::min_element(values.begin(), values.end());
-  if (statistic == "max") return *std::max_element(values.begin(), values.end());
-  if (statistic == "mean") return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-  return values.back();
-}
-
 double value_of(const std::string& quantity, const std::vector<std::pair<std::string, double>>& quantities,
                 const SeriesColumn& column) {
   for (const auto& [name, value] : quantities)
     if (name == quantity) return value;
-  const auto first = quantity.find('.'), last = quantity.rfind('.');
-  return statistic_of(column(quantity.substr(0, first), quantity.substr(first + 1, last - first - 1)),
-                      quantity.substr(last + 1));
+  const SeriesQuantity of = series_quantity(quantity);
+  return series_statistic(column(of.probe, of.column), of.statistic);
 }
 
 }  // namespace

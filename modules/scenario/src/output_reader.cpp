@@ -95,30 +95,12 @@ ChartPlan read_chart(const Table& t, const std::vector<ProbePlan>& probes, int d
   return chart;
 }
 
-// Everything that an expectation may ask for.
-std::vector<std::string> known_quantities(const std::vector<ProbePlan>& probes, int dimension) {
-  std::vector<std::string> known = run_quantity_names();
-  for (const ProbePlan& probe : probes)
-    for (const std::string& column : columns_of(probe, dimension).names)
-      for (const char* statistic : series_statistics)
-        known.push_back(fmt::format("{}.{}.{}", probe.name, column, statistic));
-  return known;
-}
-
-std::string read_quantity(const Table& t, const std::vector<std::string>& known) {
-  const std::string quantity = t.string("quantity");
-  if (std::find(known.begin(), known.end(), quantity) != known.end()) return quantity;
-  const auto near = nearest_word(quantity, known);
-  throw t.error("quantity", fmt::format("no quantity '{}'", one_line(quantity)),
-                near ? fmt::format("did you mean '{}'?", *near)
-                     : fmt::format("give one of {}, or <probe>.<column>.<{}>",
-                                   fmt::join(run_quantity_names(), ", "), fmt::join(series_statistics, "|")));
-}
-
 Expectation read_expectation(const Table& t, const std::vector<std::string>& known) {
   Expectation e;
   e.requirement = t.string("requirement");
-  e.quantity = read_quantity(t, known);
+  e.quantity = t.string("quantity");
+  if (const auto problem = quantity_problem(e.quantity, known))
+    throw Error(fmt::format("{}: {}", t.place("quantity"), *problem));
   e.reference = t.optional_number("reference");
   e.tolerance = t.optional_number("tolerance", Range::non_negative());
   e.at_most = t.optional_number("at_most");
@@ -135,6 +117,25 @@ Expectation read_expectation(const Table& t, const std::vector<std::string>& kno
 }
 
 }  // namespace
+
+std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, int dimension) {
+  std::vector<std::string> known = run_quantity_names();
+  for (const ProbePlan& probe : probes)
+    for (const std::string& column : columns_of(probe, dimension).names)
+      for (const char* statistic : series_statistics)
+        known.push_back(fmt::format("{}.{}.{}", probe.name, column, statistic));
+  return known;
+}
+
+std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
+  const auto near = nearest_word(name, known);
+  const std::string cure =
+      near ? fmt::format("did you mean '{}'?", *near)
+           : fmt::format("give one of {}, or <probe>.<column>.<{}>", fmt::join(run_quantity_names(), ", "),
+                         fmt::join(series_statistics, "|"));
+  return fmt::format("no quantity '{}'; {}", one_line(name), cure);
+}
 
 std::vector<ProbePlan> read_probes(const Table& root, const Scene& scene, const std::vector<Stage>& stages,
                                    PluginHost& host) {
@@ -177,7 +178,7 @@ std::vector<ChartPlan> read_charts(const Table& root, const std::vector<ProbePla
 std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes,
                                            int dimension) {
   std::vector<Expectation> all;
-  const std::vector<std::string> known = known_quantities(probes, dimension);
+  const std::vector<std::string> known = quantity_names(probes, dimension);
   for (const Table& t : root.tables("expect")) all.push_back(read_expectation(t, known));
   return all;
 }

@@ -21,7 +21,8 @@ const Layout& layout_of(RunDirectory::Kind kind) {
   static const Layout run = {
       "run", {"series", "snapshots", "images", "charts", "scenario.toml", "final_packing.csv", "run.json"}};
   static const Layout study = {"accuracy study", {"charts", "accuracy.csv", "accuracy.json"}};
-  return kind == RunDirectory::Kind::run ? run : study;
+  static const Layout campaign = {"campaign", {"table.csv", "means.csv", "campaign.json"}};
+  return kind == RunDirectory::Kind::run ? run : kind == RunDirectory::Kind::study ? study : campaign;
 }
 
 // The path itself if it exists, else the nearest directory above that does.
@@ -32,13 +33,20 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
+bool holds_nothing(const fs::path& path) {
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(path, failed))
+    if (entry.path().filename() != RunDirectory::log_name) return false;
+  return !failed;
+}
+
 void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
   std::error_code failed;
   const auto refuse = [&](const std::string& problem, const char* cure) {
     return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
   };
   if (!fs::is_directory(path, failed)) throw refuse("exists and is no directory", "give another --out");
-  if (fs::is_empty(path, failed)) return;
+  if (holds_nothing(path)) return;
   if (!fs::exists(path / layout.parts.back(), failed))
     throw refuse(fmt::format("holds files that are no {} of scree", layout.name), "give another --out");
   const char* article = layout.name[0] == 'a' ? "an" : "a";
@@ -60,7 +68,8 @@ RunDirectory::RunDirectory(fs::path path, bool overwrite, Kind kind)
 
 void RunDirectory::create() const {
   std::error_code failed;
-  for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
+  if (kind_ != Kind::campaign)
+    for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
   fs::create_directories(path_, failed);
   if (failed)
     throw Error(
@@ -95,6 +104,7 @@ Error unwritable(const fs::path& path) {
 }
 
 fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
+  if (kind == Kind::campaign) return fs::path("campaigns") / scenario.stem();
   fs::path base = fs::path("runs") / scenario.stem();
   if (kind == Kind::study) base += "-accuracy";
   fs::path path = base;

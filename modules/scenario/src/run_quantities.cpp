@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
 #include <scree/scenario/run_quantities.hpp>
 
 namespace scree::scenario {
@@ -29,6 +33,20 @@ std::vector<std::string> run_quantity_names() {
           "dissipated_energy",
           "work",
           "neighbour_searches"};
+}
+
+double series_statistic(const std::vector<double>& values, const std::string& statistic) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (statistic == "first") return values.front();
+  if (statistic == "min") return *std::min_element(values.begin(), values.end());
+  if (statistic == "max") return *std::max_element(values.begin(), values.end());
+  if (statistic == "mean") return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  return values.back();
+}
+
+SeriesQuantity series_quantity(const std::string& name) {
+  const auto first = name.find('.'), last = name.rfind('.');
+  return {name.substr(0, first), name.substr(first + 1, last - first - 1), name.substr(last + 1)};
 }
 
 }  // namespace scree::scenario

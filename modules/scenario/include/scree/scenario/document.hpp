@@ -21,7 +21,9 @@ class Document {
 
   // Throws Error (bad_input) when the file cannot be read, is no TOML, holds no key, or an override cannot be
   // applied.
-  static Document load(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+  // cure tells what to write into an empty file.
+  static Document load(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
+                       std::string_view cure = "write a scene: [scene], [time], [particles], ...");
   // name stands for the file in messages.
   static Document parse(std::string_view text, std::string_view name,
                         const std::vector<std::string>& overrides = {});

@@ -38,6 +38,8 @@ class Table {
   bool is_number(std::string_view key) const;  // integer or floating-point
   bool is_string(std::string_view key) const;
   bool is_boolean(std::string_view key) const;
+  // A table written on one line, as { a = 1 }.
+  bool is_inline_table(std::string_view key) const;
 
   // Finite; written with or without a decimal point.
   double number(std::string_view key, const Range& range = Range::any()) const;
@@ -72,6 +74,12 @@ class Table {
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns,
                                         const Range& range = Range::any()) const;
   std::vector<std::string> strings(std::string_view key) const;
+  std::vector<std::int64_t> integers(std::string_view key, const Range& range = Range::any()) const;
+
+  // Any value as TOML in one line, as an override takes it, with all below it known; or each element of an
+  // array.
+  std::string toml(std::string_view key) const;
+  std::vector<std::string> toml_elements(std::string_view key) const;
 
   Table table(std::string_view key) const;
   std::optional<Table> optional_table(std::string_view key) const;
@@ -89,6 +97,8 @@ class Table {
   // "--set key=value" for what an override has written.
   std::string place() const;
   std::string place(std::string_view key) const;
+  // Of one element (from 0) of the array under key.
+  std::string place(std::string_view key, std::size_t element) const;
   // "place: what; cure", to be thrown.
   Error error(std::string_view what, std::string_view cure) const;
   Error error(std::string_view key, std::string_view what, std::string_view cure) const;
@@ -99,6 +109,7 @@ class Table {
   Node* find(std::string_view key) const;
   Node& require(std::string_view key, std::string_view form) const;
   Table checked_table(Node& child) const;
+  const Node& at(std::string_view key, std::size_t element) const;
 
   std::shared_ptr<DocumentState> state_;
   Node* node_;

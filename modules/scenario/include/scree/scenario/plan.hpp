@@ -74,6 +74,11 @@ struct Plan {
   bool step_guard = true;  // refuse a step that is too long
 };
 
+// Everything that an expectation may ask for: the numbers of run.json, and "<probe>.<column>.<statistic>".
+std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, int dimension);
+// "no quantity '<name>'; <cure>" unless it is one of them.
+std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known);
+
 // Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any mistake in it.
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                PluginHost& host);

@@ -1,0 +1,71 @@
+#include <cerrno>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/campaign/campaign_directory.hpp>
+#include <scree/scenario/message.hpp>
+
+namespace scree::campaign {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Two campaigns in one directory would take turns in replacing each other's runs.
+void check_owner(const fs::path& path, const Campaign& campaign) {
+  std::ifstream file(path / "campaign.json", std::ios::binary);
+  if (!file) return;
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return;
+  const std::string owner = json["file"];
+  if (owner != campaign.source.filename().string())
+    throw Error(fmt::format("{}: holds the campaign of {}; give another --out", path.string(),
+                            scenario::one_line(owner)));
+}
+
+Error in_use(const fs::path& path) {
+  return Error(
+      fmt::format("{}: another campaign is running there; wait for it or give another --out", path.string()));
+}
+
+}  // namespace
+
+CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bool alone)
+    : files_(std::move(path), true, scenario::RunDirectory::Kind::campaign) {
+  check_owner(files_.path(), campaign);
+  in_use_ = !take();
+  if (alone && in_use_) throw in_use(files_.path());
+}
+
+CampaignDirectory::~CampaignDirectory() {
+  if (lock_ >= 0) close(lock_);
+}
+
+bool CampaignDirectory::take() {
+  lock_ = open(files_.path().c_str(), O_RDONLY | O_DIRECTORY);
+  return lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+void CampaignDirectory::create() {
+  files_.create();
+  if (lock_ < 0 && !take()) throw in_use(files_.path());
+}
+
+std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign) const {
+  std::vector<Outcome> all;
+  for (const Point& point : campaign.points) all.push_back(outcome(campaign, point));
+  return all;
+}
+
+Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point) const {
+  Outcome found = read_outcome(run(point), inputs_of(campaign, point), campaign.collect);
+  if (found.state == State::running && !in_use_) found.state = State::interrupted;
+  return found;
+}
+
+}  // namespace scree::campaign

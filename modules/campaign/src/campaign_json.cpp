@@ -1,0 +1,46 @@
+#include "setting_json.hpp"
+
+#include <scree/campaign/report.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+Json settings_json(const std::vector<Setting>& settings) {
+  Json json = Json::object();
+  for (const Setting& setting : settings) json[setting.key] = setting_json(setting.value);
+  return json;
+}
+
+Json parameters_json(const std::vector<Parameter>& parameters) {
+  Json json = Json::object();
+  for (const Parameter& parameter : parameters)
+    for (const Setting& value : parameter.values) json[parameter.key].push_back(setting_json(value.value));
+  return json;
+}
+
+Json run_json(const Point& point, const Outcome& outcome) {
+  Json json = {{"run", point.name}, {"status", state_name(outcome.state)}};
+  if (!point.case_name.empty()) json["case"] = point.case_name;
+  json["set"] = settings_json(point.settings);
+  if (!outcome.problem.empty()) json["error"] = outcome.problem;
+  return json;
+}
+
+}  // namespace
+
+std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+  Json json = {{"version", SCREE_VERSION},
+               {"title", campaign.title},
+               {"file", campaign.source.filename().string()},
+               {"scenario", campaign.scenario.string()},
+               {"seeds", campaign.seeds},
+               {"parameters", parameters_json(campaign.parameters)},
+               {"fixed", settings_json(campaign.fixed)}};
+  for (const Case& one : campaign.cases) json["cases"][one.name] = settings_json(one.settings);
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    json["runs"].push_back(run_json(campaign.points[k], outcomes[k]));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace scree::campaign

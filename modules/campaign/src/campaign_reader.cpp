@@ -1,0 +1,129 @@
+#include "points.hpp"
+#include "settings.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <scree/campaign/campaign.hpp>
+#include <scree/scenario/document.hpp>
+#include <scree/scenario/message.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+using scenario::Document;
+using scenario::one_line;
+using scenario::Range;
+using scenario::Table;
+
+constexpr std::size_t most_runs = 100000;
+const char* const seeds_form = "give whole numbers, [1, 2, 3], or { first = 1, count = 20 }";
+
+// Seeds { first, count }.
+std::vector<std::int64_t> seed_range(const Table& table) {
+  const std::int64_t first = table.integer("first", 1, Range::between(0, 1e15));
+  const std::int64_t count = table.integer("count", Range::between(1, double(most_runs)));
+  std::vector<std::int64_t> seeds;
+  for (std::int64_t k = 0; k < count; ++k) seeds.push_back(first + k);
+  return seeds;
+}
+
+std::vector<std::int64_t> read_seeds(const Table& table) {
+  if (!table.has("seeds")) return {};
+  if (table.is_table("seeds")) return seed_range(table.table("seeds"));
+  if (!table.is_array("seeds")) throw table.error("seeds", "seeds is neither a list nor a table", seeds_form);
+  std::vector<std::int64_t> seeds = table.integers("seeds", Range::non_negative());
+  if (seeds.empty()) throw table.error("seeds", "the list of seeds is empty", seeds_form);
+  for (std::size_t k = 0; k < seeds.size(); ++k)
+    if (std::find(seeds.begin(), seeds.end(), seeds[k]) < seeds.begin() + std::ptrdiff_t(k))
+      throw table.error("seeds", k, fmt::format("seed {} stands twice in the list", seeds[k]),
+                        "leave one out; the same seed gives the same run");
+  return seeds;
+}
+
+std::vector<Case> read_cases(const Table& root) {
+  std::vector<Case> cases;
+  std::set<std::string> names;
+  for (const Table& table : root.tables("case")) {
+    Case one{table.string("name"), {}};
+    if (one.name.empty()) throw table.error("name", "the name of the case is empty", "give a word");
+    if (!names.insert(one.name).second)
+      throw table.error("name", fmt::format("the case name '{}' is taken", one_line(one.name)),
+                        "give each a name of its own");
+    if (const auto set = table.optional_table("set")) one.settings = read_case_settings(*set);
+    cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+Error set_elsewhere(const Setting& setting, const char* where) {
+  return Error(fmt::format("{}: '{}' is set by {} too; keep one of the two", setting.place,
+                           one_line(setting.key), where));
+}
+
+// Each value has one source, so that the columns of a table tell what was run.
+void check_sources(const Campaign& c) {
+  std::set<std::string> keys;
+  for (const Setting& setting : c.fixed) keys.insert(setting.key);
+  for (const Parameter& parameter : c.parameters) {
+    keys.insert(parameter.key);
+    if (parameter.key == "scene.seed")
+      throw Error(fmt::format("{}: seeds do not go into [set]; write seeds = [...] in [campaign]",
+                              parameter.values.front().place));
+  }
+  const auto check = [&](const Setting& setting) {
+    if (!c.seeds.empty() && setting.key == "scene.seed") throw set_elsewhere(setting, "seeds");
+  };
+  for (const Setting& setting : c.fixed) check(setting);
+  for (const Case& one : c.cases)
+    for (const Setting& setting : one.settings) {
+      check(setting);
+      if (keys.contains(setting.key)) throw set_elsewhere(setting, "[set]");
+    }
+}
+
+// Whether it is there; whether it is good is a question of each run.
+void check_scenario(const Campaign& c) {
+  try {
+    Document::load(c.scenario);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", c.scenario_place, error.what()));
+  }
+}
+
+void check_count(const Table& root, const Campaign& c) {
+  if (count_points(c, most_runs) <= most_runs) return;
+  throw root.error("campaign", fmt::format("the campaign has more than {} runs", most_runs),
+                   "give fewer values or seeds, or several campaigns");
+}
+
+}  // namespace
+
+Campaign read_campaign(const std::filesystem::path& path) {
+  const Document document =
+      Document::load(path, {}, "write a campaign: [campaign] with scenario = \"<file>\", [set]");
+  const Table root = document.root(), table = root.table("campaign");
+  Campaign c;
+  c.source = path;
+  c.title = table.string("title", path.stem().string());
+  c.scenario = path.parent_path() / table.string("scenario");
+  c.scenario_place = table.place("scenario");
+  check_scenario(c);
+  if (table.has("collect")) c.collect = table.strings("collect");
+  c.collect_place = table.place("collect");
+  c.seeds = read_seeds(table);
+  Settings settings = read_settings(root.table_or_empty("set"));
+  c.fixed = std::move(settings.fixed);
+  c.parameters = std::move(settings.parameters);
+  c.cases = read_cases(root);
+  document.refuse_unused();
+  check_sources(c);
+  check_count(root, c);
+  c.points = make_points(c, table.place("seeds"));
+  return c;
+}
+
+}  // namespace scree::campaign

@@ -1,0 +1,166 @@
+#include "run_log.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <deque>
+
+#include <fmt/format.h>
+
+#include <scree/campaign/execution.hpp>
+#include <scree/campaign/process_pool.hpp>
+#include <scree/campaign/report.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+class Executor {
+ public:
+  Executor(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options)
+      : campaign_(campaign), directory_(directory), options_(options) {
+    result_.outcomes = directory.outcomes(campaign);
+    for (std::size_t k = 0; k < result_.outcomes.size(); ++k)
+      if (options.again || result_.outcomes[k].state != State::finished) waiting_.push_back(k);
+    to_do_ = waiting_.size();
+    result_.finished_before = result_.outcomes.size() - to_do_;
+  }
+
+  void check(PluginHost& host) const {
+    // What is collected may be new though every run has finished.
+    if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host);
+    std::size_t checked = 0;
+    for (const std::size_t k : waiting_) {
+      if (stopped()) return;
+      if (options_.on_check) options_.on_check(checked++, to_do_);
+      check_point(campaign_, campaign_.points[k], host);
+      // As the run itself will: other files may stand where it is to go.
+      scenario::RunDirectory(directory_.run(campaign_.points[k]), true);
+    }
+  }
+
+  Execution run() {
+    if (stopped()) return end();  // before anything was written
+    directory_.create();
+    write_report(campaign_, result_.outcomes, directory_);
+    while (!(stopped() || waiting_.empty()) || pool_.size() > 0) {
+      fill();
+      constexpr double seconds_between_looks = 0.2;
+      for (const ProcessPool::Ended& ended : pool_.wait(seconds_between_looks)) take(ended);
+      if (stopped()) interrupt();
+      report();
+    }
+    write_report(campaign_, result_.outcomes, directory_);
+    return end();
+  }
+
+ private:
+  bool stopped() const { return options_.stop && *options_.stop; }
+
+  Execution end() {
+    result_.interrupted = stopped() && (done_ < to_do_ || result_.count(State::interrupted) > 0);
+    return result_;
+  }
+
+  void fill() {
+    while (!stopped() && !waiting_.empty() && pool_.size() < options_.jobs) {
+      const std::size_t k = waiting_.front();
+      waiting_.pop_front();
+      const Point& point = campaign_.points[k];
+      std::error_code failed;  // shows when the log is opened
+      fs::create_directories(directory_.run(point), failed);
+      pool_.start(k, command(point), directory_.log(point));
+      result_.outcomes[k] = {State::running, "", {}, {}};
+      running_.push_back(k);
+    }
+  }
+
+  std::vector<std::string> command(const Point& point) const {
+    std::vector<std::string> words = {options_.program.string(),
+                                      "run",
+                                      campaign_.scenario.string(),
+                                      "--out",
+                                      directory_.run(point).string(),
+                                      "--overwrite",
+                                      "--threads",
+                                      std::to_string(options_.threads)};
+    for (const std::string& override_text : point.overrides())
+      words.insert(words.end(), {"--set", override_text});
+    for (const std::string& plugins : options_.plugin_directories)
+      words.insert(words.end(), {"--plugins", plugins});
+    return words;
+  }
+
+  void take(const ProcessPool::Ended& ended) {
+    const Point& point = campaign_.points[ended.id];
+    std::erase(running_, ended.id);
+    ++done_;
+    Outcome outcome = directory_.outcome(campaign_, point);
+    if (outcome.state == State::changed && ended.how.empty())
+      outcome.problem = "the scenario changed while the campaign ran; call it again";
+    else if (outcome.problem.empty() && outcome.state != State::finished)
+      outcome.problem = problem_of(directory_.log(point), ended.how);
+    // What was told to stop has not failed.
+    if (outcome.state != State::finished && outcome.state != State::failed)
+      outcome.state = interrupted_ ? State::interrupted : State::failed;
+    if (outcome.state != State::failed) outcome.problem.clear();
+    failed_ += outcome.state == State::failed;
+    result_.outcomes[ended.id] = std::move(outcome);
+    save_now_and_then();
+  }
+
+  void interrupt() {
+    if (!interrupted_) pool_.signal(SIGINT);
+    interrupted_ = true;
+  }
+
+  double wall() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+
+  void report() const {
+    if (!options_.on_progress) return;
+    double done = double(done_);
+    for (const std::size_t k : running_) done += share_in(directory_.log(campaign_.points[k]));
+    const double share = to_do_ ? done / double(to_do_) : 1;
+    options_.on_progress(
+        {result_.outcomes.size(), result_.count(State::finished), pool_.size(), failed_, share, wall()});
+  }
+
+  // So that a table can be looked at meanwhile, and is there if the computer fails.
+  void save_now_and_then() {
+    constexpr double seconds_between_tables = 10;
+    if (wall() - last_table_ < seconds_between_tables) return;
+    last_table_ = wall();
+    write_report(campaign_, result_.outcomes, directory_);
+  }
+
+  const Campaign& campaign_;
+  CampaignDirectory& directory_;
+  const ExecutionOptions& options_;
+  Execution result_;
+  std::deque<std::size_t> waiting_;                // points
+  std::vector<std::size_t> running_;               // points
+  std::size_t to_do_ = 0, done_ = 0, failed_ = 0;  // of this call
+  ProcessPool pool_;
+  bool interrupted_ = false;  // the runs have been told
+  Clock::time_point started_ = Clock::now();
+  double last_table_ = 0;  // (s) of wall time
+};
+
+}  // namespace
+
+std::size_t Execution::count(State state) const {
+  return std::size_t(std::count_if(outcomes.begin(), outcomes.end(),
+                                   [&](const Outcome& outcome) { return outcome.state == state; }));
+}
+
+Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
+                  PluginHost& host) {
+  Executor executor(campaign, directory, options);
+  executor.check(host);
+  return executor.run();
+}
+
+}  // namespace scree::campaign

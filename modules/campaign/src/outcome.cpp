@@ -1,0 +1,84 @@
+#include "collected.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include <scree/campaign/outcome.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// A file of bodies is no part of the resolved scenario; newer than the run, it counts as another one.
+bool is_newer(const fs::path& packing, const fs::path& record) {
+  std::error_code failed;
+  const auto of_packing = fs::last_write_time(packing, failed), of_record = fs::last_write_time(record);
+  return !failed && of_packing > of_record;
+}
+
+State state_of(const Json& json, const Inputs& inputs, const fs::path& record) {
+  if (json.at("scenario") != inputs.resolved_text) return State::changed;
+  if (inputs.packing && is_newer(*inputs.packing, record)) return State::changed;
+  const std::string status = json.at("status");
+  for (const State state : {State::finished, State::failed, State::running})
+    if (status == state_name(state)) return state;
+  return State::interrupted;
+}
+
+void add_numbers(const Json& json, const std::string& above, Outcome& outcome) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_number()) outcome.numbers.emplace_back(above + key, value.get<double>());
+    if (value.is_object()) add_numbers(value, above + key + ".", outcome);
+  }
+}
+
+void add_expectations(const Json& json, Outcome& outcome) {
+  for (const Json& expectation : json.at("expect")) {
+    outcome.expectations.push_back({expectation.at("requirement"), expectation.at("met")});
+    const std::string quantity = expectation.at("quantity");
+    const bool known = std::any_of(outcome.numbers.begin(), outcome.numbers.end(),
+                                   [&](const auto& number) { return number.first == quantity; });
+    if (!known && expectation.at("value").is_number())
+      outcome.numbers.emplace_back(quantity, expectation.at("value").get<double>());
+  }
+}
+
+}  // namespace
+
+const char* state_name(State state) {
+  static constexpr const char* names[] = {"missing", "changed", "interrupted",
+                                          "running", "failed",  "finished"};
+  return names[std::size_t(state)];
+}
+
+std::size_t Outcome::unmet() const {
+  return std::size_t(
+      std::count_if(expectations.begin(), expectations.end(), [](const Judged& j) { return !j.met; }));
+}
+
+Outcome read_outcome(const fs::path& directory, const Inputs& inputs,
+                     const std::vector<std::string>& collect) {
+  const fs::path record = directory / "run.json";
+  std::ifstream file(record, std::ios::binary);
+  const Json json = file ? Json::parse(file, nullptr, false) : Json();
+  try {
+    if (!json.is_object()) return {};
+    Outcome outcome;
+    outcome.state = state_of(json, inputs, record);
+    if (outcome.state == State::failed) outcome.problem = json.value("error", "");
+    if (outcome.state != State::finished) return outcome;
+    outcome.numbers = collected(directory, collect);
+    add_numbers(json, "", outcome);
+    add_expectations(json, outcome);
+    return outcome;
+  } catch (const Json::exception&) {
+    return {};
+  }
+}
+
+}  // namespace scree::campaign

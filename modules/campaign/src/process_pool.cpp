@@ -1,0 +1,139 @@
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <scree/campaign/process_pool.hpp>
+#include <scree/error.hpp>
+#include <scree/scenario/run_directory.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+// A descriptor that is closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+Error no_process(int code) {
+  return Error(fmt::format("no process can be started ({}); use fewer --jobs", std::strerror(code)),
+               ExitStatus::failure);
+}
+
+// No signal reaches this process while one lives: in a new process the handlers of its parent would take it,
+// and exec would forget that it came.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  const sigset_t& before() const { return before_; }
+
+ private:
+  sigset_t before_;
+};
+
+// What the new process does: between fork and exec nothing may allocate.
+[[noreturn]] void become(char* const* words, pid_t parent, int log, int alive, const sigset_t& signals) {
+  setpgid(0, 0);
+  for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  sigprocmask(SIG_SETMASK, &signals, nullptr);
+  const int nothing = open("/dev/null", O_RDONLY);
+  const bool ready = getppid() == parent && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
+                     dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0 &&
+                     fcntl(alive, F_SETFD, 0) == 0;
+  if (ready) execv(words[0], words);
+  constexpr char line[] = "scree: the program cannot be started; install it again\n";
+  if (write(log, line, sizeof line - 1) < 0) _exit(126);
+  _exit(127);
+}
+
+std::string how_it_ended(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  return WEXITSTATUS(status) == 0 ? "" : fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+int wait_for(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace
+
+ProcessPool::~ProcessPool() {
+  signal(SIGTERM);
+  for (const Running& one : running_) {
+    wait_for(one.process);
+    close(one.alive);
+  }
+}
+
+void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
+                        const std::filesystem::path& log) {
+  const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (output.get() < 0) throw scenario::unwritable(log);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw no_process(errno);
+  Descriptor alive(ends[0]);
+  const Descriptor held(ends[1]);
+  std::vector<std::string> copies = command;
+  std::vector<char*> words;
+  for (std::string& word : copies) words.push_back(word.data());
+  words.push_back(nullptr);
+  const SignalsHeld signals;
+  const pid_t parent = getpid(), process = fork();
+  if (process == 0) become(words.data(), parent, output.get(), held.get(), signals.before());
+  if (process < 0) throw no_process(errno);
+  running_.push_back({id, process, alive.release()});
+}
+
+std::vector<ProcessPool::Ended> ProcessPool::wait(double seconds) {
+  std::vector<pollfd> polled;
+  for (const Running& one : running_) polled.push_back({one.alive, POLLIN, 0});
+  if (poll(polled.data(), polled.size(), int(1000 * seconds)) <= 0) return {};
+  std::vector<Ended> ended;
+  std::vector<Running> still;
+  for (std::size_t k = 0; k < running_.size(); ++k) {
+    if (polled[k].revents == 0) {
+      still.push_back(running_[k]);
+      continue;
+    }
+    ended.push_back({running_[k].id, how_it_ended(wait_for(running_[k].process))});
+    close(running_[k].alive);
+  }
+  running_ = std::move(still);
+  return ended;
+}
+
+void ProcessPool::signal(int number) const {
+  for (const Running& one : running_) kill(one.process, number);
+}
+
+}  // namespace scree::campaign

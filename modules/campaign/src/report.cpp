@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <scree/campaign/report.hpp>
+#include <scree/scenario/message.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string title_line(const Campaign& c) {
+  std::vector<std::string> factors;
+  if (!c.cases.empty()) factors.push_back(counted(c.cases.size(), "case"));
+  for (const Parameter& p : c.parameters)
+    factors.push_back(fmt::format("{} of {}", counted(p.values.size(), "value"), scenario::one_line(p.key)));
+  if (!c.seeds.empty()) factors.push_back(counted(c.seeds.size(), "seed"));
+  return fmt::format("{}: {}{}\n", scenario::one_line(c.title), counted(c.points.size(), "run"),
+                     factors.empty() ? "" : fmt::format(", {}", fmt::join(factors, " x ")));
+}
+
+void write_expectations(const std::vector<Outcome>& outcomes, Out out) {
+  struct Count {
+    std::string requirement;
+    std::size_t met = 0, of = 0;
+  };
+  std::vector<Count> counts;
+  for (const Outcome& outcome : outcomes)
+    for (const Outcome::Judged& judged : outcome.expectations) {
+      const auto same = [&](const Count& c) { return c.requirement == judged.requirement; };
+      auto at = std::find_if(counts.begin(), counts.end(), same);
+      if (at == counts.end()) at = counts.insert(at, Count{judged.requirement, 0, 0});
+      at->met += judged.met;
+      ++at->of;
+    }
+  for (const Count& c : counts)
+    fmt::format_to(out, "{:<8} in {} of {}: {}\n", c.met == c.of ? "met" : "NOT MET",
+                   c.met == c.of ? c.met : c.of - c.met, c.of, scenario::one_line(c.requirement, 200));
+}
+
+void write_failures(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
+  constexpr std::size_t most = 20;
+  std::size_t told = 0;
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    if (outcomes[k].state == State::failed && ++told <= most)
+      fmt::format_to(out, "FAILED   {}: {}\n", campaign.points[k].name, outcomes[k].problem);
+  if (told > most) fmt::format_to(out, "         and {} more, see campaign.json\n", told - most);
+}
+
+}  // namespace
+
+std::string text_report(const Campaign& campaign, const Execution& execution) {
+  std::string text = title_line(campaign);
+  const Out out(text);
+  const std::size_t finished = execution.count(State::finished), failed = execution.count(State::failed);
+  fmt::format_to(out, "{} finished", finished);
+  if (execution.finished_before) fmt::format_to(out, " ({} of them before)", execution.finished_before);
+  if (failed) fmt::format_to(out, ", {} failed", failed);
+  const std::size_t rest = execution.outcomes.size() - finished - failed;
+  if (rest) fmt::format_to(out, ", {} to do", rest);
+  fmt::format_to(out, "\n");
+  write_expectations(execution.outcomes, out);
+  write_failures(campaign, execution.outcomes, out);
+  return text;
+}
+
+std::string list_report(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+  std::string text = title_line(campaign);
+  const Out out(text);
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    fmt::format_to(out, "{:<12} {}{}\n", state_name(outcomes[k].state), campaign.points[k].name,
+                   outcomes[k].problem.empty() ? "" : fmt::format(": {}", outcomes[k].problem));
+  return text;
+}
+
+void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
+                  const CampaignDirectory& directory) {
+  const scenario::RunDirectory& files = directory.files();
+  files.write_file("campaign.json", campaign_json(campaign, outcomes));
+  files.write_file("table.csv", table_csv(campaign, outcomes));
+  std::error_code failed;
+  if (campaign.seeds.size() > 1)
+    files.write_file("means.csv", means_csv(campaign, outcomes));
+  else  // of the campaign as it was
+    std::filesystem::remove(files.path() / "means.csv", failed);
+}
+
+}  // namespace scree::campaign

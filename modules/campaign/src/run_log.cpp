@@ -1,0 +1,52 @@
+#include "run_log.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/scenario/message.hpp>
+
+namespace scree::campaign {
+
+namespace {
+
+// The lines that are not blank among the last few thousand bytes.
+std::vector<std::string> last_lines(const std::filesystem::path& log) {
+  constexpr std::streamoff most = 8192;
+  std::ifstream file(log, std::ios::binary | std::ios::ate);
+  file.seekg(std::max<std::streamoff>(0, std::streamoff(file.tellg()) - most));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+std::string problem_of(const std::filesystem::path& log, const std::string& how) {
+  constexpr std::string_view sign = "scree: ";
+  constexpr std::size_t longest = 1000;
+  const std::vector<std::string> lines = last_lines(log);
+  const auto told =
+      std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) { return line.starts_with(sign); });
+  std::string problem = told != lines.rend() ? told->substr(sign.size()) : lines.empty() ? "" : lines.back();
+  if (!how.empty()) problem = problem.empty() ? how : fmt::format("{} ({})", problem, how);
+  return problem.empty() ? "it left no result" : scenario::one_line(problem, longest);
+}
+
+double share_in(const std::filesystem::path& log) {
+  const std::vector<std::string> lines = last_lines(log);
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    char* end = nullptr;
+    const double percent = std::strtod(line->c_str(), &end);
+    if (end != line->c_str() && std::string_view(end).starts_with(" %"))
+      return std::clamp(percent / 100, 0.0, 1.0);
+  }
+  return 0;
+}
+
+}  // namespace scree::campaign

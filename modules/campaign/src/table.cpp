@@ -1,0 +1,35 @@
+#include "csv_line.hpp"
+#include "table_columns.hpp"
+
+#include <scree/campaign/report.hpp>
+
+namespace scree::campaign {
+
+std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+  const std::vector<std::string> names = number_names(outcomes);
+  std::vector<std::string> header = {"run"};
+  append(header, point_header(campaign));
+  append(header, {"seed", "status", "expectations", "expectations_met"});
+  // The seed of the scenario where the campaign gives none.
+  const auto listed = [](const std::string& name) { return name != "seed"; };
+  for (const std::string& name : names)
+    if (listed(name)) header.push_back(name);
+  std::string text = csv_line(header);
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const Point& point = campaign.points[k];
+    const Outcome& outcome = outcomes[k];
+    const bool finished = outcome.state == State::finished;
+    std::vector<std::string> row = {point.name};
+    append(row, point_cells(campaign, point));
+    row.push_back(point.seed ? std::to_string(*point.seed) : csv_number(number_of(outcome, "seed")));
+    row.push_back(state_name(outcome.state));
+    row.push_back(finished ? std::to_string(outcome.expectations.size()) : "");
+    row.push_back(finished ? std::to_string(outcome.expectations.size() - outcome.unmet()) : "");
+    for (const std::string& name : names)
+      if (listed(name)) row.push_back(csv_number(number_of(outcome, name)));
+    text += csv_line(row);
+  }
+  return text;
+}
+
+}  // namespace scree::campaign

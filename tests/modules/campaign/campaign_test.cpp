@@ -1,0 +1,127 @@
+#include "campaign_support.hpp"
+
+#include <set>
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::campaign;
+using test::CampaignFolder;
+using test::names_of;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string refusal(const std::string& rest) { return CampaignFolder(rest).refusal(); }
+
+bool starts(const std::string& line, const std::string& with) {
+  INFO(line);
+  CHECK(line.starts_with(with));
+  return line.starts_with(with);
+}
+
+}  // namespace
+
+TEST_CASE("a campaign is the product of cases, lists and seeds, seeds fastest") {
+  const Campaign c = CampaignFolder(
+                         "seeds = { first = 4, count = 2 }\n"
+                         "[set]\n"
+                         "\"contact.normal_stiffness\" = [1e4, 2e4]\n"
+                         "time.step = 1e-6\n"
+                         "[[case]]\nname = 'slow'\nset.particles.random_velocity = 0.1\n"
+                         "[[case]]\nname = 'fast'\nset.particles.random_velocity = 0.2\n")
+                         .read();
+  REQUIRE(c.points.size() == 8);
+  CHECK(names_of(c)[0] == "case=slow,normal_stiffness=10000,seed=4");
+  CHECK(names_of(c)[1] == "case=slow,normal_stiffness=10000,seed=5");
+  CHECK(names_of(c)[2] == "case=slow,normal_stiffness=20000,seed=4");
+  CHECK(names_of(c)[7] == "case=fast,normal_stiffness=20000,seed=5");
+  CHECK(c.points[7].overrides() == Texts{"time.step=1e-6", "particles.random_velocity=0.2",
+                                         "contact.normal_stiffness=20000.0", "scene.seed=5"});
+  CHECK(c.varying_keys() == Texts{"particles.random_velocity", "contact.normal_stiffness"});
+  CHECK(c.title == "campaign");
+}
+
+TEST_CASE("a campaign without lists is one run") {
+  const Campaign c = CampaignFolder("title = 'One'\n").read();
+  CHECK(names_of(c) == Texts{"run"});
+  CHECK(c.points[0].overrides().empty());
+  CHECK_FALSE(c.points[0].seed.has_value());
+  CHECK(c.title == "One");
+}
+
+TEST_CASE("keys may be quoted, dotted or under headers; inline tables and inner lists are values") {
+  const Campaign c = CampaignFolder(
+                         "[set]\n"
+                         "particles.lattice.count = [[3, 3], [2, 3]]\n"
+                         "[set.time]\nstep = [{ fraction = 0.01 }, 1e-6]\n"
+                         "[set.\"boundary[0]\"]\ngap = 0.004\n")
+                         .read();
+  CHECK(names_of(c) == Texts{"count=3_3,step=fraction_0.01", "count=3_3,step=1e-6",
+                             "count=2_3,step=fraction_0.01", "count=2_3,step=1e-6"});
+  CHECK(c.points[0].overrides() ==
+        Texts{"boundary[0].gap=0.004", "particles.lattice.count=[3, 3]", "time.step={ fraction = 0.01 }"});
+}
+
+TEST_CASE("in a case a list is a value") {
+  const Campaign c =
+      CampaignFolder("[[case]]\nname = 'small'\nset.particles.lattice.count = [2, 2]\n").read();
+  CHECK(c.points[0].overrides() == Texts{"particles.lattice.count=[2, 2]"});
+}
+
+TEST_CASE("names of runs stay apart and stay the same when values are added") {
+  const auto names = [](const std::string& set) { return names_of(CampaignFolder("[set]\n" + set).read()); };
+  CHECK(names("a.gap = [1]\nb.gap = [2]\nb.seed = ['x/y']") == Texts{"a.gap=1,b.gap=2,b.seed=x_y"});
+  const Texts alike = names("scene.title = ['a b', 'ab', 'a/b', '../../etc']");
+  CHECK(std::set<std::string>(alike.begin(), alike.end()).size() == 4);
+  CHECK(alike[2] == "title=a_b");
+  CHECK(alike[3] == "title=.._.._etc");
+  const std::string lengthy =
+      "scene.title = ['" + std::string(300, 'x') + "1', '" + std::string(300, 'x') + "2']";
+  const Texts cut = names(lengthy);
+  CHECK(cut[0] != cut[1]);
+  CHECK(cut[0].size() < 140);
+  const Texts before = names("time.step = [1e-5]"), after = names("time.step = [2e-5, 1e-5]");
+  CHECK(before[0] == after[1]);
+}
+
+TEST_CASE("a mistake in a campaign is told with its place and cure") {
+  starts(refusal("sead = 3\n"), "campaign.toml:3:1: unknown key 'sead' in [campaign]");
+  starts(refusal("seeds = 3\n"),
+         "campaign.toml:3:9: seeds is neither a list nor a table; give whole numbers");
+  starts(refusal("seeds = []\n"), "campaign.toml:3:9: the list of seeds is empty; ");
+  starts(refusal("seeds = [1, 2, 1]\n"), "campaign.toml:3:16: seed 1 stands twice in the list; ");
+  starts(refusal("seeds = [1.5]\n"), "campaign.toml:3:10: ");
+  starts(refusal("seeds = { count = 0 }\n"), "campaign.toml:3:19: campaign.seeds.count = 0 is below 1; ");
+  starts(refusal("[set]\na.b = []\n"), "campaign.toml:4:7: the list of 'a.b' is empty; ");
+  starts(refusal("[set]\na.b = [1, 1]\n"), "campaign.toml:4:11: 1 stands twice in the list of 'a.b'; ");
+  starts(refusal("[set]\na.b = 1\n\"a.b\" = 2\n"), "campaign.toml:5:9: 'a.b' is set twice; ");
+  starts(refusal("[set]\nscene.seed = [1, 2]\n"), "campaign.toml:4:15: seeds do not go into [set]; ");
+  starts(refusal("seeds = [1]\n[set]\nscene.seed = 1\n"),
+         "campaign.toml:5:14: 'scene.seed' is set by seeds too; ");
+  starts(refusal("[set]\na.b = 1\n[[case]]\nname = 'x'\nset.a.b = 2\n"),
+         "campaign.toml:7:11: 'a.b' is set by [set] too; ");
+  starts(refusal("[[case]]\nname = 'x'\n[[case]]\nname = 'x'\n"),
+         "campaign.toml:6:8: the case name 'x' is taken; ");
+  starts(refusal("seeds = { count = 100000 }\n[set]\na.b = [1, 2]\n"),
+         "campaign.toml:1:1: the campaign has more than 100000 runs; ");
+}
+
+TEST_CASE("a scenario that is not there is refused where it is named") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n");
+  CHECK(test::message([&] { read_campaign(file); }).find(":2:12: ") != std::string::npos);
+}
+
+TEST_CASE("a run that would be refused is told at the value to blame") {
+  starts(refusal("[set]\n\"contact.normal_stiffness\" = [1e4, -1]\n"),
+         "campaign.toml:4:36: in run 'normal_stiffness=-1' --set contact.normal_stiffness=-1: ");
+  starts(refusal("[set]\n\"contact.normal_stiffness\" = 1e14\n"),
+         "campaign.toml:2:12: in run 'run' scene.toml:4:8: the time step of 1e-05 s is too long: ");
+  CHECK(refusal("[set]\nparticles.lattice.count = [3, 4]\ncontact = [1]\n").find("[[...]]") ==
+        std::string::npos);
+  CHECK(refusal("[set]\nparticles.lattice.origin = [0, 1]\n").find("write [[...]]") != std::string::npos);
+  starts(refusal("collect = ['energy.wrk.last']\n"),
+         "campaign.toml:3:11: no quantity 'energy.wrk.last'; did you mean 'energy.work.last'?");
+}

@@ -1,0 +1,106 @@
+#include "campaign_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/campaign/campaign_directory.hpp>
+#include <scree/scenario/run.hpp>
+
+using namespace scree;
+using namespace scree::campaign;
+using test::CampaignFolder;
+
+namespace {
+
+double number(const Outcome& outcome, const std::string& name) {
+  for (const auto& [known, value] : outcome.numbers)
+    if (known == name) return value;
+  FAIL("no number " << name);
+  return 0;
+}
+
+void run(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
+  scenario::RunOptions options;
+  options.out = out;
+  options.overwrite = true;
+  scenario::run(scenario::read_plan(c.scenario, c.points[k].overrides(), test::host()), options);
+}
+
+Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
+  return read_outcome(out, inputs_of(c, c.points[k]), c.collect);
+}
+
+}  // namespace
+
+TEST_CASE("a run counts for the point whose resolved scenario it has, and no other") {
+  const CampaignFolder folder("collect = ['energy.time.max']\n[set]\ntime.duration = [1e-4, 2e-4]\n");
+  const Campaign c = folder.read();
+  const auto out = folder.folder() / "out";
+  CHECK(outcome_of(c, 0, out).state == State::missing);
+  run(c, 0, out);
+  const Outcome outcome = outcome_of(c, 0, out);
+  CHECK(outcome.state == State::finished);
+  CHECK(number(outcome, "steps") == 10);
+  CHECK(number(outcome, "footprint.bodies") == 9);
+  CHECK(outcome.numbers[0].first == "energy.time.max");
+  CHECK(outcome.numbers[0].second == Approx(1e-4));
+  CHECK(outcome_of(c, 1, out).state == State::changed);
+  CHECK(outcome_of(c, 1, out).numbers.empty());
+}
+
+TEST_CASE("a record that makes no sense counts as no run, one that broke off as interrupted") {
+  const CampaignFolder folder("");
+  const Campaign c = folder.read();
+  const auto out = folder.folder() / "out";
+  run(c, 0, out);
+  const std::string record = test::text_of(out / "run.json");
+  const auto state_with = [&](const std::string& text) {
+    folder.folder().write("out/run.json", text);
+    return outcome_of(c, 0, out).state;
+  };
+  CHECK(state_with(test::with(record, "\"finished\"", "\"interrupted\"")) == State::interrupted);
+  CHECK(state_with(test::with(record, "\"finished\"", "\"running\"")) == State::running);
+  CHECK(state_with(test::with(record, "\"finished\"", "\"failed\"")) == State::failed);
+  for (const char* nonsense : {"", "[]", "{}", "null", "{\"scenario\": 3, \"status\": \"finished\"}"})
+    CHECK(state_with(nonsense) != State::finished);
+  CHECK(state_with(record.substr(0, record.size() / 2)) == State::missing);
+}
+
+TEST_CASE("a file of bodies newer than the run makes it another run") {
+  const std::string scene =
+      test::with(test::with(test::discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n",
+                            "file = 'bodies.csv'\n"),
+                 "radius = 0.01\n", "");
+  const CampaignFolder source(""), folder("", scene);
+  run(source.read(), 0, source.folder() / "out");
+  const auto bodies =
+      folder.folder().write("bodies.csv", test::text_of(source.folder() / "out/final_packing.csv"));
+  const Campaign c = folder.read();
+  const auto out = folder.folder() / "out";
+  run(c, 0, out);
+  const auto written = std::filesystem::last_write_time(out / "run.json");
+  std::filesystem::last_write_time(bodies, written - std::chrono::seconds(1));
+  CHECK(outcome_of(c, 0, out).state == State::finished);
+  std::filesystem::last_write_time(bodies, written + std::chrono::seconds(1));
+  CHECK(outcome_of(c, 0, out).state == State::changed);
+}
+
+TEST_CASE("one campaign at a time uses a directory, and only its own") {
+  const CampaignFolder folder("");
+  const Campaign c = folder.read();
+  const auto path = folder.folder() / "out";
+  {
+    CampaignDirectory first(path, c, true);
+    CHECK_FALSE(std::filesystem::exists(path));
+    first.create();
+    CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("another campaign is running there"));
+    CHECK_NOTHROW(CampaignDirectory(path, c, false));
+    first.files().write_file("campaign.json", "{ \"file\": \"other.toml\" }");
+  }
+  CHECK_THROWS_WITH(CampaignDirectory(path, c, true),
+                    Catch::Contains("holds the campaign of other.toml; give"));
+  folder.folder().write("out/campaign.json", "{ \"file\": \"campaign.toml\" }");
+  CHECK_NOTHROW(CampaignDirectory(path, c, true));
+  std::filesystem::remove(path / "campaign.json");
+  folder.folder().write("out/letter.txt", "Dear");
+  CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("holds files that are no campaign"));
+}

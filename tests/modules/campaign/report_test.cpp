@@ -1,0 +1,68 @@
+#include "campaign_support.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/campaign/report.hpp>
+
+using namespace scree::campaign;
+using scree::test::CampaignFolder;
+
+namespace {
+
+Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met = true) {
+  return {State::finished, "", std::move(numbers), {{"It holds", met}}};
+}
+
+}  // namespace
+
+TEST_CASE("the table has a row per run, and numbers of what has finished only") {
+  const Campaign c =
+      CampaignFolder("seeds = [7, 9]\n[set]\nscene.title = ['plain', 'with, \"quotes\"']\n").read();
+  const std::vector<Outcome> outcomes = {finished({{"work", 0.1}, {"seed", 7}}),
+                                         {State::failed, "why", {}, {}},
+                                         finished({{"seed", 7}, {"more", NAN}, {"work", 2}}, false),
+                                         {}};
+  CHECK(table_csv(c, outcomes) ==
+        "run,scene.title,seed,status,expectations,expectations_met,work,more\n"
+        "\"title=plain,seed=7\",plain,7,finished,1,1,0.1,\n"
+        "\"title=plain,seed=9\",plain,9,failed,,,,\n"
+        "\"title=with_quotes,seed=7\",\"with, \"\"quotes\"\"\",7,finished,1,0,2,\n"
+        "\"title=with_quotes,seed=9\",\"with, \"\"quotes\"\"\",9,missing,,,,\n");
+  const auto json = nlohmann::json::parse(campaign_json(c, outcomes));
+  CHECK(json["file"] == "campaign.toml");
+  CHECK(json["parameters"]["scene.title"][1] == "with, \"quotes\"");
+  CHECK(json["runs"][1]["error"] == "why");
+  CHECK(json["runs"][3]["set"]["scene.seed"] == 9);
+}
+
+TEST_CASE("means and standard errors are over the seeds of each point") {
+  const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5, 2e-5, 3e-5]\n").read();
+  std::vector<Outcome> outcomes(9);
+  // Mean 4 and standard error √((9 + 1 + 4)/2/3).
+  outcomes[0] = finished({{"x", 1}});
+  outcomes[1] = finished({{"x", 5}});
+  outcomes[2] = finished({{"x", 6}});
+  outcomes[4] = finished({{"x", -2}});
+  CHECK(means_csv(c, outcomes) ==
+        fmt::format("time.step,runs,x_mean,x_standard_error\n1e-5,3,4,{}\n2e-5,1,-2,\n3e-5,0,,\n",
+                    std::sqrt(14.0 / 2 / 3)));
+}
+
+TEST_CASE("the summary tells what varies, which expectations hold and why runs failed") {
+  const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5]\n").read();
+  Execution execution{{finished({}), finished({}, false), {State::failed, "it broke", {}, {}}}, 1, false};
+  CHECK(text_report(c, execution) ==
+        "campaign: 3 runs, 1 value of time.step x 3 seeds\n"
+        "2 finished (1 of them before), 1 failed\n"
+        "NOT MET  in 1 of 2: It holds\n"
+        "FAILED   step=1e-5,seed=3: it broke\n");
+  CHECK(list_report(c, execution.outcomes) ==
+        "campaign: 3 runs, 1 value of time.step x 3 seeds\n"
+        "finished     step=1e-5,seed=1\n"
+        "finished     step=1e-5,seed=2\n"
+        "failed       step=1e-5,seed=3: it broke\n");
+}

@@ -1,0 +1,187 @@
+#include "program.hpp"
+
+#include <sstream>
+
+using namespace scree::test;
+
+namespace {
+
+// A folder with scene.toml and a campaign of it.
+struct CampaignWorkspace : Workspace {
+  explicit CampaignWorkspace(const std::string& rest, const std::string& scene = discs) : Workspace(scene) {
+    write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n" + rest);
+  }
+};
+
+const std::string call = "campaign campaign.toml --out out ";
+
+// The cells of a column, counted from 0 behind the name of the run, which stands in quotes.
+std::vector<std::string> column(const std::string& csv, std::size_t number) {
+  std::istringstream stream(csv);
+  std::vector<std::string> cells;
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line)) {
+    std::istringstream rest(line.substr(line.rfind('"') + 2));
+    std::string cell;
+    for (std::size_t k = 0; k <= number; ++k) std::getline(rest, cell, ',');
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+using Cells = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const std::string two_by_two = "seeds = [1, 2]\n[set]\ntime.duration = [1e-4, 2e-4]\n";
+
+}  // namespace
+
+TEST_CASE("a campaign runs every point and collects what they came to") {
+  const CampaignWorkspace w(two_by_two);
+  const Outcome outcome = w.scree(call + "--jobs 2");
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK(contains(outcome.out, "campaign: 4 runs, 2 values of time.duration x 2 seeds\n4 finished\n"));
+  CHECK(contains(outcome.out, "results in out: table.csv, means.csv, "));
+  const std::string table = w.text("out/table.csv");
+  CHECK(table.starts_with("run,time.duration,seed,status,expectations,expectations_met,threads,step,"));
+  CHECK(column(table, 0) == Cells{"0.0001", "0.0001", "0.0002", "0.0002"});
+  CHECK(column(table, 1) == Cells{"1", "2", "1", "2"});
+  CHECK(column(table, 2) == Cells(4, "finished"));
+  CHECK(w.record("out/duration=0.0001,seed=2")["seed"] == 2);
+  CHECK(w.record("out/duration=0.0002,seed=1")["steps"] == 20);
+  CHECK(contains(w.text("out/duration=0.0002,seed=1/log.txt"), "state hash "));
+  CHECK(w.text("out/means.csv").starts_with("time.duration,runs,threads_mean,threads_standard_error,"));
+  CHECK(nlohmann::json::parse(w.text("out/campaign.json"))["runs"].size() == 4);
+}
+
+TEST_CASE("a run of a campaign has the bits of the same run by hand") {
+  const CampaignWorkspace w(two_by_two);
+  REQUIRE(w.scree(call).status == 0);
+  REQUIRE(w.scree("run scene.toml --out hand --set time.duration=2e-4 --set scene.seed=2").status == 0);
+  CHECK(w.record("hand")["state_hash"] == w.record("out/duration=0.0002,seed=2")["state_hash"]);
+}
+
+TEST_CASE("what has finished is not run again, a changed value reruns what it changes") {
+  const CampaignWorkspace w(two_by_two);
+  REQUIRE(w.scree(call).status == 0);
+  const auto wall = [&](const std::string& run) { return w.record("out/" + run)["wall_s"].get<double>(); };
+  const double before = wall("duration=0.0001,seed=1");
+  std::filesystem::remove_all(w / "out/duration=0.0001,seed=2");
+  w.write("campaign.toml",
+          "[campaign]\nscenario = 'scene.toml'\nseeds = [1, 2]\n[set]\ntime.duration = [1e-4, 3e-4]\n");
+  const Outcome list = w.scree(call + "--list");
+  CHECK(list.status == 0);
+  CHECK(list.out ==
+        "campaign: 4 runs, 2 values of time.duration x 2 seeds\n"
+        "finished     duration=0.0001,seed=1\n"
+        "missing      duration=0.0001,seed=2\n"
+        "missing      duration=0.0003,seed=1\n"
+        "missing      duration=0.0003,seed=2\n");
+  CHECK_FALSE(w.has("out/duration=0.0003,seed=1"));
+  const Outcome again = w.scree(call + "--quiet");
+  CHECK(contains(again.out, "4 finished (1 of them before)\n"));
+  CHECK(wall("duration=0.0001,seed=1") == before);
+  w.write("scene.toml", with(discs, "random_velocity = 0.1", "random_velocity = 0.2"));
+  CHECK(contains(w.scree(call + "--list").out, "changed      duration=0.0003,seed=2\n"));
+  CHECK(contains(w.scree(call).out, "\n4 finished\n"));
+  CHECK(contains(w.scree(call + "--overwrite").out, "\n4 finished\n"));
+}
+
+TEST_CASE("a run that fails does not stop the others and is told with its reason") {
+  const CampaignWorkspace w(
+      "[set]\n\"time.step_guard\" = false\ntime.duration = 0.1\nparticles.random_velocity = [50, 0.1]\n");
+  const Outcome outcome = w.scree(call + "--jobs 1");
+  CHECK(outcome.status == 3);
+  CHECK(contains(outcome.out, "\n1 finished, 1 failed\n"));
+  CHECK(contains(outcome.out, "FAILED   random_velocity=50: contact of particle "));
+  CHECK(contains(w.text("out/table.csv"), "random_velocity=50,50,,failed,,,"));
+  CHECK(contains(w.text("out/table.csv"), "random_velocity=0.1,0.1,1,finished,"));
+  CHECK(contains(w.scree(call + "--list").out, "failed       random_velocity=50: contact of particle "));
+}
+
+TEST_CASE("an expectation that is not met everywhere is told and gives status 1") {
+  const CampaignWorkspace w(
+      two_by_two,
+      std::string(discs) + "[[expect]]\nrequirement = 'Short'\nquantity = 'steps'\nat_most = 10\n");
+  const Outcome outcome = w.scree(call);
+  CHECK(outcome.status == 1);
+  CHECK(contains(outcome.out, "NOT MET  in 2 of 4: Short\n"));
+  CHECK(column(w.text("out/table.csv"), 4) == Cells{"1", "1", "0", "0"});
+}
+
+TEST_CASE("nothing is written when any run is refused") {
+  const CampaignWorkspace w("[set]\ncontact.normal_stiffness = [1e4, 0]\n");
+  check_refused(w, w.scree(call), "campaign.toml:4:34: in run 'normal_stiffness=0' --set ",
+                "give a number above 0 (N/m)");
+  check_refused(w, w.scree("campaign scene.toml --out out"), "scene.toml:1:1: the file has no 'campaign'; ",
+                "add a table [campaign]");
+  check_refused(w, w.scree(call + "--jobs 0"), "--jobs: ", "see scree campaign --help");
+}
+
+TEST_CASE("Ctrl-C lets the runs save, writes the table so far, and the same call goes on") {
+  const std::string rest = "[set]\ntime.duration = [1e-4, 5000, 6000]\n";
+  const CampaignWorkspace w(rest);
+  const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
+                                  "' campaign campaign.toml --out out --jobs 1 &\nrun=$!\n"
+                                  "until test -s out/duration=5000/series/energy.csv; do sleep 0.05; done\n"
+                                  "scree campaign campaign.toml --out out --list\n"
+                                  "scree campaign campaign.toml --out out; echo second $?\n"
+                                  "kill -INT $run; wait $run");
+  INFO(outcome.out);
+  CHECK(outcome.status == 130);
+  CHECK(contains(outcome.out, "running      duration=5000\nmissing      duration=6000\n"));
+  CHECK(contains(outcome.out, "second 2\n"));
+  CHECK(outcome.err == "scree: out: another campaign is running there; wait for it or give another --out\n");
+  CHECK(contains(outcome.out, "\n1 finished, 2 to do\n"));
+  CHECK(contains(outcome.out, "interrupted; the same call goes on with what is left\n"));
+  CHECK(w.record("out/duration=5000")["status"] == "interrupted");
+  CHECK(contains(w.text("out/table.csv"), "\nduration=5000,5000,,interrupted,"));
+  w.write("scene.toml", with(discs, "step = 1e-5", "step = 1e-5\n"));
+  CHECK(w.scree(call + "--list").out ==
+        "campaign: 3 runs, 3 values of time.duration\n"
+        "finished     duration=0.0001\ninterrupted  duration=5000\nmissing      duration=6000\n");
+}
+
+TEST_CASE("runs end when their campaign is killed") {
+  const CampaignWorkspace w("[set]\ntime.duration = [5000]\n");
+  const Outcome outcome =
+      w.shell("'" SCREE_TEST_PROGRAM
+              "' campaign campaign.toml --out out &\nrun=$!\n"
+              "until test -s out/duration=5000/series/energy.csv; do sleep 0.05; done\n"
+              "kill -KILL $run; wait $run\n"
+              "until scree campaign campaign.toml --out out --list | grep interrupted; do\n"
+              "  sleep 0.05; done");
+  CHECK(outcome.out.ends_with("interrupted  duration=5000\n"));
+}
+
+TEST_CASE("without --out a campaign has a directory of its own and goes on in it") {
+  const CampaignWorkspace w("");
+  CHECK(contains(w.scree("campaign campaign.toml").out, "results in campaigns/campaign: "));
+  CHECK(w.record("campaigns/campaign/run")["status"] == "finished");
+  CHECK(contains(w.scree("campaign campaign.toml").out, "1 finished (1 of them before)\n"));
+}
+
+TEST_CASE("a directory that holds something else is left alone") {
+  const CampaignWorkspace w("");
+  REQUIRE(w.run().status == 0);
+  const Outcome outcome = w.scree(call + "--overwrite");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err == "scree: out: holds files that are no campaign of scree; give another --out\n");
+  CHECK(w.record()["status"] == "finished");
+}
+
+TEST_CASE("files that stand where a run is to go are left alone") {
+  const CampaignWorkspace w("");
+  REQUIRE(w.scree(call).status == 0);
+  std::filesystem::remove(w / "out/run/run.json");
+  const Outcome outcome = w.scree(call);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err == "scree: out/run: holds files that are no run of scree; give another --out\n");
+  CHECK(w.has("out/run/series/energy.csv"));
+}

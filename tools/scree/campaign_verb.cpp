@@ -1,0 +1,116 @@
+#include "progress_bar.hpp"
+#include "verbs.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include <scree/campaign/report.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+struct CampaignArguments {
+  std::string file, out;
+  unsigned jobs = 0, threads = 1;  // jobs 0: as many as the processor takes
+  bool list = false, overwrite = false, quiet = false;
+  PluginOptions plugins;
+};
+
+std::filesystem::path directory_of(const CampaignArguments& a) {
+  constexpr auto kind = scenario::RunDirectory::Kind::campaign;
+  return a.out.empty() ? scenario::RunDirectory::default_for(a.file, kind) : std::filesystem::path(a.out);
+}
+
+ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a) {
+  const campaign::CampaignDirectory directory(directory_of(a), c, false);
+  fmt::print("{}", campaign::list_report(c, directory.outcomes(c)));
+  return ExitStatus::success;
+}
+
+campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& bar) {
+  campaign::ExecutionOptions options;
+  options.jobs = a.jobs ? a.jobs : std::max(1u, std::thread::hardware_concurrency() / a.threads);
+  options.threads = a.threads;
+  options.again = a.overwrite;
+  options.plugin_directories = a.plugins.directories;
+  options.stop = &watch_for_interrupt();
+  options.on_progress = [&bar](const campaign::Tally& t) {
+    bar.show(
+        t.share, t.wall,
+        fmt::format("{} of {} runs done, {} running, {} failed", t.finished, t.total, t.running, t.failed));
+  };
+  options.on_check = [&bar](std::size_t checked, std::size_t total) {
+    bar.show(0, 0, fmt::format("{} of {} runs checked", checked, total));
+  };
+  return options;
+}
+
+campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::CampaignDirectory& directory,
+                                     const CampaignArguments& a) {
+  PluginHost host = make_host(a.plugins);
+  ProgressBar bar(a.quiet);
+  // Cleared also where an error leaves, so that its line stands alone.
+  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
+  return campaign::execute(c, directory, options_of(a, bar), host);
+}
+
+ExitStatus run_campaign(const CampaignArguments& a) {
+  const campaign::Campaign c = campaign::read_campaign(a.file);
+  if (a.list) return list_points(c, a);
+  campaign::CampaignDirectory directory(directory_of(a), c, true);
+  const campaign::Execution result = execute_with_bar(c, directory, a);
+  fmt::print("{}", campaign::text_report(c, result));
+  const std::filesystem::path& path = directory.files().path();
+  if (std::filesystem::exists(path / "table.csv"))
+    fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n", path.string(),
+               c.seeds.size() > 1 ? ", means.csv" : "");
+  if (result.interrupted) {
+    fmt::print("interrupted; the same call goes on with what is left\n");
+    return ExitStatus::interrupted;
+  }
+  if (result.count(campaign::State::failed)) return ExitStatus::blow_up;
+  const bool met = std::all_of(result.outcomes.begin(), result.outcomes.end(),
+                               [](const campaign::Outcome& o) { return o.unmet() == 0; });
+  return met ? ExitStatus::success : ExitStatus::failure;
+}
+
+}  // namespace
+
+void add_campaign_verb(CLI::App& app, ExitStatus& status) {
+  CLI::App* verb =
+      app.add_subcommand("campaign", "Run a scenario for many parameters and seeds, side by side");
+  auto a = std::make_shared<CampaignArguments>();
+  verb->add_option("file", a->file, "Campaign file (TOML): a scenario, seeds, lists of values")->required();
+  verb->add_option("--out", a->out, "Directory of the campaign; default campaigns/<file>")->type_name("DIR");
+  verb->add_option("--jobs", a->jobs, "Runs side by side (default: processors over threads)")
+      ->check(CLI::Range(1u, 512u));
+  verb->add_option("--threads", a->threads, "Threads of each run (default 1)")->check(CLI::Range(1u, 1024u));
+  verb->add_flag("--list", a->list, "Tell the runs and what is there of each; run nothing");
+  verb->add_flag("--overwrite", a->overwrite, "Run again also what has finished");
+  verb->add_flag("--quiet", a->quiet, "No progress, only the summary");
+  add_plugin_options(*verb, a->plugins);
+  verb->footer(
+      "What has finished is not run again: the same call goes on after Ctrl-C, a failure, or new values in "
+      "the\n"
+      "file. A campaign file:\n"
+      "  [campaign]\n"
+      "  scenario = \"../fall.toml\"               # from where this file is\n"
+      "  seeds = [1, 2, 3]                       # or { first = 1, count = 20 }\n"
+      "  collect = [\"energy.work.last\"]          # quantities as in [[expect]], for the table\n"
+      "  [set]                                   # keys as in scree run --set\n"
+      "  \"contact.static_friction\" = [0.1, 0.3]  # every list varies; all combinations are run\n"
+      "  \"particles.lattice.count\" = [[5, 5, 8]] # a value that is itself a list\n"
+      "  \"time.step\" = 1e-5                      # holds for all runs\n"
+      "  [[case]]                                # values that go together\n"
+      "  name = \"soft\"\n"
+      "  set.contact.normal_stiffness = 1000\n"
+      "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2");
+  verb->callback([a, &status] { status = run_campaign(*a); });
+}
+
+}  // namespace scree::tool
