@@ -128,6 +128,13 @@ inline T released_energy(const Kernel& kernel, const History& history) {
     return T(0);
 }
 
+// The value where the condition holds, else 0. Made of bits, since compilers make branches of selections.
+template <class T>
+inline T value_if(bool condition, const T& value) {
+  using Bits = std::conditional_t<sizeof(T) == sizeof(double), std::uint64_t, std::uint32_t>;
+  return std::bit_cast<T>(std::bit_cast<Bits>(value) & (Bits(0) - Bits(condition)));
+}
+
 // Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
 // so that a test can find it in the machine code.
 template <class Kernel, int D, bool audit, class T>
@@ -151,16 +158,16 @@ template <class Kernel, int D, bool audit, class T>
 
     const bool touching = contact.overlap > T(0);
     each_component<width, T>(
-        history, [&](std::uint32_t k, T& value) { batch.history[k][i] = touching ? value : T(0); });
-    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = touching ? response.force[k] : T(0);
+        history, [&](std::uint32_t k, T& value) { batch.history[k][i] = value_if(touching, value); });
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = value_if(touching, response.force[k]);
     if constexpr (Kernel::writes_couple)
       for (int k = 0; k < spin_components<D>; ++k)
-        batch.output[SCREE_COUPLE + k][i] = touching ? response.couple[k] : T(0);
+        batch.output[SCREE_COUPLE + k][i] = value_if(touching, response.couple[k]);
     if constexpr (audit) {
-      batch.output[SCREE_ELASTIC_NORMAL][i] = touching ? response.elastic_normal : T(0);
-      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = touching ? response.elastic_tangential : T(0);
-      batch.output[SCREE_DISSIPATED_NORMAL][i] = touching ? response.dissipated_normal : T(0);
-      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = touching ? response.dissipated_tangential : T(0);
+      batch.output[SCREE_ELASTIC_NORMAL][i] = value_if(touching, response.elastic_normal);
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = value_if(touching, response.elastic_tangential);
+      batch.output[SCREE_DISSIPATED_NORMAL][i] = value_if(touching, response.dissipated_normal);
+      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = value_if(touching, response.dissipated_tangential);
       batch.output[SCREE_DISSIPATED_FRICTION][i] = touching ? response.dissipated_friction : released;
     }
   }
