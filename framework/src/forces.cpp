@@ -77,10 +77,10 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
   Laps laps(profile);
   const std::uint32_t reads = reads_of(laws);
   follow_pairs(particles, contacts, reads, planes.size());
-  w.records.resize(particles, reads & (1u << SCREE_TANGENTIAL_INCREMENT));
+  w.records.resize(particles);
   alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
-  const kernel::Scene scene{particles,     contacts,           w.records, planes.data(),
-                            shifts.data(), features_.periodic, step,      features_.audit};
+  const kernel::Scene scene{particles,          contacts, w.records.data(), planes.data(), shifts.data(),
+                            features_.periodic, step,     features_.audit};
   const std::size_t tiles = w.tiles.tiles().size();
   threads.run([&](unsigned worker) {
     const auto part = threads.part((particles.size() + 3) / 4, worker);

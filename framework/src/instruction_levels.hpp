@@ -1,5 +1,13 @@
 #pragma once
 
+// A function compiled for every instruction level, of which the loader takes the best; for loops whose bits
+// do not depend on the width of vectors. Sanitizers cannot follow the loader's choice.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define SCREE_EVERY_LEVEL [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")]]
+#else
+#define SCREE_EVERY_LEVEL
+#endif
+
 #include <string>
 #include <vector>
 

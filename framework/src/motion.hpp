@@ -12,21 +12,11 @@ namespace scree {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Largest |v|² of the bodies [begin, end); infinite if any component is not a number.
-inline double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin,
-                             std::size_t end) {
-  double largest = 0;
-  bool finite = true;
-  for (std::size_t i = begin; i < end; ++i) {
-    double square = 0;
-    for (int k = axes.first; k < axes.last; ++k) square += v[k][i] * v[k][i];
-    largest = std::max(largest, square);
-    finite &= square < infinity;
-  }
-  return finite ? largest : infinity;
-}
+double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin, std::size_t end);
 
 // x += step × rate; bodies have no positions of rotation, for which x is null.
-inline void move_positions(double* x, const double* rate, double step, std::size_t begin, std::size_t end) {
+[[gnu::always_inline]] inline void move_positions(double* x, const double* rate, double step,
+                                                  std::size_t begin, std::size_t end) {
   if (!x) return;
 #pragma GCC ivdep
   for (std::size_t i = begin; i < end; ++i) x[i] += step * rate[i];
@@ -44,20 +34,27 @@ struct Axis {
 template <class Move>
 double move_bodies(Particles& p, ThreadPool& threads, const Column<double> (&speeds)[3],
                    std::vector<double>& largest, const Move& move) {
-  largest.resize(threads.size());
+  // A few bodies at a time, whose columns stay in the first-level cache.
+  constexpr std::size_t few = 128;
+  largest.assign(threads.size(), 0);
   threads.run([&](unsigned worker) {
-    const auto [begin, end] = threads.part(p.size(), worker);
-    for (int k = p.axes().first; k < p.axes().last; ++k)
-      move(Axis{p.position[k].data(), p.velocity[k].data(), p.mid_velocity[k].data(), p.force[k].data(),
-                p.inverse_mass.data(), k},
-           begin, end);
-    for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-      move(Axis{nullptr, p.spin[k].data(), p.mid_spin[k].data(), p.torque[k].data(), p.inverse_inertia.data(),
-                3 + k},
-           begin, end);
-    // Spins have no limit, but must be numbers.
-    const bool spins_finite = largest_square(p.spin, p.spin_axes(), begin, end) < infinity;
-    largest[worker] = spins_finite ? largest_square(speeds, p.axes(), begin, end) : infinity;
+    const auto part = threads.part(p.size(), worker);
+    double fastest = 0;
+    for (std::size_t begin = part.begin; begin < part.end; begin += few) {
+      const std::size_t end = std::min(begin + few, part.end);
+      for (int k = p.axes().first; k < p.axes().last; ++k)
+        move(Axis{p.position[k].data(), p.velocity[k].data(), p.mid_velocity[k].data(), p.force[k].data(),
+                  p.inverse_mass.data(), k},
+             begin, end);
+      for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
+        move(Axis{nullptr, p.spin[k].data(), p.mid_spin[k].data(), p.torque[k].data(),
+                  p.inverse_inertia.data(), 3 + k},
+             begin, end);
+      // Spins have no limit, but must be numbers.
+      const bool spins_finite = largest_square(p.spin, p.spin_axes(), begin, end) < infinity;
+      fastest = std::max(fastest, spins_finite ? largest_square(speeds, p.axes(), begin, end) : infinity);
+    }
+    largest[worker] = fastest;
   });
   return *std::max_element(largest.begin(), largest.end());
 }

@@ -1,5 +1,6 @@
 #include "verlet.hpp"
 
+#include "instruction_levels.hpp"
 #include "motion.hpp"
 
 #include <array>
@@ -7,29 +8,39 @@
 
 namespace scree {
 
-double VelocityVerlet::drift(Particles& p, double step, ThreadPool& threads) {
-  return move_bodies(p, threads, p.mid_velocity, largest_,
-                     [step](const Axis& axis, std::size_t begin, std::size_t end) {
-                       double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
-                       const double half_step = 0.5 * step;
+namespace {
+
+// The two halves of velocity Verlet for one axis of the bodies [begin, end).
+SCREE_EVERY_LEVEL void first_half(Axis axis, double step, std::size_t begin, std::size_t end) {
+  const double half_step = 0.5 * step;
 #pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) {
-                         const double kick = half_step * axis.load[i] * axis.inverse_inertia[i];
-                         mid[i] = now[i] + kick;
-                         now[i] = mid[i] + kick;
-                       }
-                       move_positions(x, mid, step, begin, end);
-                     });
+  for (std::size_t i = begin; i < end; ++i) {
+    const double kick = half_step * axis.load[i] * axis.inverse_inertia[i];
+    axis.mid_rate[i] = axis.rate[i] + kick;
+    axis.rate[i] = axis.mid_rate[i] + kick;
+  }
+  move_positions(axis.position, axis.mid_rate, step, begin, end);
+}
+
+SCREE_EVERY_LEVEL void second_half(Axis axis, double step, std::size_t begin, std::size_t end) {
+  const double half_step = 0.5 * step;
+#pragma GCC ivdep
+  for (std::size_t i = begin; i < end; ++i)
+    axis.rate[i] = axis.mid_rate[i] + half_step * axis.load[i] * axis.inverse_inertia[i];
+}
+
+}  // namespace
+
+double VelocityVerlet::drift(Particles& p, double step, ThreadPool& threads) {
+  return move_bodies(
+      p, threads, p.mid_velocity, largest_,
+      [step](const Axis& axis, std::size_t begin, std::size_t end) { first_half(axis, step, begin, end); });
 }
 
 double VelocityVerlet::kick(Particles& p, double step, ThreadPool& threads) {
-  return move_bodies(p, threads, p.velocity, largest_,
-                     [step](const Axis& axis, std::size_t begin, std::size_t end) {
-                       const double half_step = 0.5 * step;
-#pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i)
-                         axis.rate[i] = axis.mid_rate[i] + half_step * axis.load[i] * axis.inverse_inertia[i];
-                     });
+  return move_bodies(
+      p, threads, p.velocity, largest_,
+      [step](const Axis& axis, std::size_t begin, std::size_t end) { second_half(axis, step, begin, end); });
 }
 
 std::span<const double> FourthOrder::substeps() const {

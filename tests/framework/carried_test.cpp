@@ -85,8 +85,8 @@ void check(const Carries& c) {
   const std::size_t dimension = std::size_t(c.dimension), spins = !spin ? 0 : flat ? 1 : 3;
   const Footprint footprint = s.footprint();
   CHECK(footprint.degrees_of_freedom == p.size() * (dimension + spins));
-  // Beside the columns a record of 32 bytes for each vector that contacts read, and one or two for the loads.
-  const std::size_t records = 2 + (spin ? 1 : 0) + (c.friction && !flat ? 2 : 0) + (spin && !flat ? 2 : 1);
+  // Beside the columns 32 bytes for each vector that contacts may read, and one or two for the loads.
+  const std::size_t records = 2 + (!spin ? 0 : flat ? 1 : 3) + (spin && !flat ? 2 : 1);
   CHECK(footprint.bytes_per_body * p.size() == bytes(p) + 32 * records * p.size());
   // Springs in the dimension's axes and whether the contact slides.
   CHECK(footprint.history_width == (c.friction ? dimension + 1 : 0));

@@ -128,12 +128,19 @@ inline T released_energy(const Kernel& kernel, const History& history) {
     return T(0);
 }
 
-// The value where the condition holds, else 0. Made of bits, since compilers make branches of selections.
+// Keeps values where a condition holds, and makes them 0 elsewhere. By bits: compilers make branches and
+// second stores of selections.
 template <class T>
-inline T value_if(bool condition, const T& value) {
+class KeepIf {
+ public:
+  explicit KeepIf(bool condition)
+      : mask_(std::bit_cast<Bits>(condition ? std::bit_cast<T>(Bits(~Bits(0))) : T(0))) {}
+  T operator()(const T& value) const { return std::bit_cast<T>(std::bit_cast<Bits>(value) & mask_); }
+
+ private:
   using Bits = std::conditional_t<sizeof(T) == sizeof(double), std::uint64_t, std::uint32_t>;
-  return std::bit_cast<T>(std::bit_cast<Bits>(value) & (Bits(0) - Bits(condition)));
-}
+  Bits mask_;
+};
 
 // Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
 // so that a test can find it in the machine code.
@@ -157,17 +164,17 @@ template <class Kernel, int D, bool audit, class T>
     kernel.force(contact, history, response);
 
     const bool touching = contact.overlap > T(0);
-    each_component<width, T>(
-        history, [&](std::uint32_t k, T& value) { batch.history[k][i] = value_if(touching, value); });
-    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = value_if(touching, response.force[k]);
+    const KeepIf<T> keep(touching);
+    each_component<width, T>(history, [&](std::uint32_t k, T& value) { batch.history[k][i] = keep(value); });
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = keep(response.force[k]);
     if constexpr (Kernel::writes_couple)
       for (int k = 0; k < spin_components<D>; ++k)
-        batch.output[SCREE_COUPLE + k][i] = value_if(touching, response.couple[k]);
+        batch.output[SCREE_COUPLE + k][i] = keep(response.couple[k]);
     if constexpr (audit) {
-      batch.output[SCREE_ELASTIC_NORMAL][i] = value_if(touching, response.elastic_normal);
-      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = value_if(touching, response.elastic_tangential);
-      batch.output[SCREE_DISSIPATED_NORMAL][i] = value_if(touching, response.dissipated_normal);
-      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = value_if(touching, response.dissipated_tangential);
+      batch.output[SCREE_ELASTIC_NORMAL][i] = keep(response.elastic_normal);
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = keep(response.elastic_tangential);
+      batch.output[SCREE_DISSIPATED_NORMAL][i] = keep(response.dissipated_normal);
+      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = keep(response.dissipated_tangential);
       batch.output[SCREE_DISSIPATED_FRICTION][i] = touching ? response.dissipated_friction : released;
     }
   }

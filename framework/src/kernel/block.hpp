@@ -19,7 +19,7 @@ inline constexpr std::uint32_t block_size = 32;
 struct Scene {
   const Particles& particles;
   const Contacts& contacts;
-  const BodyRecords& records;
+  const double* records;
   const scree_plane* planes;
   const double* shifts;  // (27, 4) of each image code
   bool periodic;

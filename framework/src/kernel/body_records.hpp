@@ -5,21 +5,29 @@
 
 namespace scree::kernel {
 
-// What contacts read of bodies, gathered from the columns into records of 32 bytes, so that the partner of a
-// pair costs a few whole cache lines:
-//   3D  place (x, y, z, R), motion (v, 0), mid_motion (v, 0), spin (ω, 0), mid_spin (ω, 0)
-//   2D  place (x, y, 0, R), motion (v, mid v), spin (ω, mid ω, 0, 0)
-// Those that a scene does not read are empty.
+// Where the parts of a body's record are (doubles), each of four doubles:
+//   3D  place (x, y, z, R), motion (v, 0), with spin: mid_motion (v, 0), spin (ω, 0), mid_spin (ω, 0)
+//   2D  place (x, y, 0, R), motion (v, mid v), with spin: spin (ω, mid ω, 0, 0)
+template <int D, bool with_spin>
+struct RecordLayout {
+  static constexpr std::size_t place = 0, motion = 4, spin = 8, mid_motion = 12, mid_spin = 16;
+  static constexpr std::size_t width = !with_spin ? 8 : D == 2 ? 12 : 20;
+};
+
+// What contacts read of bodies, copied from the columns into one record each, so that the partner of a pair
+// costs one address and a few whole cache lines.
 class BodyRecords {
  public:
-  // with_mid: laws read displacements of the step.
-  void resize(const Particles& particles, bool with_mid);
+  void resize(const Particles& particles);
   // Copies the bodies [begin, end); begin and end are multiples of 4 or the number of bodies.
   void pack(const Particles& particles, std::size_t begin, std::size_t end);
 
-  std::size_t bytes_per_body() const;
+  const double* data() const { return records_.data(); }
+  std::size_t bytes_per_body() const { return width_ * sizeof(double); }
 
-  Column<double> place, motion, mid_motion, spin, mid_spin;
+ private:
+  std::size_t width_ = 0;
+  Column<double> records_;
 };
 
 // The way back: writes component k of each record, `stride` doubles apart, to columns[k] unless that is null.

@@ -52,9 +52,7 @@ SCREE_HOT void gather(const BlockJob<T>& b, Block<T>& w) {
     for (std::uint32_t i = 0; i < b.count; ++i) gather_plane<D, spin>(s, b.place.begin + i, i, w);
     clear_lanes(b.count, b.place.count, w);
   } else {
-    const bool with_mid = b.reads(SCREE_TANGENTIAL_INCREMENT);
-    for (std::uint32_t i = 0; i < b.place.count; i += 4)
-      gather_bodies<D, spin>(s, with_mid, b.place.begin + i, i, w);
+    for (std::uint32_t i = 0; i < b.place.count; i += 4) gather_bodies<D, spin>(s, b.place.begin + i, i, w);
   }
 }
 

@@ -6,22 +6,23 @@ namespace scree::kernel {
 
 // Record of a body. The barrier keeps GCC from computing four addresses in a vector and taking them out
 // again.
+template <int D, bool spin>
 SCREE_HOT const double* record_of(const double* records, std::uint32_t body) {
   std::size_t index = body;
   __asm__("" : "+r"(index));
-  return records + 4 * index;
+  return records + RecordLayout<D, spin>::width * index;
 }
 
-// Differences of two records for four pairs, as columns; ends[0] are the bodies a, ends[1] the bodies b.
-SCREE_HOT void four_differences(const double* records, const std::uint32_t* a, const std::uint32_t* b,
-                                Four (&out)[4]) {
-  for (int k = 0; k < 4; ++k)
-    out[k] = load_four(record_of(records, a[k])) - load_four(record_of(records, b[k]));
+// One part of four records as columns.
+SCREE_HOT void four_parts(const double* const (&record)[4], std::size_t part, Four (&out)[4]) {
+  for (int k = 0; k < 4; ++k) out[k] = load_four(record[k] + part);
   transpose(out[0], out[1], out[2], out[3]);
 }
 
-SCREE_HOT void four_records(const double* records, const std::uint32_t* body, Four (&out)[4]) {
-  for (int k = 0; k < 4; ++k) out[k] = load_four(record_of(records, body[k]));
+// Differences of one part for four pairs, as columns.
+SCREE_HOT void four_differences(const double* const (&a)[4], const double* const (&b)[4], std::size_t part,
+                                Four (&out)[4]) {
+  for (int k = 0; k < 4; ++k) out[k] = load_four(a[k] + part) - load_four(b[k] + part);
   transpose(out[0], out[1], out[2], out[3]);
 }
 
@@ -40,36 +41,38 @@ SCREE_HOT void store_vector(T (*columns)[block_size], int count, std::uint32_t l
 
 // Four pairs of bodies.
 template <int D, bool spin, class T>
-SCREE_HOT void gather_bodies(const Scene& s, bool with_mid, std::size_t pair, std::uint32_t lane,
-                             Block<T>& w) {
-  const std::uint32_t *a = s.contacts.a.data() + pair, *b = s.contacts.b.data() + pair;
+SCREE_HOT void gather_bodies(const Scene& s, std::size_t pair, std::uint32_t lane, Block<T>& w) {
+  using Layout = RecordLayout<D, spin>;
+  const double *a[4], *b[4];
+  for (int k = 0; k < 4; ++k) {
+    a[k] = record_of<D, spin>(s.records, s.contacts.a[pair + std::size_t(k)]);
+    b[k] = record_of<D, spin>(s.records, s.contacts.b[pair + std::size_t(k)]);
+  }
   const std::uint8_t* image = s.contacts.image.data() + pair;
-  const BodyRecords& r = s.records;
   Four v[4];
-  for (int k = 0; k < 4; ++k)
-    v[k] = load_four(record_of(r.place.data(), a[k])) - load_four(record_of(r.place.data(), b[k]));
+  for (int k = 0; k < 4; ++k) v[k] = load_four(a[k] + Layout::place) - load_four(b[k] + Layout::place);
   if (s.periodic && any_across(image))
     for (int k = 0; k < 4; ++k) v[k] += load_four(s.shifts + 4 * image[k]);
   transpose(v[0], v[1], v[2], v[3]);
   store_vector(w.separation, D, lane, v);
   store_lanes(w.radius_difference + lane, v[3]);
 
-  four_differences(r.motion.data(), a, b, v);
+  four_differences(a, b, Layout::motion, v);
   store_vector(w.velocity, D, lane, v);
   if constexpr (D == 2)
     for (int k = 0; k < 2; ++k) store_lanes(w.mid_velocity[k] + lane, v[2 + k]);
-  if (D == 3 && with_mid) {
-    four_differences(r.mid_motion.data(), a, b, v);
+  if constexpr (D == 3 && spin) {
+    four_differences(a, b, Layout::mid_motion, v);
     store_vector(w.mid_velocity, 3, lane, v);
   }
   if constexpr (spin)
     for (int side = 0; side < 2; ++side) {
-      const std::uint32_t* body = side == 0 ? a : b;
-      four_records(r.spin.data(), body, v);
+      const auto& record = side == 0 ? a : b;
+      four_parts(record, Layout::spin, v);
       store_vector(w.spin[side], spin_components<D>, lane, v);
       if constexpr (D == 2) store_lanes(w.mid_spin[side][0] + lane, v[1]);
-      if (D == 3 && with_mid) {
-        four_records(r.mid_spin.data(), body, v);
+      if constexpr (D == 3) {
+        four_parts(record, Layout::mid_spin, v);
         store_vector(w.mid_spin[side], 3, lane, v);
       }
     }
