@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <scree/neighbour_list.hpp>
 
@@ -25,6 +26,27 @@ double height(const Particles& p, std::size_t i, const scree_plane& plane) {
   return h;
 }
 
+// Pairs of bodies, and those of them that touch.
+std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
+  std::size_t listed = 0, touching = 0;
+  for (const PairGroup& group : contacts.groups()) {
+    if (group.planes) continue;
+    listed += group.end - group.begin;
+    for (std::size_t q = group.begin; q < group.end; ++q) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      const Vec3 shift = domain.shift(contacts.image[q]);
+      const double reach = p.radius[a] + p.radius[b];
+      double square = 0;
+      for (int k = 0; k < p.dimension(); ++k) {
+        const double apart = p.position[k][a] - p.position[k][b] + shift[k];
+        square += apart * apart;
+      }
+      touching += square < reach * reach ? 1 : 0;
+    }
+  }
+  return {double(listed), double(touching)};
+}
+
 std::vector<PlanePair> near_planes(const Particles& p, const std::vector<scree_plane>& planes, double skin) {
   std::vector<PlanePair> pairs;
   for (std::uint32_t i = 0; i < p.size(); ++i)
@@ -40,8 +62,23 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   travelled_ += body_speed * step;
   planes_travelled_ += plane_speed * step;
   // The sum of largest speeds overestimates; measure before paying for a search.
-  if (exhausted()) measure(particles, boundaries);
-  if (exhausted()) rebuild(particles, boundaries, contacts);
+  ++steps_;
+  const bool review = choice_.due(steps_);
+  if (review || exhausted()) measure(particles, boundaries);
+  const bool search = exhausted();
+  if (!review && !search) return;
+  const SkinChoice::Experience list = experience(particles, boundaries, contacts);
+  const double skin = search ? choice_.after(list) : choice_.review(list);
+  if (!search && skin == skin_) return;
+  skin_ = skin;
+  rebuild(particles, boundaries, contacts);
+}
+
+SkinChoice::Experience NeighbourList::experience(const Particles& particles, const Boundaries& boundaries,
+                                                 const Contacts& contacts) const {
+  const auto [listed, touching] = count_pairs(particles, contacts, boundaries.domain());
+  const double travelled = std::max(travelled_, planes_travelled_);
+  return {skin_, travelled, steps_, listed, touching, double(particles.size())};
 }
 
 void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
@@ -74,6 +111,7 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   for (int k = 0; k < particles.dimension(); ++k) searched_position_[k] = particles.position[k];
   searched_planes_ = boundaries.planes();
   travelled_ = planes_travelled_ = 0;
+  steps_ = 0;
   ++rebuilds_;
 }
 

@@ -28,11 +28,22 @@ bool needs_spin(const Scene& scene) {
   return scene.spin || spinning || turning;
 }
 
-double skin_of(const Scene& scene) {
-  if (scene.skin > 0 || scene.bodies.empty()) return scene.skin;
+double mean_radius(const Scene& scene) {
   double sum = 0;
   for (const Body& body : scene.bodies) sum += body.radius;
-  return 0.1 * sum / double(scene.bodies.size());
+  return sum / std::max(1.0, double(scene.bodies.size()));
+}
+
+double skin_of(const Scene& scene) { return scene.skin > 0 ? scene.skin : 0.1 * mean_radius(scene); }
+
+// 0 for a skin that the scene states. A periodic length must hold two of the largest reach.
+double thickest_skin_of(const Scene& scene, const Domain& domain) {
+  if (scene.skin > 0) return 0;
+  double thickest = 0.5 * mean_radius(scene), largest = 0;
+  for (const Body& body : scene.bodies) largest = std::max(largest, body.radius);
+  for (int k = 0; k < 3; ++k)
+    if (domain.periodic[k]) thickest = std::min(thickest, 0.5 * domain.length(k) - 2 * largest);
+  return std::max(thickest, skin_of(scene));
 }
 
 double speed_limit_of(const Scene& scene) {
@@ -63,7 +74,7 @@ Simulation::Simulation(const Scene& scene)
       boundaries_(make_boundaries(scene)),
       body_terms_(scene.body_terms, scene.dimension),
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
-      neighbours_(skin_of(scene), {}),
+      neighbours_(skin_of(scene), thickest_skin_of(scene, boundaries_.domain()), {}),
       forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit,
                scene.precision}),
       integrator_(make_integrator(scene.integration)),

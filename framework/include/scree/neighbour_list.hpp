@@ -6,6 +6,7 @@
 #include <scree/boundaries.hpp>
 #include <scree/contacts.hpp>
 #include <scree/particles.hpp>
+#include <scree/skin_choice.hpp>
 
 namespace scree {
 
@@ -14,7 +15,9 @@ namespace scree {
 // displacements since the search add up to less than the skin.
 class NeighbourList {
  public:
-  NeighbourList(double skin, Contacts::Lookup lookup) : skin_(skin), lookup_(lookup) {}
+  // The skin may become as thick as `thickest` where that is cheaper (m); 0 keeps it.
+  NeighbourList(double skin, double thickest, Contacts::Lookup lookup)
+      : skin_(skin), choice_(skin, thickest), lookup_(lookup) {}
 
   // Advances the displacement bound by one step at these largest speeds (m/s), and searches if it ran out.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
@@ -29,8 +32,12 @@ class NeighbourList {
  private:
   bool exhausted() const { return travelled_ + std::max(travelled_, planes_travelled_) >= skin_; }
   void measure(const Particles& particles, const Boundaries& boundaries);
+  SkinChoice::Experience experience(const Particles& particles, const Boundaries& boundaries,
+                                    const Contacts& contacts) const;
 
   double skin_;
+  SkinChoice choice_;
+  std::uint64_t steps_ = 0;  // since the search
   Contacts::Lookup lookup_;
   double travelled_ = 0, planes_travelled_ = 0;  // (m) upper bounds since the search
   Column<double> searched_position_[3];

@@ -31,7 +31,7 @@ struct Scene {
   Precision precision = Precision::full;
   double expected_speed =
       0;                 // (m/s) of impacts, for what the step is judged by; 0: from the bodies' at the start
-  double skin = 0;       // (m), 0: a tenth of the mean radius
+  double skin = 0;       // (m), 0: at most a tenth of the mean radius, thinner where little moves
   unsigned threads = 1;  // at most; see least_bodies_per_thread
   // A thread costs some microseconds a step, so that small scenes run faster on fewer.
   std::size_t least_bodies_per_thread = 500;
