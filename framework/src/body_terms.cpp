@@ -11,7 +11,9 @@ namespace {
 
 constexpr double nowhere[3] = {0, 0, 0};
 
-double* data_or_null(Column<double>& column) { return column.empty() ? nullptr : column.data(); }
+double* from(Column<double>& column, std::size_t body) {
+  return column.empty() ? nullptr : column.data() + body;
+}
 
 }  // namespace
 
@@ -20,26 +22,30 @@ BodyTerms::BodyTerms(const std::vector<Entry>& entries, int dimension) : dimensi
     members_.push_back({entry.name, ConfiguredBodyTerm(entry.parameters, dimension, nowhere, nowhere)});
 }
 
-BodySums BodyTerms::apply(Particles& p, const Domain& domain) const {
+void BodyTerms::apply(Particles& p, const Domain& domain, BodyRange bodies, BodySums& sums) const {
+  if (members_.empty()) return;
+  const std::size_t first = bodies.begin;
   scree_body_batch batch = {};
   batch.struct_size = sizeof(batch);
   batch.dimension = std::uint32_t(dimension_);
-  batch.count = std::uint32_t(p.size());
+  batch.count = std::uint32_t(bodies.end - first);
   for (int k = 0; k < 3; ++k) {
-    batch.position[k] = data_or_null(p.position[k]);
-    batch.velocity[k] = data_or_null(p.velocity[k]);
-    batch.spin[k] = data_or_null(p.spin[k]);
-    batch.force[k] = data_or_null(p.force[k]);
-    batch.torque[k] = data_or_null(p.torque[k]);
+    batch.position[k] = from(p.position[k], first);
+    batch.velocity[k] = from(p.velocity[k], first);
+    batch.spin[k] = from(p.spin[k], first);
+    batch.force[k] = from(p.force[k], first);
+    batch.torque[k] = from(p.torque[k], first);
     if (!domain.periodic[std::size_t(k)] || p.image[k].empty()) continue;
-    batch.image[k] = p.image[k].data();
+    batch.image[k] = p.image[k].data() + first;
     batch.period[k] = domain.length(k);
   }
-  batch.radius = p.radius.data();
-  batch.mass = p.mass.data();
-  batch.inertia = data_or_null(p.inertia);
+  batch.radius = p.radius.data() + first;
+  batch.mass = p.mass.data() + first;
+  batch.inertia = from(p.inertia, first);
   for (const Member& member : members_) member.plugin.interface().apply(member.plugin.storage(), &batch);
-  return {batch.potential, batch.dissipated_translation, batch.dissipated_rotation};
+  sums.potential += batch.potential;
+  sums.dissipated_translation += batch.dissipated_translation;
+  sums.dissipated_rotation += batch.dissipated_rotation;
 }
 
 double BodyTerms::largest_damping_rate(const std::vector<Body>& bodies) const {

@@ -24,7 +24,10 @@ struct Forces::Work {
   std::vector<ContactSums> block_sums;
 };
 
-Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
+Forces::Forces(const Features& features, const Particles& particles)
+    : features_(features), work_(std::make_unique<Work>(features)) {
+  work_->records.resize(particles);
+}
 Forces::~Forces() = default;
 
 namespace {
@@ -70,54 +73,40 @@ void Forces::follow_pairs(const Particles& particles, const Contacts& contacts, 
   w.block_sums.resize(w.tiles.blocks().size());
 }
 
-ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
-                             const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                             const Domain& domain, double step, ThreadPool& threads, Profile* profile) {
+void Forces::take(const Particles& particles, BodyRange bodies) { work_->records.pack(particles, bodies); }
+
+ContactSums Forces::evaluate(const Particles& particles, Contacts& contacts,
+                             const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
+                             std::vector<scree_load>& loads, const Domain& domain, double step,
+                             ThreadPool& threads) {
   Work& w = *work_;
-  Laps laps(profile);
-  const std::uint32_t reads = reads_of(laws);
-  follow_pairs(particles, contacts, reads, planes.size());
-  w.records.resize(particles);
+  follow_pairs(particles, contacts, reads_of(laws), planes.size());
   alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
   const kernel::Scene scene{particles,          contacts, w.records.data(), planes.data(), shifts.data(),
                             features_.periodic, step,     features_.audit};
-  const std::size_t tiles = w.tiles.tiles().size();
-  threads.run([&](unsigned worker) {
-    const auto part = threads.part((particles.size() + 3) / 4, worker);
-    w.records.pack(particles, 4 * part.begin, std::min(4 * part.end, particles.size()));
-  });
-  laps.lap(Profile::records);
-  threads.run([&](unsigned worker) {
-    const auto part = threads.part(tiles, worker);
-    for (std::size_t t = part.begin; t < part.end; ++t)
-      w.evaluate({&scene, &w.tiles, t, &contacts.groups(), laws.data(), &w.constants, w.slots.data(),
-                  w.block_sums.data()});
-  });
-  laps.lap(Profile::contacts);
-  threads.run([&](unsigned worker) {
-    const auto part = threads.part(tiles, worker);
-    for (std::size_t t = part.begin; t < part.end; ++t) finish_tile(t, particles);
+  threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned) {
+    w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, w.slots.data(),
+                w.block_sums.data()});
   });
   sum_loads(loads);
-  const ContactSums total = add_up(w.block_sums);
-  laps.lap(Profile::sums);
-  return total;
+  return add_up(w.block_sums);
 }
 
-// Loads of the tile's bodies: those of pairs of other tiles are added, and all go to the columns.
-void Forces::finish_tile(std::size_t tile, Particles& p) {
+void Forces::collect(std::size_t tile) {
   Work& w = *work_;
-  const kernel::Tiles::Tile& t = w.tiles.tiles()[tile];
-  for (const kernel::Tiles::Incoming& in : t.incoming)
+  for (const kernel::Tiles::Incoming& in : w.tiles.tiles()[tile].incoming)
     for (std::size_t k = 0; k < w.slot_width; ++k)
       w.slots[in.body * w.slot_width + k] += w.slots[in.slot * w.slot_width + k];
+}
+
+void Forces::give(Particles& p, BodyRange bodies) const {
+  const Work& w = *work_;
   const auto column = [](Column<double>& c) { return c.empty() ? nullptr : c.data(); };
   double* flat[4] = {column(p.force[0]), column(p.force[1]), column(p.torque[2]), nullptr};
   double* force[4] = {column(p.force[0]), column(p.force[1]), column(p.force[2]), nullptr};
   double* torque[4] = {column(p.torque[0]), column(p.torque[1]), column(p.torque[2]), nullptr};
-  kernel::deal_out(w.slots.data(), w.slot_width, features_.dimension == 2 ? flat : force, t.first_body,
-                   t.last_body);
-  if (w.slot_width > 4) kernel::deal_out(w.slots.data() + 4, w.slot_width, torque, t.first_body, t.last_body);
+  kernel::deal_out(w.slots.data(), w.slot_width, features_.dimension == 2 ? flat : force, bodies);
+  if (w.slot_width > 4) kernel::deal_out(w.slots.data() + 4, w.slot_width, torque, bodies);
 }
 
 void Forces::sum_loads(std::vector<scree_load>& loads) const {

@@ -2,6 +2,8 @@
 
 #include "instruction_levels.hpp"
 
+#include <algorithm>
+
 namespace scree {
 
 namespace {
@@ -26,12 +28,12 @@ SCREE_EVERY_LEVEL std::size_t raise(double (&largest)[lanes], const double* x, c
 
 }  // namespace
 
-double largest_square(const Column<double> (&v)[3], Particles::Axes axes, std::size_t begin,
-                      std::size_t end) {
+double largest_square(const Column<double> (&v)[3], Particles::Axes axes, BodyRange bodies) {
   if (axes.first == axes.last) return 0;
   const auto column = [&](int k) { return k < axes.last ? v[k].data() : nullptr; };
   double largest[lanes] = {};
-  if (raise(largest, v[axes.first].data(), column(axes.first + 1), column(axes.first + 2), begin, end) > 0)
+  if (raise(largest, v[axes.first].data(), column(axes.first + 1), column(axes.first + 2), bodies.begin,
+            bodies.end) > 0)
     return infinity;
   return *std::max_element(largest, largest + lanes);
 }

@@ -57,7 +57,7 @@ std::vector<PlanePair> near_planes(const Particles& p, const std::vector<scree_p
 
 }  // namespace
 
-void NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
+bool NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
                            const Boundaries& boundaries, Contacts& contacts) {
   travelled_ += body_speed * step;
   planes_travelled_ += plane_speed * step;
@@ -66,12 +66,13 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   const bool review = choice_.due(steps_);
   if (review || exhausted()) measure(particles, boundaries);
   const bool search = exhausted();
-  if (!review && !search) return;
+  if (!review && !search) return false;
   const SkinChoice::Experience list = experience(particles, boundaries, contacts);
   const double skin = search ? choice_.after(list) : choice_.review(list);
-  if (!search && skin == skin_) return;
+  if (!search && skin == skin_) return false;
   skin_ = skin;
   rebuild(particles, boundaries, contacts);
+  return true;
 }
 
 SkinChoice::Experience NeighbourList::experience(const Particles& particles, const Boundaries& boundaries,

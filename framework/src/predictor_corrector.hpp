@@ -12,15 +12,15 @@ namespace scree {
 //   drift: r_k <- Σ_j≥k binomial(j, k) r_j;   kick: r_k += c_k (h²/2 F/m − r_2), c = 19/90, 3/4, 1, 1/2, 1/12
 class PredictorCorrector : public Integrator {
  public:
-  double drift(Particles& particles, double step, ThreadPool& threads) override;
-  double kick(Particles& particles, double step, ThreadPool& threads) override;
+  void prepare(const Particles& particles, double step) override;
+  double drift(Particles& particles, double step, BodyRange bodies) override;
+  double kick(Particles& particles, double step, BodyRange bodies) override;
 
  private:
   // r_2, r_3, r_4 of each axis, translation then rotation.
   struct Series {
     Column<double> second, third, fourth;
   };
-  void begin(const Particles& particles, double step);
 
   std::array<Series, 6> series_;
 };

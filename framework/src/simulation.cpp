@@ -76,14 +76,18 @@ Simulation::Simulation(const Scene& scene)
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
       neighbours_(skin_of(scene), thickest_skin_of(scene, boundaries_.domain()), {}),
       forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit,
-               scene.precision}),
+               scene.precision},
+              particles_),
       integrator_(make_integrator(scene.integration)),
       threads_(std::make_unique<ThreadPool>(threads_of(scene))),
-      speed_limit_(speed_limit_of(scene)) {
+      speed_limit_(speed_limit_of(scene)),
+      tiles_(particles_.size()),
+      tile_sums_(tiles_.count()) {
   configure_laws();
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());
   neighbours_.rebuild(particles_, boundaries_, contacts_);
+  show_bodies_to_contacts();
   evaluate_forces(0);
   boundaries_.kick(0, 0);
   audit_.restate(contact_sums_, body_sums_);
@@ -121,15 +125,59 @@ Contacts::Lookup Simulation::lookup() const {
   return {scene_.law_of.data(), std::uint32_t(scene_.materials.size()), nullptr, nullptr};
 }
 
-void Simulation::evaluate_forces(double step) {
-  contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
-                                   boundaries_.domain(), step, *threads_, profile_);
+double Simulation::drift_bodies(double step) {
+  integrator_->prepare(particles_, step);
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
+    Laps laps(worker == 0 ? profile_ : nullptr);
+    tile_sums_[tile].square_speed = 0;
+    tiles_.each_few(tile, [&](BodyRange bodies) {
+      const double largest = integrator_->drift(particles_, step, bodies);
+      tile_sums_[tile].square_speed = std::max(tile_sums_[tile].square_speed, largest);
+      laps.lap(Profile::drift);
+      forces_.take(particles_, bodies);
+      laps.lap(Profile::records);
+    });
+  });
+  double largest = 0;
+  for (const TileSums& sums : tile_sums_) largest = std::max(largest, sums.square_speed);
+  return largest;
+}
+
+void Simulation::show_bodies_to_contacts() {
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned) { forces_.take(particles_, tiles_[tile]); });
+}
+
+double Simulation::evaluate_forces(double step, std::optional<double> kick) {
   Laps laps(profile_);
-  momentum_audit_.add_step(step, particles_, boundaries_.loads());
-  laps.lap(Profile::books);
-  body_sums_ = body_terms_.apply(particles_, boundaries_.domain());
-  laps.lap(Profile::body_forces);
+  contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
+                                   boundaries_.domain(), step, *threads_);
+  laps.lap(Profile::contacts);
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
+    Laps tile_laps(worker == 0 ? profile_ : nullptr);
+    TileSums& sums = tile_sums_[tile] = {};
+    forces_.collect(tile);
+    tiles_.each_few(tile, [&](BodyRange bodies) {
+      forces_.give(particles_, bodies);
+      tile_laps.lap(Profile::sums);
+      sums.momentum.add(particles_, bodies);
+      tile_laps.lap(Profile::books);
+      body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
+      tile_laps.lap(Profile::body_forces);
+      if (kick) sums.square_speed = std::max(sums.square_speed, integrator_->kick(particles_, *kick, bodies));
+      tile_laps.lap(Profile::kick);
+    });
+  });
+  body_sums_ = {};
+  MomentumAudit::Sums momentum;
+  double largest = 0;
+  for (const TileSums& sums : tile_sums_) {
+    body_sums_ += sums.bodies;
+    momentum.add(sums.momentum);
+    largest = std::max(largest, sums.square_speed);
+  }
+  momentum_audit_.add_step(step, momentum, boundaries_.loads());
   max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
+  return largest;
 }
 
 void Simulation::step() {
@@ -151,18 +199,17 @@ double Simulation::advance(double step) {
   boundaries_.drift(force_time_, elapsed);
   const double plane_speed = boundaries_.largest_speed();
   laps.lap(Profile::boundaries);
-  const double square_speed = integrator_->drift(particles_, step, *threads_);
-  laps.lap(Profile::drift);
+  const double square_speed = drift_bodies(step);
+  laps = Laps(profile_);
   if (!(square_speed < infinite && plane_speed < infinite)) report_blow_up(*this, speed_limit_);
-  neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
-                     contacts_);
+  if (neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
+                         contacts_))
+    show_bodies_to_contacts();
   laps.lap(Profile::neighbours);
-  evaluate_forces(elapsed);
+  const double largest = evaluate_forces(elapsed, step);
   laps = Laps(profile_);
   boundaries_.kick(force_time_, elapsed);
   laps.lap(Profile::boundaries);
-  const double largest = integrator_->kick(particles_, step, *threads_);
-  laps.lap(Profile::kick);
   if (scene_.audit) audit_.add_step(elapsed, contact_sums_, body_sums_);
   force_time_ += elapsed;
   time_ += step;
@@ -178,6 +225,7 @@ void Simulation::catch_up() {
   const double behind = time_ - force_time_;
   boundaries_.return_to_forces();
   boundaries_.drift(force_time_, behind);
+  show_bodies_to_contacts();
   evaluate_forces(behind);
   boundaries_.kick(force_time_, behind);
   if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);
@@ -220,6 +268,7 @@ void Simulation::apply_reconfiguration() {
   configure_laws();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
   neighbours_.rebuild(particles_, boundaries_, contacts_);
+  show_bodies_to_contacts();
   evaluate_forces(0);
   audit_.restate(contact_sums_, body_sums_);
 }

@@ -22,35 +22,63 @@ void spin_until(const Done& done) {
 
 ThreadPool::ThreadPool(unsigned threads) {
   for (unsigned worker = 1; worker < threads; ++worker)
-    workers_.emplace_back([this, worker] { work(worker); });
+    workers_.emplace_back([this, worker] { wait_for_work(worker); });
 }
 
 ThreadPool::~ThreadPool() {
-  stop_.store(true, std::memory_order_relaxed);
-  generation_.fetch_add(1, std::memory_order_release);
-  generation_.notify_all();
+  stop_.store(true);
+  round_.fetch_add(1);
+  round_.notify_all();
   for (std::thread& worker : workers_) worker.join();
 }
 
-void ThreadPool::start(Call call, const void* task) {
+// A round is open while its task may be called. A worker says that it is active before it looks whether the
+// round is open, and the caller closes the round before it looks whether anyone is active: one of the two
+// sees the other, so no worker calls a task whose caller has gone on.
+void ThreadPool::share_out(std::size_t count, Call call, const void* task) {
+  if (count > room_) {
+    claimed_ = std::make_unique<std::atomic<std::uint32_t>[]>(count);
+    room_ = count;
+  }
   call_ = call;
   task_ = task;
-  unfinished_.store(std::uint32_t(workers_.size()), std::memory_order_relaxed);
-  generation_.fetch_add(1, std::memory_order_release);
-  generation_.notify_all();
-  call(task, 0);
-  spin_until([this] { return unfinished_.load(std::memory_order_acquire) == 0; });
-  for (std::uint32_t left; (left = unfinished_.load(std::memory_order_acquire)) != 0;)
-    unfinished_.wait(left, std::memory_order_acquire);
+  count_ = count;
+  const std::uint32_t round = round_.load() + 1;
+  open_.store(round);
+  round_.store(round);
+  round_.notify_all();
+  work(round, 0);
+  open_.store(0);
+  spin_until([this] { return active_.load() == 0; });
+  for (std::uint32_t left; (left = active_.load()) != 0;) active_.wait(left);
 }
 
-void ThreadPool::work(unsigned worker) {
-  for (std::uint32_t seen = 0;; ++seen) {
-    spin_until([&] { return generation_.load(std::memory_order_acquire) != seen; });
-    generation_.wait(seen, std::memory_order_acquire);
-    if (stop_.load(std::memory_order_relaxed)) return;
-    call_(task_, worker);
-    if (unfinished_.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished_.notify_one();
+void ThreadPool::wait_for_work(unsigned worker) {
+  for (std::uint32_t seen = 0;;) {
+    spin_until([&] { return round_.load() != seen; });
+    round_.wait(seen);
+    seen = round_.load();
+    if (stop_.load()) return;
+    active_.fetch_add(1);
+    if (const std::uint32_t round = open_.load(); round != 0) work(round, worker);
+    if (active_.fetch_sub(1) == 1) active_.notify_one();
+  }
+}
+
+bool ThreadPool::claim(std::size_t item, std::uint32_t round) {
+  return claimed_[item].load(std::memory_order_relaxed) != round &&
+         claimed_[item].exchange(round, std::memory_order_acq_rel) != round;
+}
+
+void ThreadPool::work(std::uint32_t round, unsigned worker) {
+  const auto share_begin = [this](unsigned w) { return count_ * w / size(); };
+  for (std::size_t item = share_begin(worker); item < share_begin(worker + 1); ++item)
+    if (claim(item, round)) call_(task_, item, worker);
+  // What others have not begun, from the end of their shares.
+  for (unsigned k = 1; k < size(); ++k) {
+    const unsigned other = (worker + k) % size();
+    for (std::size_t item = share_begin(other + 1); item-- > share_begin(other);)
+      if (claim(item, round)) call_(task_, item, worker);
   }
 }
 

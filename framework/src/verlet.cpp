@@ -31,16 +31,16 @@ SCREE_EVERY_LEVEL void second_half(Axis axis, double step, std::size_t begin, st
 
 }  // namespace
 
-double VelocityVerlet::drift(Particles& p, double step, ThreadPool& threads) {
-  return move_bodies(
-      p, threads, p.mid_velocity, largest_,
-      [step](const Axis& axis, std::size_t begin, std::size_t end) { first_half(axis, step, begin, end); });
+double VelocityVerlet::drift(Particles& p, double step, BodyRange bodies) {
+  return move_bodies(p, bodies, p.mid_velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
+    first_half(axis, step, begin, end);
+  });
 }
 
-double VelocityVerlet::kick(Particles& p, double step, ThreadPool& threads) {
-  return move_bodies(
-      p, threads, p.velocity, largest_,
-      [step](const Axis& axis, std::size_t begin, std::size_t end) { second_half(axis, step, begin, end); });
+double VelocityVerlet::kick(Particles& p, double step, BodyRange bodies) {
+  return move_bodies(p, bodies, p.velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
+    second_half(axis, step, begin, end);
+  });
 }
 
 std::span<const double> FourthOrder::substeps() const {
@@ -49,33 +49,31 @@ std::span<const double> FourthOrder::substeps() const {
   return shares;
 }
 
-double PositionVerlet::drift(Particles& p, double step, ThreadPool& threads) {
-  return move_bodies(p, threads, p.velocity, largest_,
-                     [step](const Axis& axis, std::size_t begin, std::size_t end) {
-                       double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
-                       const double half_step = 0.5 * step;
+double PositionVerlet::drift(Particles& p, double step, BodyRange bodies) {
+  return move_bodies(p, bodies, p.velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
+    double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
+    const double half_step = 0.5 * step;
 #pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) {
-                         mid[i] = now[i];
-                         now[i] += half_step * axis.load[i] * axis.inverse_inertia[i];
-                       }
-                       move_positions(x, mid, half_step, begin, end);
-                     });
+    for (std::size_t i = begin; i < end; ++i) {
+      mid[i] = now[i];
+      now[i] += half_step * axis.load[i] * axis.inverse_inertia[i];
+    }
+    move_positions(x, mid, half_step, begin, end);
+  });
 }
 
-double PositionVerlet::kick(Particles& p, double step, ThreadPool& threads) {
-  return move_bodies(p, threads, p.velocity, largest_,
-                     [step](const Axis& axis, std::size_t begin, std::size_t end) {
-                       double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
-                       const double half_step = 0.5 * step;
+double PositionVerlet::kick(Particles& p, double step, BodyRange bodies) {
+  return move_bodies(p, bodies, p.velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
+    double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
+    const double half_step = 0.5 * step;
     // mid becomes the velocity at the evaluation, for the energy books.
 #pragma GCC ivdep
-                       for (std::size_t i = begin; i < end; ++i) {
-                         now[i] = mid[i] + step * axis.load[i] * axis.inverse_inertia[i];
-                         mid[i] = 0.5 * (mid[i] + now[i]);
-                       }
-                       move_positions(x, now, half_step, begin, end);
-                     });
+    for (std::size_t i = begin; i < end; ++i) {
+      now[i] = mid[i] + step * axis.load[i] * axis.inverse_inertia[i];
+      mid[i] = 0.5 * (mid[i] + now[i]);
+    }
+    move_positions(x, now, half_step, begin, end);
+  });
 }
 
 }  // namespace scree

@@ -9,8 +9,8 @@ namespace scree {
 //   v(t + h) = v(t + h/2) + h/2 F(t + h)/m                             kick
 class VelocityVerlet : public Integrator {
  public:
-  double drift(Particles& particles, double step, ThreadPool& threads) override;
-  double kick(Particles& particles, double step, ThreadPool& threads) override;
+  double drift(Particles& particles, double step, BodyRange bodies) override;
+  double kick(Particles& particles, double step, BodyRange bodies) override;
 };
 
 // Five steps of velocity Verlet, the third back in time, whose errors of third order cancel:
@@ -26,8 +26,8 @@ class FourthOrder : public VelocityVerlet {
 class PositionVerlet : public Integrator {
  public:
   bool evaluates_at_mid_step() const override { return true; }
-  double drift(Particles& particles, double step, ThreadPool& threads) override;
-  double kick(Particles& particles, double step, ThreadPool& threads) override;
+  double drift(Particles& particles, double step, BodyRange bodies) override;
+  double kick(Particles& particles, double step, BodyRange bodies) override;
 };
 
 }  // namespace scree

@@ -11,33 +11,21 @@
 
 using scree::ThreadPool;
 
-TEST_CASE("each worker is called once in every round") {
+TEST_CASE("each item is done once in every round, for any count and any number of threads") {
   for (unsigned threads = 1; threads <= 8; ++threads) {
     ThreadPool pool(threads);
     REQUIRE(pool.size() == threads);
-    std::vector<std::atomic<int>> calls(threads);
-    const int rounds = 50;
-    for (int round = 1; round <= rounds; ++round) {
-      pool.run([&](unsigned worker) { calls.at(worker).fetch_add(1, std::memory_order_relaxed); });
-      for (const auto& count : calls) REQUIRE(count.load(std::memory_order_relaxed) == round);
-    }
-  }
-}
-
-TEST_CASE("parts cover every index once, in order, for any count and any number of threads") {
-  for (unsigned threads = 1; threads <= 8; ++threads) {
-    const ThreadPool pool(threads);
-    for (const std::size_t count : {0u, 1u, 2u, 7u, 8u, 9u, 64u, 1000u, 1001u}) {
-      std::size_t next = 0;
-      for (unsigned worker = 0; worker < threads; ++worker) {
-        const ThreadPool::Part part = pool.part(count, worker);
-        REQUIRE(part.begin == next);
-        REQUIRE(part.end >= part.begin);
-        // Shares differ by one at most.
-        REQUIRE(part.end - part.begin <= count / threads + 1);
-        next = part.end;
+    for (const std::size_t count : {0u, 1u, 2u, 7u, 8u, 9u, 64u, 1000u}) {
+      std::vector<std::atomic<int>> calls(count);
+      std::atomic<bool> strangers = false;
+      for (int round = 1; round <= 20; ++round) {
+        pool.each(count, [&](std::size_t item, unsigned worker) {
+          calls.at(item).fetch_add(1, std::memory_order_relaxed);
+          if (worker >= threads) strangers = true;
+        });
+        for (const auto& number : calls) REQUIRE(number.load(std::memory_order_relaxed) == round);
       }
-      REQUIRE(next == count);
+      CHECK(!strangers);
     }
   }
 }
@@ -53,10 +41,7 @@ TEST_CASE("what a round wrote is seen by all workers in the next") {
       return in[i] * 3 + in[(i + 1) % in.size()] + in[(i + in.size() - 1) % in.size()];
     };
     for (int round = 0; round < 30; ++round) {
-      pool.run([&](unsigned worker) {
-        const ThreadPool::Part part = pool.part(now.size(), worker);
-        for (std::size_t i = part.begin; i < part.end; ++i) next[i] = mix(now, i);
-      });
+      pool.each(now.size(), [&](std::size_t i, unsigned) { next[i] = mix(now, i); });
       std::swap(now, next);
       std::vector<std::uint64_t> serial(expected.size());
       for (std::size_t i = 0; i < serial.size(); ++i) serial[i] = mix(expected, i);
@@ -66,25 +51,38 @@ TEST_CASE("what a round wrote is seen by all workers in the next") {
   }
 }
 
-TEST_CASE("one thread works in the caller, more in as many threads") {
-  const std::thread::id caller = std::this_thread::get_id();
-  for (unsigned threads = 1; threads <= 4; ++threads) {
-    ThreadPool pool(threads);
-    std::vector<std::thread::id> where(threads);
-    pool.run([&](unsigned worker) { where[worker] = std::this_thread::get_id(); });
-    CHECK(where[0] == caller);
-    CHECK(std::set<std::thread::id>(where.begin(), where.end()).size() == threads);
+TEST_CASE("one thread works in the caller") {
+  ThreadPool pool(1);
+  std::set<std::thread::id> where;
+  pool.each(5, [&](std::size_t, unsigned) { where.insert(std::this_thread::get_id()); });
+  CHECK(where == std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST_CASE("workers help with what takes long, also after they fell asleep") {
+  ThreadPool pool(3);
+  for (int round = 0; round < 3; ++round) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    // Two items that wait for each other: no single thread could do both.
+    std::atomic<int> begun = 0;
+    pool.each(2, [&](std::size_t, unsigned) {
+      begun.fetch_add(1);
+      while (begun.load() < 2) std::this_thread::yield();
+    });
+    CHECK(begun == 2);
   }
 }
 
-TEST_CASE("workers that fell asleep wake up for the next round") {
-  ThreadPool pool(3);
-  std::atomic<int> calls = 0;
-  for (int round = 0; round < 3; ++round) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    pool.run([&](unsigned) { calls.fetch_add(1, std::memory_order_relaxed); });
-  }
-  CHECK(calls == 9);
+TEST_CASE("a worker that is held up holds nobody up: what it has not begun others do") {
+  ThreadPool pool(2);
+  std::atomic<bool> others_done = false;
+  std::atomic<int> done = 0;
+  // Item 50 waits for all others, those of the same share as well.
+  pool.each(100, [&](std::size_t item, unsigned) {
+    if (item == 50)
+      while (!others_done.load()) std::this_thread::yield();
+    if (item != 50 && done.fetch_add(1) + 1 == 99) others_done = true;
+  });
+  CHECK(done == 99);
 }
 
 TEST_CASE("a pool that never worked, or that was asked for no thread, ends in peace") {

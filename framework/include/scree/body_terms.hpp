@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/domain.hpp>
 #include <scree/energy_audit.hpp>
 #include <scree/particles.hpp>
@@ -20,8 +21,8 @@ class BodyTerms {
 
   BodyTerms(const std::vector<Entry>& entries, int dimension);
 
-  // Adds to the bodies' forces and torques.
-  BodySums apply(Particles& particles, const Domain& domain) const;
+  // Adds to the bodies' forces and torques, and to the sums.
+  void apply(Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
   // Fastest at which any term slows any of the bodies (1/s); 0 without drag.
   double largest_damping_rate(const std::vector<Body>& bodies) const;
   void reconfigure(const std::string& name, const Parameters& parameters);

@@ -10,6 +10,13 @@ struct BodySums {
   double potential = 0;               // (J)
   double dissipated_translation = 0;  // (W)
   double dissipated_rotation = 0;     // (W)
+
+  BodySums& operator+=(const BodySums& other) {
+    potential += other.potential;
+    dissipated_translation += other.dissipated_translation;
+    dissipated_rotation += other.dissipated_rotation;
+    return *this;
+  }
 };
 
 // Keeps the books of a run: where energy is, where it went, what was put in.

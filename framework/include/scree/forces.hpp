@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/contacts.hpp>
 #include <scree/domain.hpp>
 #include <scree/pair_constants.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_abi.h>
-#include <scree/profile.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
@@ -40,13 +40,20 @@ class Forces {
     Precision precision = Precision::full;
   };
 
-  explicit Forces(const Features& features);
+  Forces(const Features& features, const Particles& particles);
   ~Forces();
 
-  // Sets force and torque of all bodies and loads of all planes; step = 0 evaluates without moving springs.
-  ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
+  // An evaluation: `take` for all bodies once they have moved, `evaluate`, `collect` for each tile, `give`
+  // for all bodies. Copies what contacts read of bodies.
+  void take(const Particles& particles, BodyRange bodies);
+  // Evaluates all contacts and sets the loads of all planes; step = 0 does not move springs.
+  ContactSums evaluate(const Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                        const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                       const Domain& domain, double step, ThreadPool& threads, Profile* profile = nullptr);
+                       const Domain& domain, double step, ThreadPool& threads);
+  // Adds the loads that contacts of other tiles have left for the bodies of this one.
+  void collect(std::size_t tile);
+  // Sets force and torque of bodies.
+  void give(Particles& particles, BodyRange bodies) const;
 
   // Force on a of pair p at the last evaluation (N), z = 0 in 2D.
   Vec3 pair_force(std::size_t p) const;
@@ -57,7 +64,6 @@ class Forces {
   struct Work;
   void follow_pairs(const Particles& particles, const Contacts& contacts, std::uint32_t reads,
                     std::size_t planes);
-  void finish_tile(std::size_t tile, Particles& particles);
   void sum_loads(std::vector<scree_load>& loads) const;
 
   Features features_;

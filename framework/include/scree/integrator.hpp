@@ -3,10 +3,9 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/particles.hpp>
-#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -26,7 +25,7 @@ struct IntegrationTraits {
 std::span<const IntegrationTraits> integrations();
 const IntegrationTraits& traits_of(Integration integration);
 
-// Moves all bodies, in translation and rotation, around each evaluation of the forces.
+// Moves bodies, in translation and rotation, around each evaluation of the forces.
 // Forces that depend on velocity see a prediction for the moment of evaluation, made with the forces of the
 // last one; tangential springs move by mid_velocity, the displacement since the last evaluation over its
 // time.
@@ -39,14 +38,13 @@ class Integrator {
   // Forces are evaluated in the middle of a step rather than at its end.
   virtual bool evaluates_at_mid_step() const { return false; }
 
+  // Called before the bodies drift, once for all.
+  virtual void prepare(const Particles&, double /*step*/) {}
   // Moves positions to where forces are to be evaluated, and predicts velocities there.
   // Largest squared speed met (m²/s²); infinite if any velocity or position is not a number.
-  virtual double drift(Particles& particles, double step, ThreadPool& threads) = 0;
+  virtual double drift(Particles& particles, double step, BodyRange bodies) = 0;
   // Completes the step with the forces there. Returns the same.
-  virtual double kick(Particles& particles, double step, ThreadPool& threads) = 0;
-
- protected:
-  std::vector<double> largest_;  // of each thread
+  virtual double kick(Particles& particles, double step, BodyRange bodies) = 0;
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_abi.h>
 
@@ -11,8 +12,18 @@ namespace scree {
 // exchange.
 class MomentumAudit {
  public:
-  // Adds the forces of one evaluation, before body terms, over a step (s).
-  void add_step(double step, const Particles& particles, const std::vector<scree_load>& loads);
+  // Forces of contacts in one evaluation (N): their sum, and that of the sizes of their components.
+  struct Sums {
+    Vec3 force = {};
+    double size = 0;
+
+    // Of bodies, before body terms add to them.
+    void add(const Particles& particles, BodyRange bodies);
+    void add(const Sums& other);
+  };
+
+  // Adds one evaluation, over a step (s).
+  void add_step(double step, Sums bodies, const std::vector<scree_load>& loads);
   // Made over exchanged; 0 while nothing is exchanged.
   double residual() const;
 

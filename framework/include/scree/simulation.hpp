@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/body_terms.hpp>
 #include <scree/boundaries.hpp>
 #include <scree/contact_list.hpp>
@@ -75,7 +77,12 @@ class Simulation {
   Contacts make_contacts() const;
   Contacts::Lookup lookup() const;
   void configure_laws();
-  void evaluate_forces(double step);
+  // Drifts all bodies and shows them to the contacts; largest squared speed (m²/s²).
+  double drift_bodies(double step);
+  void show_bodies_to_contacts();
+  // Forces on bodies where they are, after `step` since the last evaluation; completes the step of the
+  // integrator that is given (s). Largest squared speed then (m²/s²), else 0.
+  double evaluate_forces(double step, std::optional<double> kick = std::nullopt);
   // Moves everything by one substep; largest squared speed (m²/s²).
   double advance(double step);
   // Brings forces and springs to where the bodies are, after an integrator that evaluates in mid-step.
@@ -107,6 +114,15 @@ class Simulation {
   double max_overlap_ratio_ = 0;
   double max_square_speed_ = 0;  // (m²/s²)
   double speed_limit_ = 0;
+
+  // What the bodies of each tile add up to.
+  struct TileSums {
+    BodySums bodies;
+    MomentumAudit::Sums momentum;
+    double square_speed = 0;
+  };
+  BodyTiles tiles_;
+  std::vector<TileSums> tile_sums_;
 };
 
 }  // namespace scree

@@ -2,12 +2,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <thread>
 #include <vector>
 
 namespace scree {
 
-// Threads that wait for work. With one thread everything runs in the caller and no thread is started.
+// Threads that share out work. With one thread everything runs in the caller and no thread is started.
 class ThreadPool {
  public:
   explicit ThreadPool(unsigned threads);
@@ -17,32 +18,38 @@ class ThreadPool {
 
   unsigned size() const { return unsigned(workers_.size()) + 1; }
 
-  // Calls task(worker) once for each worker 0 ... size() − 1 and returns when all are done.
-  // The task must not throw.
+  // Calls task(item, worker) once for each item 0 ... count − 1 and returns when all are done. A worker takes
+  // a contiguous share of its own first, the same each time, so that its cache knows it, and then what others
+  // have not begun: one that the machine does not let run holds nobody up. The task must not throw.
   template <class Task>
-  void run(const Task& task) {
-    if (workers_.empty()) return task(0u);
-    start([](const void* t, unsigned worker) { (*static_cast<const Task*>(t))(worker); }, &task);
-  }
-
-  // The part of [0, count) that belongs to a worker; parts are contiguous and in order.
-  struct Part {
-    std::size_t begin, end;
-  };
-  Part part(std::size_t count, unsigned worker) const {
-    return {count * worker / size(), count * (worker + 1) / size()};
+  void each(std::size_t count, const Task& task) {
+    if (workers_.empty()) {
+      for (std::size_t item = 0; item < count; ++item) task(item, 0u);
+      return;
+    }
+    share_out(
+        count,
+        [](const void* t, std::size_t item, unsigned worker) {
+          (*static_cast<const Task*>(t))(item, worker);
+        },
+        &task);
   }
 
  private:
-  using Call = void (*)(const void*, unsigned);
-  void start(Call call, const void* task);
-  void work(unsigned worker);
+  using Call = void (*)(const void*, std::size_t, unsigned);
+  void share_out(std::size_t count, Call call, const void* task);
+  void wait_for_work(unsigned worker);
+  void work(std::uint32_t round, unsigned worker);
+  bool claim(std::size_t item, std::uint32_t round);
 
   std::vector<std::thread> workers_;
   Call call_ = nullptr;
   const void* task_ = nullptr;
-  std::atomic<std::uint32_t> generation_ = 0;
-  std::atomic<std::uint32_t> unfinished_ = 0;
+  std::size_t count_ = 0, room_ = 0;
+  std::unique_ptr<std::atomic<std::uint32_t>[]> claimed_;  // the round in which each item was last taken
+  std::atomic<std::uint32_t> round_ = 0;                   // counts rounds; workers wait for the next
+  std::atomic<std::uint32_t> open_ = 0;                    // the round that is going on, 0 between rounds
+  std::atomic<std::uint32_t> active_ = 0;                  // workers inside a round, beside the caller
   std::atomic<bool> stop_ = false;
 };
 

@@ -31,16 +31,16 @@ SCREE_EVERY_LEVEL void interleave(const double* const* columns, std::size_t widt
 }  // namespace
 
 SCREE_EVERY_LEVEL void deal_out(const double* records, std::size_t stride, double* const (&columns)[4],
-                                std::size_t begin, std::size_t end) {
-  std::size_t i = begin;
-  for (; i + 4 <= end; i += 4) {
+                                BodyRange bodies) {
+  std::size_t i = bodies.begin;
+  for (; i + 4 <= bodies.end; i += 4) {
     Four rows[4];
     for (std::size_t k = 0; k < 4; ++k) rows[k] = load_four(records + stride * (i + k));
     transpose(rows[0], rows[1], rows[2], rows[3]);
     for (int k = 0; k < 4; ++k)
       if (columns[k]) __builtin_memcpy(columns[k] + i, &rows[k], sizeof(Four));
   }
-  for (; i < end; ++i)
+  for (; i < bodies.end; ++i)
     for (std::size_t k = 0; k < 4; ++k)
       if (columns[k]) columns[k][i] = records[stride * i + k];
 }
@@ -53,7 +53,7 @@ void BodyRecords::resize(const Particles& p) {
   records_.resize(width_ * p.size());
 }
 
-void BodyRecords::pack(const Particles& p, std::size_t begin, std::size_t end) {
+void BodyRecords::pack(const Particles& p, BodyRange bodies) {
   using Flat = RecordLayout<2, true>;
   using Layout = RecordLayout<3, true>;
   const double* columns[Layout::width] = {};
@@ -74,7 +74,7 @@ void BodyRecords::pack(const Particles& p, std::size_t begin, std::size_t end) {
       set(Layout::mid_spin + k, p.mid_spin[k]);
     }
   }
-  interleave(columns, width_, records_.data(), begin, end);
+  interleave(columns, width_, records_.data(), bodies.begin, bodies.end);
 }
 
 }  // namespace scree::kernel

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/body_range.hpp>
 #include <scree/column.hpp>
 #include <scree/particles.hpp>
 
@@ -19,8 +20,7 @@ struct RecordLayout {
 class BodyRecords {
  public:
   void resize(const Particles& particles);
-  // Copies the bodies [begin, end); begin and end are multiples of 4 or the number of bodies.
-  void pack(const Particles& particles, std::size_t begin, std::size_t end);
+  void pack(const Particles& particles, BodyRange bodies);
 
   const double* data() const { return records_.data(); }
   std::size_t bytes_per_body() const { return width_ * sizeof(double); }
@@ -31,7 +31,6 @@ class BodyRecords {
 };
 
 // The way back: writes component k of each record, `stride` doubles apart, to columns[k] unless that is null.
-void deal_out(const double* records, std::size_t stride, double* const (&columns)[4], std::size_t begin,
-              std::size_t end);
+void deal_out(const double* records, std::size_t stride, double* const (&columns)[4], BodyRange bodies);
 
 }  // namespace scree::kernel

@@ -8,9 +8,6 @@ namespace scree::kernel {
 
 namespace {
 
-// Enough tiles for the threads of a large machine, large enough that few pairs cross from one to another.
-constexpr std::size_t usual_bodies_per_tile = 1024;
-
 // First pair of a group whose a is at least `body`, rounded up to whole lanes.
 std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std::size_t body) {
   const auto begin = contacts.a.begin() + std::ptrdiff_t(group.begin),
@@ -22,7 +19,7 @@ std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std:
 }  // namespace
 
 std::uint32_t Tiles::owner(std::size_t body) const {
-  return std::uint32_t(std::min(body / bodies_per_tile_, tiles_.size() - 1));
+  return std::uint32_t(std::min(body / BodyTiles::usual_size, tiles_.size() - 1));
 }
 
 void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
@@ -72,14 +69,14 @@ void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
 }
 
 void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t planes) {
-  bodies_per_tile_ = usual_bodies_per_tile;
-  const std::size_t count = std::max<std::size_t>(1, bodies / bodies_per_tile_);
+  const BodyTiles ranges(bodies);
+  const std::size_t count = ranges.count();
   tiles_.assign(count, {});
   blocks_.clear();
   slots_ = bodies;
   for (std::size_t t = 0; t < count; ++t) {
-    tiles_[t].first_body = t * bodies_per_tile_;
-    tiles_[t].last_body = t + 1 == count ? bodies : (t + 1) * bodies_per_tile_;
+    tiles_[t].first_body = ranges[t].begin;
+    tiles_[t].last_body = ranges[t].end;
     cut_blocks(contacts, std::uint32_t(t));
   }
   lay_slots(contacts, planes);

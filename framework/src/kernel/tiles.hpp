@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/contacts.hpp>
 
 namespace scree::kernel {
@@ -48,7 +49,6 @@ class Tiles {
   std::uint32_t owner(std::size_t body) const;
   void lay_slots(const Contacts& contacts, std::size_t planes);
 
-  std::size_t bodies_per_tile_ = 1;
   std::size_t slots_ = 0;
   std::vector<Tile> tiles_;
   std::vector<Block> blocks_;
