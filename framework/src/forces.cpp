@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <scree/forces.hpp>
 
@@ -68,7 +69,7 @@ void Forces::follow_pairs(const Particles& particles, const Contacts& contacts, 
   if (w.revision == contacts.revision()) return;
   w.revision = contacts.revision();
   w.tiles.plan(contacts, particles.size(), planes);
-  w.constants.update(contacts, particles, reads);
+  w.constants.update(contacts, particles, reads, features_.pair_forces);
   w.slots.resize(w.tiles.slots() * w.slot_width);
   w.block_sums.resize(w.tiles.blocks().size());
 }
@@ -82,8 +83,9 @@ ContactSums Forces::evaluate(const Particles& particles, Contacts& contacts,
   Work& w = *work_;
   follow_pairs(particles, contacts, reads_of(laws), planes.size());
   alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
-  const kernel::Scene scene{particles,          contacts, w.records.data(), planes.data(), shifts.data(),
-                            features_.periodic, step,     features_.audit};
+  const kernel::Scene scene{particles,     contacts,        w.records.data(),
+                            planes.data(), shifts.data(),   features_.periodic,
+                            step,          features_.audit, features_.pair_forces};
   threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned) {
     w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, w.slots.data(),
                 w.block_sums.data()});
@@ -120,6 +122,8 @@ void Forces::sum_loads(std::vector<scree_load>& loads) const {
 }
 
 Vec3 Forces::pair_force(std::size_t p) const {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (!features_.pair_forces) return {{unknown, unknown, unknown}};
   Vec3 force = {};
   for (int k = 0; k < features_.dimension; ++k) force[k] = work_->constants.force.value(std::uint32_t(k), p);
   return force;

@@ -4,10 +4,10 @@
 
 namespace scree {
 
-void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads) {
+void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads, bool forces) {
   const std::size_t all = contacts.padded_size();
   radius_sum.assign(all, -1.0);
-  force.reset(std::uint32_t(p.dimension()), all);
+  force.reset(forces ? std::uint32_t(p.dimension()) : 0, all);
   for (std::uint32_t k = 0; k < column_count; ++k) {
     const bool read = reads & (1u << (SCREE_REDUCED_MASS + k));
     terms[k].reset(read ? 1 : 0, all);

@@ -76,7 +76,7 @@ Simulation::Simulation(const Scene& scene)
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
       neighbours_(skin_of(scene), thickest_skin_of(scene, boundaries_.domain()), {}),
       forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit,
-               scene.precision},
+               scene.pair_forces, scene.precision},
               particles_),
       integrator_(make_integrator(scene.integration)),
       threads_(std::make_unique<ThreadPool>(threads_of(scene))),

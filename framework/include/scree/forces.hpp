@@ -36,7 +36,8 @@ class Forces {
     int dimension = 3;
     bool spin = false;  // bodies carry spin, contacts make torques
     bool periodic = false;
-    bool audit = true;  // laws report energies
+    bool audit = true;        // laws report energies
+    bool pair_forces = true;  // those of pairs are kept
     Precision precision = Precision::full;
   };
 
@@ -55,7 +56,7 @@ class Forces {
   // Sets force and torque of bodies.
   void give(Particles& particles, BodyRange bodies) const;
 
-  // Force on a of pair p at the last evaluation (N), z = 0 in 2D.
+  // Force on a of pair p at the last evaluation (N), z = 0 in 2D; not numbers if they are not kept.
   Vec3 pair_force(std::size_t p) const;
   std::size_t bytes_per_pair() const;
   std::size_t bytes_per_body() const;

@@ -35,8 +35,9 @@ struct Scene {
   unsigned threads = 1;  // at most; see least_bodies_per_thread
   // A thread costs some microseconds a step, so that small scenes run faster on fewer.
   std::size_t least_bodies_per_thread = 500;
-  bool audit = true;  // keep the energy books
-  bool spin = false;  // carry spins even if no law needs them now, because a later stage does
+  bool audit = true;        // keep the energy books
+  bool pair_forces = true;  // keep the force of each contact for who looks at it
+  bool spin = false;        // carry spins even if no law needs them now, because a later stage does
   Limits limits;
   std::vector<std::string> materials;
   std::vector<Body> bodies;

@@ -24,7 +24,7 @@ struct Scene {
   const double* shifts;  // (27, 4) of each image code
   bool periodic;
   double step;
-  bool audit;
+  bool audit, pair_forces;
 };
 
 // A block of pairs between gather and scatter, as columns. T is what laws compute in, double or float; only
@@ -39,7 +39,7 @@ struct alignas(64) Block {
   T velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
   T spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
   T input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
-  T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // forces go straight to the pairs
+  T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // forces go straight to pairs that keep them
   T torque[2][3][block_size];                              // on a, on b (N m)
 };
 

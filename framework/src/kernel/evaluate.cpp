@@ -28,6 +28,11 @@ struct BlockJob {
   const T* constant(scree_contact_input column) const {
     return tile.constants->terms[column - SCREE_REDUCED_MASS].template column<T>(0) + place.begin;
   }
+  // Of the force: the pairs' own, or the block's where they keep none.
+  T* force(std::uint32_t k, Block<T>& w) const {
+    return tile.scene->pair_forces ? tile.constants->force.template column<T>(k) + place.begin
+                                   : w.output[SCREE_FORCE + k];
+  }
   bool reads(scree_contact_input column) const { return law.interface.reads & (1u << column); }
   bool arms_to_contact_point() const { return law.interface.arms == SCREE_ARM_CONTACT_POINT; }
 };
@@ -84,8 +89,7 @@ SCREE_HOT void call_law(const BlockJob<T>& b, Block<T>& w) {
     batch.history[k] = b.group.history.template column<T>(k) + (begin - b.group.begin);
   const std::uint32_t outputs = b.tile.scene->audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
   for (std::uint32_t k = 0; k < outputs; ++k) batch.output[k] = w.output[k];
-  for (std::uint32_t k = 0; k < std::uint32_t(D); ++k)
-    batch.output[SCREE_FORCE + k] = b.tile.constants->force.template column<T>(k) + begin;
+  for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) batch.output[SCREE_FORCE + k] = b.force(k, w);
   if constexpr (std::is_same_v<T, float>)
     b.law.interface.evaluate_single(b.law.storage, &batch);
   else
@@ -95,8 +99,7 @@ SCREE_HOT void call_law(const BlockJob<T>& b, Block<T>& w) {
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void scatter(const BlockJob<T>& b, Block<T>& w) {
   const T* force[3] = {};
-  for (std::uint32_t k = 0; k < std::uint32_t(D); ++k)
-    force[k] = b.tile.constants->force.template column<T>(k) + b.place.begin;
+  for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) force[k] = b.force(k, w);
   if constexpr (spin)
     resolve_torques<D, planes>(b.arms_to_contact_point(), b.law.interface.writes_couple != 0, b.radius_sum,
                                force, b.place.count, w);

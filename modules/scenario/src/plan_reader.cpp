@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <scree/body_bounds.hpp>
+#include <scree/probes.hpp>
 #include <scree/scenario/document.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/step_guard.hpp>
@@ -120,6 +121,13 @@ bool turns_later(const std::vector<Stage>& stages, int dimension) {
   return false;
 }
 
+// Whether anything looks at the forces of single contacts.
+bool looks_at_pair_forces(const Plan& plan) {
+  return plan.snapshot.any() || std::any_of(plan.probes.begin(), plan.probes.end(), [&](const ProbePlan& p) {
+           return Probe(p.parameters, plan.scene.dimension).needs_contacts();
+         });
+}
+
 }  // namespace
 
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
@@ -141,6 +149,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
+  plan.scene.pair_forces = looks_at_pair_forces(plan);
   check_audit(root, plan);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
