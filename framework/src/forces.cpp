@@ -23,6 +23,7 @@ struct Forces::Work {
   PairConstants constants;
   Column<double> slots;
   std::vector<ContactSums> block_sums;
+  double deepest = 0;  // overlap ratio met so far
 };
 
 Forces::Forces(const Features& features, const Particles& particles)
@@ -83,15 +84,17 @@ ContactSums Forces::evaluate(const Particles& particles, Contacts& contacts,
   Work& w = *work_;
   follow_pairs(particles, contacts, reads_of(laws), planes.size());
   alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
-  const kernel::Scene scene{particles,     contacts,        w.records.data(),
-                            planes.data(), shifts.data(),   features_.periodic,
-                            step,          features_.audit, features_.pair_forces};
+  const kernel::Scene scene{
+      particles,          contacts, w.records.data(), planes.data(),         shifts.data(),
+      features_.periodic, step,     features_.audit,  features_.pair_forces, w.deepest};
   threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned) {
     w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, w.slots.data(),
                 w.block_sums.data()});
   });
   sum_loads(loads);
-  return add_up(w.block_sums);
+  ContactSums sums = add_up(w.block_sums);
+  w.deepest = sums.max_overlap_ratio = std::max(w.deepest, sums.max_overlap_ratio);
+  return sums;
 }
 
 void Forces::collect(std::size_t tile) {

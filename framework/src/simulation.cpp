@@ -176,7 +176,6 @@ double Simulation::evaluate_forces(double step, std::optional<double> kick) {
     largest = std::max(largest, sums.square_speed);
   }
   momentum_audit_.add_step(step, momentum, boundaries_.loads());
-  max_overlap_ratio_ = std::max(max_overlap_ratio_, contact_sums_.max_overlap_ratio);
   return largest;
 }
 

@@ -28,9 +28,11 @@ struct HertzMindlin : scree::ContactLaw {
   double friction = 0;
   int history = rescaled;
   double rolling_friction = 0;
-  double effective_modulus = 0;        // E*
-  double effective_shear_modulus = 0;  // G*
-  double damping_ratio = 0;            // β
+  double effective_modulus = 0;                       // E*
+  double effective_shear_modulus = 0;                 // G*
+  double damping_ratio = 0;                           // β
+  double normal_damping = 0, tangential_damping = 0;  // 2β √(5/3 E*), 4β √(5/3 G*)
+  double inverse_shear_stiffness = 0;                 // 1/(8 G*)
 
   static constexpr scree::About about = {
       "hertz_mindlin", "Hertz normal force, Mindlin tangential spring, friction, rolling resistance",
@@ -72,6 +74,9 @@ struct HertzMindlin : scree::ContactLaw {
     effective_modulus = 1 / ((1 - nu * nu) / youngs_modulus + (1 - nu2 * nu2) / e2);
     effective_shear_modulus = 1 / (2 * (2 - nu) * (1 + nu) / youngs_modulus + 2 * (2 - nu2) * (1 + nu2) / e2);
     damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
+    normal_damping = 2 * damping_ratio * std::sqrt(5.0 / 3.0 * effective_modulus);
+    tangential_damping = 4 * damping_ratio * std::sqrt(5.0 / 3.0 * effective_shear_modulus);
+    inverse_shear_stiffness = 1 / (8 * effective_shear_modulus);
   }
 
   std::size_t kernel() const {
@@ -157,10 +162,10 @@ struct Kernel : HertzMindlin {
   template <int D, class T>
   void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
-    const T weight = T(damping_ratio) * c.onset_weight * c.reduced_mass_root * c.contact_radius_root;
+    const T weight = c.onset_weight * c.reduced_mass_root * c.contact_radius_root;
 
     const T spring_force = T(4.0 / 3.0 * effective_modulus) * c.contact_radius.value * c.overlap;
-    const T gamma_n = weight * T(2 * std::sqrt(5.0 / 3.0 * effective_modulus));
+    const T gamma_n = weight * T(normal_damping);
     const T pushing_or_pulling = spring_force - gamma_n * v_n;
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
@@ -176,7 +181,7 @@ struct Kernel : HertzMindlin {
   void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& weight, Friction<D, T>& h,
                       Response<D, T>& out) const {
     const T k_t = T(8 * effective_shear_modulus) * c.contact_radius.value;
-    const T gamma_t = weight * T(4 * std::sqrt(5.0 / 3.0 * effective_shear_modulus));
+    const T gamma_t = weight * T(tangential_damping);
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
 
     // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
@@ -190,7 +195,7 @@ struct Kernel : HertzMindlin {
     const bool slides = square > limit * limit;
 
     const Vec<D, T> f_t = (slides ? limit * scree::inverse_sqrt(square) : T(1)) * f_0;
-    const T inverse_k_t = T(1 / (8 * effective_shear_modulus)) * c.contact_radius.inverse;
+    const T inverse_k_t = T(inverse_shear_stiffness) * c.contact_radius.inverse;
     for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];
     h.sliding = slides ? T(1) : T(0);
     h.contact_radius = c.contact_radius.value;

@@ -27,6 +27,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
   double dynamic_friction = -1;  // below 0: the same as static
   double rolling_friction = 0;
   double damping_ratio = 0;
+  double damping_by_root_mass = 0;          // γ/√m* = 2ζ √k
+  double inverse_tangential_stiffness = 0;  // 1/k_t
 
   static constexpr scree::About about = {
       "linear_spring_dashpot",
@@ -70,6 +72,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
     if (static_friction > 0 && tangential_stiffness <= 0)
       return setup.refuse("friction needs tangential_stiffness above 0");
     if (restitution > 0) damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
+    damping_by_root_mass = 2 * damping_ratio * std::sqrt(normal_stiffness);
+    if (tangential_stiffness > 0) inverse_tangential_stiffness = 1 / tangential_stiffness;
   }
 
   std::size_t kernel() const {
@@ -137,8 +141,7 @@ struct Kernel : LinearSpringDashpot {
   void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
     T gamma = T(normal_damping);
-    if constexpr (by_restitution)
-      gamma = T(2 * damping_ratio * std::sqrt(normal_stiffness)) * c.reduced_mass_root;
+    if constexpr (by_restitution) gamma = T(damping_by_root_mass) * c.reduced_mass_root;
 
     // [D1], δ' = −v_n
     const T spring_force = T(normal_stiffness) * c.overlap;
@@ -168,7 +171,7 @@ struct Kernel : LinearSpringDashpot {
     const bool slides = square > limit * limit;
 
     const Vec<D, T> f_t = (slides ? T(dynamic_friction) * f_n * scree::inverse_sqrt(square) : T(1)) * f_0;
-    const T inverse_k_t = T(1 / tangential_stiffness);
+    const T inverse_k_t = T(inverse_tangential_stiffness);
     for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];  // [D4]
     h.sliding = slides ? T(1) : T(0);
 

@@ -144,13 +144,13 @@ class KeepIf {
 
 // Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
 // so that a test can find it in the machine code.
-template <class Kernel, int D, bool audit, class T>
-[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Kernel& shared_kernel,
+template <class Parameters, class Kernel, int D, bool audit, class T>
+[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
                                                     const ContactBatch<T>& shared) {
   using History = typename Kernel::template History<D, T>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
   // Copies, which no column that is written can overlap.
-  const Kernel kernel = shared_kernel;
+  const Kernel kernel{parameters};
   const ContactBatch<T> batch = shared;
   const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
 #pragma GCC ivdep
@@ -182,11 +182,11 @@ template <class Kernel, int D, bool audit, class T>
 
 template <class Parameters, class Kernel, int D, class T>
 void evaluate_contacts(const void* storage, const ContactBatch<T>* batch) {
-  const Kernel kernel{*static_cast<const Parameters*>(storage)};
+  const Parameters& parameters = *static_cast<const Parameters*>(storage);
   if (batch->output[SCREE_ELASTIC_NORMAL])
-    evaluate_batch<Kernel, D, true, T>(kernel, *batch);
+    evaluate_batch<Parameters, Kernel, D, true, T>(parameters, *batch);
   else
-    evaluate_batch<Kernel, D, false, T>(kernel, *batch);
+    evaluate_batch<Parameters, Kernel, D, false, T>(parameters, *batch);
 }
 
 template <class Parameters, class Kernel, int D>

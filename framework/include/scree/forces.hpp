@@ -25,7 +25,7 @@ struct ContactSums {
   double elastic_normal = 0, elastic_tangential = 0;        // (J)
   double dissipated_normal = 0, dissipated_tangential = 0;  // (W)
   double dissipated_friction = 0;                           // (J) in this step
-  double max_overlap_ratio = 0;                             // overlap / smaller radius
+  double max_overlap_ratio = 0;                             // overlap / smaller radius, met so far
 };
 
 // Evaluates all contacts in tiles of bodies: gather -> law -> scatter in blocks of pairs.

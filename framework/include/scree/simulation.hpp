@@ -64,7 +64,7 @@ class Simulation {
   double energy_residual() const;
   // Momentum made by the contact handling, which pairs and planes must cancel, over the momentum exchanged.
   double momentum_residual() const { return momentum_audit_.residual(); }
-  double max_overlap_ratio() const { return max_overlap_ratio_; }
+  double max_overlap_ratio() const { return contact_sums_.max_overlap_ratio; }
   std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
   double skin() const { return neighbours_.skin(); }
   // Shortest contact of the lightest pair of each law over the step, at the speeds expected or met so far,
@@ -111,7 +111,6 @@ class Simulation {
   BodySums body_sums_;
   EnergyAudit audit_;
   MomentumAudit momentum_audit_;
-  double max_overlap_ratio_ = 0;
   double max_square_speed_ = 0;  // (m²/s²)
   double speed_limit_ = 0;
 

@@ -25,6 +25,7 @@ struct Scene {
   bool periodic;
   double step;
   bool audit, pair_forces;
+  double deepest;  // overlap ratio met in earlier evaluations
 };
 
 // A block of pairs between gather and scatter, as columns. T is what laws compute in, double or float; only

@@ -129,7 +129,7 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   std::fill(job.slots + width * tile.first_body, job.slots + width * tile.last_body, 0.0);
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
   Block<T> work;
-  double largest_ratio = 0;
+  double largest_ratio = job.scene->deepest;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
     const BlockJob<T> block = block_job<T>(job, k);
     job.sums[k] = block.group.planes ? evaluate_block<D, spin, true>(block, work, largest_ratio)
