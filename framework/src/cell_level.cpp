@@ -28,9 +28,14 @@ CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec
     ++first_[cell[s] + 1];
   }
   for (std::size_t c = 0; c < total; ++c) first_[c + 1] += first_[c];
-  bodies_.resize(bodies.size());
+  filed_.resize(bodies.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t s = 0; s < bodies.size(); ++s) bodies_[next[cell[s]]++] = bodies[s];
+  for (std::size_t s = 0; s < bodies.size(); ++s) {
+    const std::uint32_t i = bodies[s];
+    Filed& filed = filed_[next[cell[s]]++];
+    filed = {{}, particles.radius[i], i};
+    for (int k = 0; k < dimension; ++k) filed.position[k] = particles.position[k][i];
+  }
 }
 
 int CellLevel::axis_cells(int axis, double x, std::array<int, 3>& cells) const {

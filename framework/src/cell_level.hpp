@@ -17,7 +17,14 @@ class CellLevel {
   CellLevel(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
             double reach, const std::vector<std::uint32_t>& bodies);
 
-  // Calls visit(j) for every body j filed in the cell around (x, y, z) or a neighbouring cell.
+  // A body with what its neighbours are told by, in the order of the cells.
+  struct Filed {
+    Vec3 position;
+    double radius;
+    std::uint32_t body;
+  };
+
+  // Calls visit(filed) for every body filed in the cell around (x, y, z) or a neighbouring cell.
   template <class Visit>
   void near(const Vec3& x, const Visit& visit) const {
     std::array<std::array<int, 3>, 3> cells;
@@ -28,7 +35,7 @@ class CellLevel {
         for (int r = 0; r < count[0]; ++r) {
           const std::size_t c =
               (std::size_t(cells[2][p]) * cells_[1] + cells[1][q]) * cells_[0] + cells[0][r];
-          for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) visit(bodies_[s]);
+          for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) visit(filed_[s]);
         }
   }
 
@@ -43,7 +50,8 @@ class CellLevel {
   std::array<bool, 3> periodic_;
   std::array<int, 3> cells_;
   std::array<double, 3> inverse_width_;
-  std::vector<std::uint32_t> first_, bodies_;
+  std::vector<std::uint32_t> first_;
+  std::vector<Filed> filed_;
 };
 
 }  // namespace scree

@@ -103,16 +103,16 @@ std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Dom
 
   for (std::uint32_t i = 0; i < n; ++i) {
     const Vec3 x = position(i);
+    const double reach_of_i = particles.radius[i] + skin;
     for (int l = 0; l <= h.level[i]; ++l) {
       if (!h.levels[l]) continue;
-      h.levels[l]->near(x, [&](std::uint32_t j) {
+      h.levels[l]->near(x, [&](const CellLevel::Filed& other) {
+        const std::uint32_t j = other.body;
         if (j == i || (l == h.level[i] && j < i)) return;
-        const std::uint32_t a = std::min(i, j), b = std::max(i, j);
-        Vec3 d = position(a) - position(b);
-        const std::uint8_t image = periodic ? domain.nearest_image(d) : Domain::no_shift;
-        if (periodic) d += domain.shift(image);
-        const double reach = particles.radius[a] + particles.radius[b] + skin;
-        if (dot(d, d) < reach * reach) pairs.push_back({a, b, image});
+        Vec3 d = i < j ? x - other.position : other.position - x;
+        const std::uint8_t image = periodic ? domain.fold(d) : Domain::no_shift;
+        const double reach = reach_of_i + other.radius;
+        if (dot(d, d) < reach * reach) pairs.push_back({std::min(i, j), std::max(i, j), image});
       });
     }
   }

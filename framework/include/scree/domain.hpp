@@ -10,6 +10,8 @@ namespace scree {
 
 // Which axes are periodic, and between which coordinates.
 struct Domain {
+  static constexpr std::uint8_t no_shift = 13;
+
   std::array<bool, 3> periodic = {};
   Vec3 lower = {};  // (m)
   Vec3 upper = {};  // (m)
@@ -17,12 +19,17 @@ struct Domain {
   bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
   double length(int axis) const { return upper[axis] - lower[axis]; }
 
-  // Which image of b is nearest to a: one of −1, 0, 1 per axis as a base-3 code with 13 for none, for
-  // coordinates within the domain.
-  std::uint8_t nearest_image(const Vec3& a_minus_b) const {
-    int code = 0;
-    for (int k = 0, weight = 1; k < 3; ++k, weight *= 3)
-      code += weight * (1 - (periodic[k] ? int(std::lround(a_minus_b[k] / length(k))) : 0));
+  // Makes a − b that of the nearest image of b, for coordinates within the domain, and tells which it is: one
+  // of −1, 0, 1 per axis as a base-3 code with 13 for none.
+  std::uint8_t fold(Vec3& a_minus_b) const {
+    int code = no_shift;
+    for (int k = 0, weight = 1; k < 3; ++k, weight *= 3) {
+      if (!periodic[k]) continue;
+      const double half = 0.5 * length(k);
+      const int turns = (a_minus_b[k] < -half ? 1 : 0) - (a_minus_b[k] > half ? 1 : 0);
+      a_minus_b[k] += turns * length(k);
+      code += turns * weight;
+    }
     return std::uint8_t(code);
   }
   // What to add to a − b for that image.
@@ -32,7 +39,6 @@ struct Domain {
       if (periodic[k]) s[k] = (rest % 3 - 1) * length(k);
     return s;
   }
-  static constexpr std::uint8_t no_shift = 13;
 };
 
 }  // namespace scree
