@@ -38,19 +38,14 @@ CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec
   }
 }
 
-int CellLevel::axis_cells(int axis, double x, std::array<int, 3>& cells) const {
+CellLevel::Spans CellLevel::spans(int axis, double x) const {
   const int n = cells_[axis], middle = cell_of(axis, x);
-  int count = 0;
-  cells[count++] = middle;
-  if (n == 1) return count;
-  if (periodic_[axis]) {
-    cells[count++] = (middle + 1) % n;
-    if (n > 2) cells[count++] = (middle + n - 1) % n;
-    return count;
-  }
-  if (middle > 0) cells[count++] = middle - 1;
-  if (middle < n - 1) cells[count++] = middle + 1;
-  return count;
+  const int low = std::max(middle - 1, 0), high = std::min(middle + 1, n - 1);
+  if (!periodic_[axis] || n <= 2) return {1, {low}, {high}};
+  if (n == 3) return {1, {0}, {2}};
+  if (middle == 0) return {2, {low, n - 1}, {high, n - 1}};
+  if (middle == n - 1) return {2, {low, 0}, {high, 0}};
+  return {1, {low}, {high}};
 }
 
 }  // namespace scree

@@ -27,24 +27,32 @@ class CellLevel {
   // Calls visit(filed) for every body filed in the cell around (x, y, z) or a neighbouring cell.
   template <class Visit>
   void near(const Vec3& x, const Visit& visit) const {
-    std::array<std::array<int, 3>, 3> cells;
-    std::array<int, 3> count;
-    for (int k = 0; k < 3; ++k) count[k] = axis_cells(k, x[k], cells[k]);
-    for (int p = 0; p < count[2]; ++p)
-      for (int q = 0; q < count[1]; ++q)
-        for (int r = 0; r < count[0]; ++r) {
-          const std::size_t c =
-              (std::size_t(cells[2][p]) * cells_[1] + cells[1][q]) * cells_[0] + cells[0][r];
-          for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) visit(filed_[s]);
-        }
+    const Spans along[3] = {spans(0, x[0]), spans(1, x[1]), spans(2, x[2])};
+    const auto each = [](const Spans& s, const auto& use) {
+      for (int k = 0; k < s.count; ++k)
+        for (int cell = s.first[k]; cell <= s.last[k]; ++cell) use(cell);
+    };
+    each(along[2], [&](int plane) {
+      each(along[1], [&](int line) {
+        const std::size_t row = (std::size_t(plane) * cells_[1] + line) * cells_[0];
+        // Cells of a row lie one after the other.
+        for (int k = 0; k < along[0].count; ++k)
+          for (std::uint32_t s = first_[row + along[0].first[k]]; s < first_[row + along[0].last[k] + 1]; ++s)
+            visit(filed_[s]);
+      });
+    });
   }
 
  private:
   int cell_of(int axis, double x) const {
     return int(std::clamp((x - lower_[axis]) * inverse_width_[axis], 0.0, double(cells_[axis] - 1)));
   }
-  // The cell of x and its neighbours along one axis, each once; returns how many.
-  int axis_cells(int axis, double x, std::array<int, 3>& cells) const;
+  // The cell of x and its neighbours along one axis, each once: one or two runs of cells [first, last].
+  struct Spans {
+    int count;
+    std::array<int, 2> first, last;
+  };
+  Spans spans(int axis, double x) const;
 
   Vec3 lower_;
   std::array<bool, 3> periodic_;
