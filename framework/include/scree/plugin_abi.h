@@ -219,6 +219,7 @@ typedef struct scree_boundary {
 
 /* ---- body terms ------------------------------------------------------------------------------------- */
 
+/* Some of the scene's bodies; several batches may be evaluated at the same time. */
 typedef struct scree_body_batch {
   uint32_t struct_size;
   uint32_t dimension;
