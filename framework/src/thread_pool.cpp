@@ -37,40 +37,40 @@ ThreadPool::~ThreadPool() {
 // sees the other, so no worker calls a task whose caller has gone on.
 void ThreadPool::share_out(std::size_t count, Call call, const void* task) {
   if (count > room_) {
-    claimed_ = std::make_unique<std::atomic<std::uint32_t>[]>(count);
+    claimed_ = std::make_unique<std::atomic<std::uint64_t>[]>(count);
     room_ = count;
   }
   call_ = call;
   task_ = task;
   count_ = count;
-  const std::uint32_t round = round_.load() + 1;
+  const std::uint64_t round = round_.load() + 1;
   open_.store(round);
   round_.store(round);
   round_.notify_all();
   work(round, 0);
   open_.store(0);
   spin_until([this] { return active_.load() == 0; });
-  for (std::uint32_t left; (left = active_.load()) != 0;) active_.wait(left);
+  for (std::uint64_t left; (left = active_.load()) != 0;) active_.wait(left);
 }
 
 void ThreadPool::wait_for_work(unsigned worker) {
-  for (std::uint32_t seen = 0;;) {
+  for (std::uint64_t seen = 0;;) {
     spin_until([&] { return round_.load() != seen; });
     round_.wait(seen);
     seen = round_.load();
     if (stop_.load()) return;
     active_.fetch_add(1);
-    if (const std::uint32_t round = open_.load(); round != 0) work(round, worker);
+    if (const std::uint64_t round = open_.load(); round != 0) work(round, worker);
     if (active_.fetch_sub(1) == 1) active_.notify_one();
   }
 }
 
-bool ThreadPool::claim(std::size_t item, std::uint32_t round) {
+bool ThreadPool::claim(std::size_t item, std::uint64_t round) {
   return claimed_[item].load(std::memory_order_relaxed) != round &&
          claimed_[item].exchange(round, std::memory_order_acq_rel) != round;
 }
 
-void ThreadPool::work(std::uint32_t round, unsigned worker) {
+void ThreadPool::work(std::uint64_t round, unsigned worker) {
   const auto share_begin = [this](unsigned w) { return count_ * w / size(); };
   for (std::size_t item = share_begin(worker); item < share_begin(worker + 1); ++item)
     if (claim(item, round)) call_(task_, item, worker);

@@ -39,17 +39,17 @@ class ThreadPool {
   using Call = void (*)(const void*, std::size_t, unsigned);
   void share_out(std::size_t count, Call call, const void* task);
   void wait_for_work(unsigned worker);
-  void work(std::uint32_t round, unsigned worker);
-  bool claim(std::size_t item, std::uint32_t round);
+  void work(std::uint64_t round, unsigned worker);
+  bool claim(std::size_t item, std::uint64_t round);
 
   std::vector<std::thread> workers_;
   Call call_ = nullptr;
   const void* task_ = nullptr;
   std::size_t count_ = 0, room_ = 0;
-  std::unique_ptr<std::atomic<std::uint32_t>[]> claimed_;  // the round in which each item was last taken
-  std::atomic<std::uint32_t> round_ = 0;                   // counts rounds; workers wait for the next
-  std::atomic<std::uint32_t> open_ = 0;                    // the round that is going on, 0 between rounds
-  std::atomic<std::uint32_t> active_ = 0;                  // workers inside a round, beside the caller
+  std::unique_ptr<std::atomic<std::uint64_t>[]> claimed_;  // the round in which each item was last taken
+  std::atomic<std::uint64_t> round_ = 0;                   // counts rounds; workers wait for the next
+  std::atomic<std::uint64_t> open_ = 0;                    // the round that is going on, 0 between rounds
+  std::atomic<std::uint64_t> active_ = 0;                  // workers inside a round, beside the caller
   std::atomic<bool> stop_ = false;
 };
 

@@ -1,0 +1,128 @@
+#include "health.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <scree/simulation.hpp>
+
+namespace scree {
+
+double Simulation::drift_bodies(double step) {
+  integrator_->prepare(particles_, step);
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
+    Laps laps(worker == 0 ? profile_ : nullptr);
+    tile_sums_[tile].square_speed = 0;
+    tiles_.each_few(tile, [&](BodyRange bodies) {
+      const double largest = integrator_->drift(particles_, step, bodies);
+      tile_sums_[tile].square_speed = std::max(tile_sums_[tile].square_speed, largest);
+      laps.lap(Profile::drift);
+      forces_.take(particles_, bodies);
+      laps.lap(Profile::records);
+    });
+  });
+  double largest = 0;
+  for (const TileSums& sums : tile_sums_) largest = std::max(largest, sums.square_speed);
+  return largest;
+}
+
+void Simulation::show_bodies_to_contacts() {
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned) { forces_.take(particles_, tiles_[tile]); });
+}
+
+double Simulation::evaluate_forces(double step, std::optional<double> kick) {
+  Laps laps(profile_);
+  contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
+                                   boundaries_.domain(), step, *threads_);
+  laps.lap(Profile::contacts);
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
+    Laps tile_laps(worker == 0 ? profile_ : nullptr);
+    TileSums& sums = tile_sums_[tile] = {};
+    forces_.collect(tile);
+    tiles_.each_few(tile, [&](BodyRange bodies) {
+      forces_.give(particles_, bodies);
+      tile_laps.lap(Profile::sums);
+      sums.momentum.add(particles_, bodies);
+      tile_laps.lap(Profile::books);
+      body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
+      tile_laps.lap(Profile::body_forces);
+      if (kick) sums.square_speed = std::max(sums.square_speed, integrator_->kick(particles_, *kick, bodies));
+      tile_laps.lap(Profile::kick);
+    });
+  });
+  body_sums_ = {};
+  MomentumAudit::Sums momentum;
+  double largest = 0;
+  for (const TileSums& sums : tile_sums_) {
+    body_sums_ += sums.bodies;
+    momentum.add(sums.momentum);
+    largest = std::max(largest, sums.square_speed);
+  }
+  momentum_audit_.add_step(step, momentum, boundaries_.loads());
+  return largest;
+}
+
+void Simulation::step() {
+  double largest = 0;
+  for (const double share : integrator_->substeps()) largest = advance(share * scene_.step);
+  ++steps_;
+  time_ = double(steps_) * scene_.step;
+  force_time_ = integrator_->evaluates_at_mid_step() ? time_ - 0.5 * scene_.step : time_;
+  max_square_speed_ = std::max(max_square_speed_, largest);
+  check_health(largest);
+}
+
+double Simulation::advance(double step) {
+  const bool mid_step = integrator_->evaluates_at_mid_step();
+  const bool in_step = force_time_ == time_;
+  const double elapsed = mid_step && in_step ? 0.5 * step : step;
+  if (mid_step && !in_step) boundaries_.return_to_forces();
+  Laps laps(profile_);
+  boundaries_.drift(force_time_, elapsed);
+  const double plane_speed = boundaries_.largest_speed();
+  laps.lap(Profile::boundaries);
+  const double square_speed = drift_bodies(step);
+  laps = Laps(profile_);
+  if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) report_blow_up(*this, speed_limit_);
+  if (neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
+                         contacts_))
+    show_bodies_to_contacts();
+  laps.lap(Profile::neighbours);
+  const double largest = evaluate_forces(elapsed, step);
+  laps = Laps(profile_);
+  boundaries_.kick(force_time_, elapsed);
+  laps.lap(Profile::boundaries);
+  if (scene_.audit) audit_.add_step(elapsed, contact_sums_, body_sums_);
+  force_time_ += elapsed;
+  time_ += step;
+  if (mid_step) boundaries_.run_ahead_of_forces(0.5 * step);
+  return largest;
+}
+
+void Simulation::catch_up() {
+  if (force_time_ == time_) return;
+  for (int k = 0; k < scene_.dimension; ++k) particles_.mid_velocity[k] = particles_.velocity[k];
+  for (int k = particles_.spin_axes().first; k < particles_.spin_axes().last; ++k)
+    particles_.mid_spin[k] = particles_.spin[k];
+  const double behind = time_ - force_time_;
+  boundaries_.return_to_forces();
+  boundaries_.drift(force_time_, behind);
+  show_bodies_to_contacts();
+  evaluate_forces(behind);
+  boundaries_.kick(force_time_, behind);
+  if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);
+  force_time_ = time_;
+}
+
+double Simulation::largest_square_speed() const {
+  double largest = 0;
+  for (const Body& body : scene_.bodies) largest = std::max(largest, dot(body.velocity, body.velocity));
+  return largest;
+}
+
+void Simulation::check_health(double largest_square_speed) const {
+  const bool too_fast = !(largest_square_speed <= speed_limit_ * speed_limit_);
+  const bool too_deep = contact_sums_.max_overlap_ratio > scene_.limits.overlap_ratio;
+  if (too_fast || too_deep) report_blow_up(*this, speed_limit_);
+}
+
+}  // namespace scree
