@@ -5,7 +5,7 @@
 
 namespace scree {
 
-// Where the time of steps goes, for benchmarks.
+// Where the time of steps goes, for benchmarks; of phases that threads share, that of the caller.
 class Profile {
  public:
   enum Phase {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-// Code of the hot loops is inlined whole into one function per instruction level (levels.hpp).
+// Code of the hot loops is inlined whole into one function per instruction level (evaluate.cpp).
 #define SCREE_HOT [[gnu::always_inline]] inline
 
 namespace scree::kernel {
