@@ -67,10 +67,12 @@ bool NeighbourList::update(double body_speed, double plane_speed, double step, P
   if (review || exhausted()) measure(particles, boundaries);
   const bool search = exhausted();
   if (!review && !search) return false;
-  const SkinChoice::Experience list = experience(particles, boundaries, contacts);
-  const double skin = search ? choice_.after(list) : choice_.review(list);
-  if (!search && skin == skin_) return false;
-  skin_ = skin;
+  if (!choice_.fixed()) {
+    const SkinChoice::Experience list = experience(particles, boundaries, contacts);
+    const double skin = search ? choice_.after(list) : choice_.review(list);
+    if (!search && skin == skin_) return false;
+    skin_ = skin;
+  }
   rebuild(particles, boundaries, contacts);
   return true;
 }

@@ -25,7 +25,7 @@ double SkinChoice::best(const Experience& list) const {
 
 double SkinChoice::after(const Experience& list) {
   next_review_ = first_review;
-  return fixed_ ? list.skin : std::clamp(best(list), 0.5 * list.skin, std::min(2 * list.skin, thickest_));
+  return std::clamp(best(list), 0.5 * list.skin, std::min(2 * list.skin, thickest_));
 }
 
 double SkinChoice::review(const Experience& list) {

@@ -27,6 +27,7 @@ class NeighbourList {
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts);
 
   double skin() const { return skin_; }
+  double first_skin() const { return choice_.first(); }
   std::uint64_t rebuilds() const { return rebuilds_; }
   void set_lookup(Contacts::Lookup lookup) { lookup_ = lookup; }
 

@@ -67,6 +67,8 @@ class Simulation {
   double max_overlap_ratio() const { return contact_sums_.max_overlap_ratio; }
   std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
   double skin() const { return neighbours_.skin(); }
+  // That of the first search (m): stated, or a tenth of the mean radius.
+  double first_skin() const { return neighbours_.first_skin(); }
   // Shortest contact of the lightest pair of each law over the step, at the speeds expected or met so far,
   // whichever are higher; infinite without pairs.
   double min_steps_per_contact() const;

@@ -20,6 +20,8 @@ class SkinChoice {
   // The skin at the start and the thickest that it may become (m); 0 keeps it.
   SkinChoice(double skin, double thickest) : first_(skin), thickest_(thickest), fixed_(thickest <= 0) {}
 
+  double first() const { return first_; }
+  bool fixed() const { return fixed_; }
   // Whether to look at the list again after this many steps: ever more rarely.
   bool due(std::uint64_t steps) const { return !fixed_ && steps == next_review_; }
   // The skin to search with now, of a list that is used up; within a factor of 2 of the last.
