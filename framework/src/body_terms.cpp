@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,8 +12,16 @@ namespace {
 
 constexpr double nowhere[3] = {0, 0, 0};
 
-double* from(Column<double>& column, std::size_t body) {
-  return column.empty() ? nullptr : column.data() + body;
+scree_column from(Strided<const double> column, std::size_t body) {
+  if (column.empty()) return {nullptr, 0};
+  return {column.data() + body * column.stride(), column.stride()};
+}
+scree_column from(const Column<double>& column, std::size_t body) {
+  return from(Strided<const double>(column.data(), 1, column.size()), body);
+}
+scree_load_column loads_from(Strided<double> column, std::size_t body) {
+  if (column.empty()) return {nullptr, 0};
+  return {column.data() + body * column.stride(), column.stride()};
 }
 
 }  // namespace
@@ -30,17 +39,17 @@ void BodyTerms::apply(Particles& p, const Domain& domain, BodyRange bodies, Body
   batch.dimension = std::uint32_t(dimension_);
   batch.count = std::uint32_t(bodies.end - first);
   for (int k = 0; k < 3; ++k) {
-    batch.position[k] = from(p.position[k], first);
-    batch.velocity[k] = from(p.velocity[k], first);
-    batch.spin[k] = from(p.spin[k], first);
-    batch.force[k] = from(p.force[k], first);
-    batch.torque[k] = from(p.torque[k], first);
+    batch.position[k] = from(std::as_const(p).position()[k], first);
+    batch.velocity[k] = from(std::as_const(p).velocity()[k], first);
+    batch.spin[k] = from(std::as_const(p).spin()[k], first);
+    batch.force[k] = loads_from(p.force()[k], first);
+    batch.torque[k] = loads_from(p.torque()[k], first);
     if (!domain.periodic[std::size_t(k)] || p.image[k].empty()) continue;
     batch.image[k] = p.image[k].data() + first;
     batch.period[k] = domain.length(k);
   }
-  batch.radius = p.radius.data() + first;
-  batch.mass = p.mass.data() + first;
+  batch.radius = from(p.radius(), first);
+  batch.mass = from(p.mass, first);
   batch.inertia = from(p.inertia, first);
   for (const Member& member : members_) member.plugin.interface().apply(member.plugin.storage(), &batch);
   sums.potential += batch.potential;

@@ -23,7 +23,7 @@ CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec
   first_.assign(total + 1, 0);
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     std::array<int, 3> index = {};
-    for (int k = 0; k < dimension; ++k) index[k] = cell_of(k, particles.position[k][bodies[s]]);
+    for (int k = 0; k < dimension; ++k) index[k] = cell_of(k, particles.position()[k][bodies[s]]);
     cell[s] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
     ++first_[cell[s] + 1];
   }
@@ -33,8 +33,8 @@ CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     const std::uint32_t i = bodies[s];
     Filed& filed = filed_[next[cell[s]]++];
-    filed = {{}, particles.radius[i], i};
-    for (int k = 0; k < dimension; ++k) filed.position[k] = particles.position[k][i];
+    filed = {{}, particles.radius()[i], i};
+    for (int k = 0; k < dimension; ++k) filed.position[k] = particles.position()[k][i];
   }
 }
 

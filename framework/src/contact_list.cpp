@@ -6,7 +6,7 @@ namespace {
 
 Vec3 position(const Particles& p, std::size_t i) {
   Vec3 x = {};
-  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position[k][i];
+  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][i];
   return x;
 }
 
@@ -25,16 +25,16 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       Vec3 normal = {};
-      double distance = 0, reach = p.radius[a];
+      double distance = 0, reach = p.radius()[a];
       if (group.planes) {
         for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
         for (int k = 0; k < p.dimension(); ++k)
-          distance += (p.position[k][a] - planes[b].point[k]) * normal[k];
+          distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
       } else {
         normal = position(p, a) - position(p, b) + domain.shift(contacts.image[q]);
         distance = norm(normal);
         normal = (distance > 0 ? 1 / distance : 0) * normal;
-        reach += p.radius[b];
+        reach += p.radius()[b];
       }
       if (!(distance < reach)) continue;
       list.a.push_back(a);

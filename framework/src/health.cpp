@@ -38,8 +38,8 @@ void report_overlap(const Simulation& s) {
   std::size_t worst = 0;
   double worst_ratio = 0;
   for (std::size_t c = 0; c < list.size(); ++c) {
-    double radius = p.radius[list.a[c]];
-    if (list.b[c] < p.size()) radius = std::min(radius, p.radius[list.b[c]]);
+    double radius = p.radius()[list.a[c]];
+    if (list.b[c] < p.size()) radius = std::min(radius, p.radius()[list.b[c]]);
     if (list.overlap[c] / radius > worst_ratio) worst_ratio = list.overlap[c] / radius, worst = c;
   }
   if (list.size() == 0) return;

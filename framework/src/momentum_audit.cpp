@@ -1,7 +1,7 @@
 #include "instruction_levels.hpp"
+#include "kernel/lanes.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include <scree/momentum_audit.hpp>
 
@@ -9,26 +9,36 @@ namespace scree {
 
 namespace {
 
-// Sum of a column and of its absolute values, in eight interleaved parts that vector registers hold.
-SCREE_EVERY_LEVEL std::pair<double, double> interleaved_sums(const double* column, std::size_t count) {
-  constexpr std::size_t parts = 8;
-  double sum[parts] = {}, size[parts] = {};
+using kernel::Four;
+
+// Sums of records of four numbers and of their sizes, lane by lane, in interleaved parts so that one addition
+// need not wait for the other.
+SCREE_EVERY_LEVEL void add_up(const double* first, std::size_t stride, std::size_t count, Four& sum,
+                              Four& size) {
+  constexpr std::size_t parts = 4;
+  Four sums[parts] = {}, sizes[parts] = {};
+  const auto take = [&](std::size_t i, std::size_t part) SCREE_INLINE_LAMBDA {
+    const Four numbers = kernel::load_four(first + stride * i);
+    sums[part] += numbers;
+    sizes[part] += numbers < 0 ? -numbers : numbers;
+  };
   const std::size_t whole = count / parts * parts;
   for (std::size_t i = 0; i < whole; i += parts)
-    for (std::size_t k = 0; k < parts; ++k) sum[k] += column[i + k], size[k] += std::abs(column[i + k]);
-  for (std::size_t i = whole; i < count; ++i) sum[0] += column[i], size[0] += std::abs(column[i]);
-  for (std::size_t k = 1; k < parts; ++k) sum[0] += sum[k], size[0] += size[k];
-  return {sum[0], size[0]};
+    for (std::size_t k = 0; k < parts; ++k) take(i + k, k);
+  for (std::size_t i = whole; i < count; ++i) take(i, 0);
+  sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  size = (sizes[0] + sizes[1]) + (sizes[2] + sizes[3]);
 }
 
 }  // namespace
 
 void MomentumAudit::Sums::add(const Particles& particles, BodyRange bodies) {
+  Four sum, sizes;
+  add_up(particles.loads() + bodies.begin * particles.load_width(), particles.load_width(),
+         bodies.end - bodies.begin, sum, sizes);
   for (int k = 0; k < particles.dimension(); ++k) {
-    const auto [sum, sizes] =
-        interleaved_sums(particles.force[k].data() + bodies.begin, bodies.end - bodies.begin);
-    force[k] += sum;
-    size += sizes;
+    force[k] += sum[k];
+    size += sizes[k];
   }
 }
 

@@ -6,36 +6,47 @@
 
 namespace scree {
 
+using namespace kernel;
+
 namespace {
 
-constexpr std::size_t lanes = 8;
+// Raises the largest of the squares of each lane: Σ over the first `axes` of four components. Counts those
+// that are not finite.
+SCREE_EVERY_LEVEL void raise(Four& largest, Four& unbounded, const double* first, std::size_t stride,
+                             std::size_t count, const Four& axes) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    Four v[4];
+    // Past the end the last body once more.
+    for (std::size_t k = 0; k < 4; ++k) v[k] = axes * load_four(first + stride * std::min(i + k, count - 1));
+    transpose(v[0], v[1], v[2], v[3]);
+    const Four square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    largest = square > largest ? square : largest;
+    unbounded = square < infinity ? unbounded : square;
+  }
+}
 
-// Raises the largest square of each lane; counts the squares that are not finite.
-SCREE_EVERY_LEVEL std::size_t raise(double (&largest)[lanes], const double* x, const double* y,
-                                    const double* z, std::size_t begin, std::size_t end) {
-  std::size_t unbounded = 0;
-  std::size_t i = begin;
-  const auto look = [&](std::size_t body, std::size_t lane) {
-    const double square = x[body] * x[body] + (y ? y[body] * y[body] : 0.0) + (z ? z[body] * z[body] : 0.0);
-    largest[lane] = square > largest[lane] ? square : largest[lane];
-    unbounded += square < infinity ? 0 : 1;
-  };
-  for (; i + lanes <= end; i += lanes)
-    for (std::size_t lane = 0; lane < lanes; ++lane) look(i + lane, lane);
-  for (; i < end; ++i) look(i, 0);
-  return unbounded;
+double largest_of(const double* first, std::size_t stride, std::size_t count, const Four& axes) {
+  if (count == 0) return 0;
+  Four largest = {}, unbounded = {};
+  raise(largest, unbounded, first, stride, count, axes);
+  double all = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (!(unbounded[k] == 0)) return infinity;
+    all = std::max(all, largest[k]);
+  }
+  return all;
 }
 
 }  // namespace
 
-double largest_square(const Column<double> (&v)[3], Particles::Axes axes, BodyRange bodies) {
-  if (axes.first == axes.last) return 0;
-  const auto column = [&](int k) { return k < axes.last ? v[k].data() : nullptr; };
-  double largest[lanes] = {};
-  if (raise(largest, v[axes.first].data(), column(axes.first + 1), column(axes.first + 2), bodies.begin,
-            bodies.end) > 0)
-    return infinity;
-  return *std::max_element(largest, largest + lanes);
+double Motions::largest_square(BodyRange bodies, bool mid_step) const {
+  const std::size_t count = bodies.end - bodies.begin, width = record::width(flat_ ? 2 : 3, spin_);
+  const double* first = records_ + bodies.begin * width;
+  // Spins have no limit, but must be numbers.
+  const std::size_t spins = flat_ ? record::motion : record::spin;
+  const Four of_spin = flat_ ? Four{0, 0, 1, 0} : Four{1, 1, 1, 0};
+  if (spin_ && !(largest_of(first + spins, width, count, of_spin) < infinity)) return infinity;
+  return largest_of(first + (mid_step ? record::mid_motion : record::motion), width, count, axes());
 }
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <algorithm>
+#include "kernel/lanes.hpp"
+
 #include <limits>
 
 #include <scree/body_range.hpp>
@@ -10,39 +11,67 @@ namespace scree {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Largest |v|² of the bodies; infinite if any component is not a number.
-double largest_square(const Column<double> (&v)[3], Particles::Axes axes, BodyRange bodies);
-
-// x += step × rate; bodies have no positions of rotation, for which x is null.
-[[gnu::always_inline]] inline void move_positions(double* x, const double* rate, double step,
-                                                  std::size_t begin, std::size_t end) {
-  if (!x) return;
-#pragma GCC ivdep
-  for (std::size_t i = begin; i < end; ++i) x[i] += step * rate[i];
-}
-
-// The columns of one axis, of translation or rotation.
-struct Axis {
-  double *position, *rate, *mid_rate;  // no positions of rotation: nullptr
-  const double *load, *inverse_inertia;
-  int number;  // 0 to 2 translation, 3 to 5 rotation
+// A rate of one body, of four numbers: its velocity, in 2D with its spin, or its spin in 3D. Numbers that are
+// not moved have no acceleration.
+struct Motion {
+  kernel::Four &rate, &mid_rate;  // mid_rate: displacement since the last evaluation over its time
+  kernel::Four& place;            // (x, y, z, R); of a spin nobody's
+  kernel::Four acceleration;      // of the last evaluation
+  std::size_t number;             // of this motion among all
 };
 
-// Calls move(axis, begin, end) for every axis that the bodies carry, and returns the largest squared speed of
-// the velocities told by `speeds`.
-template <class Move>
-double move_bodies(Particles& p, BodyRange bodies, const Column<double> (&speeds)[3], const Move& move) {
-  for (int k = p.axes().first; k < p.axes().last; ++k)
-    move(Axis{p.position[k].data(), p.velocity[k].data(), p.mid_velocity[k].data(), p.force[k].data(),
-              p.inverse_mass.data(), k},
-         bodies.begin, bodies.end);
-  for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-    move(Axis{nullptr, p.spin[k].data(), p.mid_spin[k].data(), p.torque[k].data(), p.inverse_inertia.data(),
-              3 + k},
-         bodies.begin, bodies.end);
-  // Spins have no limit, but must be numbers.
-  const bool spins_finite = largest_square(p.spin, p.spin_axes(), bodies) < infinity;
-  return spins_finite ? largest_square(speeds, p.axes(), bodies) : infinity;
-}
+// The motions of all bodies: one each, or in 3D with spin two.
+class Motions {
+ public:
+  explicit Motions(Particles& particles)
+      : records_(particles.records()),
+        loads_(particles.loads()),
+        flat_(particles.dimension() == 2),
+        spin_(particles.has_spin()) {}
+
+  std::size_t each_body() const { return !flat_ && spin_ ? 2 : 1; }
+  // 1 for the numbers of a place that a displacement moves.
+  kernel::Four axes() const { return kernel::Four{1, 1, flat_ ? 0.0 : 1.0, 0}; }
+
+  // Calls move(Motion) for all motions of some bodies.
+  template <class Move>
+  SCREE_HOT void each(BodyRange bodies, const Move& move) const {
+    if (flat_)
+      each_of<2, true>(bodies, move);
+    else if (spin_)
+      each_of<3, true>(bodies, move);
+    else
+      each_of<3, false>(bodies, move);
+  }
+
+  // Largest |v|² of some bodies, at the end of the step or in mid-step (m²/s²); infinite if any velocity or
+  // spin is not a number.
+  double largest_square(BodyRange bodies, bool mid_step) const;
+
+ private:
+  template <int D, bool spin, class Move>
+  SCREE_HOT void each_of(BodyRange bodies, const Move& move) const {
+    using namespace kernel;
+    constexpr std::size_t motions = D == 3 && spin ? 2 : 1;
+    Four nowhere = {};
+    double* body = records_ + bodies.begin * record::width(D, spin);
+    const double* load = loads_ + bodies.begin * record::load_width(D, spin);
+    for (std::size_t i = bodies.begin; i < bodies.end; ++i) {
+      const double by_mass = body[record::motion + 3], by_inertia = body[record::place + 2];
+      const Four inverse = D == 2 ? Four{by_mass, by_mass, by_inertia, 0} : by_mass * Four{1, 1, 1, 1};
+      move(Motion{four_at(body + record::motion), four_at(body + record::mid_motion),
+                  four_at(body + record::place), load_four(load) * inverse, i * motions});
+      if constexpr (motions == 2)
+        move(Motion{four_at(body + record::spin), four_at(body + record::mid_spin), nowhere,
+                    load_four(load + 4) * body[record::spin + 3], i * motions + 1});
+      body += record::width(D, spin);
+      load += record::load_width(D, spin);
+    }
+  }
+
+  double* records_;
+  const double* loads_;
+  bool flat_, spin_;
+};
 
 }  // namespace scree

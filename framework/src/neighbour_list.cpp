@@ -12,8 +12,8 @@ void wrap(Particles& p, const Domain& domain) {
   for (int k = 0; k < p.dimension(); ++k) {
     if (!domain.periodic[k]) continue;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double turns = std::floor((p.position[k][i] - domain.lower[k]) / domain.length(k));
-      p.position[k][i] -= turns * domain.length(k);
+      const double turns = std::floor((p.position()[k][i] - domain.lower[k]) / domain.length(k));
+      p.position()[k][i] -= turns * domain.length(k);
       p.image[k][i] += std::int32_t(turns);
     }
   }
@@ -22,7 +22,7 @@ void wrap(Particles& p, const Domain& domain) {
 // Distance of a body's centre from a plane, positive on the material's side (m).
 double height(const Particles& p, std::size_t i, const scree_plane& plane) {
   double h = 0;
-  for (int k = 0; k < p.dimension(); ++k) h += (p.position[k][i] - plane.point[k]) * plane.normal[k];
+  for (int k = 0; k < p.dimension(); ++k) h += (p.position()[k][i] - plane.point[k]) * plane.normal[k];
   return h;
 }
 
@@ -35,10 +35,10 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       const Vec3 shift = domain.shift(contacts.image[q]);
-      const double reach = p.radius[a] + p.radius[b];
+      const double reach = p.radius()[a] + p.radius()[b];
       double square = 0;
       for (int k = 0; k < p.dimension(); ++k) {
-        const double apart = p.position[k][a] - p.position[k][b] + shift[k];
+        const double apart = p.position()[k][a] - p.position()[k][b] + shift[k];
         square += apart * apart;
       }
       touching += square < reach * reach ? 1 : 0;
@@ -51,7 +51,7 @@ std::vector<PlanePair> near_planes(const Particles& p, const std::vector<scree_p
   std::vector<PlanePair> pairs;
   for (std::uint32_t i = 0; i < p.size(); ++i)
     for (std::uint32_t w = 0; w < planes.size(); ++w)
-      if (height(p, i, planes[w]) < p.radius[i] + skin) pairs.push_back({i, w});
+      if (height(p, i, planes[w]) < p.radius()[i] + skin) pairs.push_back({i, w});
   return pairs;
 }
 
@@ -89,7 +89,7 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     double square = 0;
     for (int k = 0; k < p.dimension(); ++k) {
-      const double moved = p.position[k][i] - searched_position_[k][i];
+      const double moved = p.position()[k][i] - searched_position_[k][i];
       square += moved * moved;
     }
     largest = std::max(largest, square);
@@ -111,7 +111,10 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   lookup.plane_material = boundaries.plane_materials().data();
   contacts.rebuild(find_neighbours(particles, boundaries.domain(), skin_),
                    near_planes(particles, boundaries.planes(), skin_), lookup);
-  for (int k = 0; k < particles.dimension(); ++k) searched_position_[k] = particles.position[k];
+  for (int k = 0; k < particles.dimension(); ++k) {
+    const auto x = particles.position()[k];
+    searched_position_[k].assign(x.begin(), x.end());
+  }
   searched_planes_ = boundaries.planes();
   travelled_ = planes_travelled_ = 0;
   steps_ = 0;

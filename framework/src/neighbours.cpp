@@ -36,7 +36,7 @@ void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
 
 // What the cells along an axis span. Bodies outside are filed in the outermost cells, so a few that are far
 // out need not make all cells wide: beyond a quarter of the middle 98 % on either side they are left outside.
-std::pair<double, double> cell_span(const Column<double>& x) {
+std::pair<double, double> cell_span(const Strided<const double>& x) {
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   constexpr std::size_t most_samples = 1000;
   std::vector<double> sample;
@@ -49,12 +49,12 @@ std::pair<double, double> cell_span(const Column<double>& x) {
 
 Hierarchy build_hierarchy(const Particles& particles, const Domain& domain, double skin) {
   const std::size_t n = particles.size();
-  const double largest = *std::max_element(particles.radius.begin(), particles.radius.end());
+  const double largest = *std::max_element(particles.radius().begin(), particles.radius().end());
   check_periodic_lengths(domain, particles.dimension(), 2 * largest + skin);
 
   Vec3 lower = {}, upper = {};
   for (int k = 0; k < particles.dimension(); ++k) {
-    const auto [low, high] = cell_span(particles.position[k]);
+    const auto [low, high] = cell_span(particles.position()[k]);
     lower[k] = domain.periodic[k] ? domain.lower[k] : low;
     upper[k] = domain.periodic[k] ? domain.upper[k] : high;
   }
@@ -62,7 +62,7 @@ Hierarchy build_hierarchy(const Particles& particles, const Domain& domain, doub
   h.level.resize(n);
   std::vector<std::vector<std::uint32_t>> members(most_levels);
   for (std::size_t i = 0; i < n; ++i) {
-    h.level[i] = level_of(particles.radius[i], largest);
+    h.level[i] = level_of(particles.radius()[i], largest);
     members[h.level[i]].push_back(std::uint32_t(i));
   }
   h.levels.resize(most_levels);
@@ -97,13 +97,13 @@ std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Dom
   const bool periodic = domain.any_periodic();
   const auto position = [&](std::size_t i) {
     Vec3 x = {};
-    for (int k = 0; k < particles.dimension(); ++k) x[k] = particles.position[k][i];
+    for (int k = 0; k < particles.dimension(); ++k) x[k] = particles.position()[k][i];
     return x;
   };
 
   for (std::uint32_t i = 0; i < n; ++i) {
     const Vec3 x = position(i);
-    const double reach_of_i = particles.radius[i] + skin;
+    const double reach_of_i = particles.radius()[i] + skin;
     for (int l = 0; l <= h.level[i]; ++l) {
       if (!h.levels[l]) continue;
       h.levels[l]->near(x, [&](const CellLevel::Filed& other) {

@@ -20,11 +20,12 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
   for (const PairGroup& group : contacts.groups())
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      const double mass = 1 / (p.inverse_mass[a] + (group.planes ? 0 : p.inverse_mass[b]));
-      radius_sum[q] = p.radius[a] + (group.planes ? 0 : p.radius[b]);
+      const double mass = 1 / (p.inverse_mass()[a] + (group.planes ? 0 : p.inverse_mass()[b]));
+      radius_sum[q] = p.radius()[a] + (group.planes ? 0 : p.radius()[b]);
       set(SCREE_REDUCED_MASS, q, mass);
       set(SCREE_REDUCED_MASS_ROOT, q, std::sqrt(mass));
-      set(SCREE_EFFECTIVE_RADIUS, q, group.planes ? p.radius[a] : 1 / (1 / p.radius[a] + 1 / p.radius[b]));
+      set(SCREE_EFFECTIVE_RADIUS, q,
+          group.planes ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]));
     }
 }
 

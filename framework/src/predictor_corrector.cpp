@@ -4,55 +4,51 @@
 
 namespace scree {
 
+using namespace kernel;
+
 // Higher terms start at 0; the first steps fill them.
-void PredictorCorrector::prepare(const Particles& p, double step) {
-  if (series_[std::size_t(p.axes().first)].second.size() == p.size()) return;
-  const auto fill = [&](Series& series, const Column<double>& load, const Column<double>& inverse_inertia) {
-    series.second.resize(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i)
-      series.second[i] = 0.5 * step * step * load[i] * inverse_inertia[i];
-    series.third.assign(p.size(), 0.0);
-    series.fourth.assign(p.size(), 0.0);
-  };
-  for (int k = p.axes().first; k < p.axes().last; ++k)
-    fill(series_[std::size_t(k)], p.force[k], p.inverse_mass);
-  for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-    fill(series_[std::size_t(3 + k)], p.torque[k], p.inverse_inertia);
-}
-
-double PredictorCorrector::drift(Particles& p, double step, BodyRange bodies) {
-  return move_bodies(p, bodies, p.mid_velocity, [&](const Axis& axis, std::size_t begin, std::size_t end) {
-    Series& r = series_[std::size_t(axis.number)];
-    double *second = r.second.data(), *third = r.third.data(), *x = axis.position;
-    const double* fourth = r.fourth.data();
-    const double per_step = 1 / step;
-#pragma GCC ivdep
-    for (std::size_t i = begin; i < end; ++i) {
-      const double moved = step * axis.rate[i] + second[i] + third[i] + fourth[i];
-      axis.mid_rate[i] = per_step * moved;
-      axis.rate[i] += per_step * (2 * second[i] + 3 * third[i] + 4 * fourth[i]);
-      second[i] += 3 * third[i] + 6 * fourth[i];
-      third[i] += 4 * fourth[i];
-    }
-    move_positions(x, axis.mid_rate, step, begin, end);
+void PredictorCorrector::prepare(Particles& particles, double step) {
+  const Motions motions(particles);
+  const std::size_t numbers = 4 * particles.size() * motions.each_body();
+  if (second_.size() == numbers) return;
+  for (auto* column : {&second_, &third_, &fourth_}) column->assign(numbers, 0.0);
+  motions.each({0, particles.size()}, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    store_four(second_.data() + 4 * m.number, 0.5 * step * step * m.acceleration);
   });
 }
 
-double PredictorCorrector::kick(Particles& p, double step, BodyRange bodies) {
-  return move_bodies(p, bodies, p.velocity, [&](const Axis& axis, std::size_t begin, std::size_t end) {
-    Series& r = series_[std::size_t(axis.number)];
-    double *second = r.second.data(), *third = r.third.data(), *fourth = r.fourth.data(), *x = axis.position;
-    const double half_square = 0.5 * step * step, per_step = 1 / step;
-#pragma GCC ivdep
-    for (std::size_t i = begin; i < end; ++i) {
-      const double correction = half_square * axis.load[i] * axis.inverse_inertia[i] - second[i];
-      axis.rate[i] += 0.75 * per_step * correction;
-      second[i] += correction;
-      third[i] += 0.5 * correction;
-      fourth[i] += 1.0 / 12 * correction;
-      if (x) x[i] += 19.0 / 90 * correction;
-    }
+double PredictorCorrector::drift(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  const double per_step = 1 / step;
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    double *const at_second = second_.data() + 4 * m.number, *const at_third = third_.data() + 4 * m.number;
+    const Four second = load_four(at_second), third = load_four(at_third),
+               fourth = load_four(fourth_.data() + 4 * m.number);
+    const Four moved = step * m.rate + second + third + fourth;
+    m.mid_rate = per_step * moved;
+    m.rate += per_step * (2 * second + 3 * third + 4 * fourth);
+    m.place += motions.axes() * moved;
+    store_four(at_second, second + 3 * third + 6 * fourth);
+    store_four(at_third, third + 4 * fourth);
   });
+  return motions.largest_square(bodies, true);
+}
+
+double PredictorCorrector::kick(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  const double half_square = 0.5 * step * step, per_step = 1 / step;
+  const auto add = [](double* to, const Four& term)
+                       SCREE_INLINE_LAMBDA { store_four(to, load_four(to) + term); };
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    double* const second = second_.data() + 4 * m.number;
+    const Four correction = half_square * m.acceleration - load_four(second);
+    m.rate += 0.75 * per_step * correction;
+    add(second, correction);
+    add(third_.data() + 4 * m.number, 0.5 * correction);
+    add(fourth_.data() + 4 * m.number, 1.0 / 12 * correction);
+    m.place += 19.0 / 90 * motions.axes() * correction;
+  });
+  return motions.largest_square(bodies, false);
 }
 
 }  // namespace scree

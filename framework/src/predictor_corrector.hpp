@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include <scree/integrator.hpp>
 
 namespace scree {
@@ -12,17 +10,13 @@ namespace scree {
 //   drift: r_k <- Σ_j≥k binomial(j, k) r_j;   kick: r_k += c_k (h²/2 F/m − r_2), c = 19/90, 3/4, 1, 1/2, 1/12
 class PredictorCorrector : public Integrator {
  public:
-  void prepare(const Particles& particles, double step) override;
+  void prepare(Particles& particles, double step) override;
   double drift(Particles& particles, double step, BodyRange bodies) override;
   double kick(Particles& particles, double step, BodyRange bodies) override;
 
  private:
-  // r_2, r_3, r_4 of each axis, translation then rotation.
-  struct Series {
-    Column<double> second, third, fourth;
-  };
-
-  std::array<Series, 6> series_;
+  // r_2, r_3, r_4 of each motion, of four numbers each.
+  Column<double> second_, third_, fourth_;
 };
 
 }  // namespace scree

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double nowhere[3] = {0, 0, 0};
 
-void point_to(const double* (&pointers)[3], const Column<double> (&columns)[3]) {
-  for (int k = 0; k < 3; ++k) pointers[k] = columns[k].empty() ? nullptr : columns[k].data();
+void point_to(scree_column (&columns)[3], const Vectors<const double>& vectors) {
+  for (int k = 0; k < 3; ++k) columns[k] = {vectors[k].data(), vectors[k].stride()};
 }
 
 }  // namespace
@@ -22,13 +22,13 @@ SimulationView::SimulationView(const Simulation& s, bool with_contacts) : energy
   view_.time = s.time();
   view_.step = s.steps();
   view_.body_count = p.size();
-  point_to(view_.position, p.position);
-  point_to(view_.velocity, p.velocity);
-  point_to(view_.spin, p.spin);
-  point_to(view_.force, p.force);
-  point_to(view_.torque, p.torque);
-  view_.radius = p.radius.data();
-  view_.mass = p.mass.data();
+  point_to(view_.position, p.position());
+  point_to(view_.velocity, p.velocity());
+  point_to(view_.spin, p.spin());
+  point_to(view_.force, p.force());
+  point_to(view_.torque, p.torque());
+  view_.radius = {p.radius().data(), p.radius().stride()};
+  view_.mass = {p.mass.data(), 1};
   view_.id = p.id.data();
   if (with_contacts) {
     contacts_ = s.contact_list();

@@ -76,8 +76,7 @@ Simulation::Simulation(const Scene& scene)
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
       neighbours_(skin_of(scene), thickest_skin_of(scene, boundaries_.domain()), {}),
       forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit,
-               scene.pair_forces, scene.precision},
-              particles_),
+               scene.pair_forces, scene.precision}),
       integrator_(make_integrator(scene.integration)),
       threads_(std::make_unique<ThreadPool>(threads_of(scene))),
       speed_limit_(speed_limit_of(scene)),
@@ -87,7 +86,6 @@ Simulation::Simulation(const Scene& scene)
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());
   neighbours_.rebuild(particles_, boundaries_, contacts_);
-  show_bodies_to_contacts();
   evaluate_forces(0);
   boundaries_.kick(0, 0);
   audit_.restate(contact_sums_, body_sums_);
@@ -149,7 +147,6 @@ void Simulation::apply_reconfiguration() {
   configure_laws();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
   neighbours_.rebuild(particles_, boundaries_, contacts_);
-  show_bodies_to_contacts();
   evaluate_forces(0);
   audit_.restate(contact_sums_, body_sums_);
 }
@@ -161,8 +158,8 @@ ContactList Simulation::contact_list() const {
 scree_energy Simulation::energy() const {
   const Particles& p = particles_;
   // At the moment for which the stored energies are known.
-  const auto& velocity = force_time_ == time_ ? p.velocity : p.mid_velocity;
-  const auto& spin = force_time_ == time_ ? p.spin : p.mid_spin;
+  const auto velocity = force_time_ == time_ ? p.velocity() : p.mid_velocity();
+  const auto spin = force_time_ == time_ ? p.spin() : p.mid_spin();
   double translation = 0, rotation = 0;
   for (int k = 0; k < scene_.dimension; ++k)
     for (std::size_t i = 0; i < p.size(); ++i) translation += p.mass[i] * velocity[k][i] * velocity[k][i];
@@ -187,8 +184,9 @@ std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.add(steps_);
   const Particles& p = particles_;
-  for (const auto* columns : {&p.position, &p.velocity, &p.spin})
-    for (const Column<double>& column : *columns) hash.add(column.data(), column.size());
+  for (const auto& vectors : {p.position(), p.velocity(), p.spin()})
+    for (int k = 0; k < 3; ++k)
+      for (const double component : vectors[k]) hash.add(component);
   for (const PairGroup& group : contacts_.groups())
     for (std::size_t q = group.begin; q < group.end; ++q)
       for (std::uint32_t k = 0; k < group.history_width; ++k)
@@ -207,7 +205,7 @@ Footprint Simulation::footprint() const {
   for (const LawInstance& law : laws_) width = std::max(width, law.interface.history_width);
   const std::size_t history_bytes = PairColumns(scene_.precision).bytes_per_number();
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
-  return {p.size() * (std::size_t(scene_.dimension) + spins), p.bytes_per_body() + forces_.bytes_per_body(),
+  return {p.size() * (std::size_t(scene_.dimension) + spins), p.bytes_per_body(),
           forces_.bytes_per_pair() + width * history_bytes, width};
 }
 

@@ -15,18 +15,12 @@ double Simulation::drift_bodies(double step) {
     tiles_.each_few(tile, [&](BodyRange bodies) {
       const double largest = integrator_->drift(particles_, step, bodies);
       tile_sums_[tile].square_speed = std::max(tile_sums_[tile].square_speed, largest);
-      laps.lap(Profile::drift);
-      forces_.take(particles_, bodies);
-      laps.lap(Profile::records);
     });
+    laps.lap(Profile::drift);
   });
   double largest = 0;
   for (const TileSums& sums : tile_sums_) largest = std::max(largest, sums.square_speed);
   return largest;
-}
-
-void Simulation::show_bodies_to_contacts() {
-  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned) { forces_.take(particles_, tiles_[tile]); });
 }
 
 double Simulation::evaluate_forces(double step, std::optional<double> kick) {
@@ -37,10 +31,9 @@ double Simulation::evaluate_forces(double step, std::optional<double> kick) {
   threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
     Laps tile_laps(worker == 0 ? profile_ : nullptr);
     TileSums& sums = tile_sums_[tile] = {};
-    forces_.collect(tile);
+    forces_.collect(particles_, tile);
+    tile_laps.lap(Profile::sums);
     tiles_.each_few(tile, [&](BodyRange bodies) {
-      forces_.give(particles_, bodies);
-      tile_laps.lap(Profile::sums);
       sums.momentum.add(particles_, bodies);
       tile_laps.lap(Profile::books);
       body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
@@ -83,9 +76,8 @@ double Simulation::advance(double step) {
   const double square_speed = drift_bodies(step);
   laps = Laps(profile_);
   if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) report_blow_up(*this, speed_limit_);
-  if (neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
-                         contacts_))
-    show_bodies_to_contacts();
+  neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
+                     contacts_);
   laps.lap(Profile::neighbours);
   const double largest = evaluate_forces(elapsed, step);
   laps = Laps(profile_);
@@ -100,13 +92,14 @@ double Simulation::advance(double step) {
 
 void Simulation::catch_up() {
   if (force_time_ == time_) return;
-  for (int k = 0; k < scene_.dimension; ++k) particles_.mid_velocity[k] = particles_.velocity[k];
-  for (int k = particles_.spin_axes().first; k < particles_.spin_axes().last; ++k)
-    particles_.mid_spin[k] = particles_.spin[k];
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    for (int k = 0; k < scene_.dimension; ++k) particles_.mid_velocity()[k][i] = particles_.velocity()[k][i];
+    for (int k = particles_.spin_axes().first; k < particles_.spin_axes().last; ++k)
+      particles_.mid_spin()[k][i] = particles_.spin()[k][i];
+  }
   const double behind = time_ - force_time_;
   boundaries_.return_to_forces();
   boundaries_.drift(force_time_, behind);
-  show_bodies_to_contacts();
   evaluate_forces(behind);
   boundaries_.kick(force_time_, behind);
   if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);

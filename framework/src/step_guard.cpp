@@ -137,8 +137,8 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
     fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
   if (fastest > 0 && s.particles().size() > 0)
     limits.push_back(
-        {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,", s.first_skin(),
-                     fastest),
+        {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,",
+                     s.first_skin(), fastest),
          s.first_skin() / fastest});
 }
 

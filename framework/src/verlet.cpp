@@ -8,39 +8,61 @@
 
 namespace scree {
 
+using kernel::Four;
+
 namespace {
 
-// The two halves of velocity Verlet for one axis of the bodies [begin, end).
-SCREE_EVERY_LEVEL void first_half(Axis axis, double step, std::size_t begin, std::size_t end) {
+// The two halves of velocity Verlet.
+SCREE_EVERY_LEVEL void first_half(const Motions& motions, double step, BodyRange bodies) {
   const double half_step = 0.5 * step;
-#pragma GCC ivdep
-  for (std::size_t i = begin; i < end; ++i) {
-    const double kick = half_step * axis.load[i] * axis.inverse_inertia[i];
-    axis.mid_rate[i] = axis.rate[i] + kick;
-    axis.rate[i] = axis.mid_rate[i] + kick;
-  }
-  move_positions(axis.position, axis.mid_rate, step, begin, end);
+  const Four steps = step * motions.axes();
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    const Four kick = half_step * m.acceleration;
+    m.mid_rate = m.rate + kick;
+    m.rate = m.mid_rate + kick;
+    m.place += steps * m.mid_rate;
+  });
 }
 
-SCREE_EVERY_LEVEL void second_half(Axis axis, double step, std::size_t begin, std::size_t end) {
+SCREE_EVERY_LEVEL void second_half(const Motions& motions, double step, BodyRange bodies) {
   const double half_step = 0.5 * step;
-#pragma GCC ivdep
-  for (std::size_t i = begin; i < end; ++i)
-    axis.rate[i] = axis.mid_rate[i] + half_step * axis.load[i] * axis.inverse_inertia[i];
+  motions.each(
+      bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA { m.rate = m.mid_rate + half_step * m.acceleration; });
+}
+
+// The two halves of position Verlet.
+SCREE_EVERY_LEVEL void first_way(const Motions& motions, double step, BodyRange bodies) {
+  const double half_step = 0.5 * step;
+  const Four half_steps = half_step * motions.axes();
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    m.mid_rate = m.rate;
+    m.rate += half_step * m.acceleration;
+    m.place += half_steps * m.mid_rate;
+  });
+}
+
+SCREE_EVERY_LEVEL void second_way(const Motions& motions, double step, BodyRange bodies) {
+  const Four half_steps = 0.5 * step * motions.axes();
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    m.rate = m.mid_rate + step * m.acceleration;
+    // The velocity at the evaluation, for the energy books.
+    m.mid_rate = 0.5 * (m.mid_rate + m.rate);
+    m.place += half_steps * m.rate;
+  });
 }
 
 }  // namespace
 
-double VelocityVerlet::drift(Particles& p, double step, BodyRange bodies) {
-  return move_bodies(p, bodies, p.mid_velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
-    first_half(axis, step, begin, end);
-  });
+double VelocityVerlet::drift(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  first_half(motions, step, bodies);
+  return motions.largest_square(bodies, true);
 }
 
-double VelocityVerlet::kick(Particles& p, double step, BodyRange bodies) {
-  return move_bodies(p, bodies, p.velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
-    second_half(axis, step, begin, end);
-  });
+double VelocityVerlet::kick(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  second_half(motions, step, bodies);
+  return motions.largest_square(bodies, false);
 }
 
 std::span<const double> FourthOrder::substeps() const {
@@ -49,31 +71,16 @@ std::span<const double> FourthOrder::substeps() const {
   return shares;
 }
 
-double PositionVerlet::drift(Particles& p, double step, BodyRange bodies) {
-  return move_bodies(p, bodies, p.velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
-    double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
-    const double half_step = 0.5 * step;
-#pragma GCC ivdep
-    for (std::size_t i = begin; i < end; ++i) {
-      mid[i] = now[i];
-      now[i] += half_step * axis.load[i] * axis.inverse_inertia[i];
-    }
-    move_positions(x, mid, half_step, begin, end);
-  });
+double PositionVerlet::drift(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  first_way(motions, step, bodies);
+  return motions.largest_square(bodies, false);
 }
 
-double PositionVerlet::kick(Particles& p, double step, BodyRange bodies) {
-  return move_bodies(p, bodies, p.velocity, [step](const Axis& axis, std::size_t begin, std::size_t end) {
-    double *now = axis.rate, *mid = axis.mid_rate, *x = axis.position;
-    const double half_step = 0.5 * step;
-    // mid becomes the velocity at the evaluation, for the energy books.
-#pragma GCC ivdep
-    for (std::size_t i = begin; i < end; ++i) {
-      now[i] = mid[i] + step * axis.load[i] * axis.inverse_inertia[i];
-      mid[i] = 0.5 * (mid[i] + now[i]);
-    }
-    move_positions(x, now, half_step, begin, end);
-  });
+double PositionVerlet::kick(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  second_way(motions, step, bodies);
+  return motions.largest_square(bodies, false);
 }
 
 }  // namespace scree

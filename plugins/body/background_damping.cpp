@@ -25,36 +25,12 @@ struct BackgroundDamping {
     return turning > translational / mass ? turning : translational / mass;
   }
 
-  void apply(scree_body_batch& batch) const {
-    for (int k = 0; k < 3; ++k)
-      if (batch.velocity[k])
-        batch.dissipated_translation += drag(batch.velocity[k], batch.force[k], batch.count,
-                                             [this](std::uint32_t) { return translational; });
-    for (int k = 0; k < 3; ++k)
-      if (batch.spin[k])
-        batch.dissipated_rotation += drag(batch.spin[k], batch.torque[k], batch.count, [&](std::uint32_t i) {
-          return rotational * batch.radius[i] * batch.radius[i];
-        });
-  }
-
- private:
-  // Adds −coefficient × rate to the load; returns the power lost.
-  template <class Coefficient>
-  static double drag(const double* rate, double* load, std::uint32_t count, const Coefficient& coefficient) {
-    // Eight interleaved sums, so that the loop runs on vector registers with the same bits on all.
-    constexpr std::uint32_t parts = 8;
-    double lost[parts] = {};
-    const auto slow = [&](std::uint32_t i, std::uint32_t part) {
-      const double resistance = coefficient(i) * rate[i];
-      load[i] -= resistance;
-      lost[part] += resistance * rate[i];
-    };
-    const std::uint32_t whole = count / parts * parts;
-    for (std::uint32_t i = 0; i < whole; i += parts)
-      for (std::uint32_t k = 0; k < parts; ++k) slow(i + k, k);
-    for (std::uint32_t i = whole; i < count; ++i) slow(i, 0);
-    for (std::uint32_t k = 1; k < parts; ++k) lost[0] += lost[k];
-    return lost[0];
+  void act(const scree::BodyState& body, scree::BodyResponse& out) const {
+    const double turning = rotational * body.radius * body.radius;
+    out.force = -translational * body.velocity;
+    out.torque = -turning * body.spin;
+    out.dissipated_translation = translational * dot(body.velocity, body.velocity);
+    out.dissipated_rotation = turning * dot(body.spin, body.spin);
   }
 };
 

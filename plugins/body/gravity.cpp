@@ -14,16 +14,10 @@ struct Gravity {
     d.vector("acceleration", acceleration, "m/s^2", "g, for example [0, 0, -9.81]").required();
   }
 
-  void apply(scree_body_batch& batch) const {
-    for (int k = 0; k < 3; ++k) {
-      if (!batch.force[k]) continue;
-      const double g = acceleration[k];
-      for (std::uint32_t i = 0; i < batch.count; ++i) {
-        batch.force[k][i] += batch.mass[i] * g;
-        const double crossed = batch.image[k] ? batch.image[k][i] * batch.period[k] : 0;
-        batch.potential -= batch.mass[i] * g * (batch.position[k][i] + crossed);
-      }
-    }
+  void act(const scree::BodyState& body, scree::BodyResponse& out) const {
+    const scree::Vec3 g = {{acceleration[0], acceleration[1], acceleration[2]}};
+    out.force = body.mass * g;
+    out.potential = -dot(out.force, body.position);
   }
 };
 

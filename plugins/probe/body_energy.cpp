@@ -57,13 +57,9 @@ struct BodyEnergyProbe {
 
  private:
   double energy(const scree_view& view, std::uint64_t i) const {
-    double v2 = 0, spin2 = 0;
-    for (int k = 0; k < 3; ++k) {
-      if (view.velocity[k]) v2 += view.velocity[k][i] * view.velocity[k][i];
-      if (view.spin[k]) spin2 += view.spin[k][i] * view.spin[k][i];
-    }
+    const scree::Vec3 velocity = scree::vector_of(view.velocity, i), spin = scree::vector_of(view.spin, i);
     const double gyration2 = (dimension == 2 ? 0.5 : 0.4) * view.radius[i] * view.radius[i];
-    return 0.5 * view.mass[i] * (v2 + gyration2 * spin2);
+    return 0.5 * view.mass[i] * (dot(velocity, velocity) + gyration2 * dot(spin, spin));
   }
 };
 

@@ -54,23 +54,17 @@ struct DifferenceProbe {
       const std::uint64_t a = scree::index_of_body(view, ids.data[n]),
                           b = scree::index_of_body(view, ids.data[n + 1]);
       for (const auto* columns : {&view.position, &view.velocity, &view.spin}) {
-        const scree::Vec3 difference = at(*columns, a) - at(*columns, b);
+        const scree::Vec3 difference = scree::vector_of(*columns, a) - scree::vector_of(*columns, b);
         const bool of_disc = columns == &view.spin && dimension == 2;
         for (int k = of_disc ? 2 : 0; k < (of_disc ? 3 : dimension); ++k) *row++ = difference[k];
       }
-      *row++ = norm(at(view.velocity, a)) - norm(at(view.velocity, b));
-      *row++ = norm(at(view.spin, a)) - norm(at(view.spin, b));
+      *row++ = norm(scree::vector_of(view.velocity, a)) - norm(scree::vector_of(view.velocity, b));
+      *row++ = norm(scree::vector_of(view.spin, a)) - norm(scree::vector_of(view.spin, b));
     }
   }
 
  private:
   std::uint32_t per_pair() const { return dimension == 2 ? 7 : 11; }
-  // Axes that the scene does not carry count as 0.
-  static scree::Vec3 at(const double* const (&columns)[3], std::uint64_t i) {
-    scree::Vec3 v = {};
-    for (int k = 0; k < 3; ++k) v[k] = columns[k] ? columns[k][i] : 0;
-    return v;
-  }
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 namespace {
 
 using scree::Vec3;
+using scree::vector_of;
 
 struct MomentumProbe {
   std::array<double, 3> about_point = {};
@@ -38,24 +39,16 @@ struct MomentumProbe {
   void sample(const scree_view& view, const double*, double* row) const {
     Vec3 linear = {}, angular = {};
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      Vec3 arm = at(view.position, i);
+      Vec3 arm = vector_of(view.position, i);
       for (int k = 0; k < dimension; ++k) arm[k] -= about_point[std::size_t(k)];
       const double shape = dimension == 2 ? 0.5 : 0.4;
       const double inertia = shape * view.mass[i] * view.radius[i] * view.radius[i];
-      const Vec3 p = view.mass[i] * at(view.velocity, i);
+      const Vec3 p = view.mass[i] * vector_of(view.velocity, i);
       linear += p;
-      angular += cross(arm, p) + inertia * at(view.spin, i);
+      angular += cross(arm, p) + inertia * vector_of(view.spin, i);
     }
     for (int k = 0; k < dimension; ++k) *row++ = linear[k];
     for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = angular[k];
-  }
-
- private:
-  // Axes that the scene does not carry count as 0.
-  static Vec3 at(const double* const (&columns)[3], std::uint64_t i) {
-    Vec3 v = {};
-    for (int k = 0; k < 3; ++k) v[k] = columns[k] ? columns[k][i] : 0;
-    return v;
   }
 };
 

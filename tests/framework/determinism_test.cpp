@@ -153,9 +153,9 @@ TEST_CASE("the last bit of any state changes the hash") {
     x = before;
     ++tried;
   };
-  for (auto* columns : {&particles.position, &particles.velocity, &particles.spin})
-    for (scree::Column<double>& column : *columns)
-      for (std::size_t i = 0; i < column.size(); i += 37) check(column[i]);
+  for (const auto& vectors : {particles.position(), particles.velocity(), particles.spin()})
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < vectors[k].size(); i += 37) check(vectors[k][i]);
   for (scree::PairGroup& group : contacts.groups())
     for (std::size_t i = 0; i < group.end - group.begin; i += 29)
       for (std::uint32_t k = 0; k < group.history_width; ++k) check(group.history.column<double>(k)[i]);

@@ -68,9 +68,9 @@ void compare(const Simulation& s, const ReferenceStep& reference, const Referenc
   const double allowed = force_tolerance(law, steps), arm = 1;
   for (std::size_t i = 0; i < s.particles().size(); ++i) {
     for (int k = 0; k < s.dimension(); ++k)
-      CHECK(std::abs(s.particles().force[k][i] - reference.force[i][k]) <= allowed);
+      CHECK(std::abs(s.particles().force()[k][i] - reference.force[i][k]) <= allowed);
     for (int k = s.particles().spin_axes().first; k < s.particles().spin_axes().last; ++k)
-      CHECK(std::abs(s.particles().torque[k][i] - reference.torque[i][k]) <= allowed * arm);
+      CHECK(std::abs(s.particles().torque()[k][i] - reference.torque[i][k]) <= allowed * arm);
     const Body body = s.particles().body(i);
     // Forces on masses from 0.5 kg for a step each; inertias from 0.4 × 0.5 × 0.3² kg m².
     CHECK(norm(body.velocity - reference.now[i].velocity) <=
@@ -120,7 +120,7 @@ TEST_CASE("a pair's forces and torques equal the scalar reference, and are oppos
 
     Simulation s(scree::test::scene(dimension, step, bodies, values(law)));
     scree::test::run(s, 3);
-    for (int k = 0; k < dimension; ++k) CHECK(s.particles().force[k][0] == -s.particles().force[k][1]);
+    for (int k = 0; k < dimension; ++k) CHECK(s.particles().force()[k][0] == -s.particles().force()[k][1]);
     CHECK(s.momentum_residual() == 0);
   }
 }
@@ -166,7 +166,7 @@ TEST_CASE("a wall's forces equal the reference of a body of infinite radius and 
     Simulation s(scene);
     scree::test::run(s, 3);
     for (int k = 0; k < dimension; ++k)
-      CHECK(s.boundaries().loads()[0].force[k] == -s.particles().force[k][0]);
+      CHECK(s.boundaries().loads()[0].force[k] == -s.particles().force()[k][0]);
   }
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("a closed frictional cluster keeps momentum and angular momentum to ro
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const Body b = s.particles().body(i);
       double force = 0;
-      for (int axis = 0; axis < dimension; ++axis) force += std::abs(s.particles().force[axis][i]);
+      for (int axis = 0; axis < dimension; ++axis) force += std::abs(s.particles().force()[axis][i]);
       exchanged += step * force;
       moment += step * force * (norm(b.position) + b.radius);
       size += b.mass * norm(b.velocity);

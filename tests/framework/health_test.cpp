@@ -50,7 +50,7 @@ TEST_CASE("a velocity that is not finite stops the run at once, with body, time 
       Simulation s(scene_of(three_apart()));
       scree::test::run(s, 4);
       // The simulation is ours and not const; it only shows its state as such.
-      const_cast<scree::Particles&>(s.particles()).velocity[axis][1] = bad;
+      const_cast<scree::Particles&>(s.particles()).velocity()[axis][1] = bad;
       CHECK_THAT(blow_up([&] { s.step(); }),
                  Catch::StartsWith("particle 101: position, velocity or spin is not a number") &&
                      Catch::Contains("at t = 0.00") &&
@@ -100,7 +100,7 @@ TEST_CASE("a spin that is not finite stops the run") {
                                     {"static_friction", {0.5}}});
   scree::test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
   Simulation s(scene);
-  const_cast<scree::Particles&>(s.particles()).spin[2][1] = not_a_number;
+  const_cast<scree::Particles&>(s.particles()).spin()[2][1] = not_a_number;
   CHECK_THAT(blow_up([&] { scree::test::run(s, 2); }),
              Catch::StartsWith("particle 9: position, velocity or spin"));
 }

@@ -33,9 +33,9 @@ Scene on_a_plane(double step, const Body& body, const Values& law, double gravit
 void negate_velocities(Simulation& s) {
   // The simulation is ours and not const; it only shows its state as such.
   auto& particles = const_cast<scree::Particles&>(s.particles());
-  for (auto* columns : {&particles.velocity, &particles.spin})
-    for (auto& column : *columns)
-      for (double& x : column) x = -x;
+  for (const auto& vectors : {particles.velocity(), particles.spin()})
+    for (int k = 0; k < 3; ++k)
+      for (double& x : vectors[k]) x = -x;
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ TEST_CASE("frictionless motion returns to its start when velocities are reversed
     scree::test::run(s, 1500);
     const bool met = norm(scree::test::velocity(s, 0) - bodies[0].velocity) > 0.1;
     negate_velocities(s);
-    auto& x = const_cast<scree::Particles&>(s.particles()).position[0];
+    const auto x = const_cast<scree::Particles&>(s.particles()).position()[0];
     x[0] += nudge;
     scree::test::run(s, 1500);
     double away = 0;

@@ -21,7 +21,7 @@ TEST_CASE("forces of contacts are kept for who looks at them, and change nothing
   CHECK(with.footprint().bytes_per_pair == without.footprint().bytes_per_pair + 3 * sizeof(double));
   const ContactList kept = with.contact_list(), left_out = without.contact_list();
   REQUIRE(kept.size() == 1);
-  CHECK(kept.force[0] == with.particles().force[0][kept.a[0]]);
+  CHECK(kept.force[0] == with.particles().force()[0][kept.a[0]]);
   REQUIRE(left_out.size() == 1);
   CHECK(std::isnan(left_out.force[0]));
 }

@@ -171,7 +171,7 @@ TEST_CASE("friction switched on finds the spins that it needs, and its springs a
     if (s.steps() == 51) {
       // Within the first step sliding at 1 + 3 × (R − δ/2) m/s it has stretched the spring k_t to the limit.
       const double pressure = mass * gravity, torque = 0.5 * pressure * (radius - 0.5 * pressure / stiffness);
-      CHECK(s.particles().torque[2][0] == Approx(-torque).epsilon(1e-9));
+      CHECK(s.particles().torque()[2][0] == Approx(-torque).epsilon(1e-9));
       CHECK(spin_of(s) == Approx(3 - 0.5 * step * torque / s.particles().inertia[0]).epsilon(1e-9));
     }
   }
@@ -244,5 +244,5 @@ TEST_CASE(
   CHECK(s.boundaries().planes()[0].velocity[1] == Approx(1));
   while (!runner.finished()) runner.step();
   CHECK(std::abs(height() - (0.05 - 2 * 0.02)) <= 70 * 2.3e-16 * 0.4);
-  CHECK(s.particles().force[1][0] >= 0);  // the wall still pushes, or lets go, but nothing pulls down
+  CHECK(s.particles().force()[1][0] >= 0);  // the wall still pushes, or lets go, but nothing pulls down
 }

@@ -83,7 +83,7 @@ TEST_CASE("the loads of all tiles are those of the contacts, one by one") {
     double worst = 0, on_walls = 0;
     for (std::size_t i = 0; i < bodies; ++i)
       for (int k = 0; k < dimension; ++k)
-        worst = std::max(worst, std::abs(s.particles().force[k][i] - expected[i][k]));
+        worst = std::max(worst, std::abs(s.particles().force()[k][i] - expected[i][k]));
     for (std::size_t w = 0; w < 2; ++w)
       for (int k = 0; k < dimension; ++k)
         on_walls = std::max(on_walls, std::abs(s.boundaries().loads()[w].force[k] - expected[bodies + w][k]));

@@ -23,7 +23,7 @@ TEST_CASE("a plug-in that is not there is refused with the nearest name") {
 }
 
 TEST_CASE("a plug-in of another interface version is refused by name") {
-  refused("other_version", library("other_version") + "plug-in interface version 44, this program has 3; ",
+  refused("other_version", library("other_version") + "plug-in interface version 44, this program has 4; ",
           "rebuild it against this version");
 }
 

@@ -41,31 +41,25 @@ class Forces {
     Precision precision = Precision::full;
   };
 
-  Forces(const Features& features, const Particles& particles);
+  explicit Forces(const Features& features);
   ~Forces();
 
-  // An evaluation: `take` for all bodies once they have moved, `evaluate`, `collect` for each tile, `give`
-  // for all bodies. Copies what contacts read of bodies.
-  void take(const Particles& particles, BodyRange bodies);
-  // Evaluates all contacts and sets the loads of all planes; step = 0 does not move springs.
-  ContactSums evaluate(const Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
+  // Evaluates all contacts and sets the loads of all planes; step = 0 does not move springs. Loads of bodies
+  // are whole once each tile has collected.
+  ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                        const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
                        const Domain& domain, double step, ThreadPool& threads);
   // Adds the loads that contacts of other tiles have left for the bodies of this one.
-  void collect(std::size_t tile);
-  // Sets force and torque of bodies.
-  void give(Particles& particles, BodyRange bodies) const;
+  void collect(Particles& particles, std::size_t tile) const;
 
   // Force on a of pair p at the last evaluation (N), z = 0 in 2D; not numbers if they are not kept.
   Vec3 pair_force(std::size_t p) const;
   std::size_t bytes_per_pair() const;
-  std::size_t bytes_per_body() const;
 
  private:
   struct Work;
-  void follow_pairs(const Particles& particles, const Contacts& contacts, std::uint32_t reads,
-                    std::size_t planes);
-  void sum_loads(std::vector<scree_load>& loads) const;
+  void follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
+  void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;
 
   Features features_;
   std::unique_ptr<Work> work_;

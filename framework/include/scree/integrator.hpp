@@ -39,7 +39,7 @@ class Integrator {
   virtual bool evaluates_at_mid_step() const { return false; }
 
   // Called before the bodies drift, once for all.
-  virtual void prepare(const Particles&, double /*step*/) {}
+  virtual void prepare(Particles&, double /*step*/) {}
   // Moves positions to where forces are to be evaluated, and predicts velocities there.
   // Largest squared speed met (m²/s²); infinite if any velocity or position is not a number.
   virtual double drift(Particles& particles, double step, BodyRange bodies) = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <scree/column.hpp>
+#include <scree/strided.hpp>
 #include <scree/vec.hpp>
 
 namespace scree {
@@ -22,18 +23,33 @@ struct Body {
   Vec3 spin = {};      // (rad/s)
 };
 
-// Storage of all bodies, a column per property. Axes and spins that the scene does not need are not
-// allocated.
+// Where the parts of a body's record are (doubles), of four doubles each, and those of its loads:
+//   3D  place (x, y, z, R), motion (v, 1/m), mid_motion (v, –), with spin: spin (ω, 1/I), mid_spin (ω, –)
+//       loads (f, 0), with spin: torque (t, 0)
+//   2D  place (x, y, 1/I, R), motion (v, ω, 1/m), mid_motion (v, ω, –);  loads (f, t, 0)
+namespace record {
+inline constexpr std::size_t place = 0, motion = 4, mid_motion = 8, spin = 12, mid_spin = 16;
+inline constexpr std::size_t width(int dimension, bool with_spin) {
+  return dimension == 3 && with_spin ? 20 : 12;
+}
+inline constexpr std::size_t load_width(int dimension, bool with_spin) {
+  return dimension == 3 && with_spin ? 8 : 4;
+}
+}  // namespace record
+
+// Storage of all bodies: a record each of what moves, which contacts fetch from one address and loops over
+// bodies stream through, a record of loads, and columns of what seldom matters. Spins that the scene does not
+// need are not allocated.
 class Particles {
  public:
-  // Columns that a vector or a spin occupies: [first, last).
+  // Components that a vector or a spin has: [first, last).
   struct Axes {
     int first, last;
   };
 
   Particles(int dimension, bool with_spin, bool with_images, const std::vector<Body>& bodies);
 
-  std::size_t size() const { return radius.size(); }
+  std::size_t size() const { return mass.size(); }
   int dimension() const { return dimension_; }
   bool has_spin() const { return has_spin_; }
   Axes axes() const { return {0, dimension_}; }
@@ -43,27 +59,71 @@ class Particles {
   std::size_t bytes_per_body() const;
 
   // State, written by the integrator.
-  Column<double> position[3];     // (m)
-  Column<double> velocity[3];     // (m/s) after a step; while forces are evaluated, predicted for its end
-  Column<double> spin[3];         // (rad/s) likewise
-  Column<std::int32_t> image[3];  // times a body crossed a periodic face, if any axis is periodic
-
-  // Within a step, written by the integrator: velocity at mid-step, displacement / step.
-  Column<double> mid_velocity[3];
-  Column<double> mid_spin[3];
-
-  // Written by the force evaluation.
-  Column<double> force[3];   // (N)
-  Column<double> torque[3];  // (N m)
+  Vectors<double> position() { return vectors(records_.data(), record::place); }  // (m)
+  // (m/s) after a step; while forces are evaluated, predicted for its end
+  Vectors<double> velocity() { return vectors(records_.data(), record::motion); }
+  Vectors<double> spin() { return spins(records_.data(), record::motion, record::spin); }  // (rad/s) likewise
+  Vectors<const double> position() const { return vectors(records_.data(), record::place); }
+  Vectors<const double> velocity() const { return vectors(records_.data(), record::motion); }
+  Vectors<const double> spin() const { return spins(records_.data(), record::motion, record::spin); }
 
   // Constant.
-  Column<double> radius, mass, inverse_mass, inertia, inverse_inertia;
+  Strided<const double> radius() const { return {records_.data() + record::place + 3, width(), size()}; }
+  Strided<const double> inverse_mass() const {
+    return {records_.data() + record::motion + 3, width(), size()};
+  }
+
+  // Within a step, written by the integrator: velocity and spin at mid-step, displacement / step.
+  Vectors<double> mid_velocity() { return vectors(records_.data(), record::mid_motion); }
+  Vectors<double> mid_spin() { return spins(records_.data(), record::mid_motion, record::mid_spin); }
+  Vectors<const double> mid_velocity() const { return vectors(records_.data(), record::mid_motion); }
+  Vectors<const double> mid_spin() const {
+    return spins(records_.data(), record::mid_motion, record::mid_spin);
+  }
+
+  // Written by the force evaluation.
+  Vectors<double> force() { return loads_of(loads_.data(), axes(), 0); }                              // (N)
+  Vectors<double> torque() { return loads_of(loads_.data(), spin_axes(), dimension_ == 2 ? 2 : 4); }  // (N m)
+  Vectors<const double> force() const { return loads_of(loads_.data(), axes(), 0); }
+  Vectors<const double> torque() const {
+    return loads_of(loads_.data(), spin_axes(), dimension_ == 2 ? 2 : 4);
+  }
+
+  // The records as they lie in memory: (size, width) and (size or more, load_width). Loads behind those of
+  // the bodies are for whoever evaluates forces.
+  double* records() { return records_.data(); }
+  const double* records() const { return records_.data(); }
+  double* loads() { return loads_.data(); }
+  const double* loads() const { return loads_.data(); }
+  std::size_t width() const { return record::width(dimension_, has_spin_); }
+  std::size_t load_width() const { return record::load_width(dimension_, has_spin_); }
+  void set_load_rows(std::size_t rows) { loads_.resize(rows * load_width()); }
+
+  Column<std::int32_t> image[3];  // times a body crossed a periodic face, if any axis is periodic
+
+  // Constant.
+  Column<double> mass, inertia;
   Column<std::int64_t> id;
   Column<std::uint32_t> material;
 
  private:
+  template <class T>
+  Vectors<T> vectors(T* records, std::size_t part) const {
+    return {records + part, width(), size(), 0, dimension_};
+  }
+  template <class T>
+  Vectors<T> spins(T* records, std::size_t flat, std::size_t part) const {
+    const Axes axes = spin_axes();
+    return {records + (dimension_ == 2 ? flat + 2 : part), width(), size(), axes.first, axes.last};
+  }
+  template <class T>
+  Vectors<T> loads_of(T* loads, Axes axes, std::size_t place) const {
+    return {loads + place, load_width(), size(), axes.first, axes.last};
+  }
+
   int dimension_;
   bool has_spin_;
+  Column<double> records_, loads_;
 };
 
 }  // namespace scree

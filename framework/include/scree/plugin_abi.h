@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-#define SCREE_ABI_VERSION 3u
+#define SCREE_ABI_VERSION 4u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
 #define SCREE_LANES 8u        /* batches are padded to a multiple of this, columns aligned to 64 bytes */
 #define SCREE_MAX_HISTORY 16u /* history columns a law may keep per contact */
@@ -217,6 +217,28 @@ typedef struct scree_boundary {
   void (*kick)(const void* storage, const scree_boundary_step* step);  /* end-of-step velocities, energies */
 } scree_boundary;
 
+/* ---- numbers of bodies ------------------------------------------------------------------------------ */
+
+/* That of body i is data[i * stride]; data is NULL for what the scene does not carry. C++ writes column[i].
+ */
+typedef struct scree_column {
+  const double* data;
+  uint64_t stride;
+#ifdef __cplusplus
+  explicit operator bool() const { return data != nullptr; }
+  const double& operator[](uint64_t i) const { return data[i * stride]; }
+#endif
+} scree_column;
+
+typedef struct scree_load_column { /* that may be added to */
+  double* data;
+  uint64_t stride;
+#ifdef __cplusplus
+  explicit operator bool() const { return data != nullptr; }
+  double& operator[](uint64_t i) const { return data[i * stride]; }
+#endif
+} scree_load_column;
+
 /* ---- body terms ------------------------------------------------------------------------------------- */
 
 /* Some of the scene's bodies; several batches may be evaluated at the same time. */
@@ -224,17 +246,14 @@ typedef struct scree_body_batch {
   uint32_t struct_size;
   uint32_t dimension;
   uint32_t count;
-  const double* position[3]; /* NULL for the axes that the scene does not carry */
-  const double* velocity[3];
-  const double* spin[3]; /* NULL in a scene without spin; 2D carries [2] alone */
-  const double* radius;
-  const double* mass;
-  const double* inertia;         /* (optional) NULL in a scene without spin */
-  double* force[3];              /* added to */
-  double* torque[3];             /* NULL in a scene without spin */
-  double potential;              /* (J) out: added to */
-  double dissipated_translation; /* (W) out: added to */
-  double dissipated_rotation;    /* (W) out: added to */
+  scree_column position[3], velocity[3];
+  scree_column spin[3];                  /* 2D carries [2] alone */
+  scree_column radius;                   /* of the same stride as all above */
+  scree_column mass, inertia;            /* of stride 1 */
+  scree_load_column force[3], torque[3]; /* of one stride */
+  double potential;                      /* (J) out: added to */
+  double dissipated_translation;         /* (W) out: added to */
+  double dissipated_rotation;            /* (W) out: added to */
   const int32_t*
       image[3];     /* (optional) periods that each body has crossed along a periodic axis, NULL elsewhere */
   double period[3]; /* (m) */
@@ -268,13 +287,8 @@ typedef struct scree_view {
   double time;
   uint64_t step;
   uint64_t body_count;
-  const double* position[3]; /* NULL for the axes that the scene does not carry */
-  const double* velocity[3];
-  const double* spin[3];
-  const double* force[3];
-  const double* torque[3];
-  const double* radius;
-  const double* mass;
+  scree_column position[3], velocity[3], spin[3], force[3], torque[3];
+  scree_column radius, mass;
   const int64_t* id;
   uint64_t contact_count;       /* contacts that touch; 0 unless SCREE_NEEDS_CONTACTS */
   const uint32_t* contact_a;    /* index of a body */

@@ -5,6 +5,7 @@
 
 #include <scree/declaration.hpp>
 #include <scree/plugin_abi.h>
+#include <scree/vec.hpp>
 
 // How to write a probe: plugins/README.md. An author's struct has
 //
@@ -28,6 +29,14 @@ inline std::uint64_t index_of_body(const scree_view& view, double id) {
   std::uint64_t i = 0;
   while (i < view.body_count && double(view.id[i]) != id) ++i;
   return i;
+}
+
+// A vector of body i; components that the scene does not carry are 0.
+inline Vec3 vector_of(const scree_column (&columns)[3], std::uint64_t i) {
+  Vec3 v = {};
+  for (int k = 0; k < 3; ++k)
+    if (columns[k]) v[k] = columns[k][i];
+  return v;
 }
 
 namespace detail {

@@ -8,20 +8,9 @@ namespace scree {
 // Where the time of steps goes, for benchmarks; of phases that threads share, that of the caller.
 class Profile {
  public:
-  enum Phase {
-    boundaries,
-    drift,
-    neighbours,
-    records,
-    contacts,
-    sums,
-    body_forces,
-    kick,
-    books,
-    phase_count
-  };
+  enum Phase { boundaries, drift, neighbours, contacts, sums, body_forces, kick, books, phase_count };
   static constexpr std::array<const char*, phase_count> names = {
-      "boundaries", "drift", "neighbours", "records", "contacts", "sums", "body_forces", "kick", "books"};
+      "boundaries", "drift", "neighbours", "contacts", "sums", "body_forces", "kick", "books"};
 
   void add(Phase phase, double seconds) { seconds_[phase] += seconds; }
   double seconds(Phase phase) const { return seconds_[phase]; }

@@ -79,9 +79,8 @@ class Simulation {
   Contacts make_contacts() const;
   Contacts::Lookup lookup() const;
   void configure_laws();
-  // Drifts all bodies and shows them to the contacts; largest squared speed (m²/s²).
+  // Drifts all bodies; largest squared speed (m²/s²).
   double drift_bodies(double step);
-  void show_bodies_to_contacts();
   // Forces on bodies where they are, after `step` since the last evaluation; completes the step of the
   // integrator that is given (s). Largest squared speed then (m²/s²), else 0.
   double evaluate_forces(double step, std::optional<double> kick = std::nullopt);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "body_records.hpp"
 #include "lanes.hpp"
+#include "plane_records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,9 @@ inline constexpr std::uint32_t block_size = 32;
 
 // What every block of an evaluation shares.
 struct Scene {
-  const Particles& particles;
   const Contacts& contacts;
   const double* records;
-  const scree_plane* planes;
+  const PlaneRecords& planes;
   const double* shifts;  // (27, 4) of each image code
   bool periodic;
   double step;
@@ -32,7 +31,7 @@ struct Scene {
 // separations stay double, since overlaps are their small differences.
 template <class T>
 struct alignas(64) Block {
-  double separation[3][block_size];  // x_a − x_b (m); of a plane the normal distance
+  double separation[3][block_size];  // x_a − x_b (m); of a plane from its point
   T radius_difference[block_size];   // R_a − R_b (m)
   T distance[block_size];
   T approach[block_size];                                  // along the normal within the step (m)

@@ -52,13 +52,9 @@ SCREE_HOT BlockJob<T> block_job(const TileJob& job, std::size_t k) {
 
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void gather(const BlockJob<T>& b, Block<T>& w) {
-  const Scene& s = *b.tile.scene;
-  if constexpr (planes) {
-    for (std::uint32_t i = 0; i < b.count; ++i) gather_plane<D, spin>(s, b.place.begin + i, i, w);
-    clear_lanes(b.count, b.place.count, w);
-  } else {
-    for (std::uint32_t i = 0; i < b.place.count; i += 4) gather_bodies<D, spin>(s, b.place.begin + i, i, w);
-  }
+  for (std::uint32_t i = 0; i < b.place.count; i += 4)
+    gather_four<D, spin, planes>(*b.tile.scene, b.place.begin + i, i, w);
+  if constexpr (planes) part_lanes(b.count, b.place.count, w);
 }
 
 template <int D, bool spin, bool planes, class T>
@@ -121,7 +117,7 @@ SCREE_HOT ContactSums evaluate_block(const BlockJob<T>& b, Block<T>& w, double& 
 
 template <int D, bool spin, class T>
 SCREE_HOT void evaluate_tile(const TileJob& job) {
-  constexpr std::size_t width = slot_width<D, spin>;
+  constexpr std::size_t width = record::load_width(D, spin);
   const Tiles::Tile& tile = job.tiles->tiles()[job.tile];
   const std::size_t planes_and_padding =
       (job.tile + 1 < job.tiles->tiles().size() ? job.tiles->tiles()[job.tile + 1].first_foreign
@@ -180,12 +176,6 @@ EvaluateTile tile_evaluation(const Forces::Features& features) {
         features.precision == Precision::mixed ? best_level<D, spin, float>() : best_level<D, spin, double>();
   });
   return evaluate;
-}
-
-std::size_t slot_width_of(const Forces::Features& features) {
-  std::size_t width = 0;
-  specialise(features, [&]<int D, bool spin>() { width = slot_width<D, spin>; });
-  return width;
 }
 
 }  // namespace scree::kernel

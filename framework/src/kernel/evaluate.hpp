@@ -27,7 +27,4 @@ using EvaluateTile = void (*)(const TileJob&);
 // that SCREE_LEVEL names. All levels give the same bits.
 EvaluateTile tile_evaluation(const Forces::Features& features);
 
-// Doubles of a slot, for the features of a scene.
-std::size_t slot_width_of(const Forces::Features& features);
-
 }  // namespace scree::kernel

@@ -4,13 +4,13 @@
 
 namespace scree::kernel {
 
-// Record of a body. The barrier keeps GCC from computing four addresses in a vector and taking them out
-// again.
+// A record of a body or of a plane. The barrier keeps GCC from computing four addresses in a vector and
+// taking them out again.
 template <int D, bool spin>
 SCREE_HOT const double* record_of(const double* records, std::uint32_t body) {
   std::size_t index = body;
   __asm__("" : "+r"(index));
-  return records + RecordLayout<D, spin>::width * index;
+  return records + record::width(D, spin) * index;
 }
 
 // One part of four records as columns.
@@ -39,79 +39,76 @@ SCREE_HOT void store_vector(T (*columns)[block_size], int count, std::uint32_t l
   for (int k = 0; k < count; ++k) store_lanes(columns[k] + lane, v[k]);
 }
 
-// Four pairs of bodies.
-template <int D, bool spin, class T>
-SCREE_HOT void gather_bodies(const Scene& s, std::size_t pair, std::uint32_t lane, Block<T>& w) {
-  using Layout = RecordLayout<D, spin>;
+// Velocities and spins of four pairs of discs.
+template <bool spin, class T>
+SCREE_HOT void gather_flat_motion(const double* const (&a)[4], const double* const (&b)[4], std::size_t part,
+                                  T (*velocity)[block_size], T (*spin_a)[block_size], T (*spin_b)[block_size],
+                                  std::uint32_t lane) {
+  Four of_a[4], of_b[4];
+  four_parts(a, part, of_a);
+  four_parts(b, part, of_b);
+  for (int k = 0; k < 2; ++k) store_lanes(velocity[k] + lane, of_a[k] - of_b[k]);
+  if constexpr (spin) {
+    store_lanes(spin_a[0] + lane, of_a[2]);
+    store_lanes(spin_b[0] + lane, of_b[2]);
+  }
+}
+
+// Velocities and spins of four pairs of spheres.
+template <bool spin, class T>
+SCREE_HOT void gather_motion(const double* const (&a)[4], const double* const (&b)[4], std::uint32_t lane,
+                             Block<T>& w) {
+  Four v[4];
+  four_differences(a, b, record::motion, v);
+  store_vector(w.velocity, 3, lane, v);
+  if constexpr (spin) {
+    four_differences(a, b, record::mid_motion, v);
+    store_vector(w.mid_velocity, 3, lane, v);
+    for (int side = 0; side < 2; ++side) {
+      const auto& record = side == 0 ? a : b;
+      four_parts(record, record::spin, v);
+      store_vector(w.spin[side], 3, lane, v);
+      four_parts(record, record::mid_spin, v);
+      store_vector(w.mid_spin[side], 3, lane, v);
+    }
+  }
+}
+
+// Four pairs of bodies, or of a body and a plane, which is a body that does not turn, without radius here.
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void gather_four(const Scene& s, std::size_t pair, std::uint32_t lane, Block<T>& w) {
   const double *a[4], *b[4];
   for (int k = 0; k < 4; ++k) {
     a[k] = record_of<D, spin>(s.records, s.contacts.a[pair + std::size_t(k)]);
-    b[k] = record_of<D, spin>(s.records, s.contacts.b[pair + std::size_t(k)]);
+    b[k] = record_of<D, spin>(planes ? s.planes.records() : s.records, s.contacts.b[pair + std::size_t(k)]);
   }
-  const std::uint8_t* image = s.contacts.image.data() + pair;
   Four v[4];
-  for (int k = 0; k < 4; ++k) v[k] = load_four(a[k] + Layout::place) - load_four(b[k] + Layout::place);
-  if (s.periodic && any_across(image))
+  for (int k = 0; k < 4; ++k) v[k] = load_four(a[k] + record::place) - load_four(b[k] + record::place);
+  const std::uint8_t* image = s.contacts.image.data() + pair;
+  if (!planes && s.periodic && any_across(image))
     for (int k = 0; k < 4; ++k) v[k] += load_four(s.shifts + 4 * image[k]);
   transpose(v[0], v[1], v[2], v[3]);
   store_vector(w.separation, D, lane, v);
   store_lanes(w.radius_difference + lane, v[3]);
-
-  four_differences(a, b, Layout::motion, v);
-  store_vector(w.velocity, D, lane, v);
-  if constexpr (D == 2)
-    for (int k = 0; k < 2; ++k) store_lanes(w.mid_velocity[k] + lane, v[2 + k]);
-  if constexpr (D == 3 && spin) {
-    four_differences(a, b, Layout::mid_motion, v);
-    store_vector(w.mid_velocity, 3, lane, v);
+  if constexpr (planes) {
+    for (int k = 0; k < 4; ++k)
+      v[k] = load_four(s.planes.normals() + 4 * s.contacts.b[pair + std::size_t(k)]);
+    transpose(v[0], v[1], v[2], v[3]);
+    store_vector(w.input + SCREE_NORMAL, D, lane, v);
   }
-  if constexpr (spin)
-    for (int side = 0; side < 2; ++side) {
-      const auto& record = side == 0 ? a : b;
-      four_parts(record, Layout::spin, v);
-      store_vector(w.spin[side], spin_components<D>, lane, v);
-      if constexpr (D == 2) store_lanes(w.mid_spin[side][0] + lane, v[1]);
-      if constexpr (D == 3) {
-        four_parts(record, Layout::mid_spin, v);
-        store_vector(w.mid_spin[side], 3, lane, v);
-      }
-    }
+  if constexpr (D == 2) {
+    gather_flat_motion<spin>(a, b, record::motion, w.velocity, w.spin[0], w.spin[1], lane);
+    gather_flat_motion<spin>(a, b, record::mid_motion, w.mid_velocity, w.mid_spin[0], w.mid_spin[1], lane);
+  } else {
+    gather_motion<spin>(a, b, lane, w);
+  }
 }
 
-// One pair of a body and a plane, which is a body of infinite radius and mass that does not turn: the
-// contact point is the plane's, so that b has no arm.
-template <int D, bool spin, class T>
-SCREE_HOT void gather_plane(const Scene& s, std::size_t pair, std::uint32_t lane, Block<T>& w) {
-  const Particles& p = s.particles;
-  const std::uint32_t a = s.contacts.a[pair];
-  const scree_plane& plane = s.planes[s.contacts.b[pair]];
-  double distance = 0;
-  for (int k = 0; k < D; ++k) distance += (p.position[k][a] - plane.point[k]) * plane.normal[k];
-  for (int k = 0; k < D; ++k) {
-    w.separation[k][lane] = distance * plane.normal[k];
-    w.input[SCREE_NORMAL + k][lane] = T(plane.normal[k]);
-    w.velocity[k][lane] = T(p.velocity[k][a] - plane.velocity[k]);
-    w.mid_velocity[k][lane] = T(p.mid_velocity[k][a] - plane.mid_velocity[k]);
-  }
-  w.radius_difference[lane] = T(p.radius[a]);
-  if constexpr (spin)
-    for (int k = 0; k < spin_components<D>; ++k) {
-      w.spin[0][k][lane] = T(p.spin[first_spin_axis<D> + k][a]);
-      w.mid_spin[0][k][lane] = T(p.mid_spin[first_spin_axis<D> + k][a]);
-      w.spin[1][k][lane] = w.mid_spin[1][k][lane] = T(0);
-    }
-}
-
-// Lanes [first, first + count) of padding: they take no force, but must not hold what is no number.
+// Lanes [begin, end) of padding, which are pairs of the first body: they must not touch.
 template <class T>
-SCREE_HOT void clear_lanes(std::uint32_t begin, std::uint32_t end, Block<T>& w) {
+SCREE_HOT void part_lanes(std::uint32_t begin, std::uint32_t end, Block<T>& w) {
   for (std::uint32_t lane = begin; lane < end; ++lane)
-    for (int k = 0; k < 3; ++k) {
-      w.separation[k][lane] = 0;
-      w.input[SCREE_NORMAL + k][lane] = w.velocity[k][lane] = w.mid_velocity[k][lane] = T(0);
-      for (int side = 0; side < 2; ++side) w.spin[side][k][lane] = w.mid_spin[side][k][lane] = T(0);
-      w.radius_difference[lane] = T(0);
-    }
+    for (int k = 0; k < 3; ++k) w.separation[k][lane] = 0;
 }
 
 }  // namespace scree::kernel

@@ -4,12 +4,16 @@
 
 // Code of the hot loops is inlined whole into one function per instruction level (evaluate.cpp).
 #define SCREE_HOT [[gnu::always_inline]] inline
+#define SCREE_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace scree::kernel {
 
 // Four doubles that move together: one record of a body. Two registers where there is no AVX.
 typedef double Four __attribute__((vector_size(32)));
 
+SCREE_HOT Four& four_at(double* aligned) {
+  return *static_cast<Four*>(__builtin_assume_aligned(aligned, 32));
+}
 SCREE_HOT Four load_four(const double* aligned) {
   return *static_cast<const Four*>(__builtin_assume_aligned(aligned, 32));
 }

@@ -4,11 +4,6 @@
 
 namespace scree::kernel {
 
-// Doubles of a slot in which loads add up: force and torque, padded to records of four.
-//   3D with spin (f, 0, t, 0), else (f, 0); 2D (f, t, 0)
-template <int D, bool spin>
-inline constexpr std::size_t slot_width = D == 3 && spin ? 8 : 4;
-
 SCREE_HOT void add_four(double* record, const Four& v) { store_four(record, load_four(record) + v); }
 
 // Adds force and torque of four pairs to the slots of a, and the opposite to those of b, one pair after the
@@ -17,7 +12,7 @@ template <int D, bool spin, class T>
 SCREE_HOT void scatter_four(const T* const (&force)[3], const std::uint32_t* slot_a,
                             const std::uint32_t* slot_b, std::uint32_t lane, const Block<T>& w,
                             double* slots) {
-  constexpr std::size_t width = slot_width<D, spin>;
+  constexpr std::size_t width = record::load_width(D, spin);
   Four f[4] = {}, torque_a[4] = {}, torque_b[4] = {};
   for (int k = 0; k < D; ++k) f[k] = load_lanes(force[k] + lane);
   if constexpr (spin)

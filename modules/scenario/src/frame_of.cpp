@@ -10,21 +10,21 @@ namespace scree::scenario {
 namespace {
 
 // (3N) out of columns, zeros where the scene carries none.
-std::vector<double> interleave(const Column<double> (&columns)[3], std::size_t count) {
+std::vector<double> interleave(const Vectors<const double>& vectors, std::size_t count) {
   std::vector<double> all(3 * count, 0.0);
   for (int k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < columns[k].size(); ++i) all[3 * i + std::size_t(k)] = columns[k][i];
+    for (std::size_t i = 0; i < vectors[k].size(); ++i) all[3 * i + std::size_t(k)] = vectors[k][i];
   return all;
 }
 
 void add_bodies(const Particles& p, snapshot::Frame& frame) {
   frame.id.assign(p.id.begin(), p.id.end());
-  frame.radius.assign(p.radius.begin(), p.radius.end());
+  frame.radius.assign(p.radius().begin(), p.radius().end());
   frame.material.assign(p.material.begin(), p.material.end());
-  frame.position = interleave(p.position, p.size());
-  frame.velocity = interleave(p.velocity, p.size());
-  frame.force = interleave(p.force, p.size());
-  if (p.has_spin()) frame.spin = interleave(p.spin, p.size());
+  frame.position = interleave(p.position(), p.size());
+  frame.velocity = interleave(p.velocity(), p.size());
+  frame.force = interleave(p.force(), p.size());
+  if (p.has_spin()) frame.spin = interleave(p.spin(), p.size());
 }
 
 void add_contacts(const Simulation& s, snapshot::Frame& frame) {
@@ -36,7 +36,7 @@ void add_contacts(const Simulation& s, snapshot::Frame& frame) {
     const bool wall = b >= p.size();
     ++frame.coordination[a];
     if (!wall) ++frame.coordination[b];
-    const double distance = p.radius[a] + (wall ? 0 : p.radius[b]) - list.overlap[c];
+    const double distance = p.radius()[a] + (wall ? 0 : p.radius()[b]) - list.overlap[c];
     double normal_force = 0, square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double from = frame.position[3 * a + k], n = list.normal[3 * c + k], f = list.force[3 * c + k];

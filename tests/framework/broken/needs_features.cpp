@@ -6,7 +6,7 @@ namespace {
 struct NeedsFeatures {
   static constexpr scree::About about = {"needs_features", "asks too much", "f = 0", "—"};
   void declare(scree::Declaration&) {}
-  void apply(scree_body_batch&) const {}
+  void act(const scree::BodyState&, scree::BodyResponse&) const {}
 };
 
 const scree_body_term body_term = {sizeof(scree_body_term), sizeof(NeedsFeatures),
