@@ -166,7 +166,7 @@ struct Kernel : HertzMindlin {
 
     const T spring_force = T(4.0 / 3.0 * effective_modulus) * c.contact_radius.value * c.overlap;
     const T gamma_n = weight * T(normal_damping);
-    const T pushing_or_pulling = spring_force - gamma_n * v_n;
+    const T pushing_or_pulling = scree::fused(-gamma_n, v_n, spring_force);
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
     out.force = f_n * c.normal;
@@ -186,11 +186,11 @@ struct Kernel : HertzMindlin {
 
     // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
     const T growth = std::min(h.contact_radius * c.contact_radius.inverse, T(1));
-    const Vec<D, T> kept = (form == rescaled ? growth : T(1)) * h.spring;
+    const Vec<D, T> kept = form == rescaled ? growth * h.spring : h.spring;
     const T let_go = form == rescaled ? stored_energy(h) - T(0.5) * k_t * dot(kept, kept) : T(0);
     const Vec<D, T> xi = tangential_part(kept + c.tangential_increment, c.normal);
     const Vec<D, T> dashpot = gamma_t * v_t;
-    const Vec<D, T> f_0 = -(k_t * xi) - dashpot;
+    const Vec<D, T> f_0 = fused(-k_t, xi, -dashpot);
     const T square = dot(f_0, f_0), limit = T(friction) * f_n;
     const bool slides = square > limit * limit;
 

@@ -145,7 +145,7 @@ struct Kernel : LinearSpringDashpot {
 
     // [D1], δ' = −v_n
     const T spring_force = T(normal_stiffness) * c.overlap;
-    const T pushing_or_pulling = spring_force - c.onset_weight * gamma * v_n;
+    const T pushing_or_pulling = scree::fused(-(c.onset_weight * gamma), v_n, spring_force);
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
     out.force = f_n * c.normal;
@@ -165,7 +165,7 @@ struct Kernel : LinearSpringDashpot {
     // The old spring, moved by this step's displacement and turned into the present tangent plane.
     const Vec<D, T> old = h.spring;
     const Vec<D, T> xi = tangential_part(old + c.tangential_increment, c.normal);
-    const Vec<D, T> f_0 = -(k_t * xi) - dashpot;  // [D3]
+    const Vec<D, T> f_0 = fused(-k_t, xi, -dashpot);  // [D3]
     const T square = dot(f_0, f_0);
     const T limit = (h.sliding > T(0) ? T(dynamic_friction) : T(static_friction)) * f_n;
     const bool slides = square > limit * limit;

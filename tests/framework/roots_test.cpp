@@ -15,7 +15,7 @@ template <class T>
 void check_roots(int low, int high) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> exponent(low, high);
-  double inverse = 0, root = 0;
+  double inverse = 0, root = 0, fourth = 0;
   for (int k = 0; k < 200000; ++k) {
     const T x = T(std::exp2(exponent(random)));
     const long double exact = std::sqrt((long double)(x));
@@ -23,10 +23,12 @@ void check_roots(int low, int high) {
     CHECK(r.inverse == inverse_sqrt(x));
     inverse = std::max(inverse, double(std::abs(r.inverse * exact - 1)));
     root = std::max(root, double(std::abs(r.value / exact - 1)));
+    fourth = std::max(fourth, double(std::abs(inverse_fourth_root(x) * std::sqrt(exact) - 1)));
   }
   const double unit = std::numeric_limits<T>::epsilon();
   CHECK(inverse < 1.5 * unit);
   CHECK(root < unit);
+  CHECK(fourth < 2 * unit);
 }
 
 }  // namespace
@@ -39,6 +41,8 @@ TEST_CASE("roots are right to the last place over the whole range") {
 TEST_CASE("the root of nothing is nothing, and its reciprocal finite") {
   CHECK(root_of(0.0).value == 0);
   CHECK(std::isfinite(root_of(0.0).inverse));
+  CHECK(std::isfinite(inverse_fourth_root(0.0)));
+  CHECK(std::isfinite(inverse_fourth_root(0.0f)));
   CHECK(root_of(0.0f).value == 0);
   CHECK(std::isfinite(root_of(0.0f).inverse));
   // Below the normal numbers the guess falls short, but stays a number.

@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <scree/plugin_abi.h>
+
 using namespace scree::test;
 
 namespace {
@@ -23,7 +25,9 @@ TEST_CASE("a plug-in that is not there is refused with the nearest name") {
 }
 
 TEST_CASE("a plug-in of another interface version is refused by name") {
-  refused("other_version", library("other_version") + "plug-in interface version 44, this program has 4; ",
+  refused("other_version",
+          library("other_version") + "plug-in interface version " + std::to_string(SCREE_ABI_VERSION + 41) +
+              ", this program has " + std::to_string(SCREE_ABI_VERSION) + "; ",
           "rebuild it against this version");
 }
 

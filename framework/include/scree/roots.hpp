@@ -8,7 +8,7 @@
 
 namespace scree {
 
-// Square roots as multiplications and subtractions: several times faster than the processor's square root and
+// Roots as multiplications and subtractions: several times faster than the processor's square root and
 // division, of which there is one unit that does not pipeline, and with the same bits at every instruction
 // level. For x >= 0; an infinite x gives no number.
 
@@ -21,7 +21,22 @@ inline T inverse_sqrt(const T& x) {
   constexpr Bits halved_exponent = Bits(full ? 0x5fe6eb50c7b537a9u : 0x5f375a86u);
   T y = std::bit_cast<T>(Bits(halved_exponent - (std::bit_cast<Bits>(x) >> 1)));
   const T half = T(0.5) * x;
-  for (int k = 0; k < (full ? 4 : 3); ++k) y = y * (T(1.5) - half * y * y);
+  for (int k = 0; k < (full ? 4 : 3); ++k) y *= fused(-half * y, y, T(1.5));
+  return y;
+}
+
+// x^(−1/4) to 2 units in the last place; finite at 0. Likewise: 3.2 %, 2.4e-3, 1.5e-5, 5.5e-10, round-off.
+template <class T>
+inline T inverse_fourth_root(const T& x) {
+  constexpr bool full = std::is_same_v<T, double>;
+  using Bits = std::conditional_t<full, std::uint64_t, std::uint32_t>;
+  constexpr Bits quartered_exponent = Bits(full ? 0x4feb083126e978d6u : 0x4f584189u);
+  T y = std::bit_cast<T>(Bits(quartered_exponent - (std::bit_cast<Bits>(x) >> 2)));
+  const T quarter = T(0.25) * x;
+  for (int k = 0; k < (full ? 4 : 3); ++k) {
+    const T square = y * y;
+    y *= fused(-quarter * square, square, T(1.25));
+  }
   return y;
 }
 
@@ -35,7 +50,7 @@ struct Root {
 template <class T>
 inline Root<T> root_of(const T& x) {
   const T inverse = inverse_sqrt(x), value = x * inverse;
-  return {value + T(0.5) * inverse * (x - value * value), inverse};
+  return {fused(T(0.5) * inverse, fused(-value, value, x), value), inverse};
 }
 
 template <int D, class T>

@@ -22,7 +22,7 @@ template <int D, class T>
 SCREE_HOT Vec<D, T> turning(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
                             const Vec<spin_components<D>, T>& spin_a,
                             const Vec<spin_components<D>, T>& spin_b) {
-  const auto spin = arm_a * spin_a + arm_b * spin_b;
+  const auto spin = fused(arm_a, spin_a, arm_b * spin_b);
   if constexpr (D == 2)
     return -cross(spin, n);
   else
@@ -50,7 +50,8 @@ SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, 
     double distance = 0;
     const Vec<D> separation = lanes_of<D>(w.separation, i);
     if constexpr (planes) {
-      for (int k = 0; k < D; ++k) distance += separation[k] * double(w.input[SCREE_NORMAL + k][i]);
+      for (int k = 0; k < D; ++k)
+        distance = fused(separation[k], double(w.input[SCREE_NORMAL + k][i]), distance);
     } else {
       const Root<double> length = length_of(separation);
       distance = length.value;
@@ -122,14 +123,11 @@ SCREE_HOT void resolve_contact_radii(const T* effective_radius, std::uint32_t pa
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
     const T square = effective_radius[i] * std::max(w.input[SCREE_OVERLAP][i], T(0));
-    const T inverse = inverse_sqrt(square);
-    w.input[SCREE_CONTACT_RADIUS][i] = square * inverse;
+    const T inverse_root = inverse_fourth_root(square), inverse = inverse_root * inverse_root;
+    const T radius = square * inverse;
+    w.input[SCREE_CONTACT_RADIUS][i] = radius;
     w.input[SCREE_CONTACT_RADIUS + 1][i] = inverse;
-  }
-#pragma GCC ivdep
-  for (std::uint32_t i = 0; i < padded; ++i) {
-    const T radius = w.input[SCREE_CONTACT_RADIUS][i];
-    w.input[SCREE_CONTACT_RADIUS + 2][i] = radius * inverse_sqrt(radius);
+    w.input[SCREE_CONTACT_RADIUS + 2][i] = radius * inverse_root;
   }
 }
 
@@ -146,10 +144,10 @@ SCREE_HOT void resolve_increments(bool to_contact_point, const double* radius_su
     Vec<D, T> mid_normal = n, slip = motion;
     T distance = w.distance[i];
     if constexpr (planes) {
-      distance = distance - half * dot(motion, n);
+      distance = fused(-half, dot(motion, n), distance);
     } else {
       Vec<D, T> separation;
-      for (int k = 0; k < D; ++k) separation[k] = T(w.separation[k][i]) - half * motion[k];
+      for (int k = 0; k < D; ++k) separation[k] = fused(-half, motion[k], T(w.separation[k][i]));
       const T square = dot(separation, separation), inverse = inverse_sqrt(square);
       distance = square * inverse;
       for (int k = 0; k < D; ++k) mid_normal[k] = distance > T(0) ? separation[k] * inverse : n[k];
@@ -179,8 +177,8 @@ SCREE_HOT void resolve_torques(bool to_contact_point, bool has_couple, const dou
         Arms<planes, T>::of(to_contact_point, w.distance[i], T(radius_sum[i]), w.radius_difference[i]);
     for (int k = 0; k < S; ++k) {
       const T couple = has_couple ? w.output[SCREE_COUPLE + k][i] : T(0);
-      w.torque[0][k][i] = couple - arms.a * lever[k];
-      w.torque[1][k][i] = -arms.b * lever[k] - couple;
+      w.torque[0][k][i] = fused(-arms.a, lever[k], couple);
+      w.torque[1][k][i] = fused(-arms.b, lever[k], -couple);
     }
   }
 }
