@@ -139,24 +139,23 @@ struct Kernel : HertzMindlin {
 
   template <int D, class T>
   struct Friction {
-    Vec<D, T> spring;  // ξ (m)
-    T sliding;         // 1 while the contact slides
-    T contact_radius;  // √(R* δ) when ξ was last set (m)
+    Vec<D, T> spring;         // ξ (m)
+    T signed_contact_radius;  // ±√(R* δ) when ξ was last set (m), above 0 while the contact slides
     static constexpr int sliding_column = D;
     static constexpr auto names = [] {
-      std::array<const char*, D + 2> all = {"spring_x", "spring_y"};
+      std::array<const char*, D + 1> all = {"spring_x", "spring_y"};
       if constexpr (D == 3) all[2] = "spring_z";
-      all[D] = "sliding";
-      all[D + 1] = "contact_radius";
+      all[D] = "signed_contact_radius";
       return all;
     }();
+    T contact_radius() const { return std::max(signed_contact_radius, -signed_contact_radius); }
   };
   template <int D, class T>
   using History = std::conditional_t<frictional, Friction<D, T>, scree::NoHistory<D, T>>;
 
   template <int D, class T>
   T stored_energy(const Friction<D, T>& h) const {
-    return T(4 * effective_shear_modulus) * h.contact_radius * dot(h.spring, h.spring);
+    return T(4 * effective_shear_modulus) * h.contact_radius() * dot(h.spring, h.spring);
   }
 
   template <int D, class T>
@@ -185,7 +184,7 @@ struct Kernel : HertzMindlin {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
 
     // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
-    const T growth = std::min(h.contact_radius * c.contact_radius.inverse, T(1));
+    const T growth = std::min(h.contact_radius() * c.contact_radius.inverse, T(1));
     const Vec<D, T> kept = form == rescaled ? growth * h.spring : h.spring;
     const T let_go = form == rescaled ? stored_energy(h) - T(0.5) * k_t * dot(kept, kept) : T(0);
     const Vec<D, T> xi = tangential_part(kept + c.tangential_increment, c.normal);
@@ -197,8 +196,7 @@ struct Kernel : HertzMindlin {
     const Vec<D, T> f_t = (slides ? limit * scree::inverse_sqrt(square) : T(1)) * f_0;
     const T inverse_k_t = T(inverse_shear_stiffness) * c.contact_radius.inverse;
     for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];
-    h.sliding = slides ? T(1) : T(0);
-    h.contact_radius = c.contact_radius.value;
+    h.signed_contact_radius = slides ? c.contact_radius.value : -c.contact_radius.value;
 
     out.force += f_t;
     // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ) = 4 G* R*/a.

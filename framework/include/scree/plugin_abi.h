@@ -134,7 +134,7 @@ typedef struct scree_contact_instance {
   uint32_t tangential;    /* nonzero if forces have tangential parts, so that bodies must carry spin */
   uint32_t arms;          /* scree_arms */
   uint32_t history_width; /* <= SCREE_MAX_HISTORY */
-  int32_t sliding_column; /* history column that is 1 while the contact slides, -1 without */
+  int32_t sliding_column; /* history column that is above 0 while the contact slides, -1 without */
   const char* const* history_names; /* (optional) history_width names */
   void (*evaluate)(const void* storage, const scree_contact_batch* batch);
   /* (optional) NULL: the law cannot be used in a run of mixed precision */
