@@ -26,7 +26,8 @@ scree_load_column loads_from(Strided<double> column, std::size_t body) {
 
 }  // namespace
 
-BodyTerms::BodyTerms(const std::vector<Entry>& entries, int dimension) : dimension_(dimension) {
+BodyTerms::BodyTerms(const std::vector<Entry>& entries, int dimension, bool audit)
+    : dimension_(dimension), audit_(audit) {
   for (const Entry& entry : entries)
     members_.push_back({entry.name, ConfiguredBodyTerm(entry.parameters, dimension, nowhere, nowhere)});
 }
@@ -38,6 +39,7 @@ void BodyTerms::apply(Particles& p, const Domain& domain, BodyRange bodies, Body
   batch.struct_size = sizeof(batch);
   batch.dimension = std::uint32_t(dimension_);
   batch.count = std::uint32_t(bodies.end - first);
+  batch.audit = audit_;
   for (int k = 0; k < 3; ++k) {
     batch.position[k] = from(std::as_const(p).position()[k], first);
     batch.velocity[k] = from(std::as_const(p).velocity()[k], first);

@@ -25,10 +25,21 @@ SCREE_EVERY_LEVEL void raise(Four& largest, Four& unbounded, const double* first
   }
 }
 
-double largest_of(const double* first, std::size_t stride, std::size_t count, const Four& axes) {
+// Whether records of four numbers hold nothing but numbers.
+SCREE_EVERY_LEVEL bool all_finite(const double* first, std::size_t stride, std::size_t count) {
+  Four nothing = {};
+  for (std::size_t i = 0; i < count; ++i) nothing += 0 * load_four(first + stride * i);
+  return nothing[0] + nothing[1] + nothing[2] + nothing[3] == 0;
+}
+
+}  // namespace
+
+double Motions::largest_square(BodyRange bodies, bool mid_step) const {
+  const std::size_t count = bodies.end - bodies.begin;
   if (count == 0) return 0;
   Four largest = {}, unbounded = {};
-  raise(largest, unbounded, first, stride, count, axes);
+  raise(largest, unbounded, part(bodies, mid_step ? record::mid_motion : record::motion), width(), count,
+        axes());
   double all = 0;
   for (int k = 0; k < 4; ++k) {
     if (!(unbounded[k] == 0)) return infinity;
@@ -37,16 +48,10 @@ double largest_of(const double* first, std::size_t stride, std::size_t count, co
   return all;
 }
 
-}  // namespace
-
-double Motions::largest_square(BodyRange bodies, bool mid_step) const {
-  const std::size_t count = bodies.end - bodies.begin, width = record::width(flat_ ? 2 : 3, spin_);
-  const double* first = records_ + bodies.begin * width;
-  // Spins have no limit, but must be numbers.
-  const std::size_t spins = flat_ ? record::motion : record::spin;
-  const Four of_spin = flat_ ? Four{0, 0, 1, 0} : Four{1, 1, 1, 0};
-  if (spin_ && !(largest_of(first + spins, width, count, of_spin) < infinity)) return infinity;
-  return largest_of(first + (mid_step ? record::mid_motion : record::motion), width, count, axes());
+bool Motions::finite(BodyRange bodies) const {
+  const std::size_t count = bodies.end - bodies.begin;
+  return all_finite(part(bodies, record::motion), width(), count) &&
+         (each_body() == 1 || all_finite(part(bodies, record::spin), width(), count));
 }
 
 }  // namespace scree

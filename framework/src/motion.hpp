@@ -44,11 +44,17 @@ class Motions {
       each_of<3, false>(bodies, move);
   }
 
-  // Largest |v|² of some bodies, at the end of the step or in mid-step (m²/s²); infinite if any velocity or
-  // spin is not a number.
+  // Largest |v|² of some bodies, at the end of the step or in mid-step (m²/s²); infinite if any is not a
+  // number.
   double largest_square(BodyRange bodies, bool mid_step) const;
+  // Whether velocities and spins at the end of the step are numbers.
+  bool finite(BodyRange bodies) const;
 
  private:
+  std::size_t width() const { return record::width(flat_ ? 2 : 3, spin_); }
+  const double* part(BodyRange bodies, std::size_t place) const {
+    return records_ + bodies.begin * width() + place;
+  }
   template <int D, bool spin, class Move>
   SCREE_HOT void each_of(BodyRange bodies, const Move& move) const {
     using namespace kernel;

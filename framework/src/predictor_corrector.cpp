@@ -34,7 +34,7 @@ double PredictorCorrector::drift(Particles& particles, double step, BodyRange bo
   return motions.largest_square(bodies, true);
 }
 
-double PredictorCorrector::kick(Particles& particles, double step, BodyRange bodies) {
+bool PredictorCorrector::kick(Particles& particles, double step, BodyRange bodies) {
   const Motions motions(particles);
   const double half_square = 0.5 * step * step, per_step = 1 / step;
   const auto add = [](double* to, const Four& term)
@@ -48,7 +48,7 @@ double PredictorCorrector::kick(Particles& particles, double step, BodyRange bod
     add(fourth_.data() + 4 * m.number, 1.0 / 12 * correction);
     m.place += 19.0 / 90 * motions.axes() * correction;
   });
-  return motions.largest_square(bodies, false);
+  return motions.finite(bodies);
 }
 
 }  // namespace scree

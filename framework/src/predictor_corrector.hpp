@@ -12,7 +12,7 @@ class PredictorCorrector : public Integrator {
  public:
   void prepare(Particles& particles, double step) override;
   double drift(Particles& particles, double step, BodyRange bodies) override;
-  double kick(Particles& particles, double step, BodyRange bodies) override;
+  bool kick(Particles& particles, double step, BodyRange bodies) override;
 
  private:
   // r_2, r_3, r_4 of each motion, of four numbers each.

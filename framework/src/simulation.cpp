@@ -72,7 +72,7 @@ bool turns_bodies(const Parameters& law, int dimension) {
 Simulation::Simulation(const Scene& scene)
     : scene_(checked(scene)),
       boundaries_(make_boundaries(scene)),
-      body_terms_(scene.body_terms, scene.dimension),
+      body_terms_(scene.body_terms, scene.dimension, scene.audit),
       particles_(scene.dimension, needs_spin(scene), boundaries_.domain().any_periodic(), scene.bodies),
       neighbours_(skin_of(scene), thickest_skin_of(scene, boundaries_.domain()), {}),
       forces_({scene.dimension, particles_.has_spin(), boundaries_.domain().any_periodic(), scene.audit,

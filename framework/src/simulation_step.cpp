@@ -1,4 +1,5 @@
 #include "health.hpp"
+#include "motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ double Simulation::drift_bodies(double step) {
   return largest;
 }
 
-double Simulation::evaluate_forces(double step, std::optional<double> kick) {
+bool Simulation::evaluate_forces(double step, std::optional<double> kick) {
   Laps laps(profile_);
   contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
                                    boundaries_.domain(), step, *threads_);
@@ -38,20 +39,20 @@ double Simulation::evaluate_forces(double step, std::optional<double> kick) {
       tile_laps.lap(Profile::books);
       body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
       tile_laps.lap(Profile::body_forces);
-      if (kick) sums.square_speed = std::max(sums.square_speed, integrator_->kick(particles_, *kick, bodies));
+      if (kick) sums.finite &= integrator_->kick(particles_, *kick, bodies);
       tile_laps.lap(Profile::kick);
     });
   });
   body_sums_ = {};
   MomentumAudit::Sums momentum;
-  double largest = 0;
+  bool finite = true;
   for (const TileSums& sums : tile_sums_) {
     body_sums_ += sums.bodies;
     momentum.add(sums.momentum);
-    largest = std::max(largest, sums.square_speed);
+    finite &= sums.finite;
   }
   momentum_audit_.add_step(step, momentum, boundaries_.loads());
-  return largest;
+  return finite;
 }
 
 void Simulation::step() {
@@ -79,7 +80,7 @@ double Simulation::advance(double step) {
   neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
                      contacts_);
   laps.lap(Profile::neighbours);
-  const double largest = evaluate_forces(elapsed, step);
+  const bool finite = evaluate_forces(elapsed, step);
   laps = Laps(profile_);
   boundaries_.kick(force_time_, elapsed);
   laps.lap(Profile::boundaries);
@@ -87,7 +88,7 @@ double Simulation::advance(double step) {
   force_time_ += elapsed;
   time_ += step;
   if (mid_step) boundaries_.run_ahead_of_forces(0.5 * step);
-  return largest;
+  return finite ? square_speed : infinity;
 }
 
 void Simulation::catch_up() {

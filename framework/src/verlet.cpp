@@ -59,10 +59,10 @@ double VelocityVerlet::drift(Particles& particles, double step, BodyRange bodies
   return motions.largest_square(bodies, true);
 }
 
-double VelocityVerlet::kick(Particles& particles, double step, BodyRange bodies) {
+bool VelocityVerlet::kick(Particles& particles, double step, BodyRange bodies) {
   const Motions motions(particles);
   second_half(motions, step, bodies);
-  return motions.largest_square(bodies, false);
+  return motions.finite(bodies);
 }
 
 std::span<const double> FourthOrder::substeps() const {
@@ -77,10 +77,10 @@ double PositionVerlet::drift(Particles& particles, double step, BodyRange bodies
   return motions.largest_square(bodies, false);
 }
 
-double PositionVerlet::kick(Particles& particles, double step, BodyRange bodies) {
+bool PositionVerlet::kick(Particles& particles, double step, BodyRange bodies) {
   const Motions motions(particles);
   second_way(motions, step, bodies);
-  return motions.largest_square(bodies, false);
+  return motions.finite(bodies);
 }
 
 }  // namespace scree

@@ -10,7 +10,7 @@ namespace scree {
 class VelocityVerlet : public Integrator {
  public:
   double drift(Particles& particles, double step, BodyRange bodies) override;
-  double kick(Particles& particles, double step, BodyRange bodies) override;
+  bool kick(Particles& particles, double step, BodyRange bodies) override;
 };
 
 // Five steps of velocity Verlet, the third back in time, whose errors of third order cancel:
@@ -27,7 +27,7 @@ class PositionVerlet : public Integrator {
  public:
   bool evaluates_at_mid_step() const override { return true; }
   double drift(Particles& particles, double step, BodyRange bodies) override;
-  double kick(Particles& particles, double step, BodyRange bodies) override;
+  bool kick(Particles& particles, double step, BodyRange bodies) override;
 };
 
 }  // namespace scree

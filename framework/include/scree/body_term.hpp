@@ -43,7 +43,7 @@ inline Vec3 vector_at(const scree_column (&columns)[3], std::uint64_t at) {
 }
 
 // A batch has one stride for all of the bodies' state and one for their loads.
-template <class Author, int D, bool with_spin>
+template <class Author, int D, bool with_spin, bool audit>
 [[gnu::flatten]] void act_on_batch(const Author& shared, scree_body_batch& sums) {
   constexpr int first_spin = with_spin ? first_spin_axis<D> : 3;
   // Copies, which no load that is written can overlap.
@@ -65,13 +65,23 @@ template <class Author, int D, bool with_spin>
     author.act(body, response);
     for (int k = 0; k < D; ++k) batch.force[k].data[load] += response.force[k];
     for (int k = first_spin; k < 3; ++k) batch.torque[k].data[load] += response.torque[k];
-    all.potential += response.potential;
-    all.dissipated_translation += response.dissipated_translation;
-    all.dissipated_rotation += response.dissipated_rotation;
+    if constexpr (audit) {
+      all.potential += response.potential;
+      all.dissipated_translation += response.dissipated_translation;
+      all.dissipated_rotation += response.dissipated_rotation;
+    }
   }
   sums.potential += all.potential;
   sums.dissipated_translation += all.dissipated_translation;
   sums.dissipated_rotation += all.dissipated_rotation;
+}
+
+template <class Author, int D, bool with_spin>
+void act_with_audit(const Author& author, scree_body_batch& batch) {
+  if (batch.audit)
+    act_on_batch<Author, D, with_spin, true>(author, batch);
+  else
+    act_on_batch<Author, D, with_spin, false>(author, batch);
 }
 
 template <class Author>
@@ -79,11 +89,11 @@ void apply_body_term(const void* storage, scree_body_batch* batch) {
   const Author& author = *static_cast<const Author*>(storage);
   const bool with_spin = bool(batch->torque[2]);
   if (batch->dimension == 2)
-    with_spin ? act_on_batch<Author, 2, true>(author, *batch)
-              : act_on_batch<Author, 2, false>(author, *batch);
+    with_spin ? act_with_audit<Author, 2, true>(author, *batch)
+              : act_with_audit<Author, 2, false>(author, *batch);
   else
-    with_spin ? act_on_batch<Author, 3, true>(author, *batch)
-              : act_on_batch<Author, 3, false>(author, *batch);
+    with_spin ? act_with_audit<Author, 3, true>(author, *batch)
+              : act_with_audit<Author, 3, false>(author, *batch);
 }
 
 template <class Author>

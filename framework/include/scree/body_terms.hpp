@@ -19,7 +19,8 @@ class BodyTerms {
     Parameters parameters;
   };
 
-  BodyTerms(const std::vector<Entry>& entries, int dimension);
+  // audit: whether energies are asked for.
+  BodyTerms(const std::vector<Entry>& entries, int dimension, bool audit);
 
   // Adds to the bodies' forces and torques, and to the sums.
   void apply(Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
@@ -33,6 +34,7 @@ class BodyTerms {
     ConfiguredBodyTerm plugin;
   };
   int dimension_;
+  bool audit_;
   std::vector<Member> members_;
 };
 

@@ -40,11 +40,11 @@ class Integrator {
 
   // Called before the bodies drift, once for all.
   virtual void prepare(Particles&, double /*step*/) {}
-  // Moves positions to where forces are to be evaluated, and predicts velocities there.
-  // Largest squared speed met (m²/s²); infinite if any velocity or position is not a number.
+  // Moves positions to where forces are to be evaluated, and predicts velocities there. Largest squared speed
+  // on the way (m²/s²); infinite if any velocity is not a number.
   virtual double drift(Particles& particles, double step, BodyRange bodies) = 0;
-  // Completes the step with the forces there. Returns the same.
-  virtual double kick(Particles& particles, double step, BodyRange bodies) = 0;
+  // Completes the step with the forces there. Returns whether all velocities and spins are numbers.
+  virtual bool kick(Particles& particles, double step, BodyRange bodies) = 0;
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

@@ -251,6 +251,7 @@ typedef struct scree_body_batch {
   scree_column radius;                   /* of the same stride as all above */
   scree_column mass, inertia;            /* of stride 1 */
   scree_load_column force[3], torque[3]; /* of one stride */
+  uint32_t audit;                        /* nonzero: energies are asked for */
   double potential;                      /* (J) out: added to */
   double dissipated_translation;         /* (W) out: added to */
   double dissipated_rotation;            /* (W) out: added to */

@@ -82,9 +82,10 @@ class Simulation {
   // Drifts all bodies; largest squared speed (m²/s²).
   double drift_bodies(double step);
   // Forces on bodies where they are, after `step` since the last evaluation; completes the step of the
-  // integrator that is given (s). Largest squared speed then (m²/s²), else 0.
-  double evaluate_forces(double step, std::optional<double> kick = std::nullopt);
-  // Moves everything by one substep; largest squared speed (m²/s²).
+  // integrator that is given (s). Whether velocities and spins are numbers then.
+  bool evaluate_forces(double step, std::optional<double> kick = std::nullopt);
+  // Moves everything by one substep; largest squared speed on the way (m²/s²), infinite if any velocity or
+  // spin is not a number.
   double advance(double step);
   // Brings forces and springs to where the bodies are, after an integrator that evaluates in mid-step.
   void catch_up();
@@ -120,6 +121,7 @@ class Simulation {
     BodySums bodies;
     MomentumAudit::Sums momentum;
     double square_speed = 0;
+    bool finite = true;
   };
   BodyTiles tiles_;
   std::vector<TileSums> tile_sums_;

@@ -28,7 +28,7 @@ void try_out(const Stage::Change& instance, const Scene& scene) {
       configured_boundary(instance.parameters, scene);
       break;
     case SCREE_BODY_TERM:
-      BodyTerms({{instance.name, instance.parameters}}, scene.dimension);
+      BodyTerms({{instance.name, instance.parameters}}, scene.dimension, scene.audit);
       break;
     case SCREE_PROBE:
       break;
