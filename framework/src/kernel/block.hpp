@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <scree/contact_batch.hpp>
 #include <scree/contacts.hpp>
 #include <scree/forces.hpp>
 
@@ -41,6 +42,7 @@ struct alignas(64) Block {
   T input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
   T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // forces go straight to pairs that keep them
   T torque[2][3][block_size];                              // on a, on b (N m)
+  ContactBatch<T> batch;                                   // what the law is given
 };
 
 }  // namespace scree::kernel

@@ -71,20 +71,25 @@ SCREE_HOT void resolve(const BlockJob<T>& b, Block<T>& w) {
   if (increments) resolve_increments<D, spin, planes>(to_contact_point, b.radius_sum, step, padded, w);
 }
 
+// What is the same for all blocks of a tile.
+template <class T>
+SCREE_HOT void begin_batch(const Scene& scene, Block<T>& w) {
+  w.batch = {};
+  w.batch.struct_size = sizeof(w.batch);
+  w.batch.step = scene.step;
+  for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) w.batch.input[k] = w.input[k];
+  const std::uint32_t outputs = scene.audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
+  for (std::uint32_t k = 0; k < outputs; ++k) w.batch.output[k] = w.output[k];
+}
+
 template <int D, class T>
 SCREE_HOT void call_law(const BlockJob<T>& b, Block<T>& w) {
-  const std::size_t begin = b.place.begin;
-  ContactBatch<T> batch = {};
-  batch.struct_size = sizeof(batch);
+  ContactBatch<T>& batch = w.batch;
   batch.count = b.place.count;
-  batch.step = b.tile.scene->step;
-  for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) batch.input[k] = w.input[k];
   for (const scree_contact_input k : {SCREE_REDUCED_MASS, SCREE_REDUCED_MASS_ROOT, SCREE_EFFECTIVE_RADIUS})
     if (b.reads(k)) batch.input[k] = b.constant(k);
   for (std::uint32_t k = 0; k < b.group.history_width; ++k)
-    batch.history[k] = b.group.history.template column<T>(k) + (begin - b.group.begin);
-  const std::uint32_t outputs = b.tile.scene->audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
-  for (std::uint32_t k = 0; k < outputs; ++k) batch.output[k] = w.output[k];
+    batch.history[k] = b.group.history.template column<T>(k) + (b.place.begin - b.group.begin);
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) batch.output[SCREE_FORCE + k] = b.force(k, w);
   if constexpr (std::is_same_v<T, float>)
     b.law.interface.evaluate_single(b.law.storage, &batch);
@@ -125,6 +130,7 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   std::fill(job.slots + width * tile.first_body, job.slots + width * tile.last_body, 0.0);
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
   Block<T> work;
+  begin_batch(*job.scene, work);
   double largest_ratio = job.scene->deepest;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
     const BlockJob<T> block = block_job<T>(job, k);
