@@ -14,7 +14,7 @@
 namespace scree::kernel {
 
 // Contacts a law is given in one call; what they need lies in the first-level cache.
-inline constexpr std::uint32_t block_size = 32;
+inline constexpr std::uint32_t block_size = 48;
 
 // What every block of an evaluation shares.
 struct Scene {

@@ -101,9 +101,12 @@ template <int D, bool spin, bool planes, class T>
 SCREE_HOT void scatter(const BlockJob<T>& b, Block<T>& w) {
   const T* force[3] = {};
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) force[k] = b.force(k, w);
-  if constexpr (spin)
-    resolve_torques<D, planes>(b.arms_to_contact_point(), b.law.interface.writes_couple != 0, b.radius_sum,
-                               force, b.place.count, w);
+  if constexpr (spin) {
+    if (b.law.interface.writes_couple)
+      resolve_torques<D, planes, true>(b.arms_to_contact_point(), b.radius_sum, force, b.place.count, w);
+    else
+      resolve_torques<D, planes, false>(b.arms_to_contact_point(), b.radius_sum, force, b.place.count, w);
+  }
   const std::uint32_t* slot_a = b.tile.tiles->slot_a().data() + b.place.begin;
   const std::uint32_t* slot_b = b.tile.tiles->slot_b().data() + b.place.begin;
   for (std::uint32_t i = 0; i < b.place.count; i += 4)

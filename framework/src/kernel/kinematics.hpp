@@ -164,9 +164,9 @@ SCREE_HOT void resolve_increments(bool to_contact_point, const double* radius_su
 }
 
 // −arm n × f ± couple: torques on a and b.
-template <int D, bool planes, class T>
-SCREE_HOT void resolve_torques(bool to_contact_point, bool has_couple, const double* radius_sum,
-                               const T* const (&force)[3], std::uint32_t padded, Block<T>& w) {
+template <int D, bool planes, bool has_couple, class T>
+SCREE_HOT void resolve_torques(bool to_contact_point, const double* radius_sum, const T* const (&force)[3],
+                               std::uint32_t padded, Block<T>& w) {
   constexpr int S = spin_components<D>;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {

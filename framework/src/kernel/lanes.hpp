@@ -10,6 +10,7 @@ namespace scree::kernel {
 
 // Four doubles that move together: one record of a body. Two registers where there is no AVX.
 typedef double Four __attribute__((vector_size(32)));
+typedef float FourSingles __attribute__((vector_size(16)));
 
 SCREE_HOT Four& four_at(double* aligned) {
   return *static_cast<Four*>(__builtin_assume_aligned(aligned, 32));
@@ -36,11 +37,12 @@ SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {
 // Four neighbouring numbers of a column of double or float.
 SCREE_HOT void store_lanes(double* column, const Four& v) { store_four(column, v); }
 SCREE_HOT void store_lanes(float* column, const Four& v) {
-  for (int k = 0; k < 4; ++k) column[k] = float(v[k]);
+  *static_cast<FourSingles*>(__builtin_assume_aligned(column, 16)) = __builtin_convertvector(v, FourSingles);
 }
 SCREE_HOT Four load_lanes(const double* column) { return load_four(column); }
 SCREE_HOT Four load_lanes(const float* column) {
-  return Four{double(column[0]), double(column[1]), double(column[2]), double(column[3])};
+  const auto v = *static_cast<const FourSingles*>(__builtin_assume_aligned(column, 16));
+  return __builtin_convertvector(v, Four);
 }
 
 }  // namespace scree::kernel
