@@ -68,13 +68,19 @@ void Forces::follow_pairs(Particles& particles, const Contacts& contacts, std::u
   w.block_sums.resize(w.tiles.blocks().size());
 }
 
+void Forces::clear(Particles& particles, BodyRange bodies) {
+  const std::size_t width = particles.load_width();
+  std::fill(particles.loads() + bodies.begin * width, particles.loads() + bodies.end * width, 0.0);
+}
+
 ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                              const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
                              const Domain& domain, double step, ThreadPool& threads) {
   Work& w = *work_;
   follow_pairs(particles, contacts, reads_of(laws), planes.size());
   w.planes.set(planes, particles.width());
-  alignas(32) const std::array<double, 4 * 27> shifts = image_shifts(domain);
+  alignas(32) std::array<double, 4 * 27> shifts;
+  if (features_.periodic) shifts = image_shifts(domain);
   const kernel::Scene scene{contacts,        particles.records(),   w.planes,
                             shifts.data(),   features_.periodic,    step,
                             features_.audit, features_.pair_forces, w.deepest};

@@ -3,32 +3,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <scree/simulation.hpp>
 
 namespace scree {
 
-double Simulation::drift_bodies(double step) {
-  integrator_->prepare(particles_, step);
-  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
-    Laps laps(worker == 0 ? profile_ : nullptr);
-    tile_sums_[tile].square_speed = 0;
-    tiles_.each_few(tile, [&](BodyRange bodies) {
-      const double largest = integrator_->drift(particles_, step, bodies);
-      tile_sums_[tile].square_speed = std::max(tile_sums_[tile].square_speed, largest);
-    });
-    laps.lap(Profile::drift);
-  });
-  double largest = 0;
-  for (const TileSums& sums : tile_sums_) largest = std::max(largest, sums.square_speed);
-  return largest;
+void Simulation::drift(std::size_t tile, BodyRange bodies, double step) {
+  double& largest = tile_sums_[tile].square_speed;
+  largest = std::max(largest, integrator_->drift(particles_, step, bodies));
+  Forces::clear(particles_, bodies);
 }
 
-bool Simulation::evaluate_forces(double step, std::optional<double> kick) {
+void Simulation::drift_bodies(double step) {
+  Laps laps(profile_);
+  integrator_->prepare(particles_, step);
+  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned) {
+    tile_sums_[tile] = {};
+    tiles_.each_few(tile, [&](BodyRange bodies) { drift(tile, bodies, step); });
+  });
+  laps.lap(Profile::drift);
+}
+
+bool Simulation::evaluate_forces(double step, Moves moves) {
   Laps laps(profile_);
   contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
                                    boundaries_.domain(), step, *threads_);
   laps.lap(Profile::contacts);
+  // What went wrong is reported where it happened.
+  if (too_deep()) moves.drift.reset();
+  drifted_ = moves.drift.has_value();
   threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
     Laps tile_laps(worker == 0 ? profile_ : nullptr);
     TileSums& sums = tile_sums_[tile] = {};
@@ -39,8 +43,10 @@ bool Simulation::evaluate_forces(double step, std::optional<double> kick) {
       tile_laps.lap(Profile::books);
       body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
       tile_laps.lap(Profile::body_forces);
-      if (kick) sums.finite &= integrator_->kick(particles_, *kick, bodies);
+      if (moves.kick) sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
       tile_laps.lap(Profile::kick);
+      if (moves.drift) drift(tile, bodies, *moves.drift);
+      tile_laps.lap(Profile::drift);
     });
   });
   body_sums_ = {};
@@ -55,9 +61,30 @@ bool Simulation::evaluate_forces(double step, std::optional<double> kick) {
   return finite;
 }
 
-void Simulation::step() {
+void Simulation::evaluate_forces_afresh(double step) {
+  Forces::clear(particles_, {0, particles_.size()});
+  evaluate_forces(step, {});
+}
+
+void Simulation::step() { step(false); }
+
+std::uint64_t Simulation::run(std::uint64_t steps, const std::function<bool()>& proceed) {
+  std::uint64_t made = 0;
+  for (bool more = steps > 0; more;) {
+    more = ++made < steps && proceed();
+    step(more);
+  }
+  return made;
+}
+
+void Simulation::step(bool more) {
+  const std::span<const double> shares = integrator_->substeps();
   double largest = 0;
-  for (const double share : integrator_->substeps()) largest = advance(share * scene_.step);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    std::optional<double> next;
+    if (k + 1 < shares.size() || more) next = shares[(k + 1) % shares.size()] * scene_.step;
+    largest = advance(shares[k] * scene_.step, next);
+  }
   ++steps_;
   time_ = double(steps_) * scene_.step;
   force_time_ = integrator_->evaluates_at_mid_step() ? time_ - 0.5 * scene_.step : time_;
@@ -65,7 +92,7 @@ void Simulation::step() {
   check_health(largest);
 }
 
-double Simulation::advance(double step) {
+double Simulation::advance(double step, std::optional<double> next) {
   const bool mid_step = integrator_->evaluates_at_mid_step();
   const bool in_step = force_time_ == time_;
   const double elapsed = mid_step && in_step ? 0.5 * step : step;
@@ -74,13 +101,16 @@ double Simulation::advance(double step) {
   boundaries_.drift(force_time_, elapsed);
   const double plane_speed = boundaries_.largest_speed();
   laps.lap(Profile::boundaries);
-  const double square_speed = drift_bodies(step);
+  if (!drifted_) drift_bodies(step);
+  double square_speed = 0;
+  for (const TileSums& sums : tile_sums_) square_speed = std::max(square_speed, sums.square_speed);
   laps = Laps(profile_);
   if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) report_blow_up(*this, speed_limit_);
   neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
                      contacts_);
   laps.lap(Profile::neighbours);
-  const bool finite = evaluate_forces(elapsed, step);
+  if (too_fast(square_speed)) next.reset();
+  const bool finite = evaluate_forces(elapsed, {.kick = step, .drift = next});
   laps = Laps(profile_);
   boundaries_.kick(force_time_, elapsed);
   laps.lap(Profile::boundaries);
@@ -101,7 +131,7 @@ void Simulation::catch_up() {
   const double behind = time_ - force_time_;
   boundaries_.return_to_forces();
   boundaries_.drift(force_time_, behind);
-  evaluate_forces(behind);
+  evaluate_forces_afresh(behind);
   boundaries_.kick(force_time_, behind);
   if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);
   force_time_ = time_;
@@ -113,10 +143,14 @@ double Simulation::largest_square_speed() const {
   return largest;
 }
 
+bool Simulation::too_fast(double square_speed) const {
+  return !(square_speed <= speed_limit_ * speed_limit_);
+}
+
+bool Simulation::too_deep() const { return contact_sums_.max_overlap_ratio > scene_.limits.overlap_ratio; }
+
 void Simulation::check_health(double largest_square_speed) const {
-  const bool too_fast = !(largest_square_speed <= speed_limit_ * speed_limit_);
-  const bool too_deep = contact_sums_.max_overlap_ratio > scene_.limits.overlap_ratio;
-  if (too_fast || too_deep) report_blow_up(*this, speed_limit_);
+  if (too_fast(largest_square_speed) || too_deep()) report_blow_up(*this, speed_limit_);
 }
 
 }  // namespace scree

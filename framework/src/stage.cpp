@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -32,12 +33,23 @@ void StageRunner::begin() {
   simulation_.apply_reconfiguration();
 }
 
+std::uint64_t StageRunner::steps_in(double duration) const {
+  return std::uint64_t(std::llround(duration / simulation_.step_length()));
+}
+
+std::uint64_t StageRunner::steps_to_next_look() const {
+  const Stage& stage = stages_[current_];
+  const std::uint64_t steps = simulation_.steps() - began_step_;
+  const auto left = [&](std::uint64_t last) { return last > steps ? last - steps : 1; };
+  if (stage.duration) return left(steps_in(*stage.duration));
+  const std::uint64_t look = condition_interval - steps % condition_interval;
+  // A step early, since times are compared and not steps.
+  return stage.at_most ? std::min(look, left(steps_in(*stage.at_most) - 1)) : look;
+}
+
 bool StageRunner::over() const {
   const Stage& stage = stages_[current_];
   const std::uint64_t steps = simulation_.steps() - began_step_;
-  const auto steps_in = [&](double duration) {
-    return std::uint64_t(std::llround(duration / simulation_.step_length()));
-  };
   if (stage.duration) return steps >= steps_in(*stage.duration);
   if (!stage.kinetic_over_elastic || steps % condition_interval || steps < steps_in(stage.at_least))
     return false;
@@ -47,7 +59,11 @@ bool StageRunner::over() const {
 }
 
 void StageRunner::step() {
-  simulation_.step();
+  run(1, [] { return false; });
+}
+
+std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>& proceed) {
+  const std::uint64_t made = simulation_.run(std::min(steps, steps_to_next_look()), proceed);
   const Stage& stage = stages_[current_];
   if (over()) {
     ++current_;
@@ -63,6 +79,7 @@ void StageRunner::step() {
             simulation_.time() - began_, *stage.kinetic_over_elastic),
         ExitStatus::failure);
   }
+  return made;
 }
 
 double StageRunner::expected_length(const Stage& stage) const {

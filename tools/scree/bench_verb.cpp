@@ -49,7 +49,7 @@ std::filesystem::path scene_file(const std::string& scene) {
 
 double run_for(Simulation& simulation, std::uint64_t steps) {
   const auto start = std::chrono::steady_clock::now();
-  for (std::uint64_t k = 0; k < steps; ++k) simulation.step();
+  simulation.run(steps, [] { return true; });
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -44,6 +44,8 @@ class Forces {
   explicit Forces(const Features& features);
   ~Forces();
 
+  // To be called for all bodies before an evaluation adds to their loads.
+  static void clear(Particles& particles, BodyRange bodies);
   // Evaluates all contacts and sets the loads of all planes; step = 0 does not move springs. Loads of bodies
   // are whole once each tile has collected.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -37,6 +38,9 @@ class Simulation {
 
   // Advances by one time step. Throws Error(blow_up) naming particle, contact, time and cure.
   void step();
+  // The same for up to so many steps: faster, for nobody looks at the bodies in between. In the course of
+  // each step asks whether another may follow. Returns how many were made.
+  std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
 
   // Tells where the time of steps goes from now on; null ends it. The profile must live as long.
   void measure(Profile* profile) { profile_ = profile; }
@@ -79,18 +83,30 @@ class Simulation {
   Contacts make_contacts() const;
   Contacts::Lookup lookup() const;
   void configure_laws();
-  // Drifts all bodies; largest squared speed (m²/s²).
-  double drift_bodies(double step);
-  // Forces on bodies where they are, after `step` since the last evaluation; completes the step of the
-  // integrator that is given (s). Whether velocities and spins are numbers then.
-  bool evaluate_forces(double step, std::optional<double> kick = std::nullopt);
-  // Moves everything by one substep; largest squared speed on the way (m²/s²), infinite if any velocity or
-  // spin is not a number.
-  double advance(double step);
+  // What moves bodies after an evaluation: the rest of this substep, and the first half of the next unless
+  // somebody looks at them before (s).
+  struct Moves {
+    std::optional<double> kick = std::nullopt, drift = std::nullopt;
+  };
+  void drift_bodies(double step);
+  // Drifts a few bodies of a tile and clears their loads for the next evaluation.
+  void drift(std::size_t tile, BodyRange bodies, double step);
+  // Forces on bodies where they are, after `step` since the last evaluation. Whether velocities and spins are
+  // numbers then.
+  bool evaluate_forces(double step, Moves moves);
+  // The same where the bodies have not drifted.
+  void evaluate_forces_afresh(double step);
+  // One step; the next follows unseen.
+  void step(bool more);
+  // Moves everything by one substep, and bodies into the next; largest squared speed on the way (m²/s²),
+  // infinite if any velocity or spin is not a number.
+  double advance(double step, std::optional<double> next);
   // Brings forces and springs to where the bodies are, after an integrator that evaluates in mid-step.
   void catch_up();
   // Of the bodies as the scene states them (m²/s²).
   double largest_square_speed() const;
+  bool too_fast(double square_speed) const;
+  bool too_deep() const;
   void check_health(double largest_square_speed) const;
 
   Scene scene_;
@@ -123,6 +139,7 @@ class Simulation {
     double square_speed = 0;
     bool finite = true;
   };
+  bool drifted_ = false;  // bodies have drifted into the next substep
   BodyTiles tiles_;
   std::vector<TileSums> tile_sums_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,12 +40,18 @@ class StageRunner {
   // One time step; moves to the next stage when this one is over.
   // Throws Error(failure) when a condition has not come in time.
   void step();
+  // The same for up to so many steps of this stage, as long as proceed() says yes. Returns how many were
+  // made.
+  std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
   // Share of the whole run that is done, as far as durations tell: 0 to 1.
   double progress() const;
 
  private:
   void begin();
   bool over() const;
+  // Until this stage may be over, at least 1.
+  std::uint64_t steps_to_next_look() const;
+  std::uint64_t steps_in(double duration) const;
   double expected_length(const Stage& stage) const;
 
   Simulation& simulation_;

@@ -1,5 +1,7 @@
 #include "pictures.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -17,12 +19,16 @@ snapshot::SnapshotBackend& Pictures::backend() {
   return *backend_;
 }
 
-void Pictures::take(const Simulation& s, std::uint64_t steps) {
+std::uint64_t Pictures::take(const Simulation& s, std::uint64_t steps) {
   const auto due = [&](const std::optional<double>& every) {
     return every && is_due(steps, *every, s.step_length());
   };
   if (due(plan_.snapshot.every)) write_snapshot(s);
   if (due(plan_.snapshot.image_every)) write_image(s);
+  const auto next = [&](const std::optional<double>& every) {
+    return every ? next_due(steps, *every, s.step_length()) : never;
+  };
+  return std::min(next(plan_.snapshot.every), next(plan_.snapshot.image_every));
 }
 
 void Pictures::take_last(const Simulation& s) {

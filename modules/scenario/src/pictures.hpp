@@ -20,8 +20,8 @@ class Pictures {
   // The scene at the start gives the camera its box. Throws Error where VTK is needed and cannot be loaded.
   Pictures(const Plan& plan, const Simulation& start, const RunDirectory& directory);
 
-  // What is due so many steps after the beginning of a stage.
-  void take(const Simulation& simulation, std::uint64_t steps);
+  // What is due so many steps after the beginning of a stage. Returns when the next is.
+  std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
   // The state at the end, if the plan has snapshots or images at all.
   void take_last(const Simulation& simulation);
   // Charts of the series; one that cannot be drawn is told of and left out.

@@ -5,6 +5,7 @@
 #include "run_record.hpp"
 #include "sampler.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -91,7 +92,7 @@ class Run {
     StageRunner runner(*simulation_, plan_.stages);
     const std::string last = drive(
         runner, [this](const std::string&) { check_step(plan_, *simulation_); },
-        [this](const std::string& stage, std::uint64_t steps) { observe(stage, steps); },
+        [this](const std::string& stage, std::uint64_t steps) { return observe(stage, steps); },
         [this](const StageRunner& r) {
           report_progress(r);
           return !(options_.stop && *options_.stop);
@@ -100,10 +101,10 @@ class Run {
     sampler_.sample_last(*simulation_, last);
   }
 
-  // Samples and pictures that are due so many steps after the beginning of a stage.
-  void observe(const std::string& stage, std::uint64_t steps) {
-    sampler_.sample(*simulation_, stage, steps);
-    pictures_.take(*simulation_, steps);
+  // Samples and pictures that are due so many steps after the beginning of a stage. Returns when the next
+  // are.
+  std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
+    return std::min(sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps));
   }
 
   void report_progress(const StageRunner& runner) {

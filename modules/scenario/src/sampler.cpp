@@ -10,6 +10,13 @@ bool is_due(std::uint64_t steps, double every, double step) {
   return std::round(multiple * every / step) == double(steps);
 }
 
+std::uint64_t next_due(std::uint64_t steps, double every, double step) {
+  // The first multiple that is nearer to a later step, or the one before, for rounding.
+  double multiple = std::max(0.0, std::floor((double(steps) + 0.5) * step / every) - 1);
+  while (std::round(multiple * every / step) <= double(steps)) ++multiple;
+  return std::uint64_t(std::round(multiple * every / step));
+}
+
 Sampler::Sampler(const Plan& plan) {
   for (const ProbePlan& probe : plan.probes)
     probes_.push_back({&probe, Probe(probe.parameters, plan.scene.dimension)});
@@ -29,10 +36,14 @@ bool Sampler::Active::samples_in(const std::string& stage) const {
   return stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
-void Sampler::sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
-  sample_where(simulation, [&](const Active& p) {
-    return is_due(steps, p.plan->every, simulation.step_length()) && p.samples_in(stage);
-  });
+std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
+  const double step = simulation.step_length();
+  sample_where(simulation,
+               [&](const Active& p) { return is_due(steps, p.plan->every, step) && p.samples_in(stage); });
+  std::uint64_t next = never;
+  for (const Active& p : probes_)
+    if (p.samples_in(stage)) next = std::min(next, next_due(steps, p.plan->every, step));
+  return next;
 }
 
 void Sampler::sample_last(const Simulation& simulation, const std::string& stage) {

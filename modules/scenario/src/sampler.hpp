@@ -15,6 +15,10 @@ namespace scree::scenario {
 // Whether something that happens every so often (s) is due after so many time steps: at the step nearest to
 // each multiple, so that no rounding adds up.
 bool is_due(std::uint64_t steps, double every, double step);
+// After how many steps it is due next.
+std::uint64_t next_due(std::uint64_t steps, double every, double step);
+
+inline constexpr std::uint64_t never = ~std::uint64_t(0);
 
 // The probes of a plan while it runs, each with its series.
 class Sampler {
@@ -25,8 +29,8 @@ class Sampler {
   void open(const std::filesystem::path& folder);
   // Keeps the rows in memory alone.
   void open();
-  // Takes the samples that are due so many steps after the beginning of a stage.
-  void sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
+  // Takes the samples that are due so many steps after the beginning of a stage. Returns when the next are.
+  std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
   // One more sample of the probes of that stage where a run ends, whatever is due.
   void sample_last(const Simulation& simulation, const std::string& stage);
   void flush();

@@ -2,7 +2,9 @@
 #include "expectations.hpp"
 #include "sampler.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <scree/scenario/run_quantities.hpp>
 #include <scree/scenario/set_up.hpp>
@@ -50,7 +52,11 @@ Trial try_plan(const Plan& plan, const TrialOptions& options) {
   const auto start = Clock::now();
   const std::string last = drive(
       runner, [&](const std::string&) { check_step(plan, *simulation); },
-      [&](const std::string& stage, std::uint64_t steps) { sampler.sample(*simulation, stage, steps); },
+      [&](const std::string& stage, std::uint64_t steps) {
+        const double left = std::ceil((end - simulation->time()) / plan.scene.step);
+        return std::min(sampler.sample(*simulation, stage, steps),
+                        steps + std::uint64_t(std::clamp(left, 1.0, 1e15)));
+      },
       [&](const StageRunner&) {
         trial.stopped = options.stop && *options.stop;
         return !trial.stopped && simulation->time() < end;
