@@ -1,5 +1,6 @@
 #include "health.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,14 +17,18 @@ std::string where(const Simulation& s) { return fmt::format("at t = {:g} s (step
 [[noreturn]] void stop(const std::string& line) { throw Error(line, ExitStatus::blow_up); }
 
 void report_body(const Simulation& s, std::size_t i, double speed_limit) {
-  const Body body = s.particles().body(i);
-  const double speed = norm(body.velocity);
-  if (!std::isfinite(norm(body.position)) || !std::isfinite(speed) || !std::isfinite(norm(body.spin)))
+  const Particles& p = s.particles();
+  const Body body = p.body(i);
+  if (!std::isfinite(norm(body.position)) || !std::isfinite(norm(body.velocity)) ||
+      !std::isfinite(norm(body.spin)))
     stop(fmt::format(
         "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
         "look for overlapping bodies at the start{}",
         body.id, where(s), s.step_length(),
         s.scene().precision == Precision::mixed ? ", or compute in precision = \"double\"" : ""));
+  Vec3 on_the_way = {};
+  for (int k = 0; k < p.dimension(); ++k) on_the_way[k] = p.mid_velocity()[k][i];
+  const double speed = std::max(norm(body.velocity), norm(on_the_way));
   if (speed > speed_limit)
     stop(
         fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
