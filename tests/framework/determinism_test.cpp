@@ -135,6 +135,27 @@ TEST_CASE("every build of the law gives the same bits") {
   CHECK(builds.size() == levels_of_this_processor().size());  // they were different libraries
 }
 
+TEST_CASE("steps that nobody looks between have the bits of steps one by one") {
+  const int dimension = GENERATE(2, 3);
+  for (const scree::IntegrationTraits& traits : scree::integrations()) {
+    CAPTURE(dimension, traits.name);
+    Scene scene = heap(dimension, true);
+    scene.integration = traits.integration;
+    scene.step = 2e-4;
+    Simulation one_by_one(scene), together(scene), stopped(scene);
+    scree::test::run(one_by_one, 300);
+    CHECK(together.run(120, [] { return true; }) == 120);
+    CHECK(together.run(180, [] { return true; }) == 180);
+    CHECK(together.state_hash() == one_by_one.state_hash());
+    CHECK(together.energy().residual == one_by_one.energy().residual);
+    CHECK(together.momentum_residual() == one_by_one.momentum_residual());
+    // Told to stop in the course of a step, it ends with that step, whole.
+    int asked = 0;
+    CHECK(stopped.run(1000, [&] { return ++asked < 300; }) == 300);
+    CHECK(stopped.state_hash() == one_by_one.state_hash());
+  }
+}
+
 TEST_CASE("the last bit of any state changes the hash") {
   const int dimension = GENERATE(2, 3);
   Simulation s(heap(dimension, true));
