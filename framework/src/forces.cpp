@@ -75,7 +75,7 @@ void Forces::clear(Particles& particles, BodyRange bodies) {
 
 ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                              const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                             const Domain& domain, double step, ThreadPool& threads) {
+                             const Domain& domain, double step, ThreadPool& threads, Profile* profile) {
   Work& w = *work_;
   follow_pairs(particles, contacts, reads_of(laws), planes.size());
   w.planes.set(planes, particles.width());
@@ -84,9 +84,9 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
   const kernel::Scene scene{contacts,        particles.records(),   w.planes,
                             shifts.data(),   features_.periodic,    step,
                             features_.audit, features_.pair_forces, w.deepest};
-  threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned) {
+  threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned worker) {
     w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, particles.loads(),
-                w.block_sums.data()});
+                w.block_sums.data(), worker == 0 ? profile : nullptr});
   });
   sum_loads(particles, loads);
   ContactSums sums = add_up(w.block_sums);

@@ -26,10 +26,8 @@ void Simulation::drift_bodies(double step) {
 }
 
 bool Simulation::evaluate_forces(double step, Moves moves) {
-  Laps laps(profile_);
   contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
-                                   boundaries_.domain(), step, *threads_);
-  laps.lap(Profile::contacts);
+                                   boundaries_.domain(), step, *threads_, profile_);
   // What went wrong is reported where it happened.
   if (too_deep()) moves.drift.reset();
   drifted_ = moves.drift.has_value();
@@ -37,7 +35,7 @@ bool Simulation::evaluate_forces(double step, Moves moves) {
     Laps tile_laps(worker == 0 ? profile_ : nullptr);
     TileSums& sums = tile_sums_[tile] = {};
     forces_.collect(particles_, tile);
-    tile_laps.lap(Profile::sums);
+    tile_laps.lap(Profile::reduce);
     tiles_.each_few(tile, [&](BodyRange bodies) {
       sums.momentum.add(particles_, bodies);
       tile_laps.lap(Profile::books);

@@ -88,23 +88,31 @@ void print(const Measurement& m) {
              1e3 * m.s_per_step, 1e-6 * double(m.particles) / m.s_per_step,
              1e9 * m.s_per_step / double(std::max<std::size_t>(1, m.contacts)));
   fmt::print("{} bytes a particle, {} bytes a contact\n", m.bytes_per_particle, m.bytes_per_contact);
+  double all = 0;
+  for (int k = 0; k < Profile::phase_count; ++k) all += m.profile.seconds(Profile::Phase(k));
   for (int k = 0; k < Profile::phase_count; ++k) {
-    const double seconds = m.profile.seconds(Profile::Phase(k)) / m.profiled_steps;
-    fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %\n", Profile::names[std::size_t(k)], 1e6 * seconds,
-               100 * seconds / m.s_per_step);
+    const double seconds = m.profile.seconds(Profile::Phase(k));
+    fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %\n", Profile::names[std::size_t(k)],
+               1e6 * seconds / m.profiled_steps, 100 * seconds / all);
   }
 }
 
+std::string csv_header() {
+  std::string header =
+      "scene,precision,particles,contacts,threads,steps,s_per_step,particle_steps_per_second,ns_per_contact,"
+      "bytes_per_particle,bytes_per_contact";
+  for (const char* name : Profile::names) header += fmt::format(",{}_s", name);
+  return header;
+}
+
 void write_csv(const Measurement& m, const std::filesystem::path& file) {
-  const bool fresh = !std::filesystem::exists(file);
+  const std::string header = csv_header();
+  std::string first;
+  if (std::ifstream before(file); before && std::getline(before, first) && first != header)
+    throw Error(
+        fmt::format("{}: has other columns than this version writes; give a new --csv", file.string()));
   std::ofstream out(file, std::ios::app);
-  if (fresh) {
-    out << "scene,precision,particles,contacts,threads,steps,s_per_step,particle_steps_per_second,ns_per_"
-           "contact,"
-           "bytes_per_particle,bytes_per_contact";
-    for (const char* name : Profile::names) out << "," << name << "_s";
-    out << "\n";
-  }
+  if (first.empty()) out << header << "\n";
   out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", m.scene, m.precision, m.particles, m.contacts,
                      m.threads, m.steps, m.s_per_step, double(m.particles) / m.s_per_step,
                      1e9 * m.s_per_step / double(std::max<std::size_t>(1, m.contacts)), m.bytes_per_particle,

@@ -10,6 +10,7 @@
 #include <scree/pair_constants.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_abi.h>
+#include <scree/profile.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
@@ -50,7 +51,7 @@ class Forces {
   // are whole once each tile has collected.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                        const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                       const Domain& domain, double step, ThreadPool& threads);
+                       const Domain& domain, double step, ThreadPool& threads, Profile* profile = nullptr);
   // Adds the loads that contacts of other tiles have left for the bodies of this one.
   void collect(Particles& particles, std::size_t tile) const;
 

@@ -115,12 +115,18 @@ SCREE_HOT void scatter(const BlockJob<T>& b, Block<T>& w) {
 
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT ContactSums evaluate_block(const BlockJob<T>& b, Block<T>& w, double& largest_ratio) {
+  Laps laps(b.tile.profile);
   gather<D, spin, planes>(b, w);
+  laps.lap(Profile::gather);
   resolve<D, spin, planes>(b, w);
+  laps.lap(Profile::geometry);
   call_law<D>(b, w);
+  laps.lap(Profile::law);
   scatter<D, spin, planes>(b, w);
   largest_ratio = largest_overlap_ratio<planes>(b.radius_sum, b.place.count, w, largest_ratio);
-  return b.tile.scene->audit ? sum_block(w, b.place.count) : ContactSums();
+  const ContactSums sums = b.tile.scene->audit ? sum_block(w, b.place.count) : ContactSums();
+  laps.lap(Profile::reduce);
+  return sums;
 }
 
 template <int D, bool spin, class T>

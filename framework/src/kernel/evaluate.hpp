@@ -18,6 +18,7 @@ struct TileJob {
   PairConstants* constants;
   double* slots;      // (slots, slot width)
   ContactSums* sums;  // of each block
+  Profile* profile;   // null: nobody asks
 };
 
 // Evaluates all pairs of a tile: gather -> law -> scatter in blocks.
