@@ -16,25 +16,23 @@ std::string where(const Simulation& s) { return fmt::format("at t = {:g} s (step
 
 [[noreturn]] void stop(const std::string& line) { throw Error(line, ExitStatus::blow_up); }
 
-void report_body(const Simulation& s, std::size_t i, double speed_limit) {
-  const Particles& p = s.particles();
-  const Body body = p.body(i);
-  if (!std::isfinite(norm(body.position)) || !std::isfinite(norm(body.velocity)) ||
-      !std::isfinite(norm(body.spin)))
-    stop(fmt::format(
-        "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
-        "look for overlapping bodies at the start{}",
-        body.id, where(s), s.step_length(),
-        s.scene().precision == Precision::mixed ? ", or compute in precision = \"double\"" : ""));
-  Vec3 on_the_way = {};
-  for (int k = 0; k < p.dimension(); ++k) on_the_way[k] = p.mid_velocity()[k][i];
-  const double speed = std::max(norm(body.velocity), norm(on_the_way));
-  if (speed > speed_limit)
-    stop(
-        fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
-                    "(now {:g} s), "
-                    "or raise limits.speed if this speed is meant",
-                    body.id, speed, where(s), speed_limit, s.step_length()));
+void report_not_a_number(const Simulation& s, const Body& body) {
+  if (std::isfinite(norm(body.position)) && std::isfinite(norm(body.velocity)) &&
+      std::isfinite(norm(body.spin)))
+    return;
+  stop(fmt::format(
+      "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
+      "look for overlapping bodies at the start{}",
+      body.id, where(s), s.step_length(),
+      s.scene().precision == Precision::mixed ? ", or compute in precision = \"double\"" : ""));
+}
+
+void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
+  if (speed <= limit) return;
+  stop(
+      fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
+                  "(now {:g} s), or raise limits.speed if this speed is meant",
+                  id, speed, where(s), limit, s.step_length()));
 }
 
 void report_overlap(const Simulation& s) {
@@ -47,7 +45,7 @@ void report_overlap(const Simulation& s) {
     if (list.b[c] < p.size()) radius = std::min(radius, p.radius()[list.b[c]]);
     if (list.overlap[c] / radius > worst_ratio) worst_ratio = list.overlap[c] / radius, worst = c;
   }
-  if (list.size() == 0) return;
+  if (!(worst_ratio > s.scene().limits.overlap_ratio)) return;
   const std::uint32_t b = list.b[worst];
   const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
                                          : fmt::format("wall {}", s.boundaries().plane_names()[b - p.size()]);
@@ -93,7 +91,11 @@ const Scene& checked(const Scene& scene) {
 }
 
 void report_blow_up(const Simulation& s, double speed_limit) {
-  for (std::size_t i = 0; i < s.particles().size(); ++i) report_body(s, i, speed_limit);
+  const Particles& p = s.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    report_not_a_number(s, p.body(i));
+    report_speed(s, p.id[i], norm(p.body(i).velocity), speed_limit);
+  }
   for (std::size_t w = 0; w < s.boundaries().planes().size(); ++w)
     for (const double x : s.boundaries().planes()[w].point)
       if (!std::isfinite(x))
@@ -101,6 +103,11 @@ void report_blow_up(const Simulation& s, double speed_limit) {
             "wall {}: position is not a number {}; give it more mass or viscosity, or a shorter time.step",
             s.boundaries().plane_names()[w], where(s)));
   report_overlap(s);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 on_the_way = {};
+    for (int k = 0; k < p.dimension(); ++k) on_the_way[k] = p.mid_velocity()[k][i];
+    report_speed(s, p.id[i], norm(on_the_way), speed_limit);
+  }
   stop(fmt::format("the motion is no longer finite {}; use a shorter time.step (now {:g} s)", where(s),
                    s.step_length()));
 }
