@@ -57,7 +57,7 @@ std::vector<PlanePair> near_planes(const Particles& p, const std::vector<scree_p
 
 }  // namespace
 
-bool NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
+void NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
                            const Boundaries& boundaries, Contacts& contacts) {
   travelled_ += body_speed * step;
   planes_travelled_ += plane_speed * step;
@@ -66,15 +66,14 @@ bool NeighbourList::update(double body_speed, double plane_speed, double step, P
   const bool review = choice_.due(steps_);
   if (review || exhausted()) measure(particles, boundaries);
   const bool search = exhausted();
-  if (!review && !search) return false;
+  if (!review && !search) return;
   if (!choice_.fixed()) {
     const SkinChoice::Experience list = experience(particles, boundaries, contacts);
     const double skin = search ? choice_.after(list) : choice_.review(list);
-    if (!search && skin == skin_) return false;
+    if (!search && skin == skin_) return;
     skin_ = skin;
   }
   rebuild(particles, boundaries, contacts);
-  return true;
 }
 
 SkinChoice::Experience NeighbourList::experience(const Particles& particles, const Boundaries& boundaries,

@@ -20,8 +20,7 @@ class NeighbourList {
       : skin_(skin), choice_(skin, thickest), lookup_(lookup) {}
 
   // Advances the displacement bound by one step at these largest speeds (m/s), and searches if it ran out.
-  // Whether it searched.
-  bool update(double body_speed, double plane_speed, double step, Particles& particles,
+  void update(double body_speed, double plane_speed, double step, Particles& particles,
               const Boundaries& boundaries, Contacts& contacts);
   // Searches now; bodies that left a periodic domain come in again at the other side.
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts);
