@@ -46,7 +46,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
           take(p.a, p.b, p.image);
     }
     group.end = a.size();
-    while (a.size() % SCREE_LANES) take(0, 0, Domain::no_shift);
+    while (a.size() % SCREE_LANES) take(a.back(), group.planes ? 0 : a.back(), Domain::no_shift);
     group.history.reset(group.history_width, group.padded_size());
   }
   carry_history(old, old_a, old_b);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 
 #include <scree/forces.hpp>
@@ -19,6 +20,8 @@ struct Forces::Work {
   kernel::PlaneRecords planes;
   PairConstants constants;
   std::vector<ContactSums> block_sums;
+  // Of each tile: how many of those that reach it are still to be evaluated.
+  std::unique_ptr<std::atomic<std::uint32_t>[]> awaited;
   double deepest = 0;  // overlap ratio met so far
 };
 
@@ -66,16 +69,13 @@ void Forces::follow_pairs(Particles& particles, const Contacts& contacts, std::u
   w.constants.update(contacts, particles, reads, features_.pair_forces);
   particles.set_load_rows(w.tiles.slots());
   w.block_sums.resize(w.tiles.blocks().size());
-}
-
-void Forces::clear(Particles& particles, BodyRange bodies) {
-  const std::size_t width = particles.load_width();
-  std::fill(particles.loads() + bodies.begin * width, particles.loads() + bodies.end * width, 0.0);
+  w.awaited = std::make_unique<std::atomic<std::uint32_t>[]>(w.tiles.tiles().size());
 }
 
 ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                              const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                             const Domain& domain, double step, ThreadPool& threads, Profile* profile) {
+                             const Domain& domain, double step, ThreadPool& threads, const Settle& settle,
+                             Profile* profile) {
   Work& w = *work_;
   follow_pairs(particles, contacts, reads_of(laws), planes.size());
   w.planes.set(planes, particles.width());
@@ -84,14 +84,29 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
   const kernel::Scene scene{contacts,        particles.records(),   w.planes,
                             shifts.data(),   features_.periodic,    step,
                             features_.audit, features_.pair_forces, w.deepest};
+  for (std::size_t tile = 0; tile < w.tiles.tiles().size(); ++tile)
+    w.awaited[tile].store(w.tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
   threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned worker) {
+    Profile* const own_profile = worker == 0 ? profile : nullptr;
     w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, particles.loads(),
-                w.block_sums.data(), worker == 0 ? profile : nullptr});
+                w.block_sums.data(), own_profile});
+    release(particles, tile, worker, settle, own_profile);
   });
   sum_loads(particles, loads);
   ContactSums sums = add_up(w.block_sums);
   w.deepest = sums.max_overlap_ratio = std::max(w.deepest, sums.max_overlap_ratio);
   return sums;
+}
+
+void Forces::release(Particles& particles, std::size_t tile, unsigned worker, const Settle& settle,
+                     Profile* profile) {
+  for (const std::uint32_t reached : work_->tiles.tiles()[tile].reached) {
+    if (work_->awaited[reached].fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
+    Laps laps(profile);
+    collect(particles, reached);
+    laps.lap(Profile::reduce);
+    settle(reached, worker);
+  }
 }
 
 void Forces::collect(Particles& particles, std::size_t tile) const {

@@ -46,11 +46,10 @@ double thickest_skin_of(const Scene& scene, const Domain& domain) {
   return std::max(thickest, skin_of(scene));
 }
 
-double speed_limit_of(const Scene& scene) {
-  if (scene.limits.speed > 0) return scene.limits.speed;
+double smallest_radius(const Scene& scene) {
   double smallest = infinite;
   for (const Body& body : scene.bodies) smallest = std::min(smallest, body.radius);
-  return smallest / scene.step;
+  return smallest;
 }
 
 unsigned threads_of(const Scene& scene) {
@@ -79,14 +78,15 @@ Simulation::Simulation(const Scene& scene)
                scene.pair_forces, scene.precision}),
       integrator_(make_integrator(scene.integration)),
       threads_(std::make_unique<ThreadPool>(threads_of(scene))),
-      speed_limit_(speed_limit_of(scene)),
+      smallest_radius_(smallest_radius(scene)),
+      speed_limit_(scene.limits.speed > 0 ? scene.limits.speed : smallest_radius_ / scene.step),
       tiles_(particles_.size()),
       tile_sums_(tiles_.count()) {
   configure_laws();
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());
   neighbours_.rebuild(particles_, boundaries_, contacts_);
-  evaluate_forces_afresh(0);
+  evaluate_forces(0, {});
   boundaries_.kick(0, 0);
   audit_.restate(contact_sums_, body_sums_);
   const scree_energy now = energy();
@@ -147,7 +147,7 @@ void Simulation::apply_reconfiguration() {
   configure_laws();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
   neighbours_.rebuild(particles_, boundaries_, contacts_);
-  evaluate_forces_afresh(0);
+  evaluate_forces(0, {});
   audit_.restate(contact_sums_, body_sums_);
 }
 

@@ -12,7 +12,6 @@ namespace scree {
 void Simulation::drift(std::size_t tile, BodyRange bodies, double step) {
   double& largest = tile_sums_[tile].square_speed;
   largest = std::max(largest, integrator_->drift(particles_, step, bodies));
-  Forces::clear(particles_, bodies);
 }
 
 void Simulation::drift_bodies(double step) {
@@ -25,28 +24,28 @@ void Simulation::drift_bodies(double step) {
   laps.lap(Profile::drift);
 }
 
-bool Simulation::evaluate_forces(double step, Moves moves) {
-  contact_sums_ = forces_.evaluate(particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(),
-                                   boundaries_.domain(), step, *threads_, profile_);
-  // What went wrong is reported where it happened.
-  if (too_deep()) moves.drift.reset();
-  drifted_ = moves.drift.has_value();
-  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned worker) {
-    Laps tile_laps(worker == 0 ? profile_ : nullptr);
-    TileSums& sums = tile_sums_[tile] = {};
-    forces_.collect(particles_, tile);
-    tile_laps.lap(Profile::reduce);
-    tiles_.each_few(tile, [&](BodyRange bodies) {
-      sums.momentum.add(particles_, bodies);
-      tile_laps.lap(Profile::books);
-      body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
-      tile_laps.lap(Profile::body_forces);
-      if (moves.kick) sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
-      tile_laps.lap(Profile::kick);
-      if (moves.drift) drift(tile, bodies, *moves.drift);
-      tile_laps.lap(Profile::drift);
-    });
+void Simulation::settle(std::size_t tile, const Moves& moves, Profile* profile) {
+  Laps laps(profile);
+  TileSums& sums = tile_sums_[tile] = {};
+  tiles_.each_few(tile, [&](BodyRange bodies) {
+    sums.momentum.add(particles_, bodies);
+    laps.lap(Profile::books);
+    body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
+    laps.lap(Profile::body_forces);
+    if (moves.kick) sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
+    laps.lap(Profile::kick);
+    if (moves.drift) drift(tile, bodies, *moves.drift);
+    laps.lap(Profile::drift);
   });
+}
+
+bool Simulation::evaluate_forces(double step, const Moves& moves) {
+  drifted_ = moves.drift.has_value();
+  contact_sums_ = forces_.evaluate(
+      particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(), boundaries_.domain(), step,
+      *threads_,
+      [&](std::size_t tile, unsigned worker) { settle(tile, moves, worker == 0 ? profile_ : nullptr); },
+      profile_);
   body_sums_ = {};
   MomentumAudit::Sums momentum;
   bool finite = true;
@@ -57,11 +56,6 @@ bool Simulation::evaluate_forces(double step, Moves moves) {
   }
   momentum_audit_.add_step(step, momentum, boundaries_.loads());
   return finite;
-}
-
-void Simulation::evaluate_forces_afresh(double step) {
-  Forces::clear(particles_, {0, particles_.size()});
-  evaluate_forces(step, {});
 }
 
 void Simulation::step() { step(false); }
@@ -107,7 +101,9 @@ double Simulation::advance(double step, std::optional<double> next) {
   neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
                      contacts_);
   laps.lap(Profile::neighbours);
-  if (too_fast(square_speed)) next.reset();
+  // What goes wrong is reported where it happened.
+  if (too_fast(square_speed) || may_be_too_deep(std::max(std::sqrt(square_speed), plane_speed) * step))
+    next.reset();
   const bool finite = evaluate_forces(elapsed, {.kick = step, .drift = next});
   laps = Laps(profile_);
   boundaries_.kick(force_time_, elapsed);
@@ -129,7 +125,7 @@ void Simulation::catch_up() {
   const double behind = time_ - force_time_;
   boundaries_.return_to_forces();
   boundaries_.drift(force_time_, behind);
-  evaluate_forces_afresh(behind);
+  evaluate_forces(behind, {});
   boundaries_.kick(force_time_, behind);
   if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);
   force_time_ = time_;
@@ -143,6 +139,10 @@ double Simulation::largest_square_speed() const {
 
 bool Simulation::too_fast(double square_speed) const {
   return !(square_speed <= speed_limit_ * speed_limit_);
+}
+
+bool Simulation::may_be_too_deep(double way) const {
+  return contact_sums_.max_overlap_ratio + 2 * std::abs(way) / smallest_radius_ > scene_.limits.overlap_ratio;
 }
 
 bool Simulation::too_deep() const { return contact_sums_.max_overlap_ratio > scene_.limits.overlap_ratio; }

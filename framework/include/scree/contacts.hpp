@@ -57,7 +57,7 @@ class Contacts {
   const std::vector<PairGroup>& groups() const { return groups_; }
   std::size_t padded_size() const { return a.size(); }
 
-  Column<std::uint32_t> a, b;  // padding repeats body 0 with itself
+  Column<std::uint32_t> a, b;  // padding: the last a of its group with itself, or with the first plane
   Column<std::uint8_t> image;
 
   // Counts the rebuilds, so that what is derived from the pairs knows when to follow.

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
-#include <scree/body_range.hpp>
 #include <scree/contacts.hpp>
 #include <scree/domain.hpp>
 #include <scree/pair_constants.hpp>
@@ -45,15 +45,14 @@ class Forces {
   explicit Forces(const Features& features);
   ~Forces();
 
-  // To be called for all bodies before an evaluation adds to their loads.
-  static void clear(Particles& particles, BodyRange bodies);
-  // Evaluates all contacts and sets the loads of all planes; step = 0 does not move springs. Loads of bodies
-  // are whole once each tile has collected.
+  // What comes after the contacts of a tile's bodies: called once for each tile, as soon as their loads are
+  // whole and no contact that is still to come looks at them.
+  using Settle = std::function<void(std::size_t tile, unsigned worker)>;
+  // Evaluates all contacts and sets the loads of all bodies and planes; step = 0 does not move springs.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                        const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
-                       const Domain& domain, double step, ThreadPool& threads, Profile* profile = nullptr);
-  // Adds the loads that contacts of other tiles have left for the bodies of this one.
-  void collect(Particles& particles, std::size_t tile) const;
+                       const Domain& domain, double step, ThreadPool& threads, const Settle& settle,
+                       Profile* profile = nullptr);
 
   // Force on a of pair p at the last evaluation (N), z = 0 in 2D; not numbers if they are not kept.
   Vec3 pair_force(std::size_t p) const;
@@ -62,6 +61,11 @@ class Forces {
  private:
   struct Work;
   void follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
+  // Tells the tiles that this one reaches that it is done, and settles those that wait for no other.
+  void release(Particles& particles, std::size_t tile, unsigned worker, const Settle& settle,
+               Profile* profile);
+  // Adds the loads that contacts of other tiles have left for the bodies of this one.
+  void collect(Particles& particles, std::size_t tile) const;
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;
 
   Features features_;

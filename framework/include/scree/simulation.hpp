@@ -89,13 +89,13 @@ class Simulation {
     std::optional<double> kick = std::nullopt, drift = std::nullopt;
   };
   void drift_bodies(double step);
-  // Drifts a few bodies of a tile and clears their loads for the next evaluation.
+  // Drifts a few bodies of a tile.
   void drift(std::size_t tile, BodyRange bodies, double step);
+  // What the bodies of a tile do once contacts have loaded them.
+  void settle(std::size_t tile, const Moves& moves, Profile* profile);
   // Forces on bodies where they are, after `step` since the last evaluation. Whether velocities and spins are
   // numbers then.
-  bool evaluate_forces(double step, Moves moves);
-  // The same where the bodies have not drifted.
-  void evaluate_forces_afresh(double step);
+  bool evaluate_forces(double step, const Moves& moves);
   // One step; the next follows unseen.
   void step(bool more);
   // Moves everything by one substep, and bodies into the next; largest squared speed on the way (m²/s²),
@@ -107,6 +107,8 @@ class Simulation {
   double largest_square_speed() const;
   bool too_fast(double square_speed) const;
   bool too_deep() const;
+  // Whether an overlap may be beyond the limit once nobody has moved further than `way` (m).
+  bool may_be_too_deep(double way) const;
   void check_health(double largest_square_speed) const;
 
   Scene scene_;
@@ -130,6 +132,7 @@ class Simulation {
   EnergyAudit audit_;
   MomentumAudit momentum_audit_;
   double max_square_speed_ = 0;  // (m²/s²)
+  double smallest_radius_ = 0;   // (m)
   double speed_limit_ = 0;
 
   // What the bodies of each tile add up to.

@@ -136,6 +136,7 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   const std::size_t planes_and_padding =
       (job.tile + 1 < job.tiles->tiles().size() ? job.tiles->tiles()[job.tile + 1].first_foreign
                                                 : job.tiles->slots());
+  std::fill(job.slots + width * tile.first_body, job.slots + width * tile.last_body, 0.0);
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
   Block<T> work;
   begin_batch(*job.scene, work);

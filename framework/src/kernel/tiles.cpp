@@ -44,6 +44,7 @@ void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
     const auto slot_of = [&](std::uint32_t body) {
       if (owner(body) == t) return body;
       tiles_[owner(body)].incoming.push_back({body, std::uint32_t(slots_)});
+      tile.reached.push_back(owner(body));
       return std::uint32_t(slots_++);
     };
     tile.first_foreign = slots_;
@@ -68,6 +69,17 @@ void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
   }
 }
 
+void Tiles::note_reach() {
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    Tile& tile = tiles_[t];
+    std::vector<std::uint32_t>& reached = tile.reached;
+    reached.push_back(t);
+    std::sort(reached.begin(), reached.end());
+    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    for (const std::uint32_t other : reached) ++tiles_[other].reached_by;
+  }
+}
+
 void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t planes) {
   const BodyTiles ranges(bodies);
   const std::size_t count = ranges.count();
@@ -80,6 +92,7 @@ void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t plane
     cut_blocks(contacts, std::uint32_t(t));
   }
   lay_slots(contacts, planes);
+  note_reach();
 }
 
 }  // namespace scree::kernel

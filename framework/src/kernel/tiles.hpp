@@ -32,6 +32,8 @@ class Tiles {
     std::size_t first_foreign, last_foreign;  // slots written for other tiles
     std::size_t first_own;                    // slots of planes and padding
     std::vector<Incoming> incoming;
+    std::vector<std::uint32_t> reached;  // tiles whose bodies its pairs read and load, itself among them
+    std::uint32_t reached_by = 0;        // how many tiles reach it, itself among them
   };
 
   void plan(const Contacts& contacts, std::size_t bodies, std::size_t planes);
@@ -48,6 +50,7 @@ class Tiles {
   void cut_blocks(const Contacts& contacts, std::uint32_t tile);
   std::uint32_t owner(std::size_t body) const;
   void lay_slots(const Contacts& contacts, std::size_t planes);
+  void note_reach();
 
   std::size_t slots_ = 0;
   std::vector<Tile> tiles_;
