@@ -116,7 +116,7 @@ TEST_CASE("each pair is filed once, in order, in the group of its law and partne
   CHECK(filed == pairs.body.size() + pairs.plane.size());
 }
 
-TEST_CASE("groups begin at whole lanes and are padded with their last body and itself") {
+TEST_CASE("groups begin at whole lanes and are padded with pairs of their last body") {
   const Table table;
   for (unsigned seed = 0; seed < 20; ++seed) {
     Contacts contacts = two_laws();
@@ -129,7 +129,8 @@ TEST_CASE("groups begin at whole lanes and are padded with their last body and i
       REQUIRE(next - group.end < SCREE_LANES);
       REQUIRE(group.history.size() == group.padded_size() * group.history_width);
       for (std::size_t p = group.end; p < next; ++p)
-        REQUIRE((contacts.a[p] == contacts.a[group.end - 1] && contacts.b[p] == contacts.a[p] &&
+        REQUIRE((contacts.a[p] == contacts.a[group.end - 1] &&
+                 contacts.b[p] == (group.planes ? 0 : contacts.a[p]) &&
                  contacts.image[p] == scree::Domain::no_shift));
     }
     CHECK(next == contacts.padded_size());
