@@ -4,21 +4,38 @@
 #include <new>
 #include <vector>
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace scree {
 
-// Allocator whose blocks start on a cache line, as batches and SIMD loads want them.
+// Allocator whose blocks start on a cache line, as batches and SIMD loads want them. Large ones ask for large
+// pages, since contacts look at bodies all over memory.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
-  static constexpr std::align_val_t alignment{64};
+  static constexpr std::size_t large_page = std::size_t(1) << 21;
 
   CacheLineAllocator() = default;
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+  T* allocate(std::size_t n) {
+    void* block = ::operator new(n * sizeof(T), alignment_of(n));
+#if defined(__linux__)
+    if (is_large(n)) ::madvise(block, n * sizeof(T), MADV_HUGEPAGE);
+#endif
+    return static_cast<T*>(block);
+  }
+  void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment_of(n)); }
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+
+ private:
+  static bool is_large(std::size_t n) { return n * sizeof(T) >= 2 * large_page; }
+  static std::align_val_t alignment_of(std::size_t n) {
+    return std::align_val_t(is_large(n) ? large_page : 64);
+  }
 };
 
 // One property of all bodies or all pairs, contiguous and 64-byte aligned.

@@ -129,6 +129,19 @@ SCREE_HOT ContactSums evaluate_block(const BlockJob<T>& b, Block<T>& w, double& 
   return sums;
 }
 
+// Asks for the bodies that a block soon to come looks at first.
+template <int D, bool spin>
+SCREE_HOT void fetch_ahead(const TileJob& job, std::size_t block) {
+  constexpr std::size_t ahead = 2, cache_line = 64 / sizeof(double);
+  if (block + ahead >= job.tiles->blocks().size()) return;
+  const Tiles::Block& next = job.tiles->blocks()[block + ahead];
+  for (std::size_t k = next.first_visit; k < next.last_visit; ++k) {
+    const double* record = record_of<D, spin>(job.scene->records, job.tiles->visits()[k]);
+    for (std::size_t part = 0; part < record::width(D, spin); part += cache_line)
+      __builtin_prefetch(record + part);
+  }
+}
+
 template <int D, bool spin, class T>
 SCREE_HOT void evaluate_tile(const TileJob& job) {
   constexpr std::size_t width = record::load_width(D, spin);
@@ -143,6 +156,7 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   double largest_ratio = job.scene->deepest;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
     const BlockJob<T> block = block_job<T>(job, k);
+    fetch_ahead<D, spin>(job, k);
     job.sums[k] = block.group.planes ? evaluate_block<D, spin, true>(block, work, largest_ratio)
                                      : evaluate_block<D, spin, false>(block, work, largest_ratio);
     job.sums[k].max_overlap_ratio = largest_ratio;

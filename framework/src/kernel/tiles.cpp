@@ -8,6 +8,9 @@ namespace scree::kernel {
 
 namespace {
 
+// What second-level caches hold, at half a megabyte for a tile and its pairs.
+constexpr std::size_t tiles_in_cache = 4;
+
 // First pair of a group whose a is at least `body`, rounded up to whole lanes.
 std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std::size_t body) {
   const auto begin = contacts.a.begin() + std::ptrdiff_t(group.begin),
@@ -31,7 +34,7 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
     const std::size_t from = t == 0 ? group.begin : pair_boundary(contacts, group, tile.first_body);
     const std::size_t to = t + 1 == tiles_.size() ? all : pair_boundary(contacts, group, tile.last_body);
     for (std::size_t p = from; p < to; p += block_size)
-      blocks_.push_back({g, p, std::uint32_t(std::min<std::size_t>(block_size, to - p))});
+      blocks_.push_back({g, p, std::uint32_t(std::min<std::size_t>(block_size, to - p)), 0, 0});
   }
   tile.last_block = blocks_.size();
 }
@@ -80,6 +83,26 @@ void Tiles::note_reach() {
   }
 }
 
+void Tiles::note_visits(const Contacts& contacts, std::size_t bodies) {
+  visits_.clear();
+  if (tiles_.size() <= tiles_in_cache) return;
+  std::vector<std::uint32_t> visited_by(bodies, std::uint32_t(tiles_.size()));
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t)
+    for (std::size_t k = tiles_[t].first_block; k < tiles_[t].last_block; ++k) {
+      Block& block = blocks_[k];
+      block.first_visit = visits_.size();
+      const auto visit = [&](std::uint32_t body) {
+        if (visited_by[body] != t) visits_.push_back(body);
+        visited_by[body] = t;
+      };
+      for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
+        visit(contacts.a[p]);
+        if (!contacts.groups()[block.group].planes) visit(contacts.b[p]);
+      }
+      block.last_visit = visits_.size();
+    }
+}
+
 void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t planes) {
   const BodyTiles ranges(bodies);
   const std::size_t count = ranges.count();
@@ -93,6 +116,7 @@ void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t plane
   }
   lay_slots(contacts, planes);
   note_reach();
+  note_visits(contacts, bodies);
 }
 
 }  // namespace scree::kernel

@@ -20,8 +20,9 @@ class Tiles {
  public:
   struct Block {
     std::uint32_t group;
-    std::size_t begin;    // pair
-    std::uint32_t count;  // multiple of SCREE_LANES
+    std::size_t begin;                    // pair
+    std::uint32_t count;                  // multiple of SCREE_LANES
+    std::size_t first_visit, last_visit;  // of visits()
   };
   struct Incoming {
     std::uint32_t body, slot;
@@ -41,6 +42,8 @@ class Tiles {
   const std::vector<Tile>& tiles() const { return tiles_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t slots() const { return slots_; }
+  // Bodies that a block looks at and no earlier one of its tile did; none in scenes that a cache holds.
+  const std::vector<std::uint32_t>& visits() const { return visits_; }
   std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
   // Of both ends of each pair, padding included.
   const std::vector<std::uint32_t>& slot_a() const { return slot_a_; }
@@ -51,10 +54,12 @@ class Tiles {
   std::uint32_t owner(std::size_t body) const;
   void lay_slots(const Contacts& contacts, std::size_t planes);
   void note_reach();
+  void note_visits(const Contacts& contacts, std::size_t bodies);
 
   std::size_t slots_ = 0;
   std::vector<Tile> tiles_;
   std::vector<Block> blocks_;
+  std::vector<std::uint32_t> visits_;
   std::vector<std::uint32_t> slot_a_, slot_b_;
 };
 
