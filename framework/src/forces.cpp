@@ -72,6 +72,11 @@ void Forces::follow_pairs(Particles& particles, const Contacts& contacts, std::u
   w.awaited = std::make_unique<std::atomic<std::uint32_t>[]>(w.tiles.tiles().size());
 }
 
+void Forces::clear(Particles& particles, BodyRange bodies) {
+  const std::size_t width = particles.load_width();
+  std::fill(particles.loads() + bodies.begin * width, particles.loads() + bodies.end * width, 0.0);
+}
+
 ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                              const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
                              const Domain& domain, double step, ThreadPool& threads, const Settle& settle,

@@ -86,7 +86,7 @@ Simulation::Simulation(const Scene& scene)
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());
   neighbours_.rebuild(particles_, boundaries_, contacts_);
-  evaluate_forces(0, {});
+  evaluate_forces_afresh(0);
   boundaries_.kick(0, 0);
   audit_.restate(contact_sums_, body_sums_);
   const scree_energy now = energy();
@@ -147,7 +147,7 @@ void Simulation::apply_reconfiguration() {
   configure_laws();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
   neighbours_.rebuild(particles_, boundaries_, contacts_);
-  evaluate_forces(0, {});
+  evaluate_forces_afresh(0);
   audit_.restate(contact_sums_, body_sums_);
 }
 

@@ -12,6 +12,7 @@ namespace scree {
 void Simulation::drift(std::size_t tile, BodyRange bodies, double step) {
   double& largest = tile_sums_[tile].square_speed;
   largest = std::max(largest, integrator_->drift(particles_, step, bodies));
+  Forces::clear(particles_, bodies);
 }
 
 void Simulation::drift_bodies(double step) {
@@ -56,6 +57,11 @@ bool Simulation::evaluate_forces(double step, const Moves& moves) {
   }
   momentum_audit_.add_step(step, momentum, boundaries_.loads());
   return finite;
+}
+
+void Simulation::evaluate_forces_afresh(double step) {
+  Forces::clear(particles_, {0, particles_.size()});
+  evaluate_forces(step, {});
 }
 
 void Simulation::step() { step(false); }
@@ -125,7 +131,7 @@ void Simulation::catch_up() {
   const double behind = time_ - force_time_;
   boundaries_.return_to_forces();
   boundaries_.drift(force_time_, behind);
-  evaluate_forces(behind, {});
+  evaluate_forces_afresh(behind);
   boundaries_.kick(force_time_, behind);
   if (scene_.audit) audit_.add_step(behind, contact_sums_, body_sums_);
   force_time_ = time_;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <scree/body_range.hpp>
 #include <scree/contacts.hpp>
 #include <scree/domain.hpp>
 #include <scree/pair_constants.hpp>
@@ -45,10 +46,13 @@ class Forces {
   explicit Forces(const Features& features);
   ~Forces();
 
+  // To be called for all bodies before an evaluation adds to their loads.
+  static void clear(Particles& particles, BodyRange bodies);
   // What comes after the contacts of a tile's bodies: called once for each tile, as soon as their loads are
   // whole and no contact that is still to come looks at them.
   using Settle = std::function<void(std::size_t tile, unsigned worker)>;
-  // Evaluates all contacts and sets the loads of all bodies and planes; step = 0 does not move springs.
+  // Evaluates all contacts: adds to the loads of bodies, sets those of planes; step = 0 does not move
+  // springs.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
                        const std::vector<scree_plane>& planes, std::vector<scree_load>& loads,
                        const Domain& domain, double step, ThreadPool& threads, const Settle& settle,

@@ -89,13 +89,15 @@ class Simulation {
     std::optional<double> kick = std::nullopt, drift = std::nullopt;
   };
   void drift_bodies(double step);
-  // Drifts a few bodies of a tile.
+  // Drifts a few bodies of a tile and clears their loads for the next evaluation.
   void drift(std::size_t tile, BodyRange bodies, double step);
   // What the bodies of a tile do once contacts have loaded them.
   void settle(std::size_t tile, const Moves& moves, Profile* profile);
   // Forces on bodies where they are, after `step` since the last evaluation. Whether velocities and spins are
   // numbers then.
   bool evaluate_forces(double step, const Moves& moves);
+  // The same where the bodies have not drifted.
+  void evaluate_forces_afresh(double step);
   // One step; the next follows unseen.
   void step(bool more);
   // Moves everything by one substep, and bodies into the next; largest squared speed on the way (m²/s²),

@@ -139,6 +139,7 @@ SCREE_HOT void fetch_ahead(const TileJob& job, std::size_t block) {
     const double* record = record_of<D, spin>(job.scene->records, job.tiles->visits()[k]);
     for (std::size_t part = 0; part < record::width(D, spin); part += cache_line)
       __builtin_prefetch(record + part);
+    __builtin_prefetch(job.slots + record::load_width(D, spin) * job.tiles->visits()[k], 1);
   }
 }
 
@@ -149,7 +150,6 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   const std::size_t planes_and_padding =
       (job.tile + 1 < job.tiles->tiles().size() ? job.tiles->tiles()[job.tile + 1].first_foreign
                                                 : job.tiles->slots());
-  std::fill(job.slots + width * tile.first_body, job.slots + width * tile.last_body, 0.0);
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
   Block<T> work;
   begin_batch(*job.scene, work);
