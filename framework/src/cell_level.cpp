@@ -4,9 +4,10 @@
 
 namespace scree {
 
-CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
-                     double reach, const std::vector<std::uint32_t>& bodies)
-    : lower_(lower), periodic_(domain.periodic) {
+void CellLevel::file(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
+                     double reach, const std::vector<std::uint32_t>& bodies) {
+  lower_ = lower;
+  periodic_ = domain.periodic;
   const int dimension = particles.dimension();
   // A few bodies far out must not make the grid large: no more cells along an axis than keep the total near
   // n.
@@ -19,20 +20,21 @@ CellLevel::CellLevel(const Particles& particles, const Domain& domain, const Vec
     total *= std::size_t(cells_[k]);
   }
 
-  std::vector<std::uint32_t> cell(bodies.size());
-  first_.assign(total + 1, 0);
+  // One cell more, so that the bodies of cell c are counted at c + 2 and filed at where c + 1 begins, which
+  // is where c ends in the end.
+  cell_.resize(bodies.size());
+  first_.assign(total + 2, 0);
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     std::array<int, 3> index = {};
     for (int k = 0; k < dimension; ++k) index[k] = cell_of(k, particles.position()[k][bodies[s]]);
-    cell[s] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
-    ++first_[cell[s] + 1];
+    cell_[s] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
+    ++first_[cell_[s] + 2];
   }
-  for (std::size_t c = 0; c < total; ++c) first_[c + 1] += first_[c];
+  for (std::size_t c = 0; c <= total; ++c) first_[c + 1] += first_[c];
   filed_.resize(bodies.size());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     const std::uint32_t i = bodies[s];
-    Filed& filed = filed_[next[cell[s]]++];
+    Filed& filed = filed_[first_[cell_[s] + 1]++];
     filed = {{}, particles.radius()[i], i};
     for (int k = 0; k < dimension; ++k) filed.position[k] = particles.position()[k][i];
   }

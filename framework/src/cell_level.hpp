@@ -14,7 +14,8 @@ namespace scree {
 // reach of any pair that is looked up in it, so that 3^D cells hold all partners.
 class CellLevel {
  public:
-  CellLevel(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
+  // Files some bodies in place of all that were there.
+  void file(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
             double reach, const std::vector<std::uint32_t>& bodies);
 
   // A body with what its neighbours are told by, in the order of the cells.
@@ -24,21 +25,21 @@ class CellLevel {
     std::uint32_t body;
   };
 
-  // Calls visit(filed) for every body filed in the cell around (x, y, z) or a neighbouring cell.
-  template <class Visit>
-  void near(const Vec3& x, const Visit& visit) const {
+  const std::vector<Filed>& filed() const { return filed_; }
+  // Calls use(begin, end) for all runs of filed bodies in the cell around x or a neighbouring cell.
+  template <class Use>
+  void near(const Vec3& x, const Use& use) const {
     const Spans along[3] = {spans(0, x[0]), spans(1, x[1]), spans(2, x[2])};
-    const auto each = [](const Spans& s, const auto& use) {
+    const auto each = [](const Spans& s, const auto& visit) {
       for (int k = 0; k < s.count; ++k)
-        for (int cell = s.first[k]; cell <= s.last[k]; ++cell) use(cell);
+        for (int cell = s.first[k]; cell <= s.last[k]; ++cell) visit(cell);
     };
     each(along[2], [&](int plane) {
       each(along[1], [&](int line) {
         const std::size_t row = (std::size_t(plane) * cells_[1] + line) * cells_[0];
         // Cells of a row lie one after the other.
         for (int k = 0; k < along[0].count; ++k)
-          for (std::uint32_t s = first_[row + along[0].first[k]]; s < first_[row + along[0].last[k] + 1]; ++s)
-            visit(filed_[s]);
+          use(first_[row + along[0].first[k]], first_[row + along[0].last[k] + 1]);
       });
     });
   }
@@ -58,7 +59,8 @@ class CellLevel {
   std::array<bool, 3> periodic_;
   std::array<int, 3> cells_;
   std::array<double, 3> inverse_width_;
-  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> first_;  // filed body of each cell
+  std::vector<std::uint32_t> cell_;   // of each body
   std::vector<Filed> filed_;
 };
 

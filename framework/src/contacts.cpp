@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include <scree/contacts.hpp>
 
@@ -18,6 +18,7 @@ Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision) {
     group.planes = kind.planes;
     group.history_width = kind.history_width;
     group.history = PairColumns(precision);
+    before_.push_back({0, 0, group.history});
     groups_.push_back(std::move(group));
   }
 }
@@ -27,11 +28,13 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
   const auto law_of = [&](std::uint32_t material_a, std::uint32_t material_b) {
     return lookup.law_of[material_a * lookup.materials + material_b];
   };
-  const std::vector<PairGroup> old = groups_;
-  const Column<std::uint32_t> old_a = std::move(a), old_b = std::move(b);
+  std::swap(a, before_a_), std::swap(b, before_b_);
   a.clear(), b.clear(), image.clear();
 
-  for (PairGroup& group : groups_) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    PairGroup& group = groups_[g];
+    before_[g].begin = group.begin, before_[g].end = group.end;
+    std::swap(before_[g].history, group.history);
     group.begin = a.size();
     const auto take = [&](std::uint32_t first, std::uint32_t second, std::uint8_t code) {
       a.push_back(first), b.push_back(second), image.push_back(code);
@@ -49,24 +52,28 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
     while (a.size() % SCREE_LANES) take(a.back(), group.planes ? 0 : a.back(), Domain::no_shift);
     group.history.reset(group.history_width, group.padded_size());
   }
-  carry_history(old, old_a, old_b);
+  carry_history();
   ++revision_;
 }
 
-void Contacts::carry_history(const std::vector<PairGroup>& old, const Column<std::uint32_t>& old_a,
-                             const Column<std::uint32_t>& old_b) {
+void Contacts::carry_history() {
+  const auto key = [](std::uint32_t first, std::uint32_t second) {
+    return std::uint64_t(first) << 32 | second;
+  };
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& now = groups_[g];
-    const PairGroup& before = old[g];
-    // A stage may have changed how much a law keeps; what both know is carried.
-    const std::uint32_t width = std::min(now.history_width, before.history.width());
+    const Before& before = before_[g];
+    if (now.history_width == 0 || before.history.width() == 0) continue;
+    stayed_.clear();
     std::size_t p = before.begin;
-    for (std::size_t q = now.begin; q < now.end && width > 0; ++q) {
-      while (p < before.end && std::tie(old_a[p], old_b[p]) < std::tie(a[q], b[q])) ++p;
+    for (std::size_t q = now.begin; q < now.end; ++q) {
+      const std::uint64_t pair = key(a[q], b[q]);
+      while (p < before.end && key(before_a_[p], before_b_[p]) < pair) ++p;
       if (p == before.end) break;
-      if (old_a[p] != a[q] || old_b[p] != b[q]) continue;
-      for (std::uint32_t k = 0; k < width; ++k) now.history.set(k, q - now.begin, before.history_of(p, k));
+      if (key(before_a_[p], before_b_[p]) == pair)
+        stayed_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
     }
+    now.history.take(before.history, stayed_);
   }
 }
 

@@ -58,7 +58,7 @@ std::vector<PlanePair> near_planes(const Particles& p, const std::vector<scree_p
 }  // namespace
 
 void NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
-                           const Boundaries& boundaries, Contacts& contacts) {
+                           const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
   travelled_ += body_speed * step;
   planes_travelled_ += plane_speed * step;
   // The sum of largest speeds overestimates; measure before paying for a search.
@@ -73,7 +73,7 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
     if (!search && skin == skin_) return;
     skin_ = skin;
   }
-  rebuild(particles, boundaries, contacts);
+  rebuild(particles, boundaries, contacts, threads);
 }
 
 SkinChoice::Experience NeighbourList::experience(const Particles& particles, const Boundaries& boundaries,
@@ -103,12 +103,13 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
   }
 }
 
-void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts) {
+void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
+                            ThreadPool& threads) {
   wrap(particles, boundaries.domain());
   Contacts::Lookup lookup = lookup_;
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
-  contacts.rebuild(find_neighbours(particles, boundaries.domain(), skin_),
+  contacts.rebuild(search_.find(particles, boundaries.domain(), skin_, threads),
                    near_planes(particles, boundaries.planes(), skin_), lookup);
   for (int k = 0; k < particles.dimension(); ++k) {
     const auto x = particles.position()[k];

@@ -1,8 +1,9 @@
 #include "cell_level.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -13,17 +14,12 @@ namespace scree {
 
 namespace {
 
-constexpr int most_levels = 16;
+constexpr std::size_t most_levels = 16;
 
 // Level 0 holds the largest bodies; each further level half the size.
-int level_of(double radius, double largest) {
-  return std::min(int(std::floor(std::log2(largest / radius))), most_levels - 1);
+std::size_t level_of(double radius, double largest) {
+  return std::min(std::size_t(std::ilogb(largest / radius)), most_levels - 1);
 }
-
-struct Hierarchy {
-  std::vector<int> level;                        // of each body
-  std::vector<std::optional<CellLevel>> levels;  // empty where no body is
-};
 
 void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
   for (int k = 0; k < dimension; ++k)
@@ -47,76 +43,150 @@ std::pair<double, double> cell_span(const Strided<const double>& x) {
   return {std::max(*low, from - margin), std::min(*high, to + margin)};
 }
 
-Hierarchy build_hierarchy(const Particles& particles, const Domain& domain, double skin) {
-  const std::size_t n = particles.size();
+// How a − b is folded to the nearest image along each axis; nothing happens to axes that are not periodic.
+struct Folding {
+  Vec3 half, length;
+
+  explicit Folding(const Domain& domain) {
+    for (int k = 0; k < 3; ++k) {
+      length[k] = domain.periodic[k] ? domain.length(k) : 0;
+      half[k] = domain.periodic[k] ? 0.5 * length[k] : std::numeric_limits<double>::infinity();
+    }
+  }
+  // As Domain::fold, without a branch.
+  int fold(Vec3& a_minus_b) const {
+    int code = Domain::no_shift;
+    for (int k = 0, weight = 1; k < 3; ++k, weight *= 3) {
+      const int turns = int(a_minus_b[k] < -half[k]) - int(a_minus_b[k] > half[k]);
+      a_minus_b[k] += turns * length[k];
+      code += turns * weight;
+    }
+    return code;
+  }
+};
+
+// Appends what is near one body among others, filed one after the other.
+template <bool periodic>
+class Appender {
+ public:
+  Appender(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
+      : pairs_(pairs), folding_(folding), skin_(skin) {}
+  ~Appender() { pairs_.resize(count_); }
+
+  // Without a branch on what is near, which nobody can foretell: each is written, and the next over it if it
+  // is not.
+  void append(const CellLevel::Filed& body, const CellLevel::Filed* begin, const CellLevel::Filed* end) {
+    if (begin >= end) return;
+    if (pairs_.size() < count_ + std::size_t(end - begin))
+      pairs_.resize(2 * (count_ + std::size_t(end - begin)));
+    const double reach_of_body = body.radius + skin_;
+    NeighbourPair* out = pairs_.data() + count_;
+    for (const CellLevel::Filed* other = begin; other != end; ++other) {
+      Vec3 d = body.position - other->position;
+      const int code = periodic ? folding_.fold(d) : Domain::no_shift;
+      const bool first = body.body < other->body;
+      const double reach = reach_of_body + other->radius;
+      *out = {first ? body.body : other->body, first ? other->body : body.body,
+              std::uint8_t(first ? code : 2 * Domain::no_shift - code)};
+      out += dot(d, d) < reach * reach ? 1 : 0;
+    }
+    count_ = std::size_t(out - pairs_.data());
+  }
+
+ private:
+  std::vector<NeighbourPair>& pairs_;
+  std::size_t count_ = 0;
+  Folding folding_;
+  double skin_;
+};
+
+}  // namespace
+
+struct NeighbourSearch::Hierarchy {
+  std::array<std::vector<std::uint32_t>, most_levels> members;
+  std::array<CellLevel, most_levels> levels;
+
+  // Pairs of the bodies filed as [begin, end) of a level with all of coarser levels, and with those that are
+  // filed behind them in their own.
+  template <bool periodic>
+  void find(std::size_t level, std::size_t begin, std::size_t end, Appender<periodic>& pairs) const {
+    for (std::size_t s = begin; s < end; ++s) {
+      const CellLevel::Filed& body = levels[level].filed()[s];
+      for (std::size_t l = 0; l <= level; ++l) {
+        const CellLevel::Filed* others = levels[l].filed().data();
+        if (members[l].empty()) continue;
+        const std::size_t behind = l == level ? s + 1 : 0;
+        levels[l].near(body.position, [&](std::size_t from, std::size_t to) {
+          pairs.append(body, others + std::max(from, behind), others + to);
+        });
+      }
+    }
+  }
+};
+
+NeighbourSearch::NeighbourSearch() : hierarchy_(std::make_unique<Hierarchy>()) {}
+NeighbourSearch::~NeighbourSearch() = default;
+
+void NeighbourSearch::file_bodies(const Particles& particles, const Domain& domain, double skin) {
   const double largest = *std::max_element(particles.radius().begin(), particles.radius().end());
   check_periodic_lengths(domain, particles.dimension(), 2 * largest + skin);
-
   Vec3 lower = {}, upper = {};
   for (int k = 0; k < particles.dimension(); ++k) {
     const auto [low, high] = cell_span(particles.position()[k]);
     lower[k] = domain.periodic[k] ? domain.lower[k] : low;
     upper[k] = domain.periodic[k] ? domain.upper[k] : high;
   }
-  Hierarchy h;
-  h.level.resize(n);
-  std::vector<std::vector<std::uint32_t>> members(most_levels);
-  for (std::size_t i = 0; i < n; ++i) {
-    h.level[i] = level_of(particles.radius()[i], largest);
-    members[h.level[i]].push_back(std::uint32_t(i));
-  }
-  h.levels.resize(most_levels);
-  for (int l = 0; l < most_levels; ++l)
-    if (!members[l].empty())
-      h.levels[l].emplace(particles, domain, lower, upper, (2 * std::ldexp(largest, -l) + skin) * (1 + 1e-12),
-                          members[l]);
-  return h;
+  for (auto& members : hierarchy_->members) members.clear();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    hierarchy_->members[level_of(particles.radius()[i], largest)].push_back(std::uint32_t(i));
+  for (std::size_t l = 0; l < most_levels; ++l)
+    if (const auto& members = hierarchy_->members[l]; !members.empty())
+      hierarchy_->levels[l].file(particles, domain, lower, upper,
+                                 (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12), members);
 }
 
-// Sorted by a, then b: a counting sort by a, then each short run by b.
-std::vector<NeighbourPair> sort_pairs(const std::vector<NeighbourPair>& pairs, std::size_t bodies) {
-  std::vector<std::size_t> first(bodies + 1, 0);
-  for (const NeighbourPair& p : pairs) ++first[p.a + 1];
-  for (std::size_t i = 0; i < bodies; ++i) first[i + 1] += first[i];
-  std::vector<NeighbourPair> sorted(pairs.size());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (const NeighbourPair& p : pairs) sorted[next[p.a]++] = p;
+// By a, then b: a counting sort by a, then each short run by b.
+void NeighbourSearch::sort_pairs(std::size_t bodies) {
+  // Counted at a + 2 and filed at where a + 1 begins, which is where a ends in the end.
+  first_.assign(bodies + 2, 0);
+  std::size_t count = 0;
+  for (const auto& pairs : found_) {
+    count += pairs.size();
+    for (const NeighbourPair& p : pairs) ++first_[p.a + 2];
+  }
+  for (std::size_t i = 0; i <= bodies; ++i) first_[i + 1] += first_[i];
+  sorted_.resize(count);
+  for (const auto& pairs : found_)
+    for (const NeighbourPair& p : pairs) sorted_[first_[p.a + 1]++] = p;
   for (std::size_t i = 0; i < bodies; ++i)
-    std::sort(sorted.begin() + std::ptrdiff_t(first[i]), sorted.begin() + std::ptrdiff_t(first[i + 1]),
+    std::sort(sorted_.begin() + first_[i], sorted_.begin() + first_[i + 1],
               [](const NeighbourPair& p, const NeighbourPair& q) { return p.b < q.b; });
-  return sorted;
 }
 
-}  // namespace
-
-std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Domain& domain, double skin) {
-  std::vector<NeighbourPair> pairs;
-  const std::size_t n = particles.size();
-  if (n < 2) return pairs;
-  const Hierarchy h = build_hierarchy(particles, domain, skin);
-  const bool periodic = domain.any_periodic();
-  const auto position = [&](std::size_t i) {
-    Vec3 x = {};
-    for (int k = 0; k < particles.dimension(); ++k) x[k] = particles.position()[k][i];
-    return x;
+const std::vector<NeighbourPair>& NeighbourSearch::find(const Particles& particles, const Domain& domain,
+                                                        double skin, ThreadPool& threads) {
+  constexpr std::size_t share = 2048;
+  sorted_.clear();
+  if (particles.size() < 2) return sorted_;
+  file_bodies(particles, domain, skin);
+  struct Share {
+    std::size_t level, begin, end;
   };
-
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const Vec3 x = position(i);
-    const double reach_of_i = particles.radius()[i] + skin;
-    for (int l = 0; l <= h.level[i]; ++l) {
-      if (!h.levels[l]) continue;
-      h.levels[l]->near(x, [&](const CellLevel::Filed& other) {
-        const std::uint32_t j = other.body;
-        if (j == i || (l == h.level[i] && j < i)) return;
-        Vec3 d = i < j ? x - other.position : other.position - x;
-        const std::uint8_t image = periodic ? domain.fold(d) : Domain::no_shift;
-        const double reach = reach_of_i + other.radius;
-        if (dot(d, d) < reach * reach) pairs.push_back({std::min(i, j), std::max(i, j), image});
-      });
-    }
-  }
-  return sort_pairs(pairs, n);
+  std::vector<Share> shares;
+  for (std::size_t l = 0; l < most_levels; ++l)
+    for (std::size_t begin = 0, end = hierarchy_->members[l].size(); begin < end; begin += share)
+      shares.push_back({l, begin, std::min(begin + share, end)});
+  found_.resize(shares.size());
+  threads.each(shares.size(), [&](std::size_t k, unsigned) {
+    const Share& s = shares[k];
+    const auto run = [&](auto&& pairs) { hierarchy_->find(s.level, s.begin, s.end, pairs); };
+    if (domain.any_periodic())
+      run(Appender<true>(found_[k], Folding(domain), skin));
+    else
+      run(Appender<false>(found_[k], Folding(domain), skin));
+  });
+  sort_pairs(particles.size());
+  return sorted_;
 }
 
 }  // namespace scree

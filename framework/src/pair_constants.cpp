@@ -11,13 +11,12 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
   for (std::uint32_t k = 0; k < column_count; ++k) {
     const bool read = reads & (1u << (SCREE_REDUCED_MASS + k));
     terms[k].reset(read ? 1 : 0, all);
-    for (std::size_t q = 0; q < terms[k].size(); ++q) terms[k].set(0, q, 1);
   }
   const auto set = [this](scree_contact_input column, std::size_t q, double value) {
     PairColumns& term = terms[column - SCREE_REDUCED_MASS];
     if (term.size() > 0) term.set(0, q, value);
   };
-  for (const PairGroup& group : contacts.groups())
+  for (const PairGroup& group : contacts.groups()) {
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       const double mass = 1 / (p.inverse_mass()[a] + (group.planes ? 0 : p.inverse_mass()[b]));
@@ -27,6 +26,10 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
       set(SCREE_EFFECTIVE_RADIUS, q,
           group.planes ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]));
     }
+    for (std::size_t q = group.end; q < group.begin + group.padded_size(); ++q)
+      for (PairColumns& term : terms)
+        if (term.size() > 0) term.set(0, q, 1);
+  }
 }
 
 std::size_t PairConstants::bytes_per_pair() const {

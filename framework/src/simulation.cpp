@@ -85,7 +85,7 @@ Simulation::Simulation(const Scene& scene)
   configure_laws();
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());
-  neighbours_.rebuild(particles_, boundaries_, contacts_);
+  neighbours_.rebuild(particles_, boundaries_, contacts_, *threads_);
   evaluate_forces_afresh(0);
   boundaries_.kick(0, 0);
   audit_.restate(contact_sums_, body_sums_);
@@ -146,7 +146,7 @@ void Simulation::reconfigure_body_term(const std::string& name, const Parameters
 void Simulation::apply_reconfiguration() {
   configure_laws();
   for (PairGroup& group : contacts_.groups()) group.history_width = laws_[group.law].interface.history_width;
-  neighbours_.rebuild(particles_, boundaries_, contacts_);
+  neighbours_.rebuild(particles_, boundaries_, contacts_, *threads_);
   evaluate_forces_afresh(0);
   audit_.restate(contact_sums_, body_sums_);
 }

@@ -104,8 +104,8 @@ double Simulation::advance(double step, std::optional<double> next) {
   for (const TileSums& sums : tile_sums_) square_speed = std::max(square_speed, sums.square_speed);
   laps = Laps(profile_);
   if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) report_blow_up(*this, speed_limit_);
-  neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_,
-                     contacts_);
+  neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_, contacts_,
+                     *threads_);
   laps.lap(Profile::neighbours);
   // What goes wrong is reported where it happened.
   if (too_fast(square_speed) || may_be_too_deep(std::max(std::sqrt(square_speed), plane_speed) * step))

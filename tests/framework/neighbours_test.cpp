@@ -15,12 +15,16 @@
 
 using scree::Body;
 using scree::Domain;
-using scree::find_neighbours;
 using scree::NeighbourPair;
 using scree::Particles;
 using scree::Vec3;
 
 namespace {
+
+std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Domain& domain, double skin) {
+  scree::ThreadPool threads(2);
+  return scree::NeighbourSearch().find(particles, domain, skin, threads);
+}
 
 struct Sizes {
   double smallest, largest;

@@ -64,10 +64,18 @@ class Contacts {
   std::uint64_t revision() const { return revision_; }
 
  private:
-  void carry_history(const std::vector<PairGroup>& old, const Column<std::uint32_t>& old_a,
-                     const Column<std::uint32_t>& old_b);
+  void carry_history();
+
+  // A group before the last rebuild; its memory serves the next.
+  struct Before {
+    std::size_t begin = 0, end = 0;
+    PairColumns history = PairColumns();
+  };
 
   std::vector<PairGroup> groups_;
+  std::vector<Before> before_;
+  Column<std::uint32_t> before_a_, before_b_;
+  std::vector<PairColumns::Move> stayed_;
   std::uint64_t revision_ = 0;
 };
 

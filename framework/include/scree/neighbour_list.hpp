@@ -21,9 +21,9 @@ class NeighbourList {
 
   // Advances the displacement bound by one step at these largest speeds (m/s), and searches if it ran out.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
-              const Boundaries& boundaries, Contacts& contacts);
+              const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
   // Searches now; bodies that left a periodic domain come in again at the other side.
-  void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts);
+  void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
 
   double skin() const { return skin_; }
   double first_skin() const { return choice_.first(); }
@@ -40,6 +40,7 @@ class NeighbourList {
   SkinChoice choice_;
   std::uint64_t steps_ = 0;  // since the search
   Contacts::Lookup lookup_;
+  NeighbourSearch search_;
   double travelled_ = 0, planes_travelled_ = 0;  // (m) upper bounds since the search
   Column<double> searched_position_[3];
   std::vector<scree_plane> searched_planes_;

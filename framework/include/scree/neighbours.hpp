@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <scree/domain.hpp>
 #include <scree/particles.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -15,10 +17,28 @@ struct NeighbourPair {
   friend bool operator==(const NeighbourPair&, const NeighbourPair&) = default;
 };
 
-// Finds all pairs with |x_a − x_b| < R_a + R_b + skin, sorted by a, then b. Positions must lie in the domain.
-// Cells of a hierarchy of sizes: a body is filed by its own size and looks only at its own and coarser
-// levels, so that size ratios of 1:100 cost no more than 1:2. Throws Error if a periodic length is under
-// twice the largest reach, where images would be ambiguous.
-std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Domain& domain, double skin);
+// Finds neighbours. Cells of a hierarchy of sizes: a body is filed by its own size and looks only at its own
+// and coarser levels, so that size ratios of 1:100 cost no more than 1:2. Keeps its memory for the next
+// search.
+class NeighbourSearch {
+ public:
+  NeighbourSearch();
+  ~NeighbourSearch();
+
+  // All pairs with |x_a − x_b| < R_a + R_b + skin, sorted by a, then b. Positions must lie in the domain.
+  // Throws Error if a periodic length is under twice the largest reach, where images would be ambiguous.
+  const std::vector<NeighbourPair>& find(const Particles& particles, const Domain& domain, double skin,
+                                         ThreadPool& threads);
+
+ private:
+  struct Hierarchy;
+  void file_bodies(const Particles& particles, const Domain& domain, double skin);
+  void sort_pairs(std::size_t bodies);
+
+  std::unique_ptr<Hierarchy> hierarchy_;
+  std::vector<std::vector<NeighbourPair>> found_;  // by shares of the bodies
+  std::vector<std::uint32_t> first_;               // pair of each a
+  std::vector<NeighbourPair> sorted_;
+};
 
 }  // namespace scree

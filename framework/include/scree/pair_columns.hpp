@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 #include <scree/column.hpp>
 
@@ -50,7 +52,21 @@ class PairColumns {
     const std::size_t i = k * rows_ + row;
     return precision_ == Precision::full ? full_[i] : double(single_[i]);
   }
-  // Takes a number over from another history of the same precision.
+  // Rows taken over from other columns of the same precision; of columns that only one has, none.
+  struct Move {
+    std::uint32_t from, to;
+  };
+  void take(const PairColumns& other, const std::vector<Move>& rows) {
+    const auto take_of = [&]<class T>(const T*) {
+      for (std::uint32_t k = 0; k < std::min(width(), other.width()); ++k)
+        for (const Move& row : rows) column<T>(k)[row.to] = other.column<T>(k)[row.from];
+    };
+    if (precision_ == Precision::full)
+      take_of(full_.data());
+    else
+      take_of(single_.data());
+  }
+  // Sets a number, rounded to the precision.
   void set(std::uint32_t k, std::size_t row, double number) {
     const std::size_t i = k * rows_ + row;
     if (precision_ == Precision::full)
