@@ -26,6 +26,13 @@ class CellLevel {
   };
 
   const std::vector<Filed>& filed() const { return filed_; }
+  // Whether x has neighbours across a periodic face.
+  bool reaches_across(const Vec3& x) const {
+    for (int k = 0; k < 3; ++k)
+      if (const int cell = cell_of(k, x[k]); periodic_[k] && (cell == 0 || cell + 1 == cells_[k]))
+        return true;
+    return false;
+  }
   // Calls use(begin, end) for all runs of filed bodies in the cell around x or a neighbouring cell.
   template <class Use>
   void near(const Vec3& x, const Use& use) const {

@@ -18,6 +18,7 @@ constexpr std::size_t most_levels = 16;
 
 // Level 0 holds the largest bodies; each further level half the size.
 std::size_t level_of(double radius, double largest) {
+  if (2 * radius > largest) return 0;
   return std::min(std::size_t(std::ilogb(largest / radius)), most_levels - 1);
 }
 
@@ -37,10 +38,22 @@ std::pair<double, double> cell_span(const Strided<const double>& x) {
   constexpr std::size_t most_samples = 1000;
   std::vector<double> sample;
   for (std::size_t i = 0; i < x.size(); i += 1 + x.size() / most_samples) sample.push_back(x[i]);
-  std::sort(sample.begin(), sample.end());
   const std::size_t tail = sample.size() / 100 + (sample.size() >= 20 ? 1 : 0);
-  const double from = sample[tail], to = sample[sample.size() - 1 - tail], margin = 0.25 * (to - from);
+  const auto ranked = [&](std::size_t rank) {
+    const auto at = sample.begin() + std::ptrdiff_t(rank);
+    std::nth_element(sample.begin(), at, sample.end());
+    return *at;
+  };
+  const double from = ranked(tail), to = ranked(sample.size() - 1 - tail), margin = 0.25 * (to - from);
   return {std::max(*low, from - margin), std::min(*high, to + margin)};
+}
+
+// Sorts pairs of one a by b: usually a handful, which insertion is quickest with.
+void sort_run(NeighbourPair* begin, NeighbourPair* end) {
+  const auto before = [](const NeighbourPair& p, const NeighbourPair& q) { return p.b < q.b; };
+  if (end - begin > 16) return std::sort(begin, end, before);
+  for (NeighbourPair* next = begin + 1; next < end; ++next)
+    for (NeighbourPair* p = next; p > begin && before(*p, *(p - 1)); --p) std::swap(*p, *(p - 1));
 }
 
 // How a − b is folded to the nearest image along each axis; nothing happens to axes that are not periodic.
@@ -66,7 +79,6 @@ struct Folding {
 };
 
 // Appends what is near one body among others, filed one after the other.
-template <bool periodic>
 class Appender {
  public:
   Appender(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
@@ -75,6 +87,7 @@ class Appender {
 
   // Without a branch on what is near, which nobody can foretell: each is written, and the next over it if it
   // is not.
+  template <bool across>
   void append(const CellLevel::Filed& body, const CellLevel::Filed* begin, const CellLevel::Filed* end) {
     if (begin >= end) return;
     if (pairs_.size() < count_ + std::size_t(end - begin))
@@ -83,12 +96,13 @@ class Appender {
     NeighbourPair* out = pairs_.data() + count_;
     for (const CellLevel::Filed* other = begin; other != end; ++other) {
       Vec3 d = body.position - other->position;
-      const int code = periodic ? folding_.fold(d) : Domain::no_shift;
+      const int code = across ? folding_.fold(d) : Domain::no_shift;
       const bool first = body.body < other->body;
       const double reach = reach_of_body + other->radius;
+      const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
       *out = {first ? body.body : other->body, first ? other->body : body.body,
               std::uint8_t(first ? code : 2 * Domain::no_shift - code)};
-      out += dot(d, d) < reach * reach ? 1 : 0;
+      out += square < reach * reach ? 1 : 0;
     }
     count_ = std::size_t(out - pairs_.data());
   }
@@ -108,19 +122,28 @@ struct NeighbourSearch::Hierarchy {
 
   // Pairs of the bodies filed as [begin, end) of a level with all of coarser levels, and with those that are
   // filed behind them in their own.
-  template <bool periodic>
-  void find(std::size_t level, std::size_t begin, std::size_t end, Appender<periodic>& pairs) const {
+  void find(std::size_t level, std::size_t begin, std::size_t end, Appender& pairs) const {
     for (std::size_t s = begin; s < end; ++s) {
       const CellLevel::Filed& body = levels[level].filed()[s];
       for (std::size_t l = 0; l <= level; ++l) {
-        const CellLevel::Filed* others = levels[l].filed().data();
         if (members[l].empty()) continue;
         const std::size_t behind = l == level ? s + 1 : 0;
-        levels[l].near(body.position, [&](std::size_t from, std::size_t to) {
-          pairs.append(body, others + std::max(from, behind), others + to);
-        });
+        if (levels[l].reaches_across(body.position))
+          append<true>(levels[l], body, behind, pairs);
+        else
+          append<false>(levels[l], body, behind, pairs);
       }
     }
+  }
+
+ private:
+  template <bool across>
+  static void append(const CellLevel& level, const CellLevel::Filed& body, std::size_t behind,
+                     Appender& pairs) {
+    const CellLevel::Filed* others = level.filed().data();
+    level.near(body.position, [&](std::size_t from, std::size_t to) {
+      pairs.append<across>(body, others + std::max(from, behind), others + to);
+    });
   }
 };
 
@@ -159,8 +182,7 @@ void NeighbourSearch::sort_pairs(std::size_t bodies) {
   for (const auto& pairs : found_)
     for (const NeighbourPair& p : pairs) sorted_[first_[p.a + 1]++] = p;
   for (std::size_t i = 0; i < bodies; ++i)
-    std::sort(sorted_.begin() + first_[i], sorted_.begin() + first_[i + 1],
-              [](const NeighbourPair& p, const NeighbourPair& q) { return p.b < q.b; });
+    sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
 }
 
 const std::vector<NeighbourPair>& NeighbourSearch::find(const Particles& particles, const Domain& domain,
@@ -179,11 +201,8 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(const Particles& particl
   found_.resize(shares.size());
   threads.each(shares.size(), [&](std::size_t k, unsigned) {
     const Share& s = shares[k];
-    const auto run = [&](auto&& pairs) { hierarchy_->find(s.level, s.begin, s.end, pairs); };
-    if (domain.any_periodic())
-      run(Appender<true>(found_[k], Folding(domain), skin));
-    else
-      run(Appender<false>(found_[k], Folding(domain), skin));
+    Appender pairs(found_[k], Folding(domain), skin);
+    hierarchy_->find(s.level, s.begin, s.end, pairs);
   });
   sort_pairs(particles.size());
   return sorted_;

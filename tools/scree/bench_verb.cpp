@@ -32,6 +32,7 @@ struct Measurement {
   double s_per_step;
   Profile profile;  // of the last repeat
   double profiled_steps;
+  std::uint64_t searches;  // for neighbours in these
 };
 
 // A file, or the name of a scene of tools/bench/scenes.
@@ -75,9 +76,11 @@ Measurement measure(const scenario::Plan& plan, const BenchArguments& a) {
                 steps,
                 each[each.size() / 2],
                 {},
-                double(steps)};
+                double(steps),
+                s.rebuilds()};
   s.measure(&m.profile);
   run_for(s, steps);
+  m.searches = s.rebuilds() - m.searches;
   return m;
 }
 
@@ -92,8 +95,9 @@ void print(const Measurement& m) {
   for (int k = 0; k < Profile::phase_count; ++k) all += m.profile.seconds(Profile::Phase(k));
   for (int k = 0; k < Profile::phase_count; ++k) {
     const double seconds = m.profile.seconds(Profile::Phase(k));
-    fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %\n", Profile::names[std::size_t(k)],
-               1e6 * seconds / m.profiled_steps, 100 * seconds / all);
+    fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %{}\n", Profile::names[std::size_t(k)],
+               1e6 * seconds / m.profiled_steps, 100 * seconds / all,
+               k == Profile::neighbours ? fmt::format("  {} in {} steps", m.searches, m.profiled_steps) : "");
   }
 }
 
