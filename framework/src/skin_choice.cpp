@@ -8,7 +8,7 @@ namespace scree {
 namespace {
 
 // What a search costs for each body, in evaluations of one pair: measured on beads-4096.
-constexpr double search_per_body = 45;
+constexpr double search_per_body = 15;
 // The thinnest skin, in those of the start.
 constexpr double thinnest = 1e-2;
 
