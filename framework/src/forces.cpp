@@ -119,7 +119,7 @@ void Forces::collect(Particles& particles, std::size_t tile) const {
   double* const loads = particles.loads();
   for (const kernel::Tiles::Incoming& in : work_->tiles.tiles()[tile].incoming)
     for (std::size_t k = 0; k < width; k += 4)
-      kernel::four_at(loads + in.body * width + k) += kernel::load_four(loads + in.slot * width + k);
+      kernel::add_four(loads + in.body * width + k, kernel::load_four(loads + in.slot * width + k));
 }
 
 void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads) const {

@@ -10,8 +10,8 @@ using namespace kernel;
 
 namespace {
 
-// Raises the largest of the squares of each lane: Σ over the first `axes` of four components. Counts those
-// that are not finite.
+// Raises the largest square of four components, of those that `axes` is 1 for, in lanes of which each takes a
+// fourth of the bodies. Keeps a square that is not finite in `unbounded`.
 SCREE_EVERY_LEVEL void raise(Four& largest, Four& unbounded, const double* first, std::size_t stride,
                              std::size_t count, const Four& axes) {
   for (std::size_t i = 0; i < count; i += 4) {

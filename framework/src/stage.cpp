@@ -44,7 +44,8 @@ std::uint64_t StageRunner::steps_to_next_look() const {
   if (stage.duration) return left(steps_in(*stage.duration));
   const std::uint64_t look = condition_interval - steps % condition_interval;
   // A step early, since times are compared and not steps.
-  return stage.at_most ? std::min(look, left(steps_in(*stage.at_most) - 1)) : look;
+  return stage.at_most ? std::min(look, left(std::max<std::uint64_t>(steps_in(*stage.at_most), 1) - 1))
+                       : look;
 }
 
 bool StageRunner::over() const {

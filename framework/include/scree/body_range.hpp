@@ -24,7 +24,7 @@ class BodyTiles {
     return {tile * usual_size, tile + 1 == count() ? bodies_ : (tile + 1) * usual_size};
   }
 
-  // Calls visit(range) for a few bodies of a tile at a time, whose columns stay in the first-level cache.
+  // Calls visit(range) for a few bodies of a tile at a time, whose records stay in the first-level cache.
   template <class Visit>
   void each_few(std::size_t tile, const Visit& visit) const {
     constexpr std::size_t few = 128;

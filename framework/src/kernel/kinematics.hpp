@@ -87,11 +87,10 @@ SCREE_HOT void resolve_velocities(bool to_contact_point, const double* radius_su
 // What pairs near the moment in which their surfaces meet or part need, with the way w that they go along the
 // normal within a step:
 //   touched  a pair that met within the step, overlap δ < w, touched for the share δ/w of it
-//   onset    a force that jumps in mid-step and is sampled at the ends of steps gives an impulse that is off
-//   by
-//            up to half a step. The weights 3s/2 (s = δ/w < 1) and 2 − s/2 (s < 2) add up to the right
-//            impulse wherever in a step the surfaces meet, and are continuous: damping keeps the second
-//            order.
+//   onset    a force that jumps in mid-step and is sampled at the ends of steps gives an impulse that is
+//            off by up to half a step. The weights 3s/2 (s = δ/w < 1) and 2 − s/2 (s < 2) add up to the
+//            right impulse wherever in a step the surfaces meet, and are continuous: damping keeps the
+//            second order.
 // Most blocks have no such pair.
 template <int D, class T>
 SCREE_HOT void resolve_onsets(double step, std::uint32_t padded, Block<T>& w) {

@@ -21,6 +21,7 @@ SCREE_HOT Four load_four(const double* aligned) {
 SCREE_HOT void store_four(double* aligned, const Four& v) {
   *static_cast<Four*>(__builtin_assume_aligned(aligned, 32)) = v;
 }
+SCREE_HOT void add_four(double* aligned, const Four& v) { store_four(aligned, load_four(aligned) + v); }
 
 // Rows become columns.
 SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {

@@ -13,8 +13,8 @@ namespace scree::kernel {
 class PlaneRecords {
  public:
   void set(const std::vector<scree_plane>& planes, std::size_t width) {
-    records_.assign(width * planes.size(), 0.0);
-    normals_.assign(4 * planes.size(), 0.0);
+    records_.resize(width * planes.size(), 0.0);
+    normals_.resize(4 * planes.size(), 0.0);
     for (std::size_t w = 0; w < planes.size(); ++w)
       for (std::size_t k = 0; k < 3; ++k) {
         double* record = records_.data() + width * w;

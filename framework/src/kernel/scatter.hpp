@@ -4,8 +4,6 @@
 
 namespace scree::kernel {
 
-SCREE_HOT void add_four(double* record, const Four& v) { store_four(record, load_four(record) + v); }
-
 // Adds force and torque of four pairs to the slots of a, and the opposite to those of b, one pair after the
 // other: a body may be in several of them.
 template <int D, bool spin, class T>

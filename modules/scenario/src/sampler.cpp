@@ -6,8 +6,7 @@
 namespace scree::scenario {
 
 bool is_due(std::uint64_t steps, double every, double step) {
-  const double multiple = std::round(double(steps) * step / every);
-  return std::round(multiple * every / step) == double(steps);
+  return steps == 0 || next_due(steps - 1, every, step) == steps;
 }
 
 std::uint64_t next_due(std::uint64_t steps, double every, double step) {
