@@ -11,6 +11,10 @@
 namespace scree {
 
 struct Forces::Work {
+  // For each thread. With fewer, the first threads would have the settling of their tiles to do beside
+  // contacts while the last wait for them.
+  static constexpr std::size_t tiles_to_settle_at_once = 8;
+
   explicit Work(const Features& features)
       : evaluate(kernel::tile_evaluation(features)), constants(features.precision) {}
 
@@ -20,8 +24,32 @@ struct Forces::Work {
   kernel::PlaneRecords planes;
   PairConstants constants;
   std::vector<ContactSums> block_sums;
-  // Of each tile: how many of those that reach it are still to be evaluated.
+  // Of each tile: how many of those that reach it are still to be evaluated; `settled` once somebody has
+  // taken it on.
   std::unique_ptr<std::atomic<std::uint32_t>[]> awaited;
+  static constexpr std::uint32_t settled = ~0u;
+
+  // Evaluates all tiles, and settles each when those that reach it have been: at once, while its bodies are
+  // in the cache of the thread, or in a second round.
+  template <class Evaluate, class SettleTile>
+  void share_out(ThreadPool& threads, const Evaluate& evaluate_tile, const SettleTile& settle_tile) {
+    const std::size_t count = tiles.tiles().size();
+    for (std::size_t tile = 0; tile < count; ++tile)
+      awaited[tile].store(tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
+    const auto settle_if_ready = [&](std::size_t tile, unsigned worker) {
+      std::uint32_t nobody = 0;
+      if (awaited[tile].compare_exchange_strong(nobody, settled, std::memory_order_acq_rel))
+        settle_tile(tile, worker);
+    };
+    const bool at_once = count >= tiles_to_settle_at_once * threads.size();
+    threads.each(count, [&](std::size_t tile, unsigned worker) {
+      evaluate_tile(tile, worker);
+      for (const std::uint32_t reached : tiles.tiles()[tile].reached)
+        awaited[reached].fetch_sub(1, std::memory_order_acq_rel);
+      if (at_once) settle_if_ready(tile, worker);
+    });
+    threads.each(count, settle_if_ready);
+  }
   double deepest = 0;  // overlap ratio met so far
 };
 
@@ -89,29 +117,25 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
   const kernel::Scene scene{contacts,        particles.records(),   w.planes,
                             shifts.data(),   features_.periodic,    step,
                             features_.audit, features_.pair_forces, w.deepest};
-  for (std::size_t tile = 0; tile < w.tiles.tiles().size(); ++tile)
-    w.awaited[tile].store(w.tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
-  threads.each(w.tiles.tiles().size(), [&](std::size_t tile, unsigned worker) {
-    Profile* const own_profile = worker == 0 ? profile : nullptr;
+  const auto evaluate_tile = [&](std::size_t tile, unsigned worker) {
     w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, particles.loads(),
-                w.block_sums.data(), own_profile});
-    release(particles, tile, worker, settle, own_profile);
-  });
+                w.block_sums.data(), worker == 0 ? profile : nullptr});
+  };
+  const auto settle_tile = [&](std::size_t tile, unsigned worker) {
+    Laps laps(worker == 0 ? profile : nullptr);
+    collect(particles, tile);
+    laps.lap(Profile::reduce);
+    settle(tile, worker);
+  };
+  if (threads.size() > 1)
+    w.share_out(threads, evaluate_tile, settle_tile);
+  else  // Pairs are in the order of a < b: no later tile looks at the bodies of this one.
+    for (std::size_t tile = 0; tile < w.tiles.tiles().size(); ++tile)
+      evaluate_tile(tile, 0), settle_tile(tile, 0);
   sum_loads(particles, loads);
   ContactSums sums = add_up(w.block_sums);
   w.deepest = sums.max_overlap_ratio = std::max(w.deepest, sums.max_overlap_ratio);
   return sums;
-}
-
-void Forces::release(Particles& particles, std::size_t tile, unsigned worker, const Settle& settle,
-                     Profile* profile) {
-  for (const std::uint32_t reached : work_->tiles.tiles()[tile].reached) {
-    if (work_->awaited[reached].fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
-    Laps laps(profile);
-    collect(particles, reached);
-    laps.lap(Profile::reduce);
-    settle(reached, worker);
-  }
 }
 
 void Forces::collect(Particles& particles, std::size_t tile) const {

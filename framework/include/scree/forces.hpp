@@ -48,8 +48,8 @@ class Forces {
 
   // To be called for all bodies before an evaluation adds to their loads.
   static void clear(Particles& particles, BodyRange bodies);
-  // What comes after the contacts of a tile's bodies: called once for each tile, as soon as their loads are
-  // whole and no contact that is still to come looks at them.
+  // What comes after the contacts of a tile's bodies: called once for each tile, when their loads are whole
+  // and no contact that is still to come looks at them.
   using Settle = std::function<void(std::size_t tile, unsigned worker)>;
   // Evaluates all contacts: adds to the loads of bodies, sets those of planes; step = 0 does not move
   // springs.
@@ -65,9 +65,6 @@ class Forces {
  private:
   struct Work;
   void follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
-  // Tells the tiles that this one reaches that it is done, and settles those that wait for no other.
-  void release(Particles& particles, std::size_t tile, unsigned worker, const Settle& settle,
-               Profile* profile);
   // Adds the loads that contacts of other tiles have left for the bodies of this one.
   void collect(Particles& particles, std::size_t tile) const;
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;
