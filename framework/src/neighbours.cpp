@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -55,28 +54,6 @@ void sort_run(NeighbourPair* begin, NeighbourPair* end) {
   for (NeighbourPair* next = begin + 1; next < end; ++next)
     for (NeighbourPair* p = next; p > begin && before(*p, *(p - 1)); --p) std::swap(*p, *(p - 1));
 }
-
-// How a − b is folded to the nearest image along each axis; nothing happens to axes that are not periodic.
-struct Folding {
-  Vec3 half, length;
-
-  explicit Folding(const Domain& domain) {
-    for (int k = 0; k < 3; ++k) {
-      length[k] = domain.periodic[k] ? domain.length(k) : 0;
-      half[k] = domain.periodic[k] ? 0.5 * length[k] : std::numeric_limits<double>::infinity();
-    }
-  }
-  // As Domain::fold, without a branch.
-  int fold(Vec3& a_minus_b) const {
-    int code = Domain::no_shift;
-    for (int k = 0, weight = 1; k < 3; ++k, weight *= 3) {
-      const int turns = int(a_minus_b[k] < -half[k]) - int(a_minus_b[k] > half[k]);
-      a_minus_b[k] += turns * length[k];
-      code += turns * weight;
-    }
-    return code;
-  }
-};
 
 // Appends what is near one body among others, filed one after the other.
 class Appender {

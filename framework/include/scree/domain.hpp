@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <scree/vec.hpp>
 
@@ -19,26 +19,38 @@ struct Domain {
   bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
   double length(int axis) const { return upper[axis] - lower[axis]; }
 
-  // Makes a − b that of the nearest image of b, for coordinates within the domain, and tells which it is: one
-  // of −1, 0, 1 per axis as a base-3 code with 13 for none.
-  std::uint8_t fold(Vec3& a_minus_b) const {
-    int code = no_shift;
-    for (int k = 0, weight = 1; k < 3; ++k, weight *= 3) {
-      if (!periodic[k]) continue;
-      const double half = 0.5 * length(k);
-      const int turns = (a_minus_b[k] < -half ? 1 : 0) - (a_minus_b[k] > half ? 1 : 0);
-      a_minus_b[k] += turns * length(k);
-      code += turns * weight;
-    }
-    return std::uint8_t(code);
-  }
-  // What to add to a − b for that image.
+  // What to add to a − b for an image that Folding tells.
   Vec3 shift(std::uint8_t code) const {
     Vec3 s = {};
     for (int k = 0, rest = code; k < 3; ++k, rest /= 3)
       if (periodic[k]) s[k] = (rest % 3 - 1) * length(k);
     return s;
   }
+};
+
+// Folds differences to the nearest image, prepared for many of them; without branches.
+class Folding {
+ public:
+  explicit Folding(const Domain& domain) {
+    for (int k = 0; k < 3; ++k)
+      if (domain.periodic[k]) length_[k] = domain.length(k), half_[k] = 0.5 * domain.length(k);
+  }
+
+  // Makes a − b that of the nearest image of b, for coordinates within the domain, and tells which it is: one
+  // of −1, 0, 1 per axis as a base-3 code with 13 for none.
+  int fold(Vec3& a_minus_b) const {
+    int code = Domain::no_shift;
+    for (int k = 0, weight = 1; k < 3; ++k, weight *= 3) {
+      const int turns = int(a_minus_b[k] < -half_[k]) - int(a_minus_b[k] > half_[k]);
+      a_minus_b[k] += turns * length_[k];
+      code += turns * weight;
+    }
+    return code;
+  }
+
+ private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  Vec3 length_ = {}, half_ = {{infinite, infinite, infinite}};
 };
 
 }  // namespace scree

@@ -13,7 +13,7 @@ namespace scree {
 // Two bodies whose surfaces are nearer than the skin; a < b.
 struct NeighbourPair {
   std::uint32_t a, b;
-  std::uint8_t image;  // Domain::fold of a − b
+  std::uint8_t image;  // Folding::fold of a − b
   friend bool operator==(const NeighbourPair&, const NeighbourPair&) = default;
 };
 
