@@ -35,6 +35,12 @@ std::span<const double> Integrator::substeps() const {
   return whole;
 }
 
+Integrator::Moved Integrator::kick_and_drift(Particles& particles, double step, double next,
+                                             BodyRange bodies) {
+  const bool finite = kick(particles, step, bodies);
+  return {finite, drift(particles, next, bodies)};
+}
+
 std::unique_ptr<Integrator> make_integrator(Integration integration) {
   switch (integration) {
     case Integration::position_verlet:

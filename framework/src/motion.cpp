@@ -25,13 +25,6 @@ SCREE_EVERY_LEVEL void raise(Four& largest, Four& unbounded, const double* first
   }
 }
 
-// Whether records of four numbers hold nothing but numbers.
-SCREE_EVERY_LEVEL bool all_finite(const double* first, std::size_t stride, std::size_t count) {
-  Four nothing = {};
-  for (std::size_t i = 0; i < count; ++i) nothing += 0 * load_four(first + stride * i);
-  return nothing[0] + nothing[1] + nothing[2] + nothing[3] == 0;
-}
-
 }  // namespace
 
 double Motions::largest_square(BodyRange bodies, bool mid_step) const {
@@ -46,12 +39,6 @@ double Motions::largest_square(BodyRange bodies, bool mid_step) const {
     all = std::max(all, largest[k]);
   }
   return all;
-}
-
-bool Motions::finite(BodyRange bodies) const {
-  const std::size_t count = bodies.end - bodies.begin;
-  return all_finite(part(bodies, record::motion), width(), count) &&
-         (each_body() == 1 || all_finite(part(bodies, record::spin), width(), count));
 }
 
 }  // namespace scree

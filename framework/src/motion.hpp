@@ -2,6 +2,8 @@
 
 #include "kernel/lanes.hpp"
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include <scree/body_range.hpp>
@@ -18,6 +20,17 @@ struct Motion {
   kernel::Four& place;            // (x, y, z, R); of a spin nobody's
   kernel::Four acceleration;      // of the last evaluation
   std::size_t number;             // of this motion among all
+};
+
+// Looks for what is not a number. The difference of anything else with itself has no bit set.
+class Finiteness {
+ public:
+  SCREE_HOT void look_at(const kernel::Four& v) { found_ |= std::bit_cast<Bits>(v - v); }
+  bool whole() const { return (found_[0] | found_[1] | found_[2] | found_[3]) == 0; }
+
+ private:
+  typedef std::int64_t Bits __attribute__((vector_size(32)));
+  Bits found_ = {};
 };
 
 // The motions of all bodies: one each, or in 3D with spin two.
@@ -47,8 +60,6 @@ class Motions {
   // Largest |v|² of some bodies, at the end of the step or in mid-step (m²/s²); infinite if any is not a
   // number.
   double largest_square(BodyRange bodies, bool mid_step) const;
-  // Whether velocities and spins at the end of the step are numbers.
-  bool finite(BodyRange bodies) const;
 
  private:
   std::size_t width() const { return record::width(flat_ ? 2 : 3, spin_); }

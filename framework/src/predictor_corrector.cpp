@@ -39,6 +39,7 @@ bool PredictorCorrector::kick(Particles& particles, double step, BodyRange bodie
   const double half_square = 0.5 * step * step, per_step = 1 / step;
   const auto add = [](double* to, const Four& term)
                        SCREE_INLINE_LAMBDA { store_four(to, load_four(to) + term); };
+  Finiteness finite;
   motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
     double* const second = second_.data() + 4 * m.number;
     const Four correction = half_square * m.acceleration - load_four(second);
@@ -47,8 +48,9 @@ bool PredictorCorrector::kick(Particles& particles, double step, BodyRange bodie
     add(third_.data() + 4 * m.number, 0.5 * correction);
     add(fourth_.data() + 4 * m.number, 1.0 / 12 * correction);
     m.place += 19.0 / 90 * motions.axes() * correction;
+    finite.look_at(m.rate);
   });
-  return motions.finite(bodies);
+  return finite.whole();
 }
 
 }  // namespace scree

@@ -9,18 +9,15 @@
 
 namespace scree {
 
-void Simulation::drift(std::size_t tile, BodyRange bodies, double step) {
-  double& largest = tile_sums_[tile].square_speed;
-  largest = std::max(largest, integrator_->drift(particles_, step, bodies));
-  Forces::clear(particles_, bodies);
-}
-
 void Simulation::drift_bodies(double step) {
   Laps laps(profile_);
   integrator_->prepare(particles_, step);
   threads_->each(tiles_.count(), [&](std::size_t tile, unsigned) {
-    tile_sums_[tile] = {};
-    tiles_.each_few(tile, [&](BodyRange bodies) { drift(tile, bodies, step); });
+    double& largest = (tile_sums_[tile] = {}).square_speed;
+    tiles_.each_few(tile, [&](BodyRange bodies) {
+      largest = std::max(largest, integrator_->drift(particles_, step, bodies));
+      Forces::clear(particles_, bodies);
+    });
   });
   laps.lap(Profile::drift);
 }
@@ -33,10 +30,16 @@ void Simulation::settle(std::size_t tile, const Moves& moves, Profile* profile) 
     laps.lap(Profile::books);
     body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
     laps.lap(Profile::body_forces);
-    if (moves.kick) sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
-    laps.lap(Profile::kick);
-    if (moves.drift) drift(tile, bodies, *moves.drift);
-    laps.lap(Profile::drift);
+    if (moves.kick && moves.drift) {
+      const auto moved = integrator_->kick_and_drift(particles_, *moves.kick, *moves.drift, bodies);
+      sums.finite &= moved.finite;
+      sums.square_speed = std::max(sums.square_speed, moved.square_speed);
+      Forces::clear(particles_, bodies);
+      laps.lap(Profile::drift);
+    } else if (moves.kick) {
+      sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
+      laps.lap(Profile::kick);
+    }
   });
 }
 

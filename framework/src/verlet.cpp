@@ -24,10 +24,30 @@ SCREE_EVERY_LEVEL void first_half(const Motions& motions, double step, BodyRange
   });
 }
 
-SCREE_EVERY_LEVEL void second_half(const Motions& motions, double step, BodyRange bodies) {
+SCREE_EVERY_LEVEL bool second_half(const Motions& motions, double step, BodyRange bodies) {
   const double half_step = 0.5 * step;
-  motions.each(
-      bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA { m.rate = m.mid_rate + half_step * m.acceleration; });
+  Finiteness finite;
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    m.rate = m.mid_rate + half_step * m.acceleration;
+    finite.look_at(m.rate);
+  });
+  return finite.whole();
+}
+
+// The second half of a step and the first of the next.
+SCREE_EVERY_LEVEL bool second_and_first_half(const Motions& motions, double step, double next,
+                                             BodyRange bodies) {
+  const double half_step = 0.5 * step, half_next = 0.5 * next;
+  const Four nexts = next * motions.axes();
+  Finiteness finite;
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    const Four rate = m.mid_rate + half_step * m.acceleration, kick = half_next * m.acceleration;
+    finite.look_at(rate);
+    m.mid_rate = rate + kick;
+    m.rate = m.mid_rate + kick;
+    m.place += nexts * m.mid_rate;
+  });
+  return finite.whole();
 }
 
 // The two halves of position Verlet.
@@ -41,14 +61,17 @@ SCREE_EVERY_LEVEL void first_way(const Motions& motions, double step, BodyRange 
   });
 }
 
-SCREE_EVERY_LEVEL void second_way(const Motions& motions, double step, BodyRange bodies) {
+SCREE_EVERY_LEVEL bool second_way(const Motions& motions, double step, BodyRange bodies) {
   const Four half_steps = 0.5 * step * motions.axes();
+  Finiteness finite;
   motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
     m.rate = m.mid_rate + step * m.acceleration;
     // The velocity at the evaluation, for the energy books.
     m.mid_rate = 0.5 * (m.mid_rate + m.rate);
     m.place += half_steps * m.rate;
+    finite.look_at(m.rate);
   });
+  return finite.whole();
 }
 
 }  // namespace
@@ -60,9 +83,14 @@ double VelocityVerlet::drift(Particles& particles, double step, BodyRange bodies
 }
 
 bool VelocityVerlet::kick(Particles& particles, double step, BodyRange bodies) {
+  return second_half(Motions(particles), step, bodies);
+}
+
+Integrator::Moved VelocityVerlet::kick_and_drift(Particles& particles, double step, double next,
+                                                 BodyRange bodies) {
   const Motions motions(particles);
-  second_half(motions, step, bodies);
-  return motions.finite(bodies);
+  const bool finite = second_and_first_half(motions, step, next, bodies);
+  return {finite, motions.largest_square(bodies, true)};
 }
 
 std::span<const double> FourthOrder::substeps() const {
@@ -78,9 +106,7 @@ double PositionVerlet::drift(Particles& particles, double step, BodyRange bodies
 }
 
 bool PositionVerlet::kick(Particles& particles, double step, BodyRange bodies) {
-  const Motions motions(particles);
-  second_way(motions, step, bodies);
-  return motions.finite(bodies);
+  return second_way(Motions(particles), step, bodies);
 }
 
 }  // namespace scree

@@ -11,6 +11,7 @@ class VelocityVerlet : public Integrator {
  public:
   double drift(Particles& particles, double step, BodyRange bodies) override;
   bool kick(Particles& particles, double step, BodyRange bodies) override;
+  Moved kick_and_drift(Particles& particles, double step, double next, BodyRange bodies) override;
 };
 
 // Five steps of velocity Verlet, the third back in time, whose errors of third order cancel:

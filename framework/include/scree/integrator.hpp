@@ -45,6 +45,12 @@ class Integrator {
   virtual double drift(Particles& particles, double step, BodyRange bodies) = 0;
   // Completes the step with the forces there. Returns whether all velocities and spins are numbers.
   virtual bool kick(Particles& particles, double step, BodyRange bodies) = 0;
+  // A kick and the drift of the next step, which may take one pass over the bodies.
+  struct Moved {
+    bool finite;
+    double square_speed;  // (m²/s²)
+  };
+  virtual Moved kick_and_drift(Particles& particles, double step, double next, BodyRange bodies);
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

@@ -89,8 +89,6 @@ class Simulation {
     std::optional<double> kick = std::nullopt, drift = std::nullopt;
   };
   void drift_bodies(double step);
-  // Drifts a few bodies of a tile and clears their loads for the next evaluation.
-  void drift(std::size_t tile, BodyRange bodies, double step);
   // What the bodies of a tile do once contacts have loaded them.
   void settle(std::size_t tile, const Moves& moves, Profile* profile);
   // Forces on bodies where they are, after `step` since the last evaluation. Whether velocities and spins are
