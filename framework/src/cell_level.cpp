@@ -40,8 +40,8 @@ void CellLevel::file(const Particles& particles, const Domain& domain, const Vec
   }
 }
 
-CellLevel::Spans CellLevel::spans(int axis, double x) const {
-  const int n = cells_[axis], middle = cell_of(axis, x);
+CellLevel::Spans CellLevel::spans(int axis, int middle) const {
+  const int n = cells_[axis];
   const int low = std::max(middle - 1, 0), high = std::min(middle + 1, n - 1);
   if (!periodic_[axis] || n <= 2) return {1, {low}, {high}};
   if (n == 3) return {1, {0}, {2}};

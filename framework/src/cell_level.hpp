@@ -26,27 +26,39 @@ class CellLevel {
   };
 
   const std::vector<Filed>& filed() const { return filed_; }
-  // Whether x has neighbours across a periodic face.
-  bool reaches_across(const Vec3& x) const {
-    for (int k = 0; k < 3; ++k)
-      if (const int cell = cell_of(k, x[k]); periodic_[k] && (cell == 0 || cell + 1 == cells_[k]))
-        return true;
-    return false;
+
+  // A cell and its neighbours along one axis, each once: one or two runs of cells [first, last].
+  struct Spans {
+    int count;
+    std::array<int, 2> first, last;
+  };
+  // The cell around a place and its neighbouring cells.
+  struct Surroundings {
+    Spans along[3];
+    bool across;  // some are across a periodic face
+  };
+  Surroundings around(const Vec3& x) const {
+    Surroundings s = {{}, false};
+    for (int k = 0; k < 3; ++k) {
+      const int cell = cell_of(k, x[k]);
+      s.along[k] = spans(k, cell);
+      s.across |= periodic_[k] && (cell == 0 || cell + 1 == cells_[k]);
+    }
+    return s;
   }
-  // Calls use(begin, end) for all runs of filed bodies in the cell around x or a neighbouring cell.
+  // Calls use(begin, end) for all runs of bodies that are filed there.
   template <class Use>
-  void near(const Vec3& x, const Use& use) const {
-    const Spans along[3] = {spans(0, x[0]), spans(1, x[1]), spans(2, x[2])};
-    const auto each = [](const Spans& s, const auto& visit) {
-      for (int k = 0; k < s.count; ++k)
-        for (int cell = s.first[k]; cell <= s.last[k]; ++cell) visit(cell);
+  void each_run(const Surroundings& s, const Use& use) const {
+    const auto each = [](const Spans& spans, const auto& visit) {
+      for (int k = 0; k < spans.count; ++k)
+        for (int cell = spans.first[k]; cell <= spans.last[k]; ++cell) visit(cell);
     };
-    each(along[2], [&](int plane) {
-      each(along[1], [&](int line) {
+    each(s.along[2], [&](int plane) {
+      each(s.along[1], [&](int line) {
         const std::size_t row = (std::size_t(plane) * cells_[1] + line) * cells_[0];
         // Cells of a row lie one after the other.
-        for (int k = 0; k < along[0].count; ++k)
-          use(first_[row + along[0].first[k]], first_[row + along[0].last[k] + 1]);
+        for (int k = 0; k < s.along[0].count; ++k)
+          use(first_[row + s.along[0].first[k]], first_[row + s.along[0].last[k] + 1]);
       });
     });
   }
@@ -55,12 +67,7 @@ class CellLevel {
   int cell_of(int axis, double x) const {
     return int(std::clamp((x - lower_[axis]) * inverse_width_[axis], 0.0, double(cells_[axis] - 1)));
   }
-  // The cell of x and its neighbours along one axis, each once: one or two runs of cells [first, last].
-  struct Spans {
-    int count;
-    std::array<int, 2> first, last;
-  };
-  Spans spans(int axis, double x) const;
+  Spans spans(int axis, int middle) const;
 
   Vec3 lower_;
   std::array<bool, 3> periodic_;

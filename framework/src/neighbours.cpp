@@ -1,8 +1,10 @@
 #include "cell_level.hpp"
+#include "instruction_levels.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -55,37 +57,58 @@ void sort_run(NeighbourPair* begin, NeighbourPair* end) {
     for (NeighbourPair* p = next; p > begin && before(*p, *(p - 1)); --p) std::swap(*p, *(p - 1));
 }
 
-// Appends what is near one body among others, filed one after the other.
+// Appends what is near one body after the other among others, filed one after the other. Without branches on
+// how many there are in a cell or on what is near, which nobody can foretell: what may be wanted is written,
+// and the next over it if it is not.
 class Appender {
  public:
   Appender(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
-      : pairs_(pairs), folding_(folding), skin_(skin) {}
-  ~Appender() { pairs_.resize(count_); }
+      : pairs_(pairs), folding_(folding), skin_(skin) {
+    pairs_.clear();
+  }
 
-  // Without a branch on what is near, which nobody can foretell: each is written, and the next over it if it
-  // is not.
-  template <bool across>
-  void append(const CellLevel::Filed& body, const CellLevel::Filed* begin, const CellLevel::Filed* end) {
-    if (begin >= end) return;
-    if (pairs_.size() < count_ + std::size_t(end - begin))
-      pairs_.resize(2 * (count_ + std::size_t(end - begin)));
-    const double reach_of_body = body.radius + skin_;
-    NeighbourPair* out = pairs_.data() + count_;
-    for (const CellLevel::Filed* other = begin; other != end; ++other) {
-      Vec3 d = body.position - other->position;
-      const int code = across ? folding_.fold(d) : Domain::no_shift;
-      const bool first = body.body < other->body;
-      const double reach = reach_of_body + other->radius;
-      const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      *out = {first ? body.body : other->body, first ? other->body : body.body,
-              std::uint8_t(first ? code : 2 * Domain::no_shift - code)};
-      out += square < reach * reach ? 1 : 0;
+  // Takes the others [begin, end) for candidates.
+  void consider(std::size_t begin, std::size_t end) {
+    typedef std::uint32_t Run __attribute__((vector_size(32)));  // what three cells hold, or more
+    constexpr std::size_t usual = sizeof(Run) / sizeof(std::uint32_t);
+    const std::size_t length = end > begin ? end - begin : 0;
+    if (candidates_.size() < count_ + length + usual) candidates_.resize(2 * (count_ + length + usual));
+    Run run = std::uint32_t(begin) + Run{0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::size_t done = 0;;) {
+      std::memcpy(candidates_.data() + count_ + done, &run, sizeof(run));
+      if ((done += usual) >= length) break;
+      run += std::uint32_t(usual);
     }
-    count_ = std::size_t(out - pairs_.data());
+    count_ += length;
+  }
+  // Makes pairs of the candidates that are near.
+  template <bool across>
+  void append(const CellLevel::Filed& body, const CellLevel::Filed* others) {
+    const double reach_of_body = body.radius + skin_;
+    std::uint32_t* near = candidates_.data();
+    for (std::size_t k = 0; k < count_; ++k) {
+      const std::uint32_t candidate = candidates_[k];
+      const CellLevel::Filed& other = others[candidate];
+      const Vec3 d = body.position - other.position;
+      const double square = across ? folding_.square_distance(d) : Folding::square(d);
+      const double reach = reach_of_body + other.radius;
+      *near = candidate;
+      near += square < reach * reach ? 1 : 0;
+    }
+    for (const std::uint32_t* k = candidates_.data(); k != near; ++k) {
+      const CellLevel::Filed& other = others[*k];
+      Vec3 d = body.position - other.position;
+      const int code = across ? folding_.fold(d) : Domain::no_shift;
+      const bool first = body.body < other.body;
+      pairs_.push_back({first ? body.body : other.body, first ? other.body : body.body,
+                        std::uint8_t(first ? code : 2 * Domain::no_shift - code)});
+    }
+    count_ = 0;
   }
 
  private:
   std::vector<NeighbourPair>& pairs_;
+  std::vector<std::uint32_t> candidates_;
   std::size_t count_ = 0;
   Folding folding_;
   double skin_;
@@ -99,30 +122,26 @@ struct NeighbourSearch::Hierarchy {
 
   // Pairs of the bodies filed as [begin, end) of a level with all of coarser levels, and with those that are
   // filed behind them in their own.
-  void find(std::size_t level, std::size_t begin, std::size_t end, Appender& pairs) const {
-    for (std::size_t s = begin; s < end; ++s) {
-      const CellLevel::Filed& body = levels[level].filed()[s];
-      for (std::size_t l = 0; l <= level; ++l) {
-        if (members[l].empty()) continue;
-        const std::size_t behind = l == level ? s + 1 : 0;
-        if (levels[l].reaches_across(body.position))
-          append<true>(levels[l], body, behind, pairs);
-        else
-          append<false>(levels[l], body, behind, pairs);
-      }
+  void find(std::size_t level, std::size_t begin, std::size_t end, Appender& pairs) const;
+};
+
+[[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
+                                                                         std::size_t end,
+                                                                         Appender& pairs) const {
+  for (std::size_t s = begin; s < end; ++s) {
+    const CellLevel::Filed& body = levels[level].filed()[s];
+    for (std::size_t l = 0; l <= level; ++l) {
+      if (members[l].empty()) continue;
+      const std::size_t behind = l == level ? s + 1 : 0;
+      const CellLevel::Surroundings around = levels[l].around(body.position);
+      levels[l].each_run(around, [&](std::size_t first, std::size_t last) {
+        pairs.consider(std::max(first, behind), last);
+      });
+      const CellLevel::Filed* others = levels[l].filed().data();
+      around.across ? pairs.append<true>(body, others) : pairs.append<false>(body, others);
     }
   }
-
- private:
-  template <bool across>
-  static void append(const CellLevel& level, const CellLevel::Filed& body, std::size_t behind,
-                     Appender& pairs) {
-    const CellLevel::Filed* others = level.filed().data();
-    level.near(body.position, [&](std::size_t from, std::size_t to) {
-      pairs.append<across>(body, others + std::max(from, behind), others + to);
-    });
-  }
-};
+}
 
 NeighbourSearch::NeighbourSearch() : hierarchy_(std::make_unique<Hierarchy>()) {}
 NeighbourSearch::~NeighbourSearch() = default;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -33,7 +35,10 @@ class Folding {
  public:
   explicit Folding(const Domain& domain) {
     for (int k = 0; k < 3; ++k)
-      if (domain.periodic[k]) length_[k] = domain.length(k), half_[k] = 0.5 * domain.length(k);
+      if (domain.periodic[k]) {
+        length_[k] = period_[k] = domain.length(k);
+        half_[k] = 0.5 * domain.length(k);
+      }
   }
 
   // Makes a − b that of the nearest image of b, for coordinates within the domain, and tells which it is: one
@@ -47,10 +52,20 @@ class Folding {
     }
     return code;
   }
+  // |a − b|² of the nearest image alone.
+  double square_distance(Vec3 a_minus_b) const {
+    for (int k = 0; k < 3; ++k) {
+      const double apart = std::abs(a_minus_b[k]);
+      a_minus_b[k] = std::min(apart, period_[k] - apart);
+    }
+    return square(a_minus_b);
+  }
+  static double square(const Vec3& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  Vec3 length_ = {}, half_ = {{infinite, infinite, infinite}};
+  static constexpr Vec3 nowhere = {{infinite, infinite, infinite}};
+  Vec3 length_ = {}, half_ = nowhere, period_ = nowhere;  // of axes that are not periodic 0, infinite
 };
 
 }  // namespace scree
