@@ -27,9 +27,9 @@ double height(const Particles& p, std::size_t i, const scree_plane& plane) {
   return h;
 }
 
-// Pairs of bodies, and how many of them touch, told from some thousands of them.
+// Pairs of bodies, and how many of them touch, told from a few thousand of them.
 std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
-  constexpr std::size_t most_samples = 10000;
+  constexpr std::size_t most_samples = 2500;
   double listed = 0, touching = 0;
   for (const PairGroup& group : contacts.groups()) {
     if (group.planes) continue;
