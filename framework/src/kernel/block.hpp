@@ -36,7 +36,6 @@ struct alignas(64) Block {
   T radius_difference[block_size];   // R_a − R_b (m)
   T distance[block_size];
   T approach[block_size];                                  // along the normal within the step (m)
-  T touched[block_size];                                   // share of the step in which the pair touched
   T velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
   T spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
   T input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input

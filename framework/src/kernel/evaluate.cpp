@@ -22,6 +22,8 @@ struct BlockJob {
   PairGroup& group;
   const LawInstance& law;
   std::uint32_t count;  // pairs without padding
+  // With padding; that it is a multiple saves loops over lanes what would be left over.
+  std::uint32_t padded() const { return place.count / SCREE_LANES * SCREE_LANES; }
   const double* radius_sum;
 
   // Of what is kept for every pair.
@@ -52,23 +54,26 @@ SCREE_HOT BlockJob<T> block_job(const TileJob& job, std::size_t k) {
 
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void gather(const BlockJob<T>& b, Block<T>& w) {
-  for (std::uint32_t i = 0; i < b.place.count; i += 4)
+  for (std::uint32_t i = 0; i < b.padded(); i += 4)
     gather_four<D, spin, planes>(*b.tile.scene, b.place.begin + i, i, w);
-  if constexpr (planes) part_lanes(b.count, b.place.count, w);
+  if constexpr (planes) part_lanes(b.count, b.padded(), w);
 }
 
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void resolve(const BlockJob<T>& b, Block<T>& w) {
-  const std::uint32_t padded = b.place.count;
+  const std::uint32_t padded = b.padded();
   const bool to_contact_point = b.arms_to_contact_point();
   resolve_overlaps<D, planes>(b.radius_sum, padded, w);
   if (b.reads(SCREE_CONTACT_RADIUS)) resolve_contact_radii(b.constant(SCREE_EFFECTIVE_RADIUS), padded, w);
   const double step = b.tile.scene->step;
-  const bool increments = b.reads(SCREE_TANGENTIAL_INCREMENT), onset = b.reads(SCREE_ONSET_WEIGHT);
-  if (b.reads(SCREE_RELATIVE_VELOCITY) || increments || onset)
-    resolve_velocities<D, spin, planes>(to_contact_point, b.radius_sum, padded, w);
-  if (increments || onset) resolve_onsets<D>(step, padded, w);
-  if (increments) resolve_increments<D, spin, planes>(to_contact_point, b.radius_sum, step, padded, w);
+  const auto motion = [&]<bool increments>() SCREE_INLINE_LAMBDA {
+    if (resolve_motion<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, padded, w) > 0)
+      resolve_onsets<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, padded, w);
+  };
+  if (b.reads(SCREE_TANGENTIAL_INCREMENT))
+    motion.template operator()<true>();
+  else if (b.reads(SCREE_RELATIVE_VELOCITY) || b.reads(SCREE_ONSET_WEIGHT))
+    motion.template operator()<false>();
 }
 
 // What is the same for all blocks of a tile.
@@ -85,7 +90,7 @@ SCREE_HOT void begin_batch(const Scene& scene, Block<T>& w) {
 template <int D, class T>
 SCREE_HOT void call_law(const BlockJob<T>& b, Block<T>& w) {
   ContactBatch<T>& batch = w.batch;
-  batch.count = b.place.count;
+  batch.count = b.padded();
   for (const scree_contact_input k : {SCREE_REDUCED_MASS, SCREE_REDUCED_MASS_ROOT, SCREE_EFFECTIVE_RADIUS})
     if (b.reads(k)) batch.input[k] = b.constant(k);
   for (std::uint32_t k = 0; k < b.group.history_width; ++k)
@@ -103,13 +108,13 @@ SCREE_HOT void scatter(const BlockJob<T>& b, Block<T>& w) {
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) force[k] = b.force(k, w);
   if constexpr (spin) {
     if (b.law.interface.writes_couple)
-      resolve_torques<D, planes, true>(b.arms_to_contact_point(), b.radius_sum, force, b.place.count, w);
+      resolve_torques<D, planes, true>(b.arms_to_contact_point(), b.radius_sum, force, b.padded(), w);
     else
-      resolve_torques<D, planes, false>(b.arms_to_contact_point(), b.radius_sum, force, b.place.count, w);
+      resolve_torques<D, planes, false>(b.arms_to_contact_point(), b.radius_sum, force, b.padded(), w);
   }
   const std::uint32_t* slot_a = b.tile.tiles->slot_a().data() + b.place.begin;
   const std::uint32_t* slot_b = b.tile.tiles->slot_b().data() + b.place.begin;
-  for (std::uint32_t i = 0; i < b.place.count; i += 4)
+  for (std::uint32_t i = 0; i < b.padded(); i += 4)
     scatter_four<D, spin>(force, slot_a + i, slot_b + i, i, w, b.tile.slots);
 }
 
@@ -123,8 +128,8 @@ SCREE_HOT ContactSums evaluate_block(const BlockJob<T>& b, Block<T>& w, double& 
   call_law<D>(b, w);
   laps.lap(Profile::law);
   scatter<D, spin, planes>(b, w);
-  largest_ratio = largest_overlap_ratio<planes>(b.radius_sum, b.place.count, w, largest_ratio);
-  const ContactSums sums = b.tile.scene->audit ? sum_block(w, b.place.count) : ContactSums();
+  largest_ratio = largest_overlap_ratio<planes>(b.radius_sum, b.padded(), w, largest_ratio);
+  const ContactSums sums = b.tile.scene->audit ? sum_block(w, b.padded()) : ContactSums();
   laps.lap(Profile::reduce);
   return sums;
 }

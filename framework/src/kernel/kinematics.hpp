@@ -64,16 +64,45 @@ SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, 
   }
 }
 
-// Relative velocity of the contact points, and relative spin.
+// Displacement along the surface during the step, at the normal of mid-step. A pair that met during this step
+// has moved along its surface only since then.
 template <int D, bool spin, bool planes, class T>
-SCREE_HOT void resolve_velocities(bool to_contact_point, const double* radius_sum, std::uint32_t padded,
-                                  Block<T>& w) {
+SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double step, const T& touched,
+                             std::uint32_t i, Block<T>& w) {
   constexpr int S = spin_components<D>;
+  const T h = T(step), half = T(0.5 * step);
+  const Vec<D, T> motion = lanes_of<D>(w.mid_velocity, i), n = lanes_of<D>(w.input + SCREE_NORMAL, i);
+  Vec<D, T> mid_normal = n, slip = motion;
+  T distance = w.distance[i];
+  if constexpr (planes) {
+    distance = fused(-half, dot(motion, n), distance);
+  } else {
+    Vec<D, T> separation;
+    for (int k = 0; k < D; ++k) separation[k] = fused(-half, motion[k], T(w.separation[k][i]));
+    const T square = dot(separation, separation), inverse = inverse_sqrt(square);
+    distance = square * inverse;
+    for (int k = 0; k < D; ++k) mid_normal[k] = distance > T(0) ? separation[k] * inverse : n[k];
+  }
+  if constexpr (spin) {
+    const auto arms = Arms<planes, T>::of(to_contact_point, distance, radius_sum, w.radius_difference[i]);
+    slip += turning(mid_normal, arms.a, arms.b, lanes_of<S>(w.mid_spin[0], i), lanes_of<S>(w.mid_spin[1], i));
+  }
+  set_lanes<D>(w.input + SCREE_TANGENTIAL_INCREMENT, i, (h * touched) * tangential_part(slip, mid_normal));
+}
+
+// Relative velocity of the contact points, relative spin, the way along the normal within the step, and with
+// `increments` displacements, of pairs that touch for the whole step. How many are near the moment in which
+// they meet or part.
+template <int D, bool spin, bool planes, bool increments, class T>
+SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_sum, double step,
+                                  std::uint32_t padded, Block<T>& w) {
+  constexpr int S = spin_components<D>;
+  Count<T> near = 0;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
+    const Vec<D, T> n = lanes_of<D>(w.input + SCREE_NORMAL, i);
     Vec<D, T> v = lanes_of<D>(w.velocity, i);
     if constexpr (spin) {
-      const Vec<D, T> n = lanes_of<D>(w.input + SCREE_NORMAL, i);
       const auto arms =
           Arms<planes, T>::of(to_contact_point, w.distance[i], T(radius_sum[i]), w.radius_difference[i]);
       const Vec<S, T> spin_a = lanes_of<S>(w.spin[0], i), spin_b = lanes_of<S>(w.spin[1], i);
@@ -81,7 +110,14 @@ SCREE_HOT void resolve_velocities(bool to_contact_point, const double* radius_su
       set_lanes<S>(w.input + SCREE_RELATIVE_SPIN, i, spin_a - spin_b);
     }
     set_lanes<D>(w.input + SCREE_RELATIVE_VELOCITY, i, v);
+    const T approach = -dot(v, n) * T(step), overlap = w.input[SCREE_OVERLAP][i];
+    w.approach[i] = approach;
+    w.input[SCREE_ONSET_WEIGHT][i] = T(1);
+    near += overlap > T(0) && overlap < T(2) * std::abs(approach);
+    if constexpr (increments)
+      set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, T(1), i, w);
   }
+  return near;
 }
 
 // What pairs near the moment in which their surfaces meet or part need, with the way w that they go along the
@@ -92,27 +128,19 @@ SCREE_HOT void resolve_velocities(bool to_contact_point, const double* radius_su
 //            right impulse wherever in a step the surfaces meet, and are continuous: damping keeps the
 //            second order.
 // Most blocks have no such pair.
-template <int D, class T>
-SCREE_HOT void resolve_onsets(double step, std::uint32_t padded, Block<T>& w) {
-  int near = 0;
-#pragma GCC ivdep
-  for (std::uint32_t i = 0; i < padded; ++i) {
-    const T approach =
-        -dot(lanes_of<D>(w.input + SCREE_RELATIVE_VELOCITY, i), lanes_of<D>(w.input + SCREE_NORMAL, i)) *
-        T(step);
-    w.approach[i] = approach;
-    w.touched[i] = w.input[SCREE_ONSET_WEIGHT][i] = T(1);
-    near += w.input[SCREE_OVERLAP][i] > T(0) && w.input[SCREE_OVERLAP][i] < T(2) * std::abs(approach);
-  }
-  if (near == 0) return;
+template <int D, bool spin, bool planes, bool increments, class T>
+SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step,
+                              std::uint32_t padded, Block<T>& w) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
     const T overlap = w.input[SCREE_OVERLAP][i], approach = w.approach[i], way = std::abs(approach);
     const T rising = T(1.5) * overlap, falling = T(2) * way - T(0.5) * overlap;
     const T inverse_way = T(1) / (way > T(0) ? way : T(1));
-    w.touched[i] = overlap < approach ? overlap * inverse_way : T(1);
     w.input[SCREE_ONSET_WEIGHT][i] =
         overlap < T(2) * way ? std::min(rising, std::max(falling, way)) * inverse_way : T(1);
+    const T touched = overlap < approach ? overlap * inverse_way : T(1);
+    if constexpr (increments)
+      set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, touched, i, w);
   }
 }
 
@@ -127,38 +155,6 @@ SCREE_HOT void resolve_contact_radii(const T* effective_radius, std::uint32_t pa
     w.input[SCREE_CONTACT_RADIUS][i] = radius;
     w.input[SCREE_CONTACT_RADIUS + 1][i] = inverse;
     w.input[SCREE_CONTACT_RADIUS + 2][i] = radius * inverse_root;
-  }
-}
-
-// Displacement along the surface during the step, at the normal of mid-step. A pair that met during this step
-// has moved along its surface only since then.
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT void resolve_increments(bool to_contact_point, const double* radius_sum, double step,
-                                  std::uint32_t padded, Block<T>& w) {
-  constexpr int S = spin_components<D>;
-  const T h = T(step), half = T(0.5 * step);
-#pragma GCC ivdep
-  for (std::uint32_t i = 0; i < padded; ++i) {
-    const Vec<D, T> motion = lanes_of<D>(w.mid_velocity, i), n = lanes_of<D>(w.input + SCREE_NORMAL, i);
-    Vec<D, T> mid_normal = n, slip = motion;
-    T distance = w.distance[i];
-    if constexpr (planes) {
-      distance = fused(-half, dot(motion, n), distance);
-    } else {
-      Vec<D, T> separation;
-      for (int k = 0; k < D; ++k) separation[k] = fused(-half, motion[k], T(w.separation[k][i]));
-      const T square = dot(separation, separation), inverse = inverse_sqrt(square);
-      distance = square * inverse;
-      for (int k = 0; k < D; ++k) mid_normal[k] = distance > T(0) ? separation[k] * inverse : n[k];
-    }
-    if constexpr (spin) {
-      const auto arms =
-          Arms<planes, T>::of(to_contact_point, distance, T(radius_sum[i]), w.radius_difference[i]);
-      slip +=
-          turning(mid_normal, arms.a, arms.b, lanes_of<S>(w.mid_spin[0], i), lanes_of<S>(w.mid_spin[1], i));
-    }
-    set_lanes<D>(w.input + SCREE_TANGENTIAL_INCREMENT, i,
-                 (h * w.touched[i]) * tangential_part(slip, mid_normal));
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 // Code of the hot loops is inlined whole into one function per instruction level (evaluate.cpp).
 #define SCREE_HOT [[gnu::always_inline]] inline
@@ -22,6 +24,10 @@ SCREE_HOT void store_four(double* aligned, const Four& v) {
   *static_cast<Four*>(__builtin_assume_aligned(aligned, 32)) = v;
 }
 SCREE_HOT void add_four(double* aligned, const Four& v) { store_four(aligned, load_four(aligned) + v); }
+
+// Counts lanes of T: of the same size, so that a loop over them takes as many at a time as without it.
+template <class T>
+using Count = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
 
 // Rows become columns.
 SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {

@@ -23,7 +23,7 @@ SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t p
     const double difference = double(w.radius_difference[i]);
     return planes ? difference : 0.5 * (radius_sum[i] - std::abs(difference));
   };
-  int deeper = 0;
+  Count<double> deeper = 0;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i)
     deeper += double(w.input[SCREE_OVERLAP][i]) > largest * smaller_radius(i);
