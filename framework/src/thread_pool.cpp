@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <scree/thread_pool.hpp>
 
 namespace scree {
@@ -51,6 +53,15 @@ void ThreadPool::share_out(std::size_t count, Call call, const void* task) {
   open_.store(0);
   spin_until([this] { return active_.load() == 0; });
   for (std::uint64_t left; (left = active_.load()) != 0;) active_.wait(left);
+  if (failed_.exchange(false)) std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+void ThreadPool::do_item(std::size_t item, unsigned worker) noexcept {
+  try {
+    call_(task_, item, worker);
+  } catch (...) {
+    if (!failed_.exchange(true)) error_ = std::current_exception();
+  }
 }
 
 void ThreadPool::wait_for_work(unsigned worker) {
@@ -73,12 +84,12 @@ bool ThreadPool::claim(std::size_t item, std::uint64_t round) {
 void ThreadPool::work(std::uint64_t round, unsigned worker) {
   const auto share_begin = [this](unsigned w) { return count_ * w / size(); };
   for (std::size_t item = share_begin(worker); item < share_begin(worker + 1); ++item)
-    if (claim(item, round)) call_(task_, item, worker);
+    if (claim(item, round)) do_item(item, worker);
   // What others have not begun, from the end of their shares.
   for (unsigned k = 1; k < size(); ++k) {
     const unsigned other = (worker + k) % size();
     for (std::size_t item = share_begin(other + 1); item-- > share_begin(other);)
-      if (claim(item, round)) call_(task_, item, worker);
+      if (claim(item, round)) do_item(item, worker);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -83,6 +84,25 @@ TEST_CASE("a worker that is held up holds nobody up: what it has not begun other
     if (item != 50 && done.fetch_add(1) + 1 == 99) others_done = true;
   });
   CHECK(done == 99);
+}
+
+TEST_CASE("what a task throws reaches the caller, and the pool works on") {
+  for (unsigned threads = 1; threads <= 4; ++threads) {
+    ThreadPool pool(threads);
+    for (const std::size_t bad : {0u, 3u, 7u}) {
+      std::atomic<int> done = 0;
+      const auto task = [&](std::size_t item, unsigned) {
+        if (item == bad) throw std::runtime_error("item");
+        done.fetch_add(1);
+      };
+      CHECK_THROWS_WITH(pool.each(8, task), "item");
+      if (threads > 1) CHECK(done == 7);
+      done = 0;
+      pool.each(8, [&](std::size_t, unsigned) { done.fetch_add(1); });
+      CHECK(done == 8);
+    }
+    CHECK_THROWS_WITH(pool.each(8, [](std::size_t, unsigned) { throw std::runtime_error("all"); }), "all");
+  }
 }
 
 TEST_CASE("a pool that never worked, or that was asked for no thread, ends in peace") {

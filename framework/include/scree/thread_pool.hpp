@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -20,7 +21,8 @@ class ThreadPool {
 
   // Calls task(item, worker) once for each item 0 ... count − 1 and returns when all are done. A worker takes
   // a contiguous share of its own first, the same each time, so that its cache knows it, and then what others
-  // have not begun: one that the machine does not let run holds nobody up. The task must not throw.
+  // have not begun: one that the machine does not let run holds nobody up. What a task throws first is
+  // thrown here, by several threads once the other items are done.
   template <class Task>
   void each(std::size_t count, const Task& task) {
     if (workers_.empty()) {
@@ -41,6 +43,7 @@ class ThreadPool {
   void wait_for_work(unsigned worker);
   void work(std::uint64_t round, unsigned worker);
   bool claim(std::size_t item, std::uint64_t round);
+  void do_item(std::size_t item, unsigned worker) noexcept;
 
   std::vector<std::thread> workers_;
   Call call_ = nullptr;
@@ -51,6 +54,8 @@ class ThreadPool {
   std::atomic<std::uint64_t> open_ = 0;                    // the round that is going on, 0 between rounds
   std::atomic<std::uint64_t> active_ = 0;                  // workers inside a round, beside the caller
   std::atomic<bool> stop_ = false;
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr error_;  // of the round, set by who sets failed_
 };
 
 }  // namespace scree
