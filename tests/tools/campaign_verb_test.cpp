@@ -77,12 +77,14 @@ TEST_CASE("what has finished is not run again, a changed value reruns what it ch
           "[campaign]\nscenario = 'scene.toml'\nseeds = [1, 2]\n[set]\ntime.duration = [1e-4, 3e-4]\n");
   const Outcome list = w.scree(call + "--list");
   CHECK(list.status == 0);
-  CHECK(list.out ==
-        "campaign: 4 runs, 2 values of time.duration x 2 seeds\n"
-        "finished     duration=0.0001,seed=1\n"
-        "missing      duration=0.0001,seed=2\n"
-        "missing      duration=0.0003,seed=1\n"
-        "missing      duration=0.0003,seed=2\n");
+  CHECK(
+      list.out ==
+      "campaign: 4 runs, 2 values of time.duration x 2 seeds\n"
+      "finished     duration=0.0001,seed=1\n"
+      "missing      duration=0.0001,seed=2\n"
+      "missing      duration=0.0003,seed=1\n"
+      "missing      duration=0.0003,seed=2\n"
+      "2 runs of earlier values still there, in no table: duration=0.0002,seed=1  duration=0.0002,seed=2\n");
   CHECK_FALSE(w.has("out/duration=0.0003,seed=1"));
   const Outcome again = w.scree(call + "--quiet");
   CHECK(contains(again.out, "4 finished (1 of them before)\n"));

@@ -28,7 +28,8 @@ std::filesystem::path directory_of(const CampaignArguments& a) {
 
 ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a) {
   const campaign::CampaignDirectory directory(directory_of(a), c, false);
-  fmt::print("{}", campaign::list_report(c, directory.outcomes(c)));
+  fmt::print("{}{}", campaign::list_report(c, directory.outcomes(c)),
+             campaign::leftover_report(directory.leftovers(c)));
   return ExitStatus::success;
 }
 
@@ -64,7 +65,7 @@ ExitStatus run_campaign(const CampaignArguments& a) {
   if (a.list) return list_points(c, a);
   campaign::CampaignDirectory directory(directory_of(a), c, true);
   const campaign::Execution result = execute_with_bar(c, directory, a);
-  fmt::print("{}", campaign::text_report(c, result));
+  fmt::print("{}{}", campaign::text_report(c, result), campaign::leftover_report(directory.leftovers(c)));
   const std::filesystem::path& path = directory.files().path();
   if (std::filesystem::exists(path / "table.csv"))
     fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n", path.string(),

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <fstream>
@@ -66,6 +67,21 @@ Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point)
   Outcome found = read_outcome(run(point), inputs_of(campaign, point), campaign.collect);
   if (found.state == State::running && !in_use_) found.state = State::interrupted;
   return found;
+}
+
+std::vector<std::string> CampaignDirectory::leftovers(const Campaign& campaign) const {
+  std::vector<std::string> names;
+  std::error_code failed;  // nothing to tell where it cannot be read
+  for (const auto& entry : fs::directory_iterator(files_.path(), failed)) {
+    const std::string name = entry.path().filename().string();
+    const auto is_there = [&](const Point& point) { return point.name == name; };
+    const bool begun = fs::exists(entry.path() / scenario::RunDirectory::log_name, failed) ||
+                       fs::exists(entry.path() / "run.json", failed);
+    if (begun && std::none_of(campaign.points.begin(), campaign.points.end(), is_there))
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace scree::campaign

@@ -80,6 +80,15 @@ std::string list_report(const Campaign& campaign, const std::vector<Outcome>& ou
   return text;
 }
 
+std::string leftover_report(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  if (names.empty()) return "";
+  const std::vector<std::string> told(names.begin(), names.begin() + std::min(most, names.size()));
+  return fmt::format("{} of earlier values still there, in no table: {}{}\n", counted(names.size(), "run"),
+                     scenario::one_line(fmt::format("{}", fmt::join(told, "  ")), 400),
+                     names.size() > most ? " ..." : "");
+}
+
 void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                   const CampaignDirectory& directory) {
   const scenario::RunDirectory& files = directory.files();

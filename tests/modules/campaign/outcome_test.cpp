@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/campaign/campaign_directory.hpp>
+#include <scree/campaign/report.hpp>
 #include <scree/scenario/run.hpp>
 
 using namespace scree;
@@ -103,4 +104,22 @@ TEST_CASE("one campaign at a time uses a directory, and only its own") {
   std::filesystem::remove(path / "campaign.json");
   folder.folder().write("out/letter.txt", "Dear");
   CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("holds files that are no campaign"));
+}
+
+TEST_CASE("runs of values that a campaign no longer has are told") {
+  const CampaignFolder folder("[set]\ntime.duration = [1e-4, 2e-4]\n");
+  const Campaign c = folder.read();
+  CampaignDirectory directory(folder.folder() / "campaign", c, true);
+  CHECK(directory.leftovers(c).empty());
+  directory.create();
+  run(c, 0, directory.run(c.points[0]));
+  run(c, 1, directory.run(c.points[1]));
+  std::filesystem::create_directory(directory.files().path() / "no run");
+  CHECK(directory.leftovers(c).empty());
+  Campaign fewer = c;
+  fewer.points.erase(fewer.points.begin());
+  CHECK(directory.leftovers(fewer) == std::vector<std::string>{c.points[0].name});
+  CHECK(leftover_report(directory.leftovers(fewer)) ==
+        "1 run of earlier values still there, in no table: duration=0.0001\n");
+  CHECK(leftover_report({}) == "");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <scree/campaign/outcome.hpp>
@@ -32,6 +33,8 @@ class CampaignDirectory {
   std::vector<Outcome> outcomes(const Campaign& campaign) const;
   // The same of one; a run said to be running has been killed unless somebody uses the directory.
   Outcome outcome(const Campaign& campaign, const Point& point) const;
+  // Runs of values that the campaign no longer has, by name.
+  std::vector<std::string> leftovers(const Campaign& campaign) const;
 
  private:
   // Whether nobody else uses the directory; true too where it is not there or the file system knows no locks.

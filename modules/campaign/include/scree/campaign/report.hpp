@@ -26,6 +26,9 @@ void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes
 // For a terminal: what varies, what finished, the expectations, the runs that failed with their reasons.
 std::string text_report(const Campaign& campaign, const Execution& execution);
 
+// For a terminal: runs that are no longer of the campaign; nothing where there are none.
+std::string leftover_report(const std::vector<std::string>& names);
+
 // For a terminal: each point with its state.
 std::string list_report(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
