@@ -169,7 +169,7 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
 }
 
 // The same code once more for each instruction level. No contraction and no reassociation: the same bits.
-#if defined(__x86_64__)
+#if SCREE_SEVERAL_LEVELS
 #define SCREE_LEVELS(X) \
   X(baseline, )         \
   X(v3, gnu::target("arch=x86-64-v3")) X(v4, gnu::target("arch=x86-64-v4,prefer-vector-width=512"))
@@ -186,7 +186,7 @@ SCREE_LEVELS(SCREE_LEVEL_FUNCTION)
 template <int D, bool spin, class T>
 EvaluateTile best_level() {
   const std::string level = instruction_levels().front();
-#if defined(__x86_64__)
+#if SCREE_SEVERAL_LEVELS
   if (level == "x86-64-v4") return &tile_v4<D, spin, T>;
   if (level == "x86-64-v3") return &tile_v3<D, spin, T>;
 #endif
