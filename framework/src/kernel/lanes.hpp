@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -29,16 +30,24 @@ SCREE_HOT void add_four(double* aligned, const Four& v) { store_four(aligned, lo
 template <class T>
 using Count = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
 
-// Rows become columns.
+// Rows become columns. First as integers: of the shuffles within halves, processors have two units for these
+// and one for the same of floating-point numbers.
 SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6),
-             ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6),
-             cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+  typedef std::int64_t Bits __attribute__((vector_size(32)));
+  const auto first = [](const Four& x, const Four& y) SCREE_INLINE_LAMBDA {
+    return std::bit_cast<Four>(
+        __builtin_shufflevector(std::bit_cast<Bits>(x), std::bit_cast<Bits>(y), 0, 4, 2, 6));
+  };
+  const auto second = [](const Four& x, const Four& y) SCREE_INLINE_LAMBDA {
+    return std::bit_cast<Four>(
+        __builtin_shufflevector(std::bit_cast<Bits>(x), std::bit_cast<Bits>(y), 1, 5, 3, 7));
+  };
+  const Four ab_first = first(a, b), ab_second = second(a, b);
+  const Four cd_first = first(c, d), cd_second = second(c, d);
+  a = __builtin_shufflevector(ab_first, cd_first, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_second, cd_second, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_first, cd_first, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_second, cd_second, 2, 3, 6, 7);
 }
 
 // Four neighbouring numbers of a column of double or float.
