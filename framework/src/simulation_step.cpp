@@ -19,7 +19,7 @@ void Simulation::drift_bodies(double step) {
       Forces::clear(particles_, bodies);
     });
   });
-  laps.lap(Profile::drift);
+  laps.lap(Profile::integrate);
 }
 
 void Simulation::settle(std::size_t tile, const Moves& moves, Profile* profile) {
@@ -35,11 +35,10 @@ void Simulation::settle(std::size_t tile, const Moves& moves, Profile* profile) 
       sums.finite &= moved.finite;
       sums.square_speed = std::max(sums.square_speed, moved.square_speed);
       Forces::clear(particles_, bodies);
-      laps.lap(Profile::drift);
     } else if (moves.kick) {
       sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
-      laps.lap(Profile::kick);
     }
+    laps.lap(Profile::integrate);
   });
 }
 

@@ -11,20 +11,18 @@ class Profile {
  public:
   enum Phase {
     boundaries,
-    drift,
+    integrate,  // kicks and drifts of bodies
     neighbours,
     gather,
     geometry,
     law,
     reduce,
     body_forces,
-    kick,
     books,
     phase_count
   };
   static constexpr std::array<const char*, phase_count> names = {
-      "boundaries", "drift",  "neighbours",  "gather", "geometry",
-      "law",        "reduce", "body_forces", "kick",   "books"};
+      "boundaries", "integrate", "neighbours", "gather", "geometry", "law", "reduce", "body_forces", "books"};
 
   void add(Phase phase, double seconds) { seconds_[phase] += seconds; }
   double seconds(Phase phase) const { return seconds_[phase]; }
