@@ -60,16 +60,28 @@ scree_boundary_step Boundaries::step_of(Member& member, double time, double step
 
 void Boundaries::drift(double time, double step) {
   for (Member& member : members_) {
+    if (member.still()) continue;
     const scree_boundary_step s = step_of(member, time, step);
     member.plugin.interface().drift(member.plugin.storage(), &s);
   }
 }
 
 void Boundaries::kick(double time, double step) {
-  for (Member& member : members_) {
-    const scree_boundary_step s = step_of(member, time, step);
-    member.plugin.interface().kick(member.plugin.storage(), &s);
-  }
+  for (Member& member : members_)
+    if (!member.still()) kick(member, time, step);
+}
+
+void Boundaries::kick(Member& member, double time, double step) {
+  const scree_boundary_step s = step_of(member, time, step);
+  member.plugin.interface().kick(member.plugin.storage(), &s);
+}
+
+void Boundaries::come_to_rest(Member& member) {
+  for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
+    for (int axis = 0; axis < 3; ++axis) {
+      scree_plane& plane = planes_[member.first_plane + k];
+      plane.velocity[axis] = plane.mid_velocity[axis] = 0;
+    }
 }
 
 void Boundaries::run_ahead_of_forces(double time) {
@@ -86,11 +98,13 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
         changed.instance().state_width != member.plugin.instance().state_width)
       throw Error(fmt::format(
           "boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
+    if (member.still()) kick(member, time, 0);
     member.plugin = std::move(changed);
     for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
       masses_[member.first_plane + k] =
           member.plugin.instance().plane_masses ? member.plugin.instance().plane_masses[k] : 0;
     member.clock_start = time;
+    if (member.still()) come_to_rest(member), kick(member, time, 0);
     return;
   }
   throw Error(fmt::format("no boundary '{}'", name));
@@ -114,11 +128,15 @@ scree_boundary_energy Boundaries::energy() const {
 
 double Boundaries::largest_speed() const {
   double largest = 0;
-  for (const scree_plane& plane : planes_) {
-    double speed = 0;
-    for (int k = 0; k < dimension_; ++k) speed += plane.mid_velocity[k] * plane.normal[k];
-    if (!std::isfinite(speed)) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, std::abs(speed));
+  for (const Member& member : members_) {
+    if (member.still()) continue;
+    for (std::uint32_t w = 0; w < member.plugin.instance().plane_count; ++w) {
+      const scree_plane& plane = planes_[member.first_plane + w];
+      double speed = 0;
+      for (int k = 0; k < dimension_; ++k) speed += plane.mid_velocity[k] * plane.normal[k];
+      if (!std::isfinite(speed)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, std::abs(speed));
+    }
   }
   return largest;
 }

@@ -147,13 +147,13 @@ void Forces::collect(Particles& particles, std::size_t tile) const {
 }
 
 void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads) const {
-  const Work& w = *work_;
+  const kernel::Tiles& tiles = work_->tiles;
+  const std::size_t width = particles.load_width();
   for (std::size_t plane = 0; plane < loads.size(); ++plane) {
-    loads[plane] = {};
-    for (std::size_t tile = 0; tile < w.tiles.tiles().size(); ++tile)
-      for (int k = 0; k < features_.dimension; ++k)
-        loads[plane].force[k] +=
-            particles.loads()[w.tiles.plane_slot(tile, plane) * particles.load_width() + std::size_t(k)];
+    kernel::Four sum = {};
+    for (std::size_t tile = 0; tile < tiles.tiles().size(); ++tile)
+      sum += kernel::load_four(particles.loads() + tiles.plane_slot(tile, plane) * width);
+    loads[plane] = {sum[0], sum[1], features_.dimension == 3 ? sum[2] : 0};
   }
 }
 

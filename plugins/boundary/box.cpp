@@ -7,11 +7,7 @@ namespace {
 struct Box {
   static constexpr int most_walls = 6;
   enum Control { stress_controlled, fixed };
-  enum State {
-    load,
-    pushed,
-    per_wall
-  };  // of each wall at the last kick: contact force and p A along the normal
+  enum State { pushed, per_wall };  // of each wall at the last kick: p A along the normal
 
   std::array<double, 3> lower = {}, upper = {};
   double gap = 0;
@@ -84,8 +80,9 @@ struct Box {
     instance.state_width = std::uint32_t(walls() * per_wall);
     instance.plane_names = names;
     instance.plane_masses = masses;
+    instance.still = 1;
     for (int w = 0; w < walls(); ++w)
-      if (moving(w)) instance.damping_rate = viscosity / mass;
+      if (moving(w)) instance.damping_rate = viscosity / mass, instance.still = 0;
   }
 
   void start(const scree_boundary_step& s) const {
@@ -129,7 +126,6 @@ struct Box {
       } else {
         plane.velocity[k] = plane.mid_velocity[k] = 0;
       }
-      s.state[w * per_wall + load] = s.loads[w].force[k];
       s.state[w * per_wall + pushed] = push;
     }
   }

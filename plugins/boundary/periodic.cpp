@@ -39,6 +39,7 @@ struct Periodic {
   }
 
   void describe(scree_boundary_instance& instance) const {
+    instance.still = 1;
     for (int k = 0; k < 3; ++k) {
       instance.periodic[k] = chosen[k];
       instance.lower[k] = lower[k];

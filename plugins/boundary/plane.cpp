@@ -36,6 +36,7 @@ struct Plane {
   void describe(scree_boundary_instance& instance) const {
     instance.plane_count = 1;
     instance.state_width = state_width;
+    instance.still = !moves();
   }
 
   void start(const scree_boundary_step& s) const {

@@ -57,9 +57,12 @@ class Boundaries {
     double clock_start = 0;  // (s)
     std::vector<double> state = {};
     scree_boundary_energy energy = {};
+    bool still() const { return plugin.instance().still; }
   };
   scree_boundary_step step_of(Member& member, double time, double step);
   void add_domain(const Member& member);
+  void kick(Member& member, double time, double step);
+  void come_to_rest(Member& member);
 
   int dimension_;
   double lower_[3], upper_[3];

@@ -14,7 +14,8 @@
 //   void kick(const scree_boundary_step&) const;    velocities and energies at t + step
 //
 // `drift` also sets mid_velocity, the displacement over the step, and velocity, its prediction for t + step.
-// `kick` knows the loads at t + step; it is called once with step 0 for the loads at the start.
+// `kick` knows the loads at t + step; it is called once with step 0 for the loads at the start. An instance
+// that says `still` is spared both while its planes rest.
 
 namespace scree::detail {
 

@@ -49,6 +49,8 @@ typedef struct scree_boundary_instance {
   const double* plane_masses; /* (optional) plane_count masses (kg), 0 for planes that forces do not move; in
                                  the plug-in's storage */
   double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
+  uint32_t still;      /* nonzero: no plane moves, so that steps call neither `drift` nor `kick`; `kick` is called
+                          with step 0 before and after parameters change that */
 } scree_boundary_instance;
 
 typedef struct scree_boundary {
