@@ -4,14 +4,13 @@
 
 namespace scree {
 
-void CellLevel::file(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
-                     double reach, const std::vector<std::uint32_t>& bodies) {
+void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
+                     const Vec3& upper, double reach, const std::vector<std::uint32_t>& members) {
   lower_ = lower;
   periodic_ = domain.periodic;
-  const int dimension = particles.dimension();
   // A few bodies far out must not make the grid large: no more cells along an axis than keep the total near
   // n.
-  const double most = std::max(3.0, std::ceil(std::pow(4.0 * double(bodies.size()), 1.0 / dimension)));
+  const double most = std::max(3.0, std::ceil(std::pow(4.0 * double(members.size()), 1.0 / dimension)));
   std::size_t total = 1;
   for (int k = 0; k < 3; ++k) {
     const double length = upper[k] - lower[k];
@@ -22,22 +21,18 @@ void CellLevel::file(const Particles& particles, const Domain& domain, const Vec
 
   // One cell more, so that the bodies of cell c are counted at c + 2 and filed at where c + 1 begins, which
   // is where c ends in the end.
-  cell_.resize(bodies.size());
+  cell_.resize(members.size());
   first_.assign(total + 2, 0);
-  for (std::size_t s = 0; s < bodies.size(); ++s) {
-    std::array<int, 3> index = {};
-    for (int k = 0; k < dimension; ++k) index[k] = cell_of(k, particles.position()[k][bodies[s]]);
-    cell_[s] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
-    ++first_[cell_[s] + 2];
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const Vec3& x = bodies[members[m]].position;
+    const int index[3] = {cell_of(0, x[0]), cell_of(1, x[1]), cell_of(2, x[2])};
+    cell_[m] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
+    ++first_[cell_[m] + 2];
   }
   for (std::size_t c = 0; c <= total; ++c) first_[c + 1] += first_[c];
-  filed_.resize(bodies.size());
-  for (std::size_t s = 0; s < bodies.size(); ++s) {
-    const std::uint32_t i = bodies[s];
-    Filed& filed = filed_[first_[cell_[s] + 1]++];
-    filed = {{}, particles.radius()[i], i};
-    for (int k = 0; k < dimension; ++k) filed.position[k] = particles.position()[k][i];
-  }
+  filed_.resize(members.size());
+  for (std::size_t m = 0; m < members.size(); ++m)
+    filed_[first_[cell_[m] + 1]++] = {bodies[members[m]], members[m]};
 }
 
 CellLevel::Spans CellLevel::spans(int axis, int middle) const {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <scree/domain.hpp>
-#include <scree/particles.hpp>
+#include <scree/neighbours.hpp>
 
 namespace scree {
 
@@ -14,17 +15,15 @@ namespace scree {
 // reach of any pair that is looked up in it, so that 3^D cells hold all partners.
 class CellLevel {
  public:
-  // Files some bodies in place of all that were there.
-  void file(const Particles& particles, const Domain& domain, const Vec3& lower, const Vec3& upper,
-            double reach, const std::vector<std::uint32_t>& bodies);
+  // Files the members among some bodies in place of all that were there.
+  void file(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
+            const Vec3& upper, double reach, const std::vector<std::uint32_t>& members);
 
-  // A body with what its neighbours are told by, in the order of the cells.
-  struct Filed {
-    Vec3 position;
-    double radius;
+  struct Filed : Sphere {
     std::uint32_t body;
   };
 
+  // In the order of the cells.
   const std::vector<Filed>& filed() const { return filed_; }
 
   // A cell and its neighbours along one axis, each once: one or two runs of cells [first, last].
@@ -74,7 +73,7 @@ class CellLevel {
   std::array<int, 3> cells_;
   std::array<double, 3> inverse_width_;
   std::vector<std::uint32_t> first_;  // filed body of each cell
-  std::vector<std::uint32_t> cell_;   // of each body
+  std::vector<std::uint32_t> cell_;   // of each member
   std::vector<Filed> filed_;
 };
 

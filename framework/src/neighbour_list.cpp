@@ -8,23 +8,15 @@ namespace scree {
 
 namespace {
 
-void wrap(Particles& p, const Domain& domain) {
+// Lets a body that left a periodic domain come in again at the other side.
+void fold(Particles& p, std::size_t i, const Domain& domain) {
   for (int k = 0; k < p.dimension(); ++k) {
-    if (!domain.periodic[k]) continue;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p.position()[k][i] >= domain.lower[k] && p.position()[k][i] < domain.upper[k]) continue;
-      const double turns = std::floor((p.position()[k][i] - domain.lower[k]) / domain.length(k));
-      p.position()[k][i] -= turns * domain.length(k);
-      p.image[k][i] += std::int32_t(turns);
-    }
+    double& x = p.position()[k][i];
+    if (!domain.periodic[k] || (x >= domain.lower[k] && x < domain.upper[k])) continue;
+    const double turns = std::floor((x - domain.lower[k]) / domain.length(k));
+    x -= turns * domain.length(k);
+    p.image[k][i] += std::int32_t(turns);
   }
-}
-
-// Distance of a body's centre from a plane, positive on the material's side (m).
-double height(const Particles& p, std::size_t i, const scree_plane& plane) {
-  double h = 0;
-  for (int k = 0; k < p.dimension(); ++k) h += (p.position()[k][i] - plane.point[k]) * plane.normal[k];
-  return h;
 }
 
 // Pairs of bodies, and how many of them touch, told from a few thousand of them.
@@ -50,11 +42,16 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
   return {listed, touching};
 }
 
-std::vector<PlanePair> near_planes(const Particles& p, const std::vector<scree_plane>& planes, double skin) {
+std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const std::vector<scree_plane>& planes,
+                                   int dimension, double skin) {
   std::vector<PlanePair> pairs;
-  for (std::uint32_t i = 0; i < p.size(); ++i)
-    for (std::uint32_t w = 0; w < planes.size(); ++w)
-      if (height(p, i, planes[w]) < p.radius()[i] + skin) pairs.push_back({i, w});
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    for (std::uint32_t w = 0; w < planes.size(); ++w) {
+      double height = 0;
+      for (int k = 0; k < dimension; ++k)
+        height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
+      if (height < bodies[i].radius + skin) pairs.push_back({i, w});
+    }
   return pairs;
 }
 
@@ -91,7 +88,7 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     double square = 0;
     for (int k = 0; k < p.dimension(); ++k) {
-      const double moved = p.position()[k][i] - searched_position_[k][i];
+      const double moved = p.position()[k][i] - searched_[i].position[k];
       square += moved * moved;
     }
     largest = std::max(largest, square);
@@ -106,18 +103,24 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
   }
 }
 
+void NeighbourList::note_bodies(Particles& p, const Domain& domain) {
+  searched_.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (domain.any_periodic()) fold(p, i, domain);
+    searched_[i] = {{}, p.radius()[i]};
+    for (int k = 0; k < p.dimension(); ++k) searched_[i].position[k] = p.position()[k][i];
+  }
+}
+
 void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
                             ThreadPool& threads) {
-  wrap(particles, boundaries.domain());
+  note_bodies(particles, boundaries.domain());
   Contacts::Lookup lookup = lookup_;
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
-  contacts.rebuild(search_.find(particles, boundaries.domain(), skin_, threads),
-                   near_planes(particles, boundaries.planes(), skin_), lookup);
-  for (int k = 0; k < particles.dimension(); ++k) {
-    const auto x = particles.position()[k];
-    searched_position_[k].assign(x.begin(), x.end());
-  }
+  const int dimension = particles.dimension();
+  contacts.rebuild(search_.find(searched_, dimension, boundaries.domain(), skin_, threads),
+                   near_planes(searched_, boundaries.planes(), dimension, skin_), lookup);
   searched_planes_ = boundaries.planes();
   travelled_ = planes_travelled_ = 0;
   steps_ = 0;

@@ -34,11 +34,11 @@ void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
 
 // What the cells along an axis span. Bodies outside are filed in the outermost cells, so a few that are far
 // out need not make all cells wide: beyond a quarter of the middle 98 % on either side they are left outside.
-std::pair<double, double> cell_span(const Strided<const double>& x) {
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+std::pair<double, double> cell_span(std::span<const Sphere> bodies, int axis, double low, double high) {
   constexpr std::size_t most_samples = 1000;
   std::vector<double> sample;
-  for (std::size_t i = 0; i < x.size(); i += 1 + x.size() / most_samples) sample.push_back(x[i]);
+  for (std::size_t i = 0; i < bodies.size(); i += 1 + bodies.size() / most_samples)
+    sample.push_back(bodies[i].position[axis]);
   const std::size_t tail = sample.size() / 100 + (sample.size() >= 20 ? 1 : 0);
   const auto ranked = [&](std::size_t rank) {
     const auto at = sample.begin() + std::ptrdiff_t(rank);
@@ -46,8 +46,23 @@ std::pair<double, double> cell_span(const Strided<const double>& x) {
     return *at;
   };
   const double from = ranked(tail), to = ranked(sample.size() - 1 - tail), margin = 0.25 * (to - from);
-  return {std::max(*low, from - margin), std::min(*high, to + margin)};
+  return {std::max(low, from - margin), std::min(high, to + margin)};
 }
+
+struct Extent {
+  Vec3 lower, upper;   // of centres (m)
+  double largest = 0;  // radius (m)
+
+  explicit Extent(std::span<const Sphere> bodies) : lower(bodies[0].position), upper(lower) {
+    for (const Sphere& body : bodies) {
+      for (int k = 0; k < 3; ++k) {
+        lower[k] = std::min(lower[k], body.position[k]);
+        upper[k] = std::max(upper[k], body.position[k]);
+      }
+      largest = std::max(largest, body.radius);
+    }
+  }
+};
 
 // Sorts pairs of one a by b: usually a handful, which insertion is quickest with.
 void sort_run(NeighbourPair* begin, NeighbourPair* end) {
@@ -128,11 +143,11 @@ struct NeighbourSearch::Hierarchy {
 [[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
                                                                          std::size_t end,
                                                                          Appender& pairs) const {
-  for (std::size_t s = begin; s < end; ++s) {
-    const CellLevel::Filed& body = levels[level].filed()[s];
+  for (std::size_t place = begin; place < end; ++place) {
+    const CellLevel::Filed& body = levels[level].filed()[place];
     for (std::size_t l = 0; l <= level; ++l) {
       if (members[l].empty()) continue;
-      const std::size_t behind = l == level ? s + 1 : 0;
+      const std::size_t behind = l == level ? place + 1 : 0;
       const CellLevel::Surroundings around = levels[l].around(body.position);
       levels[l].each_run(around, [&](std::size_t first, std::size_t last) {
         pairs.consider(std::max(first, behind), last);
@@ -146,21 +161,23 @@ struct NeighbourSearch::Hierarchy {
 NeighbourSearch::NeighbourSearch() : hierarchy_(std::make_unique<Hierarchy>()) {}
 NeighbourSearch::~NeighbourSearch() = default;
 
-void NeighbourSearch::file_bodies(const Particles& particles, const Domain& domain, double skin) {
-  const double largest = *std::max_element(particles.radius().begin(), particles.radius().end());
-  check_periodic_lengths(domain, particles.dimension(), 2 * largest + skin);
+void NeighbourSearch::file_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
+                                  double skin) {
+  const Extent extent(bodies);
+  const double largest = extent.largest;
+  check_periodic_lengths(domain, dimension, 2 * largest + skin);
   Vec3 lower = {}, upper = {};
-  for (int k = 0; k < particles.dimension(); ++k) {
-    const auto [low, high] = cell_span(particles.position()[k]);
+  for (int k = 0; k < dimension; ++k) {
+    const auto [low, high] = cell_span(bodies, k, extent.lower[k], extent.upper[k]);
     lower[k] = domain.periodic[k] ? domain.lower[k] : low;
     upper[k] = domain.periodic[k] ? domain.upper[k] : high;
   }
   for (auto& members : hierarchy_->members) members.clear();
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    hierarchy_->members[level_of(particles.radius()[i], largest)].push_back(std::uint32_t(i));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    hierarchy_->members[level_of(bodies[i].radius, largest)].push_back(std::uint32_t(i));
   for (std::size_t l = 0; l < most_levels; ++l)
     if (const auto& members = hierarchy_->members[l]; !members.empty())
-      hierarchy_->levels[l].file(particles, domain, lower, upper,
+      hierarchy_->levels[l].file(bodies, dimension, domain, lower, upper,
                                  (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12), members);
 }
 
@@ -181,12 +198,13 @@ void NeighbourSearch::sort_pairs(std::size_t bodies) {
     sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
 }
 
-const std::vector<NeighbourPair>& NeighbourSearch::find(const Particles& particles, const Domain& domain,
-                                                        double skin, ThreadPool& threads) {
+const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> bodies, int dimension,
+                                                        const Domain& domain, double skin,
+                                                        ThreadPool& threads) {
   constexpr std::size_t share = 2048;
   sorted_.clear();
-  if (particles.size() < 2) return sorted_;
-  file_bodies(particles, domain, skin);
+  if (bodies.size() < 2) return sorted_;
+  file_bodies(bodies, dimension, domain, skin);
   struct Share {
     std::size_t level, begin, end;
   };
@@ -200,7 +218,7 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(const Particles& particl
     Appender pairs(found_[k], Folding(domain), skin);
     hierarchy_->find(s.level, s.begin, s.end, pairs);
   });
-  sort_pairs(particles.size());
+  sort_pairs(bodies.size());
   return sorted_;
 }
 

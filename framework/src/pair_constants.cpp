@@ -6,11 +6,11 @@ namespace scree {
 
 void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads, bool forces) {
   const std::size_t all = contacts.padded_size();
-  radius_sum.assign(all, -1.0);
+  resize_with_room(radius_sum, all);
   force.reset(forces ? std::uint32_t(p.dimension()) : 0, all);
   for (std::uint32_t k = 0; k < column_count; ++k) {
     const bool read = reads & (1u << (SCREE_REDUCED_MASS + k));
-    terms[k].reset(read ? 1 : 0, all);
+    terms[k].resize(read ? 1 : 0, all);
   }
   const auto set = [this](scree_contact_input column, std::size_t q, double value) {
     PairColumns& term = terms[column - SCREE_REDUCED_MASS];
@@ -26,9 +26,11 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
       set(SCREE_EFFECTIVE_RADIUS, q,
           group.planes ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]));
     }
-    for (std::size_t q = group.end; q < group.begin + group.padded_size(); ++q)
+    for (std::size_t q = group.end; q < group.begin + group.padded_size(); ++q) {
+      radius_sum[q] = -1;
       for (PairColumns& term : terms)
         if (term.size() > 0) term.set(0, q, 1);
+    }
   }
 }
 

@@ -22,8 +22,11 @@ using scree::Vec3;
 namespace {
 
 std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Domain& domain, double skin) {
+  std::vector<scree::Sphere> bodies;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    bodies.push_back({particles.body(i).position, particles.body(i).radius});
   scree::ThreadPool threads(2);
-  return scree::NeighbourSearch().find(particles, domain, skin, threads);
+  return scree::NeighbourSearch().find(bodies, particles.dimension(), domain, skin, threads);
 }
 
 struct Sizes {

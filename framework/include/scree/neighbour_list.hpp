@@ -32,6 +32,7 @@ class NeighbourList {
 
  private:
   bool exhausted() const { return travelled_ + std::max(travelled_, planes_travelled_) >= skin_; }
+  void note_bodies(Particles& particles, const Domain& domain);
   void measure(const Particles& particles, const Boundaries& boundaries);
   SkinChoice::Experience experience(const Particles& particles, const Boundaries& boundaries,
                                     const Contacts& contacts) const;
@@ -42,7 +43,7 @@ class NeighbourList {
   Contacts::Lookup lookup_;
   NeighbourSearch search_;
   double travelled_ = 0, planes_travelled_ = 0;  // (m) upper bounds since the search
-  Column<double> searched_position_[3];
+  Column<Sphere> searched_;                      // bodies at the search
   std::vector<scree_plane> searched_planes_;
   std::uint64_t rebuilds_ = 0;
 };

@@ -2,13 +2,19 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <scree/domain.hpp>
-#include <scree/particles.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
+
+// What a search knows of a body; in 2D z is 0.
+struct Sphere {
+  Vec3 position;  // (m)
+  double radius;  // (m)
+};
 
 // Two bodies whose surfaces are nearer than the skin; a < b.
 struct NeighbourPair {
@@ -27,12 +33,12 @@ class NeighbourSearch {
 
   // All pairs with |x_a − x_b| < R_a + R_b + skin, sorted by a, then b. Positions must lie in the domain.
   // Throws Error if a periodic length is under twice the largest reach, where images would be ambiguous.
-  const std::vector<NeighbourPair>& find(const Particles& particles, const Domain& domain, double skin,
-                                         ThreadPool& threads);
+  const std::vector<NeighbourPair>& find(std::span<const Sphere> bodies, int dimension, const Domain& domain,
+                                         double skin, ThreadPool& threads);
 
  private:
   struct Hierarchy;
-  void file_bodies(const Particles& particles, const Domain& domain, double skin);
+  void file_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin);
   void sort_pairs(std::size_t bodies);
 
   std::unique_ptr<Hierarchy> hierarchy_;

@@ -19,13 +19,19 @@ class PairColumns {
  public:
   explicit PairColumns(Precision precision = Precision::full) : precision_(precision) {}
 
-  // Columns of zeros.
-  void reset(std::uint32_t width, std::size_t rows) {
+  // Columns of whatever was there.
+  void resize(std::uint32_t width, std::size_t rows) {
     rows_ = rows;
     if (precision_ == Precision::full)
-      full_.assign(width * rows, 0.0);
+      resize_with_room(full_, width * rows);
     else
-      single_.assign(width * rows, 0.0f);
+      resize_with_room(single_, width * rows);
+  }
+  // Columns of zeros.
+  void reset(std::uint32_t width, std::size_t rows) {
+    resize(width, rows);
+    std::fill(full_.begin(), full_.end(), 0.0);
+    std::fill(single_.begin(), single_.end(), 0.0f);
   }
 
   Precision precision() const { return precision_; }

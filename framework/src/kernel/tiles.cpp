@@ -40,8 +40,8 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
 }
 
 void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
-  slot_a_.assign(contacts.padded_size(), 0);
-  slot_b_.assign(contacts.padded_size(), 0);
+  resize_with_room(slot_a_, contacts.padded_size());
+  resize_with_room(slot_b_, contacts.padded_size());
   for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
     Tile& tile = tiles_[t];
     const auto slot_of = [&](std::uint32_t body) {
@@ -86,14 +86,14 @@ void Tiles::note_reach() {
 void Tiles::note_visits(const Contacts& contacts, std::size_t bodies) {
   visits_.clear();
   if (tiles_.size() <= tiles_in_cache) return;
-  std::vector<std::uint32_t> visited_by(bodies, std::uint32_t(tiles_.size()));
+  visited_by_.assign(bodies, std::uint32_t(tiles_.size()));
   for (std::uint32_t t = 0; t < tiles_.size(); ++t)
     for (std::size_t k = tiles_[t].first_block; k < tiles_[t].last_block; ++k) {
       Block& block = blocks_[k];
       block.first_visit = visits_.size();
       const auto visit = [&](std::uint32_t body) {
-        if (visited_by[body] != t) visits_.push_back(body);
-        visited_by[body] = t;
+        if (visited_by_[body] != t) visits_.push_back(body);
+        visited_by_[body] = t;
       };
       for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
         visit(contacts.a[p]);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <scree/body_range.hpp>
+#include <scree/column.hpp>
 #include <scree/contacts.hpp>
 
 namespace scree::kernel {
@@ -46,8 +47,8 @@ class Tiles {
   const std::vector<std::uint32_t>& visits() const { return visits_; }
   std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
   // Of both ends of each pair, padding included.
-  const std::vector<std::uint32_t>& slot_a() const { return slot_a_; }
-  const std::vector<std::uint32_t>& slot_b() const { return slot_b_; }
+  const Column<std::uint32_t>& slot_a() const { return slot_a_; }
+  const Column<std::uint32_t>& slot_b() const { return slot_b_; }
 
  private:
   void cut_blocks(const Contacts& contacts, std::uint32_t tile);
@@ -59,8 +60,8 @@ class Tiles {
   std::size_t slots_ = 0;
   std::vector<Tile> tiles_;
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> visits_;
-  std::vector<std::uint32_t> slot_a_, slot_b_;
+  std::vector<std::uint32_t> visits_, visited_by_;
+  Column<std::uint32_t> slot_a_, slot_b_;
 };
 
 }  // namespace scree::kernel
