@@ -1,7 +1,7 @@
+#include "bench.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <scree/scenario/message.hpp>
-#include <scree/scenario/set_up.hpp>
 
 namespace scree::tool {
 
@@ -18,124 +17,126 @@ namespace {
 struct BenchArguments {
   std::string scene, csv;
   std::vector<std::string> overrides;
-  unsigned threads = 1, repeats = 5;
-  double seconds = 0.5;
+  BenchOptions options;
   PluginOptions plugins;
 };
 
-// What one benchmark came to.
-struct Measurement {
-  std::string scene, precision;
-  std::size_t particles, contacts, bytes_per_particle, bytes_per_contact;
-  unsigned threads;
-  std::uint64_t steps;
-  double s_per_step;
-  Profile profile;  // of the last repeat
-  double profiled_steps;
-  std::uint64_t searches;  // for neighbours in these
-};
+// Where the scenes are, in the source tree or where the program is installed.
+std::filesystem::path scenes_folder() {
+  std::error_code failed;
+  const auto installed =
+      std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / SCREE_INSTALLED_BENCH_SCENES;
+  return std::filesystem::is_directory(installed, failed) ? installed.lexically_normal()
+                                                          : std::filesystem::path(SCREE_BENCH_SCENES);
+}
 
-// A file, or the name of a scene of tools/bench/scenes.
-std::filesystem::path scene_file(const std::string& scene) {
-  if (std::filesystem::exists(scene)) return scene;
-  const std::filesystem::path folder = SCREE_BENCH_SCENES, file = folder / (scene + ".toml");
-  if (std::filesystem::exists(file)) return file;
+std::vector<std::string> scene_names() {
   std::vector<std::string> names;
   std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder(), failed))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  throw Error(fmt::format("no scene '{}'; {}", scene, scenario::name_cure(scene, names)));
+  return names;
 }
 
-double run_for(Simulation& simulation, std::uint64_t steps) {
-  const auto start = std::chrono::steady_clock::now();
-  simulation.run(steps, [] { return true; });
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+// A file, or the name of a scene.
+std::filesystem::path scene_file(const std::string& scene) {
+  if (std::filesystem::exists(scene)) return scene;
+  const std::filesystem::path file = scenes_folder() / (scene + ".toml");
+  if (std::filesystem::exists(file)) return file;
+  throw Error(fmt::format("no scene '{}'; {}", scene, scenario::name_cure(scene, scene_names())));
 }
 
-Measurement measure(const scenario::Plan& plan, const BenchArguments& a) {
-  const auto simulation = scenario::set_up(plan, a.threads);
-  Simulation& s = *simulation;
-  // Warm caches, fill lists, and see how many steps make a repeat.
-  std::uint64_t steps = 1;
-  double wall = run_for(s, steps);
-  while (wall < 0.2 * a.seconds) wall = run_for(s, steps *= 2);
-  steps = std::max<std::uint64_t>(1, std::uint64_t(double(steps) * a.seconds / wall));
-  std::vector<double> each;
-  for (unsigned n = 0; n < a.repeats; ++n) each.push_back(run_for(s, steps) / double(steps));
-  std::nth_element(each.begin(), each.begin() + std::ptrdiff_t(each.size() / 2), each.end());
+double ns_per_contact(const BenchResult& r) { return 1e9 * r.median() / double(r.contacts); }
 
-  Measurement m{std::filesystem::path(a.scene).stem().string(),
-                plan.scene.precision == Precision::mixed ? "mixed" : "double",
-                s.particles().size(),
-                s.contact_list().size(),
-                s.footprint().bytes_per_body,
-                s.footprint().bytes_per_pair,
-                a.threads,
-                steps,
-                each[each.size() / 2],
-                {},
-                double(steps),
-                s.rebuilds()};
-  s.measure(&m.profile);
-  run_for(s, steps);
-  m.searches = s.rebuilds() - m.searches;
-  return m;
-}
-
-void print(const Measurement& m) {
-  fmt::print("{}: {} particles, {} contacts, {}, {} thread{}\n", m.scene, m.particles, m.contacts,
-             m.precision, m.threads, m.threads > 1 ? "s" : "");
-  fmt::print("{:.4g} ms a step, {:.3g} million particle-steps a second, {:.3g} ns a contact\n",
-             1e3 * m.s_per_step, 1e-6 * double(m.particles) / m.s_per_step,
-             1e9 * m.s_per_step / double(std::max<std::size_t>(1, m.contacts)));
-  fmt::print("{} bytes a particle, {} bytes a contact\n", m.bytes_per_particle, m.bytes_per_contact);
+void print(const std::string& scene, const std::string& precision, unsigned threads, const BenchResult& r) {
+  const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
+  fmt::print("{}: {} particles, {} contacts, {}, {} thread{}\n", scene, r.particles, r.contacts, precision,
+             threads, threads > 1 ? "s" : "");
+  fmt::print("{:.4g} ms a step ({:.4g} to {:.4g} in {} repeat{} of {} steps from t = {:.4g} s on)\n",
+             1e3 * r.median(), 1e3 * *fastest, 1e3 * *slowest, r.s_per_step.size(),
+             r.s_per_step.size() > 1 ? "s" : "", r.steps, r.first_time);
+  fmt::print("{:.3g} million particle-steps a second", 1e-6 * double(r.particles) / r.median());
+  if (r.contacts > 0) fmt::print(", {:.3g} ns a contact", ns_per_contact(r));
+  fmt::print("; {} bytes a particle, {} bytes a contact\n", r.bytes_per_particle, r.bytes_per_contact);
   double all = 0;
-  for (int k = 0; k < Profile::phase_count; ++k) all += m.profile.seconds(Profile::Phase(k));
+  for (int k = 0; k < Profile::phase_count; ++k) all += r.profile.seconds(Profile::Phase(k));
+  fmt::print("where the time goes{}, by one more repeat, slower for it looks at the clock:\n",
+             threads > 1 ? " on the first thread" : "");
   for (int k = 0; k < Profile::phase_count; ++k) {
-    const double seconds = m.profile.seconds(Profile::Phase(k));
+    const double seconds = r.profile.seconds(Profile::Phase(k));
     fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %{}\n", Profile::names[std::size_t(k)],
-               1e6 * seconds / m.profiled_steps, 100 * seconds / all,
-               k == Profile::neighbours ? fmt::format("  {} in {} steps", m.searches, m.profiled_steps) : "");
+               1e6 * seconds / double(r.steps), 100 * seconds / all,
+               k == Profile::neighbours ? fmt::format("  {} searches", r.searches) : "");
   }
 }
 
 std::string csv_header() {
   std::string header =
-      "scene,precision,particles,contacts,threads,steps,s_per_step,particle_steps_per_second,ns_per_contact,"
-      "bytes_per_particle,bytes_per_contact";
+      "version,scene,precision,particles,contacts,threads,time,steps,repeats,s_per_step,s_per_step_fastest,"
+      "s_per_step_slowest,particle_steps_per_second,ns_per_contact,bytes_per_particle,bytes_per_contact,"
+      "searches";
   for (const char* name : Profile::names) header += fmt::format(",{}_s", name);
   return header;
 }
 
-void write_csv(const Measurement& m, const std::filesystem::path& file) {
-  const std::string header = csv_header();
+// A table that rows can be added to, with its header if it is new. Throws Error if it has other columns or
+// cannot be written.
+std::ofstream csv_file(const std::filesystem::path& file) {
   std::string first;
-  if (std::ifstream before(file); before && std::getline(before, first) && first != header)
+  if (std::ifstream before(file); before && std::getline(before, first) && first != csv_header())
     throw Error(
         fmt::format("{}: has other columns than this version writes; give a new --csv", file.string()));
   std::ofstream out(file, std::ios::app);
-  if (first.empty()) out << header << "\n";
-  out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", m.scene, m.precision, m.particles, m.contacts,
-                     m.threads, m.steps, m.s_per_step, double(m.particles) / m.s_per_step,
-                     1e9 * m.s_per_step / double(std::max<std::size_t>(1, m.contacts)), m.bytes_per_particle,
-                     m.bytes_per_contact);
+  if (first.empty()) out << csv_header() << "\n";
+  if (!out.flush())
+    throw Error(fmt::format("{}: cannot be written; give another --csv", file.string()), ExitStatus::failure);
+  return out;
+}
+
+std::string csv_row(const std::string& scene, const std::string& precision, unsigned threads,
+                    const BenchResult& r) {
+  const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
+  std::string row = fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", SCREE_VERSION, scene, precision, r.particles,
+      r.contacts, threads, r.first_time, r.steps, r.s_per_step.size(), r.median(), *fastest, *slowest,
+      double(r.particles) / r.median(), r.contacts > 0 ? fmt::format("{}", ns_per_contact(r)) : "",
+      r.bytes_per_particle, r.bytes_per_contact, r.searches);
   for (int k = 0; k < Profile::phase_count; ++k)
-    out << fmt::format(",{}", m.profile.seconds(Profile::Phase(k)) / m.profiled_steps);
-  out << "\n";
-  out.close();
-  if (!out)
-    throw Error(fmt::format("{}: cannot be written; free disk space or give another --csv", file.string()),
-                ExitStatus::failure);
+    row += fmt::format(",{}", r.profile.seconds(Profile::Phase(k)) / double(r.steps));
+  return row;
 }
 
 ExitStatus bench(const BenchArguments& a) {
   PluginHost host = make_host(a.plugins);
-  const Measurement m = measure(scenario::read_plan(scene_file(a.scene), a.overrides, host), a);
-  print(m);
-  if (!a.csv.empty()) write_csv(m, a.csv);
+  const scenario::Plan plan = scenario::read_plan(scene_file(a.scene), a.overrides, host);
+  std::ofstream csv;
+  if (!a.csv.empty()) csv = csv_file(a.csv);
+  const std::string name = std::filesystem::path(a.scene).stem().string();
+  const std::string precision = plan.scene.precision == Precision::mixed ? "mixed" : "double";
+  const BenchResult result = time_steps(plan, a.options);
+  print(name, precision, a.options.threads, result);
+  if (a.csv.empty()) return ExitStatus::success;
+  if (!(csv << csv_row(name, precision, a.options.threads, result) << "\n" << std::flush))
+    throw Error(fmt::format("{}: cannot be written; free disk space or give another --csv", a.csv),
+                ExitStatus::failure);
   return ExitStatus::success;
+}
+
+std::string footer() {
+  return fmt::format(
+      "Scenes: {}\n\n"
+      "A scenario is timed with its stages, but without probes and pictures; one that ends is begun anew. "
+      "The\n"
+      "state of a scene that changes depends on --start and --steps: give them to compare machines or "
+      "versions.\n\n"
+      "Phases: boundaries (walls move), integrate (bodies move), neighbours (searches and what decides on "
+      "them),\n"
+      "gather (bodies of pairs), geometry (overlaps, relative motion), law (the plug-in), reduce (torques, "
+      "sums of\n"
+      "forces and energies), body_forces (plug-ins), books (momentum)\n\n"
+      "Example: scree bench beads-4096 --threads 2 --csv bench.csv",
+      fmt::join(scene_names(), ", "));
 }
 
 }  // namespace
@@ -143,20 +144,27 @@ ExitStatus bench(const BenchArguments& a) {
 void add_bench_verb(CLI::App& app, ExitStatus& status) {
   CLI::App* verb = app.add_subcommand("bench", "Time steps of a scene, and where the time goes");
   auto a = std::make_shared<BenchArguments>();
-  verb->add_option("scene", a->scene, "Name of a scene in tools/bench/scenes, or a scenario file")
-      ->required();
-  verb->add_option("--threads", a->threads, "Threads (default 1)")->check(CLI::Range(1u, 1024u));
-  verb->add_option("--repeats", a->repeats, "Repeats, of which the median counts (default 5)")
+  BenchOptions& o = a->options;
+  verb->add_option("scene", a->scene, "Name of a scene (see below), or a scenario file")->required();
+  verb->add_option("--threads", o.threads, "Threads (default 1)")->check(CLI::Range(1u, 1024u));
+  verb->add_option("--repeats", o.repeats, "Repeats, of which the median counts (default 5)")
       ->check(CLI::Range(1u, 1000u));
-  verb->add_option("--seconds", a->seconds, "About how long a repeat takes, s (default 0.5)")
+  verb->add_option("--start", o.start,
+                   "Time in the scene from which on steps are timed, s (default: its start)")
       ->check(positive_and_finite);
+  CLI::Option* seconds =
+      verb->add_option("--seconds", o.seconds, "About how long a repeat takes, s (default 0.5)")
+          ->check(positive_and_finite);
+  verb->add_option("--steps", o.steps, "Steps of a repeat, instead of --seconds")
+      ->check(CLI::PositiveNumber)
+      ->excludes(seconds);
   verb->add_option("--csv", a->csv, "File that a row is added to, with a header if it is new")
       ->type_name("FILE");
   verb->add_option("--set", a->overrides, "Change a value of the scene")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_plugin_options(*verb, a->plugins);
-  verb->footer("Example: scree bench beads-4096 --threads 2 --csv bench.csv");
+  verb->footer(footer);
   verb->callback([a, &status] { status = bench(*a); });
 }
 

@@ -1,0 +1,101 @@
+#include "bench.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/scenario/set_up.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+// A scene that goes on for as long as one likes.
+class Course {
+ public:
+  Course(const scenario::Plan& plan, const BenchOptions& options) : plan_(plan), options_(options) {
+    begin();
+  }
+
+  // Wall time of so many steps (s).
+  double run(std::uint64_t steps) {
+    double seconds = 0;
+    while (steps > 0) {
+      if (stages_->finished()) begin();
+      const std::uint64_t searches = simulation_->rebuilds();
+      const auto start = std::chrono::steady_clock::now();
+      steps -= stages_->run(steps, [] { return true; });
+      seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      searches_ += simulation_->rebuilds() - searches;
+    }
+    return seconds;
+  }
+
+  void measure(Profile& profile) { simulation_->measure(profile_ = &profile); }
+  const Simulation& simulation() const { return *simulation_; }
+  std::uint64_t searches() const { return searches_; }
+
+ private:
+  void begin() {
+    simulation_ = scenario::set_up(plan_, options_.threads);
+    stages_ = std::make_unique<StageRunner>(*simulation_, plan_.stages);
+    const double h = simulation_->step_length();
+    while (simulation_->time() < options_.start - 0.5 * h) {
+      if (stages_->finished())
+        throw Error(fmt::format("the scene ends at {:g} s; give --start below that", simulation_->time()));
+      const double left = (options_.start - simulation_->time()) / h;
+      stages_->run(std::max<std::uint64_t>(1, std::uint64_t(left + 0.5)), [] { return true; });
+    }
+    simulation_->measure(profile_);
+  }
+
+  const scenario::Plan& plan_;
+  const BenchOptions& options_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<StageRunner> stages_;
+  Profile* profile_ = nullptr;
+  std::uint64_t searches_ = 0;
+};
+
+// Warms caches and fills lists, with the steps of a repeat, which it returns.
+std::uint64_t warm(Course& course, const BenchOptions& options) {
+  if (options.steps > 0) {
+    course.run(options.steps);
+    return options.steps;
+  }
+  std::uint64_t steps = 1;
+  double wall = course.run(steps);
+  while (wall < 0.2 * options.seconds) wall = course.run(steps *= 2);
+  return std::max<std::uint64_t>(1, std::uint64_t(double(steps) * options.seconds / wall));
+}
+
+}  // namespace
+
+double BenchResult::median() const {
+  std::vector<double> sorted = s_per_step;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted[sorted.size() / 2];
+}
+
+BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) {
+  Course course(plan, options);
+  BenchResult r{};
+  r.steps = warm(course, options);
+  r.first_time = course.simulation().time();
+  for (unsigned n = 0; n < options.repeats; ++n)
+    r.s_per_step.push_back(course.run(r.steps) / double(r.steps));
+  r.searches = course.searches();
+  course.measure(r.profile);
+  course.run(r.steps);
+  r.searches = course.searches() - r.searches;
+  const Simulation& s = course.simulation();
+  r.particles = s.particles().size();
+  r.contacts = s.contact_list().size();
+  r.bytes_per_particle = s.footprint().bytes_per_body;
+  r.bytes_per_contact = s.footprint().bytes_per_pair;
+  return r;
+}
+
+}  // namespace scree::tool
