@@ -29,24 +29,28 @@ struct Forces::Work {
   std::unique_ptr<std::atomic<std::uint32_t>[]> awaited;
   static constexpr std::uint32_t settled = ~0u;
 
-  // Evaluates all tiles, and settles each when those that reach it have been: at once, while its bodies are
-  // in the cache of the thread, or in a second round.
-  template <class Evaluate, class SettleTile>
-  void share_out(ThreadPool& threads, const Evaluate& evaluate_tile, const SettleTile& settle_tile) {
+  // Evaluates all tiles, and settles the parts of each when those that reach it have been: at once, while its
+  // bodies are in the cache of the thread, or in a second round. In a scene of few tiles, where one that is
+  // late would hold up all others, all parts are shared out anew.
+  template <class Evaluate, class SettlePart>
+  void share_out(ThreadPool& threads, const Evaluate& evaluate_tile, const SettlePart& settle_part) {
     const std::size_t count = tiles.tiles().size();
+    if (count < tiles_to_settle_at_once * threads.size()) {
+      threads.each(count, evaluate_tile);
+      return threads.each(tiles.bodies().parts(), settle_part);
+    }
     for (std::size_t tile = 0; tile < count; ++tile)
       awaited[tile].store(tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
     const auto settle_if_ready = [&](std::size_t tile, unsigned worker) {
       std::uint32_t nobody = 0;
       if (awaited[tile].compare_exchange_strong(nobody, settled, std::memory_order_acq_rel))
-        settle_tile(tile, worker);
+        tiles.bodies().each_part(tile, [&](std::size_t part) { settle_part(part, worker); });
     };
-    const bool at_once = count >= tiles_to_settle_at_once * threads.size();
     threads.each(count, [&](std::size_t tile, unsigned worker) {
       evaluate_tile(tile, worker);
       for (const std::uint32_t reached : tiles.tiles()[tile].reached)
         awaited[reached].fetch_sub(1, std::memory_order_acq_rel);
-      if (at_once) settle_if_ready(tile, worker);
+      settle_if_ready(tile, worker);
     });
     threads.each(count, settle_if_ready);
   }
@@ -93,7 +97,8 @@ void Forces::follow_pairs(Particles& particles, const Contacts& contacts, std::u
   Work& w = *work_;
   if (w.revision == contacts.revision()) return;
   w.revision = contacts.revision();
-  w.tiles.plan(contacts, particles.size(), planes);
+  if (w.tiles.bodies().size() != particles.size()) w.tiles = kernel::Tiles(particles.size());
+  w.tiles.plan(contacts, planes);
   w.constants.update(contacts, particles, reads, features_.pair_forces);
   particles.set_load_rows(w.tiles.slots());
   w.block_sums.resize(w.tiles.blocks().size());
@@ -121,27 +126,29 @@ ContactSums Forces::evaluate(Particles& particles, Contacts& contacts, const std
     w.evaluate({&scene, &w.tiles, tile, &contacts.groups(), laws.data(), &w.constants, particles.loads(),
                 w.block_sums.data(), worker == 0 ? profile : nullptr});
   };
-  const auto settle_tile = [&](std::size_t tile, unsigned worker) {
+  const auto settle_part = [&](std::size_t part, unsigned worker) {
     Laps laps(worker == 0 ? profile : nullptr);
-    collect(particles, tile);
+    collect(particles, part);
     laps.lap(Profile::reduce);
-    settle(tile, worker);
+    settle(part, worker);
   };
   if (threads.size() > 1)
-    w.share_out(threads, evaluate_tile, settle_tile);
+    w.share_out(threads, evaluate_tile, settle_part);
   else  // Pairs are in the order of a < b: no later tile looks at the bodies of this one.
-    for (std::size_t tile = 0; tile < w.tiles.tiles().size(); ++tile)
-      evaluate_tile(tile, 0), settle_tile(tile, 0);
+    for (std::size_t tile = 0; tile < w.tiles.tiles().size(); ++tile) {
+      evaluate_tile(tile, 0);
+      w.tiles.bodies().each_part(tile, [&](std::size_t part) { settle_part(part, 0); });
+    }
   sum_loads(particles, loads);
   ContactSums sums = add_up(w.block_sums);
   w.deepest = sums.max_overlap_ratio = std::max(w.deepest, sums.max_overlap_ratio);
   return sums;
 }
 
-void Forces::collect(Particles& particles, std::size_t tile) const {
+void Forces::collect(Particles& particles, std::size_t part) const {
   const std::size_t width = particles.load_width();
   double* const loads = particles.loads();
-  for (const kernel::Tiles::Incoming& in : work_->tiles.tiles()[tile].incoming)
+  for (const kernel::Tiles::Incoming& in : work_->tiles.incoming(part))
     for (std::size_t k = 0; k < width; k += 4)
       kernel::add_four(loads + in.body * width + k, kernel::load_four(loads + in.slot * width + k));
 }

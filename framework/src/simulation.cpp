@@ -81,7 +81,7 @@ Simulation::Simulation(const Scene& scene)
       smallest_radius_(smallest_radius(scene)),
       speed_limit_(scene.limits.speed > 0 ? scene.limits.speed : smallest_radius_ / scene.step),
       tiles_(particles_.size()),
-      tile_sums_(tiles_.count()) {
+      part_sums_(tiles_.parts()) {
   configure_laws();
   contacts_ = make_contacts();
   neighbours_.set_lookup(lookup());

@@ -12,34 +12,31 @@ namespace scree {
 void Simulation::drift_bodies(double step) {
   Laps laps(profile_);
   integrator_->prepare(particles_, step);
-  threads_->each(tiles_.count(), [&](std::size_t tile, unsigned) {
-    double& largest = (tile_sums_[tile] = {}).square_speed;
-    tiles_.each_few(tile, [&](BodyRange bodies) {
-      largest = std::max(largest, integrator_->drift(particles_, step, bodies));
-      Forces::clear(particles_, bodies);
-    });
+  threads_->each(tiles_.parts(), [&](std::size_t part, unsigned) {
+    const BodyRange bodies = tiles_.part(part);
+    (part_sums_[part] = {}).square_speed = integrator_->drift(particles_, step, bodies);
+    Forces::clear(particles_, bodies);
   });
   laps.lap(Profile::integrate);
 }
 
-void Simulation::settle(std::size_t tile, const Moves& moves, Profile* profile) {
+void Simulation::settle(std::size_t part, const Moves& moves, Profile* profile) {
   Laps laps(profile);
-  TileSums& sums = tile_sums_[tile] = {};
-  tiles_.each_few(tile, [&](BodyRange bodies) {
-    sums.momentum.add(particles_, bodies);
-    laps.lap(Profile::books);
-    body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
-    laps.lap(Profile::body_forces);
-    if (moves.kick && moves.drift) {
-      const auto moved = integrator_->kick_and_drift(particles_, *moves.kick, *moves.drift, bodies);
-      sums.finite &= moved.finite;
-      sums.square_speed = std::max(sums.square_speed, moved.square_speed);
-      Forces::clear(particles_, bodies);
-    } else if (moves.kick) {
-      sums.finite &= integrator_->kick(particles_, *moves.kick, bodies);
-    }
-    laps.lap(Profile::integrate);
-  });
+  const BodyRange bodies = tiles_.part(part);
+  PartSums& sums = part_sums_[part] = {};
+  sums.momentum.add(particles_, bodies);
+  laps.lap(Profile::books);
+  body_terms_.apply(particles_, boundaries_.domain(), bodies, sums.bodies);
+  laps.lap(Profile::body_forces);
+  if (moves.kick && moves.drift) {
+    const auto moved = integrator_->kick_and_drift(particles_, *moves.kick, *moves.drift, bodies);
+    sums.finite = moved.finite;
+    sums.square_speed = moved.square_speed;
+    Forces::clear(particles_, bodies);
+  } else if (moves.kick) {
+    sums.finite = integrator_->kick(particles_, *moves.kick, bodies);
+  }
+  laps.lap(Profile::integrate);
 }
 
 bool Simulation::evaluate_forces(double step, const Moves& moves) {
@@ -47,12 +44,12 @@ bool Simulation::evaluate_forces(double step, const Moves& moves) {
   contact_sums_ = forces_.evaluate(
       particles_, contacts_, laws_, boundaries_.planes(), boundaries_.loads(), boundaries_.domain(), step,
       *threads_,
-      [&](std::size_t tile, unsigned worker) { settle(tile, moves, worker == 0 ? profile_ : nullptr); },
+      [&](std::size_t part, unsigned worker) { settle(part, moves, worker == 0 ? profile_ : nullptr); },
       profile_);
   body_sums_ = {};
   MomentumAudit::Sums momentum;
   bool finite = true;
-  for (const TileSums& sums : tile_sums_) {
+  for (const PartSums& sums : part_sums_) {
     body_sums_ += sums.bodies;
     momentum.add(sums.momentum);
     finite &= sums.finite;
@@ -103,7 +100,7 @@ double Simulation::advance(double step, std::optional<double> next) {
   laps.lap(Profile::boundaries);
   if (!drifted_) drift_bodies(step);
   double square_speed = 0;
-  for (const TileSums& sums : tile_sums_) square_speed = std::max(square_speed, sums.square_speed);
+  for (const PartSums& sums : part_sums_) square_speed = std::max(square_speed, sums.square_speed);
   laps = Laps(profile_);
   if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) report_blow_up(*this, speed_limit_);
   neighbours_.update(std::sqrt(square_speed), plane_speed, std::abs(step), particles_, boundaries_, contacts_,

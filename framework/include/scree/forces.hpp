@@ -48,9 +48,9 @@ class Forces {
 
   // To be called for all bodies before an evaluation adds to their loads.
   static void clear(Particles& particles, BodyRange bodies);
-  // What comes after the contacts of a tile's bodies: called once for each tile, when their loads are whole
-  // and no contact that is still to come looks at them.
-  using Settle = std::function<void(std::size_t tile, unsigned worker)>;
+  // What comes after the contacts of bodies: called once for each part of BodyTiles, when their loads are
+  // whole and no contact that is still to come looks at them.
+  using Settle = std::function<void(std::size_t part, unsigned worker)>;
   // Evaluates all contacts: adds to the loads of bodies, sets those of planes; step = 0 does not move
   // springs.
   ContactSums evaluate(Particles& particles, Contacts& contacts, const std::vector<LawInstance>& laws,
@@ -65,8 +65,8 @@ class Forces {
  private:
   struct Work;
   void follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
-  // Adds the loads that contacts of other tiles have left for the bodies of this one.
-  void collect(Particles& particles, std::size_t tile) const;
+  // Adds the loads that contacts of other tiles have left for the bodies of a part.
+  void collect(Particles& particles, std::size_t part) const;
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;
 
   Features features_;

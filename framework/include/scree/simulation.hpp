@@ -89,8 +89,8 @@ class Simulation {
     std::optional<double> kick = std::nullopt, drift = std::nullopt;
   };
   void drift_bodies(double step);
-  // What the bodies of a tile do once contacts have loaded them.
-  void settle(std::size_t tile, const Moves& moves, Profile* profile);
+  // What the bodies of a part do once contacts have loaded them.
+  void settle(std::size_t part, const Moves& moves, Profile* profile);
   // Forces on bodies where they are, after `step` since the last evaluation. Whether velocities and spins are
   // numbers then.
   bool evaluate_forces(double step, const Moves& moves);
@@ -135,8 +135,8 @@ class Simulation {
   double smallest_radius_ = 0;   // (m)
   double speed_limit_ = 0;
 
-  // What the bodies of each tile add up to.
-  struct TileSums {
+  // What the bodies of each part add up to.
+  struct PartSums {
     BodySums bodies;
     MomentumAudit::Sums momentum;
     double square_speed = 0;
@@ -144,7 +144,7 @@ class Simulation {
   };
   bool drifted_ = false;  // bodies have drifted into the next substep
   BodyTiles tiles_;
-  std::vector<TileSums> tile_sums_;
+  std::vector<PartSums> part_sums_;
 };
 
 }  // namespace scree

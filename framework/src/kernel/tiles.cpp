@@ -46,7 +46,7 @@ void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
     Tile& tile = tiles_[t];
     const auto slot_of = [&](std::uint32_t body) {
       if (owner(body) == t) return body;
-      tiles_[owner(body)].incoming.push_back({body, std::uint32_t(slots_)});
+      noted_.push_back({body, std::uint32_t(slots_)});
       tile.reached.push_back(owner(body));
       return std::uint32_t(slots_++);
     };
@@ -83,10 +83,10 @@ void Tiles::note_reach() {
   }
 }
 
-void Tiles::note_visits(const Contacts& contacts, std::size_t bodies) {
+void Tiles::note_visits(const Contacts& contacts) {
   visits_.clear();
   if (tiles_.size() <= tiles_in_cache) return;
-  visited_by_.assign(bodies, std::uint32_t(tiles_.size()));
+  visited_by_.assign(bodies_.size(), std::uint32_t(tiles_.size()));
   for (std::uint32_t t = 0; t < tiles_.size(); ++t)
     for (std::size_t k = tiles_[t].first_block; k < tiles_[t].last_block; ++k) {
       Block& block = blocks_[k];
@@ -103,20 +103,30 @@ void Tiles::note_visits(const Contacts& contacts, std::size_t bodies) {
     }
 }
 
-void Tiles::plan(const Contacts& contacts, std::size_t bodies, std::size_t planes) {
-  const BodyTiles ranges(bodies);
-  const std::size_t count = ranges.count();
-  tiles_.assign(count, {});
-  blocks_.clear();
-  slots_ = bodies;
-  for (std::size_t t = 0; t < count; ++t) {
-    tiles_[t].first_body = ranges[t].begin;
-    tiles_[t].last_body = ranges[t].end;
+// A stable counting sort.
+void Tiles::sort_incoming() {
+  first_incoming_.assign(bodies_.parts() + 2, 0);
+  // Counted at part + 2 and filed at where part + 1 begins, which is where the part ends in the end.
+  for (const Incoming& in : noted_) ++first_incoming_[in.body / BodyTiles::part_size + 2];
+  for (std::size_t part = 0; part <= bodies_.parts(); ++part)
+    first_incoming_[part + 1] += first_incoming_[part];
+  incoming_.resize(noted_.size());
+  for (const Incoming& in : noted_) incoming_[first_incoming_[in.body / BodyTiles::part_size + 1]++] = in;
+}
+
+void Tiles::plan(const Contacts& contacts, std::size_t planes) {
+  tiles_.assign(bodies_.count(), {});
+  blocks_.clear(), noted_.clear();
+  slots_ = bodies_.size();
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    tiles_[t].first_body = bodies_[t].begin;
+    tiles_[t].last_body = bodies_[t].end;
     cut_blocks(contacts, std::uint32_t(t));
   }
   lay_slots(contacts, planes);
+  sort_incoming();
   note_reach();
-  note_visits(contacts, bodies);
+  note_visits(contacts);
 }
 
 }  // namespace scree::kernel

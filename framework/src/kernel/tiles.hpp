@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <scree/body_range.hpp>
@@ -33,12 +34,15 @@ class Tiles {
     std::size_t first_block, last_block;      // [first, last)
     std::size_t first_foreign, last_foreign;  // slots written for other tiles
     std::size_t first_own;                    // slots of planes and padding
-    std::vector<Incoming> incoming;
-    std::vector<std::uint32_t> reached;  // tiles whose bodies its pairs read and load, itself among them
-    std::uint32_t reached_by = 0;        // how many tiles reach it, itself among them
+    std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself among them
+    std::uint32_t reached_by = 0;             // how many tiles reach it, itself among them
   };
 
-  void plan(const Contacts& contacts, std::size_t bodies, std::size_t planes);
+  explicit Tiles(std::size_t bodies = 0) : bodies_(bodies) {}
+
+  void plan(const Contacts& contacts, std::size_t planes);
+
+  const BodyTiles& bodies() const { return bodies_; }
 
   const std::vector<Tile>& tiles() const { return tiles_; }
   const std::vector<Block>& blocks() const { return blocks_; }
@@ -46,6 +50,10 @@ class Tiles {
   // Bodies that a block looks at and no earlier one of its tile did; none in scenes that a cache holds.
   const std::vector<std::uint32_t>& visits() const { return visits_; }
   std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
+  // What other tiles leave for the bodies of a part, in the order of the pairs.
+  std::span<const Incoming> incoming(std::size_t part) const {
+    return {incoming_.data() + first_incoming_[part], incoming_.data() + first_incoming_[part + 1]};
+  }
   // Of both ends of each pair, padding included.
   const Column<std::uint32_t>& slot_a() const { return slot_a_; }
   const Column<std::uint32_t>& slot_b() const { return slot_b_; }
@@ -55,11 +63,15 @@ class Tiles {
   std::uint32_t owner(std::size_t body) const;
   void lay_slots(const Contacts& contacts, std::size_t planes);
   void note_reach();
-  void note_visits(const Contacts& contacts, std::size_t bodies);
+  void note_visits(const Contacts& contacts);
+  void sort_incoming();
 
+  BodyTiles bodies_;
   std::size_t slots_ = 0;
   std::vector<Tile> tiles_;
   std::vector<Block> blocks_;
+  std::vector<Incoming> noted_, incoming_;     // in the order of slots; of parts
+  std::vector<std::uint32_t> first_incoming_;  // of each part
   std::vector<std::uint32_t> visits_, visited_by_;
   Column<std::uint32_t> slot_a_, slot_b_;
 };
