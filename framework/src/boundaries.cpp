@@ -30,6 +30,13 @@ Boundaries::Boundaries(const std::vector<Entry>& entries, int dimension, const V
     const scree_boundary_step start = step_of(member, 0, 0);
     member.plugin.interface().start(member.plugin.storage(), &start);
   }
+  for (std::size_t w = 0; w < planes_.size(); ++w)
+    for (int k = 0; k < dimension_; ++k)
+      if (domain_.periodic[k] && std::abs(planes_[w].normal[k]) > 1e-12)
+        throw Error(fmt::format(
+            "wall {} faces along {}, which is periodic: bodies come in again behind it; leave one of "
+            "the two out",
+            names_[w], "xyz"[k]));
 }
 
 void Boundaries::add_domain(const Member& member) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <scree/neighbour_list.hpp>
@@ -15,7 +16,8 @@ void fold(Particles& p, std::size_t i, const Domain& domain) {
     if (!domain.periodic[k] || (x >= domain.lower[k] && x < domain.upper[k])) continue;
     const double turns = std::floor((x - domain.lower[k]) / domain.length(k));
     x -= turns * domain.length(k);
-    p.image[k][i] += std::int32_t(turns);
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    p.image[k][i] = std::int32_t(std::clamp(p.image[k][i] + turns, -most, most));
   }
 }
 

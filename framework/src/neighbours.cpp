@@ -29,7 +29,7 @@ void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
       throw Error(fmt::format(
           "the periodic length {:g} m along {} is under twice the reach of the largest pair, {:g} m; "
           "give a length of at least {:g} m or a smaller skin",
-          domain.length(k), "xyz"[k], reach, 2 * reach));
+          domain.length(k), "xyz"[k], reach, 2 * reach * (1 + 1e-5)));
 }
 
 // What the cells along an axis span. Bodies outside are filed in the outermost cells, so a few that are far

@@ -1,5 +1,9 @@
+#include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
@@ -23,11 +27,21 @@ void spin_until(const Done& done) {
 }  // namespace
 
 ThreadPool::ThreadPool(unsigned threads) {
-  for (unsigned worker = 1; worker < threads; ++worker)
-    workers_.emplace_back([this, worker] { wait_for_work(worker); });
+  try {
+    for (unsigned worker = 1; worker < threads; ++worker)
+      workers_.emplace_back([this, worker] { wait_for_work(worker); });
+  } catch (const std::system_error&) {
+    const unsigned started = size();
+    stop();
+    throw Error(
+        fmt::format("only {} of {} threads can be started here; ask for fewer threads", started, threads),
+        ExitStatus::failure);
+  }
 }
 
-ThreadPool::~ThreadPool() {
+ThreadPool::~ThreadPool() { stop(); }
+
+void ThreadPool::stop() {
   stop_.store(true);
   round_.fetch_add(1);
   round_.notify_all();

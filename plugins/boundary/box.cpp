@@ -61,18 +61,13 @@ struct Box {
       if (!(upper[k] > lower[k]))
         return setup.refuse("upper is not above lower; give both corners, or bodies for the box to enclose");
     }
-    bool any_moves = false, any_stress = stress.given();
     for (int w = 0; w < walls(); ++w) {
-      any_moves |= moving(w);
       masses[w] = moving(w) ? mass : 0;
-      any_stress |= wall_stress[w].given() || axis_stress[w / 2].given();
       if (!wall_stress[w].given()) wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : stress;
       if (control[w] == stress_controlled && !wall_stress[w].given())
         return setup.refuse(
             "a stress-controlled wall has no stress; give stress = <Pa>, or make the wall \"fixed\"");
     }
-    if (any_stress && !any_moves)
-      return setup.refuse("stress is given but every wall is fixed; remove it, or make a wall \"stress\"");
   }
 
   void describe(scree_boundary_instance& instance) const {

@@ -21,6 +21,10 @@ TEST_CASE("bench adds a row per call to a CSV with one header, and tells phases"
   CHECK(one.find(",scene,double,9,") != std::string::npos);
   CHECK(std::count(one.begin(), one.end(), ',') == std::count(header.begin(), header.end(), ','));
   CHECK_FALSE(std::getline(csv, more));
+  const std::string cut = w.text("bench.csv");
+  w.write("cut.csv", cut.substr(0, cut.size() - 1));
+  CHECK(w.scree("bench scene.toml --seconds 0.01 --repeats 1 --csv cut.csv").status == 0);
+  CHECK(w.text("cut.csv").starts_with(cut));
   w.write("old.csv", "scene,contacts_s\n");
   const auto refused = w.scree("bench scene.toml --seconds 0.01 --repeats 1 --csv old.csv");
   CHECK(refused.status != 0);
@@ -37,6 +41,7 @@ TEST_CASE("bench begins a scene that ends anew, and starts where it is told to")
   CHECK(first.out.find("2 repeats of 9 steps from t = 1e-05 s on") != std::string::npos);
   const auto later = w.scree(call + " --steps 2 --start 5e-5");
   CHECK(later.out.find("2 repeats of 2 steps from t = 7e-05 s on") != std::string::npos);
+  CHECK(w.scree(call + " --start 8e-5").status == 2);
   const auto never = w.scree(call + " --start 9e-5");
   CHECK(never.status == 2);
   CHECK(never.err.find("the scene ends at 8e-05 s; give --start below that") != std::string::npos);

@@ -36,18 +36,20 @@ class Course {
   void measure(Profile& profile) { simulation_->measure(profile_ = &profile); }
   const Simulation& simulation() const { return *simulation_; }
   std::uint64_t searches() const { return searches_; }
+  std::uint64_t begun() const { return begun_; }  // times
 
  private:
   void begin() {
+    ++begun_;
     simulation_ = scenario::set_up(plan_, options_.threads);
     stages_ = std::make_unique<StageRunner>(*simulation_, plan_.stages);
     const double h = simulation_->step_length();
-    while (simulation_->time() < options_.start - 0.5 * h) {
-      if (stages_->finished())
-        throw Error(fmt::format("the scene ends at {:g} s; give --start below that", simulation_->time()));
+    while (!stages_->finished() && simulation_->time() < options_.start - 0.5 * h) {
       const double left = (options_.start - simulation_->time()) / h;
-      stages_->run(std::max<std::uint64_t>(1, std::uint64_t(left + 0.5)), [] { return true; });
+      stages_->run(std::uint64_t(std::min(left + 0.5, 1e15)), [] { return true; });
     }
+    if (stages_->finished())
+      throw Error(fmt::format("the scene ends at {:g} s; give --start below that", simulation_->time()));
     simulation_->measure(profile_);
   }
 
@@ -56,7 +58,7 @@ class Course {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<StageRunner> stages_;
   Profile* profile_ = nullptr;
-  std::uint64_t searches_ = 0;
+  std::uint64_t searches_ = 0, begun_ = 0;
 };
 
 // Warms caches and fills lists, with the steps of a repeat, which it returns.
@@ -65,9 +67,13 @@ std::uint64_t warm(Course& course, const BenchOptions& options) {
     course.run(options.steps);
     return options.steps;
   }
+  // A scene that ends soon takes longer to set up than to run.
+  const auto start = std::chrono::steady_clock::now();
+  const auto patient = [&] { return std::chrono::steady_clock::now() - start < std::chrono::seconds(2); };
   std::uint64_t steps = 1;
   double wall = course.run(steps);
-  while (wall < 0.2 * options.seconds) wall = course.run(steps *= 2);
+  while (wall < 0.2 * options.seconds && (patient() || course.begun() < 2)) wall = course.run(steps *= 2);
+  if (course.begun() > 1) return steps;
   return std::max<std::uint64_t>(1, std::uint64_t(double(steps) * options.seconds / wall));
 }
 
@@ -76,7 +82,8 @@ std::uint64_t warm(Course& course, const BenchOptions& options) {
 double BenchResult::median() const {
   std::vector<double> sorted = s_per_step;
   std::sort(sorted.begin(), sorted.end());
-  return sorted[sorted.size() / 2];
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
 }
 
 BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) {

@@ -41,7 +41,7 @@ std::vector<std::string> scene_names() {
 
 // A file, or the name of a scene.
 std::filesystem::path scene_file(const std::string& scene) {
-  if (std::filesystem::exists(scene)) return scene;
+  if (std::filesystem::is_regular_file(scene)) return scene;
   const std::filesystem::path file = scenes_folder() / (scene + ".toml");
   if (std::filesystem::exists(file)) return file;
   throw Error(fmt::format("no scene '{}'; {}", scene, scenario::name_cure(scene, scene_names())));
@@ -80,27 +80,45 @@ std::string csv_header() {
   return header;
 }
 
-// A table that rows can be added to, with its header if it is new. Throws Error if it has other columns or
-// cannot be written.
-std::ofstream csv_file(const std::filesystem::path& file) {
-  std::string first;
-  if (std::ifstream before(file); before && std::getline(before, first) && first != csv_header())
-    throw Error(
-        fmt::format("{}: has other columns than this version writes; give a new --csv", file.string()));
-  std::ofstream out(file, std::ios::app);
-  if (first.empty()) out << csv_header() << "\n";
-  if (!out.flush())
-    throw Error(fmt::format("{}: cannot be written; give another --csv", file.string()), ExitStatus::failure);
-  return out;
+// A table that rows can be added to, and what comes before the next: its header if it is new.
+struct Table {
+  std::ofstream file;
+  std::string before;
+};
+
+// Throws Error if it has other columns or cannot be written.
+Table table_at(const std::filesystem::path& path) {
+  Table t;
+  t.before = csv_header() + "\n";
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(path, failed)) {
+    std::ifstream before(path, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(before), {});
+    if (!text.empty() && text.substr(0, text.find('\n')) != csv_header())
+      throw Error(
+          fmt::format("{}: has other columns than this version writes; give a new --csv", path.string()));
+    if (!text.empty()) t.before = text.back() == '\n' ? "" : "\n";
+  }
+  t.file.open(path, std::ios::app);
+  if (!t.file)
+    throw Error(fmt::format("{}: cannot be written; give another --csv", path.string()), ExitStatus::failure);
+  return t;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
 }
 
 std::string csv_row(const std::string& scene, const std::string& precision, unsigned threads,
                     const BenchResult& r) {
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
   std::string row = fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", SCREE_VERSION, scene, precision, r.particles,
-      r.contacts, threads, r.first_time, r.steps, r.s_per_step.size(), r.median(), *fastest, *slowest,
-      double(r.particles) / r.median(), r.contacts > 0 ? fmt::format("{}", ns_per_contact(r)) : "",
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", SCREE_VERSION, quoted(scene), precision,
+      r.particles, r.contacts, threads, r.first_time, r.steps, r.s_per_step.size(), r.median(), *fastest,
+      *slowest, double(r.particles) / r.median(), r.contacts > 0 ? fmt::format("{}", ns_per_contact(r)) : "",
       r.bytes_per_particle, r.bytes_per_contact, r.searches);
   for (int k = 0; k < Profile::phase_count; ++k)
     row += fmt::format(",{}", r.profile.seconds(Profile::Phase(k)) / double(r.steps));
@@ -110,14 +128,14 @@ std::string csv_row(const std::string& scene, const std::string& precision, unsi
 ExitStatus bench(const BenchArguments& a) {
   PluginHost host = make_host(a.plugins);
   const scenario::Plan plan = scenario::read_plan(scene_file(a.scene), a.overrides, host);
-  std::ofstream csv;
-  if (!a.csv.empty()) csv = csv_file(a.csv);
+  Table csv;
+  if (!a.csv.empty()) csv = table_at(a.csv);
   const std::string name = std::filesystem::path(a.scene).stem().string();
   const std::string precision = plan.scene.precision == Precision::mixed ? "mixed" : "double";
   const BenchResult result = time_steps(plan, a.options);
   print(name, precision, a.options.threads, result);
   if (a.csv.empty()) return ExitStatus::success;
-  if (!(csv << csv_row(name, precision, a.options.threads, result) << "\n" << std::flush))
+  if (!(csv.file << csv.before << csv_row(name, precision, a.options.threads, result) << "\n" << std::flush))
     throw Error(fmt::format("{}: cannot be written; free disk space or give another --csv", a.csv),
                 ExitStatus::failure);
   return ExitStatus::success;
@@ -149,14 +167,15 @@ void add_bench_verb(CLI::App& app, ExitStatus& status) {
   verb->add_option("--threads", o.threads, "Threads (default 1)")->check(CLI::Range(1u, 1024u));
   verb->add_option("--repeats", o.repeats, "Repeats, of which the median counts (default 5)")
       ->check(CLI::Range(1u, 1000u));
-  verb->add_option("--start", o.start,
-                   "Time in the scene from which on steps are timed, s (default: its start)")
+  verb->add_option(
+          "--start", o.start,
+          "Time in the scene to begin at, s: with one repeat that does not count (default: its start)")
       ->check(positive_and_finite);
   CLI::Option* seconds =
       verb->add_option("--seconds", o.seconds, "About how long a repeat takes, s (default 0.5)")
           ->check(positive_and_finite);
   verb->add_option("--steps", o.steps, "Steps of a repeat, instead of --seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1'000'000'000'000)))
       ->excludes(seconds);
   verb->add_option("--csv", a->csv, "File that a row is added to, with a header if it is new")
       ->type_name("FILE");

@@ -12,6 +12,7 @@ namespace scree {
 // Threads that share out work. With one thread everything runs in the caller and no thread is started.
 class ThreadPool {
  public:
+  // Throws Error if so many cannot be started.
   explicit ThreadPool(unsigned threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -41,6 +42,7 @@ class ThreadPool {
   using Call = void (*)(const void*, std::size_t, unsigned);
   void share_out(std::size_t count, Call call, const void* task);
   void wait_for_work(unsigned worker);
+  void stop();
   void work(std::uint64_t round, unsigned worker);
   bool claim(std::size_t item, std::uint64_t round);
   void do_item(std::size_t item, unsigned worker) noexcept;

@@ -24,7 +24,10 @@ void check_owner(const fs::path& path, const Campaign& campaign) {
   const auto json = nlohmann::json::parse(file, nullptr, false);
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return;
   const std::string owner = json["file"];
-  if (owner != campaign.source.filename().string())
+  std::error_code failed;
+  // Both may have been moved together, with all above them.
+  const bool elsewhere = fs::exists(owner, failed) && !fs::equivalent(owner, campaign.source, failed);
+  if (elsewhere || fs::path(owner).filename() != campaign.source.filename())
     throw Error(fmt::format("{}: holds the campaign of {}; give another --out", path.string(),
                             scenario::one_line(owner)));
 }

@@ -32,7 +32,7 @@ Json run_json(const Point& point, const Outcome& outcome) {
 std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
   Json json = {{"version", SCREE_VERSION},
                {"title", campaign.title},
-               {"file", campaign.source.filename().string()},
+               {"file", std::filesystem::absolute(campaign.source).lexically_normal().string()},
                {"scenario", campaign.scenario.string()},
                {"seeds", campaign.seeds},
                {"parameters", parameters_json(campaign.parameters)},

@@ -43,6 +43,7 @@ auto placed(const Campaign& campaign, const Point& point, Action&& action) {
 Inputs inputs_of(const Campaign& campaign, const Point& point) {
   return placed(campaign, point, [&] {
     const auto document = scenario::Document::load(campaign.scenario, point.overrides());
+    if (!document.outdone().empty()) throw Error(fmt::format("{}; keep one of the two", document.outdone()));
     Inputs inputs{document.resolved_text(), std::nullopt};
     const scenario::Table root = document.root();
     if (root.is_table("particles") && root.table("particles").is_string("file"))
@@ -52,6 +53,7 @@ Inputs inputs_of(const Campaign& campaign, const Point& point) {
 }
 
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
+  inputs_of(campaign, point);
   const scenario::Plan plan = placed(campaign, point, [&] {
     scenario::Plan read = scenario::read_plan(campaign.scenario, point.overrides(), host);
     scenario::set_up(read);

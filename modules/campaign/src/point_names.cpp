@@ -48,7 +48,7 @@ std::string with_hash(std::string name, const std::string& exact) {
   for (const char c : exact) hash.add(std::uint64_t(static_cast<unsigned char>(c)));
   std::size_t end = std::min(name.size(), longest_name);
   while (end < name.size() && end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u) --end;
-  return fmt::format("{}-{:08x}", name.substr(0, end), hash.value() & 0xffffffffu);
+  return fmt::format("{}-{:016x}", name.substr(0, end), hash.value());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
+#include <string_view>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -67,8 +68,12 @@ class SignalsHeld {
                      dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0 &&
                      fcntl(alive, F_SETFD, 0) == 0;
   if (ready) execv(words[0], words);
-  constexpr char line[] = "scree: the program cannot be started; install it again\n";
-  if (write(log, line, sizeof line - 1) < 0) _exit(126);
+  constexpr std::string_view missing = "scree: the program cannot be started; install it again\n",
+                             too_long =
+                                 "scree: a value is too long to be handed to a run; put it into the "
+                                 "scenario instead of [set] (128 KiB at most)\n";
+  const std::string_view line = errno == E2BIG ? too_long : missing;
+  if (write(log, line.data(), line.size()) < 0) _exit(126);
   _exit(127);
 }
 

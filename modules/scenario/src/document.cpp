@@ -15,6 +15,8 @@ constexpr std::size_t longest_name = 4096;
 
 }  // namespace
 
+const std::string& Document::outdone() const { return state_->outdone; }
+
 Document Document::load(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                         std::string_view cure) {
   const std::string text = read_text_file(path, largest_file);

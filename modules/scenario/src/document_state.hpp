@@ -16,6 +16,7 @@ struct DocumentState {
   std::string name;
   std::vector<std::string> overrides;
   std::unique_ptr<Node> root;
+  std::string outdone;                        // "<override> is undone by <override>" of the first, if any
   std::vector<std::unique_ptr<Node>> absent;  // tables that are not there but read as empty ones
 
   // "--set key=value" as it stands in messages.

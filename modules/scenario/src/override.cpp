@@ -5,6 +5,8 @@
 #include "override_entry.hpp"
 #include "override_path.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace scree::scenario {
@@ -51,6 +53,13 @@ void replace(Node& target, std::unique_ptr<Node> value) {
   }
 }
 
+// The first override that wrote any of this.
+std::size_t first_origin(const Node& node) {
+  std::size_t first = node.origin;
+  for (const auto& child : node.children) first = std::min(first, first_origin(*child));
+  return first;
+}
+
 }  // namespace
 
 void apply_override(DocumentState& state, std::size_t number) {
@@ -66,6 +75,8 @@ void apply_override(DocumentState& state, std::size_t number) {
   const OverrideSegment& last = path.segments.back();
   Node* target = &child_of(table_at(*node, last, place), last, number, place);
   for (const std::size_t index : last.indices) target = &entry_at(*target, index, place);
+  if (const std::size_t before = first_origin(*target); before < number && state.outdone.empty())
+    state.outdone = fmt::format("{} is undone by {}", state.override_text(before), place);
   replace(*target, std::move(value));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <unistd.h>
 #include <vector>
@@ -11,6 +12,8 @@ namespace scree::scenario {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* half_written = ".part";
 
 // Everything that is written into a directory of each kind; the last part tells the kind.
 struct Layout {
@@ -33,10 +36,17 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
-bool holds_nothing(const fs::path& path) {
+// Nothing but the log, and what write_file had not finished when it was killed.
+bool holds_nothing(const fs::path& path, const Layout& layout) {
   std::error_code failed;
+  const auto is_half_written = [&](const std::string& name) {
+    return std::any_of(layout.parts.begin(), layout.parts.end(),
+                       [&](const char* part) { return name == std::string(part) + half_written; });
+  };
   for (const auto& entry : fs::directory_iterator(path, failed))
-    if (entry.path().filename() != RunDirectory::log_name) return false;
+    if (entry.path().filename() != RunDirectory::log_name &&
+        !is_half_written(entry.path().filename().string()))
+      return false;
   return !failed;
 }
 
@@ -46,7 +56,7 @@ void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
     return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
   };
   if (!fs::is_directory(path, failed)) throw refuse("exists and is no directory", "give another --out");
-  if (holds_nothing(path)) return;
+  if (holds_nothing(path, layout)) return;
   if (!fs::exists(path / layout.parts.back(), failed))
     throw refuse(fmt::format("holds files that are no {} of scree", layout.name), "give another --out");
   const char* article = layout.name[0] == 'a' ? "an" : "a";
@@ -69,7 +79,8 @@ RunDirectory::RunDirectory(fs::path path, bool overwrite, Kind kind)
 void RunDirectory::create() const {
   std::error_code failed;
   if (kind_ != Kind::campaign)
-    for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
+    for (const std::string part : layout_of(kind_).parts)
+      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + half_written), failed);
   fs::create_directories(path_, failed);
   if (failed)
     throw Error(
@@ -86,7 +97,7 @@ void RunDirectory::discard() const {
 }
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
-  const fs::path final_path = path_ / name, temporary = path_ / (name + ".part");
+  const fs::path final_path = path_ / name, temporary = path_ / (name + half_written);
   std::ofstream file(temporary, std::ios::binary);
   file << text;
   file.close();

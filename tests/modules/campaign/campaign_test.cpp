@@ -119,6 +119,9 @@ TEST_CASE("a run that would be refused is told at the value to blame") {
          "campaign.toml:4:36: in run 'normal_stiffness=-1' --set contact.normal_stiffness=-1: ");
   starts(refusal("[set]\n\"contact.normal_stiffness\" = 1e14\n"),
          "campaign.toml:2:12: in run 'run' scene.toml:4:8: the time step of 1e-05 s is too long: ");
+  starts(refusal("[set]\n\"contact[0].normal_stiffness\" = 2e4\n\"contact.normal_stiffness\" = [1e4, 3e4]\n"),
+         "campaign.toml:4:33: in run 'normal_stiffness=10000' --set contact[0].normal_stiffness=20000.0 is "
+         "undone by --set contact.normal_stiffness=10000.0; ");
   CHECK(refusal("[set]\nparticles.lattice.count = [3, 4]\ncontact = [1]\n").find("[[...]]") ==
         std::string::npos);
   CHECK(refusal("[set]\nparticles.lattice.origin = [0, 1]\n").find("write [[...]]") != std::string::npos);

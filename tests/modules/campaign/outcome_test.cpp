@@ -99,7 +99,12 @@ TEST_CASE("one campaign at a time uses a directory, and only its own") {
   }
   CHECK_THROWS_WITH(CampaignDirectory(path, c, true),
                     Catch::Contains("holds the campaign of other.toml; give"));
-  folder.folder().write("out/campaign.json", "{ \"file\": \"campaign.toml\" }");
+  // One of the same name, that is there, and one that is not, for all has moved.
+  const test::TemporaryFolder elsewhere;
+  const std::string other = elsewhere.write("campaign.toml", "").string();
+  folder.folder().write("out/campaign.json", "{ \"file\": \"" + other + "\" }");
+  CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("holds the campaign of " + other));
+  std::filesystem::remove(other);
   CHECK_NOTHROW(CampaignDirectory(path, c, true));
   std::filesystem::remove(path / "campaign.json");
   folder.folder().write("out/letter.txt", "Dear");

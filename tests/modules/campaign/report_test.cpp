@@ -33,7 +33,7 @@ TEST_CASE("the table has a row per run, and numbers of what has finished only") 
         "\"title=with_quotes,seed=7\",\"with, \"\"quotes\"\"\",7,finished,1,0,2,\n"
         "\"title=with_quotes,seed=9\",\"with, \"\"quotes\"\"\",9,missing,,,,\n");
   const auto json = nlohmann::json::parse(campaign_json(c, outcomes));
-  CHECK(json["file"] == "campaign.toml");
+  CHECK(std::string(json["file"]).ends_with("/campaign.toml"));
   CHECK(json["parameters"]["scene.title"][1] == "with, \"quotes\"");
   CHECK(json["runs"][1]["error"] == "why");
   CHECK(json["runs"][3]["set"]["scene.seed"] == 9);

@@ -212,6 +212,11 @@ TEST_CASE("a run directory is never taken from somebody else") {
   CHECK(reason(folder.path(), true).ends_with("holds files that are no run of scree; give another --out"));
   fs::create_directories(folder / "run");
   CHECK(reason(folder / "run", false) == "no error");
+  // What a run leaves that is killed as it begins.
+  std::ofstream(folder / "run/run.json.part") << "{";
+  CHECK(reason(folder / "run", false) == "no error");
+  RunDirectory(folder / "run", false).create();
+  CHECK(fs::is_empty(folder / "run"));
   std::ofstream(folder / "run/run.json") << "{}";
   CHECK(reason(folder / "run", false).ends_with("or --overwrite to replace it"));
   CHECK(reason(folder / "run", true) == "no error");

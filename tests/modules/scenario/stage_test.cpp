@@ -77,9 +77,11 @@ TEST_CASE("a stage that changes what is not there, or cannot be, is refused") {
   CHECK(refusal(staged(stage + "set.box.frob = 1\n")).starts_with("scene.toml:28:9: unknown key 'frob' in "));
   CHECK(refusal(staged(stage + "set.box.x_low = 'stress'\n"))
             .find("a stress-controlled wall has no stress; give stress = <Pa>") != std::string::npos);
-  CHECK(refusal(staged("[[boundary]]\nplugin = 'periodic'\naxes = 'x'\nlower = [0, 0]\nupper = [1, 0]\n" +
-                       stage + "set.periodic.upper = [2, 0]\n"))
-            .find("a stage cannot change how many walls there are or which axes are periodic") !=
+  const std::string box =
+      "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\ny_high = 'fixed'\ngap = 0.005\n";
+  const std::string periodic = with(staged(stage + "set.periodic.upper = [2, 0]\n"), box,
+                                    "plugin = 'periodic'\naxes = 'x'\nlower = [0, 0]\nupper = [1, 0]\n");
+  CHECK(refusal(periodic).find("a stage cannot change how many walls there are or which axes are periodic") !=
         std::string::npos);
   CHECK(refusal(staged(stage + "name = 'a'\n" + stage + "name = 'a'\n")) ==
         "scene.toml:31:8: the stage name 'a' is taken; give each a name of its own");

@@ -64,3 +64,14 @@ TEST_CASE("a periodic axis needs a length, an axis of the scene, and to be named
   make_periodic(twice, 3, 1);
   CHECK_THROWS_WITH(Simulation(twice), Catch::Contains("periodic already"));
 }
+
+TEST_CASE("a wall must not face along a periodic axis", "[periodic]") {
+  const auto with_plane = [](const std::vector<double>& normal) {
+    Scene sc = scene(3, 1e-3, {body(1, 0.1, 1, {{0.5, 0.5, 0.5}})}, elastic);
+    make_periodic(sc, 0, 1);
+    add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", normal}}, "floor");
+    return sc;
+  };
+  CHECK_NOTHROW(Simulation(with_plane({0, 1, 1})));
+  CHECK_THROWS_WITH(Simulation(with_plane({0.1, 1, 0})), Catch::Contains("wall floor faces along x"));
+}

@@ -33,6 +33,9 @@ class Document {
   void refuse_unused() const { root().refuse_unused(); }
   // TOML with the overrides in, keys in file order, numbers that read back to the same bits; no comments.
   std::string resolved_text() const;
+  // "--set a=1 is undone by --set b=2" if they are two names for the same, or one holds the other; else
+  // empty.
+  const std::string& outdone() const;
 
  private:
   explicit Document(std::shared_ptr<DocumentState> state) : state_(std::move(state)) {}
