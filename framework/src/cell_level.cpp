@@ -1,23 +1,36 @@
 #include "cell_level.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree {
+
+// As many cells as four times the bodies, dealt out among the axes: those that need fewer than their share
+// leave the rest to the others.
+void CellLevel::choose_cells(const Vec3& lower, const Vec3& upper, double reach, int dimension,
+                             std::size_t bodies) {
+  std::array<double, 3> wanted = {1, 1, 1};
+  for (int k = 0; k < dimension; ++k) wanted[k] = std::max(1.0, std::floor((upper[k] - lower[k]) / reach));
+  std::array<int, 3> axes = {0, 1, 2};
+  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return wanted[a] < wanted[b]; });
+  double left = 4.0 * double(bodies);
+  for (int n = 0; n < 3; ++n) {
+    const int k = axes[n];
+    const double share = std::max(3.0, std::ceil(std::pow(left, 1.0 / (3 - n))));
+    rolled_[k] = !periodic_[k] && wanted[k] > share;
+    cells_[k] = int(std::min(wanted[k], share));
+    left /= cells_[k];
+    const double length = upper[k] - lower[k];
+    inverse_width_[k] = rolled_[k] ? 1 / reach : length > 0 ? cells_[k] / length : 0;
+  }
+}
 
 void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
                      const Vec3& upper, double reach, const std::vector<std::uint32_t>& members) {
   lower_ = lower;
   periodic_ = domain.periodic;
-  // A few bodies far out must not make the grid large: no more cells along an axis than keep the total near
-  // n.
-  const double most = std::max(3.0, std::ceil(std::pow(4.0 * double(members.size()), 1.0 / dimension)));
-  std::size_t total = 1;
-  for (int k = 0; k < 3; ++k) {
-    const double length = upper[k] - lower[k];
-    cells_[k] = k < dimension ? int(std::clamp(std::floor(length / reach), 1.0, most)) : 1;
-    inverse_width_[k] = length > 0 ? cells_[k] / length : 0;
-    total *= std::size_t(cells_[k]);
-  }
+  choose_cells(lower, upper, reach, dimension, members.size());
+  const std::size_t total = std::size_t(cells_[0]) * std::size_t(cells_[1]) * std::size_t(cells_[2]);
 
   // One cell more, so that the bodies of cell c are counted at c + 2 and filed at where c + 1 begins, which
   // is where c ends in the end.
@@ -38,7 +51,7 @@ void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain
 CellLevel::Spans CellLevel::spans(int axis, int middle) const {
   const int n = cells_[axis];
   const int low = std::max(middle - 1, 0), high = std::min(middle + 1, n - 1);
-  if (!periodic_[axis] || n <= 2) return {1, {low}, {high}};
+  if (!(periodic_[axis] || rolled_[axis]) || n <= 2) return {1, {low}, {high}};
   if (n == 3) return {1, {0}, {2}};
   if (middle == 0) return {2, {low, n - 1}, {high, n - 1}};
   if (middle == n - 1) return {2, {low, 0}, {high, 0}};

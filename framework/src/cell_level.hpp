@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,7 +13,9 @@
 namespace scree {
 
 // One level of the cell hierarchy: bodies of similar size filed in a grid of cells at least as wide as the
-// reach of any pair that is looked up in it, so that 3^D cells hold all partners.
+// reach of any pair that is looked up in it, so that 3^D cells hold all partners. Where bodies are spread so
+// far that there would be many more cells than bodies, the grid is rolled up: places that lie a number of
+// cells apart share one.
 class CellLevel {
  public:
   // Files the members among some bodies in place of all that were there.
@@ -64,12 +67,15 @@ class CellLevel {
 
  private:
   int cell_of(int axis, double x) const {
-    return int(std::clamp((x - lower_[axis]) * inverse_width_[axis], 0.0, double(cells_[axis] - 1)));
+    double cell = (x - lower_[axis]) * inverse_width_[axis];
+    if (rolled_[axis]) cell -= cells_[axis] * std::floor(cell / cells_[axis]);
+    return int(std::clamp(cell, 0.0, double(cells_[axis] - 1)));
   }
+  void choose_cells(const Vec3& lower, const Vec3& upper, double reach, int dimension, std::size_t bodies);
   Spans spans(int axis, int middle) const;
 
   Vec3 lower_;
-  std::array<bool, 3> periodic_;
+  std::array<bool, 3> periodic_, rolled_;
   std::array<int, 3> cells_;
   std::array<double, 3> inverse_width_;
   std::vector<std::uint32_t> first_;  // filed body of each cell

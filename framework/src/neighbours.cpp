@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -30,23 +31,6 @@ void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
           "the periodic length {:g} m along {} is under twice the reach of the largest pair, {:g} m; "
           "give a length of at least {:g} m or a smaller skin",
           domain.length(k), "xyz"[k], reach, 2 * reach * (1 + 1e-5)));
-}
-
-// What the cells along an axis span. Bodies outside are filed in the outermost cells, so a few that are far
-// out need not make all cells wide: beyond a quarter of the middle 98 % on either side they are left outside.
-std::pair<double, double> cell_span(std::span<const Sphere> bodies, int axis, double low, double high) {
-  constexpr std::size_t most_samples = 1000;
-  std::vector<double> sample;
-  for (std::size_t i = 0; i < bodies.size(); i += 1 + bodies.size() / most_samples)
-    sample.push_back(bodies[i].position[axis]);
-  const std::size_t tail = sample.size() / 100 + (sample.size() >= 20 ? 1 : 0);
-  const auto ranked = [&](std::size_t rank) {
-    const auto at = sample.begin() + std::ptrdiff_t(rank);
-    std::nth_element(sample.begin(), at, sample.end());
-    return *at;
-  };
-  const double from = ranked(tail), to = ranked(sample.size() - 1 - tail), margin = 0.25 * (to - from);
-  return {std::max(low, from - margin), std::min(high, to + margin)};
 }
 
 struct Extent {
@@ -166,19 +150,22 @@ void NeighbourSearch::file_bodies(std::span<const Sphere> bodies, int dimension,
   const Extent extent(bodies);
   const double largest = extent.largest;
   check_periodic_lengths(domain, dimension, 2 * largest + skin);
-  Vec3 lower = {}, upper = {};
+  Vec3 lower = extent.lower, upper = extent.upper;
+  double farthest = 0;
   for (int k = 0; k < dimension; ++k) {
-    const auto [low, high] = cell_span(bodies, k, extent.lower[k], extent.upper[k]);
-    lower[k] = domain.periodic[k] ? domain.lower[k] : low;
-    upper[k] = domain.periodic[k] ? domain.upper[k] : high;
+    farthest = std::max({farthest, std::abs(lower[k]), std::abs(upper[k])});
+    if (domain.periodic[k]) lower[k] = domain.lower[k], upper[k] = domain.upper[k];
   }
+  // Coordinates far out are rounded, and so are the numbers of their cells.
+  const double round_off = 8 * std::numeric_limits<double>::epsilon() * farthest;
   for (auto& members : hierarchy_->members) members.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
     hierarchy_->members[level_of(bodies[i].radius, largest)].push_back(std::uint32_t(i));
   for (std::size_t l = 0; l < most_levels; ++l)
     if (const auto& members = hierarchy_->members[l]; !members.empty())
       hierarchy_->levels[l].file(bodies, dimension, domain, lower, upper,
-                                 (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12), members);
+                                 (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12) + round_off,
+                                 members);
 }
 
 // By a, then b: a counting sort by a, then each short run by b.

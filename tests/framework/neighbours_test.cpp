@@ -168,6 +168,23 @@ TEST_CASE("bodies on the faces of a periodic domain find their images") {
   CHECK(check(3, bodies, periodic({true, true, true}, 0, edge), 0.1) == 16 * 15 / 2);
 }
 
+TEST_CASE("heaps far apart, and a few bodies all over, share cells and find their own") {
+  const double distance = GENERATE(30.0, 1e3, 1e6, 1e9);
+  CAPTURE(distance);
+  for (const int dimension : {2, 3}) {
+    Dealer dealer(dimension, 11);
+    const double edge = box_edge(dimension, 100, 1);
+    std::vector<Body> bodies;
+    for (const double at : {0.0, distance, -2 * distance}) {
+      const std::vector<Body> heap = dealer.uniform(100, {0.3, 1}, at, at + edge);
+      bodies.insert(bodies.end(), heap.begin(), heap.end());
+    }
+    const std::vector<Body> scattered = dealer.uniform(50, {0.3, 1}, -2 * distance, distance);
+    bodies.insert(bodies.end(), scattered.begin(), scattered.end());
+    CHECK(check(dimension, bodies, {}, 0.1) > 0);
+  }
+}
+
 TEST_CASE("one body very far out hides no pair") {
   for (const int dimension : {2, 3}) {
     Dealer dealer(dimension, 3);
