@@ -1,5 +1,7 @@
 #include "cell_level.hpp"
 
+#include "counting_sort.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,20 +34,22 @@ void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain
   choose_cells(lower, upper, reach, dimension, members.size());
   const std::size_t total = std::size_t(cells_[0]) * std::size_t(cells_[1]) * std::size_t(cells_[2]);
 
-  // One cell more, so that the bodies of cell c are counted at c + 2 and filed at where c + 1 begins, which
-  // is where c ends in the end.
   cell_.resize(members.size());
-  first_.assign(total + 2, 0);
   for (std::size_t m = 0; m < members.size(); ++m) {
     const Vec3& x = bodies[members[m]].position;
     const int index[3] = {cell_of(0, x[0]), cell_of(1, x[1]), cell_of(2, x[2])};
     cell_[m] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
-    ++first_[cell_[m] + 2];
   }
-  for (std::size_t c = 0; c <= total; ++c) first_[c + 1] += first_[c];
   filed_.resize(members.size());
-  for (std::size_t m = 0; m < members.size(); ++m)
-    filed_[first_[cell_[m] + 1]++] = {bodies[members[m]], members[m]};
+  counting_sort(
+      total, first_,
+      [&](const auto& visit) {
+        for (std::size_t m = 0; m < members.size(); ++m) visit(m);
+      },
+      [&](std::size_t m) { return cell_[m]; },
+      [&](std::size_t m, std::size_t place) {
+        filed_[place] = {bodies[members[m]], members[m]};
+      });
 }
 
 CellLevel::Spans CellLevel::spans(int axis, int middle) const {

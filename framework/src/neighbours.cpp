@@ -1,4 +1,5 @@
 #include "cell_level.hpp"
+#include "counting_sort.hpp"
 #include "instruction_levels.hpp"
 
 #include <algorithm>
@@ -170,17 +171,17 @@ void NeighbourSearch::file_bodies(std::span<const Sphere> bodies, int dimension,
 
 // By a, then b: a counting sort by a, then each short run by b.
 void NeighbourSearch::sort_pairs(std::size_t bodies) {
-  // Counted at a + 2 and filed at where a + 1 begins, which is where a ends in the end.
-  first_.assign(bodies + 2, 0);
   std::size_t count = 0;
-  for (const auto& pairs : found_) {
-    count += pairs.size();
-    for (const NeighbourPair& p : pairs) ++first_[p.a + 2];
-  }
-  for (std::size_t i = 0; i <= bodies; ++i) first_[i + 1] += first_[i];
+  for (const auto& pairs : found_) count += pairs.size();
   sorted_.resize(count);
-  for (const auto& pairs : found_)
-    for (const NeighbourPair& p : pairs) sorted_[first_[p.a + 1]++] = p;
+  counting_sort(
+      bodies, first_,
+      [&](const auto& visit) {
+        for (const auto& pairs : found_)
+          for (const NeighbourPair& p : pairs) visit(p);
+      },
+      [](const NeighbourPair& p) { return p.a; },
+      [&](const NeighbourPair& p, std::size_t place) { sorted_[place] = p; });
   for (std::size_t i = 0; i < bodies; ++i)
     sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
 }

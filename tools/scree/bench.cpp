@@ -73,7 +73,7 @@ std::uint64_t warm(Course& course, const BenchOptions& options) {
   std::uint64_t steps = 1;
   double wall = course.run(steps);
   while (wall < 0.2 * options.seconds && (patient() || course.begun() < 2)) wall = course.run(steps *= 2);
-  if (course.begun() > 1) return steps;
+  if (wall < 0.2 * options.seconds) return steps;
   return std::max<std::uint64_t>(1, std::uint64_t(double(steps) * options.seconds / wall));
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/scenario/csv_line.hpp>
 #include <scree/scenario/message.hpp>
 
 namespace scree::tool {
@@ -47,6 +48,7 @@ std::filesystem::path scene_file(const std::string& scene) {
   throw Error(fmt::format("no scene '{}'; {}", scene, scenario::name_cure(scene, scene_names())));
 }
 
+// Not finite without contacts.
 double ns_per_contact(const BenchResult& r) { return 1e9 * r.median() / double(r.contacts); }
 
 void print(const std::string& scene, const std::string& precision, unsigned threads, const BenchResult& r) {
@@ -105,24 +107,17 @@ Table table_at(const std::filesystem::path& path) {
   return t;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_row(const std::string& scene, const std::string& precision, unsigned threads,
                     const BenchResult& r) {
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
-  std::string row = fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", SCREE_VERSION, quoted(scene), precision,
-      r.particles, r.contacts, threads, r.first_time, r.steps, r.s_per_step.size(), r.median(), *fastest,
-      *slowest, double(r.particles) / r.median(), r.contacts > 0 ? fmt::format("{}", ns_per_contact(r)) : "",
-      r.bytes_per_particle, r.bytes_per_contact, r.searches);
-  for (int k = 0; k < Profile::phase_count; ++k)
-    row += fmt::format(",{}", r.profile.seconds(Profile::Phase(k)) / double(r.steps));
-  return row;
+  std::vector<std::string> cells = {SCREE_VERSION, scene, precision};
+  const auto add = [&](auto number) { cells.push_back(fmt::format("{}", number)); };
+  add(r.particles), add(r.contacts), add(threads), add(r.first_time), add(r.steps), add(r.s_per_step.size());
+  add(r.median()), add(*fastest), add(*slowest), add(double(r.particles) / r.median());
+  cells.push_back(scenario::csv_number(ns_per_contact(r)));
+  add(r.bytes_per_particle), add(r.bytes_per_contact), add(r.searches);
+  for (int k = 0; k < Profile::phase_count; ++k) add(r.profile.seconds(Profile::Phase(k)) / double(r.steps));
+  return scenario::csv_line(cells);
 }
 
 ExitStatus bench(const BenchArguments& a) {
@@ -135,7 +130,7 @@ ExitStatus bench(const BenchArguments& a) {
   const BenchResult result = time_steps(plan, a.options);
   print(name, precision, a.options.threads, result);
   if (a.csv.empty()) return ExitStatus::success;
-  if (!(csv.file << csv.before << csv_row(name, precision, a.options.threads, result) << "\n" << std::flush))
+  if (!(csv.file << csv.before << csv_row(name, precision, a.options.threads, result) << std::flush))
     throw Error(fmt::format("{}: cannot be written; free disk space or give another --csv", a.csv),
                 ExitStatus::failure);
   return ExitStatus::success;

@@ -1,5 +1,6 @@
 #include "tiles.hpp"
 
+#include "../counting_sort.hpp"
 #include "block.hpp"
 
 #include <algorithm>
@@ -31,8 +32,8 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
     const PairGroup& group = contacts.groups()[g];
     const std::size_t all = group.begin + group.padded_size();
-    const std::size_t from = t == 0 ? group.begin : pair_boundary(contacts, group, tile.first_body);
-    const std::size_t to = t + 1 == tiles_.size() ? all : pair_boundary(contacts, group, tile.last_body);
+    const std::size_t from = t == 0 ? group.begin : pair_boundary(contacts, group, bodies_[t].begin);
+    const std::size_t to = t + 1 == tiles_.size() ? all : pair_boundary(contacts, group, bodies_[t].end);
     for (std::size_t p = from; p < to; p += block_size)
       blocks_.push_back({g, p, std::uint32_t(std::min<std::size_t>(block_size, to - p)), 0, 0});
   }
@@ -103,15 +104,15 @@ void Tiles::note_visits(const Contacts& contacts) {
     }
 }
 
-// A stable counting sort.
 void Tiles::sort_incoming() {
-  first_incoming_.assign(bodies_.parts() + 2, 0);
-  // Counted at part + 2 and filed at where part + 1 begins, which is where the part ends in the end.
-  for (const Incoming& in : noted_) ++first_incoming_[in.body / BodyTiles::part_size + 2];
-  for (std::size_t part = 0; part <= bodies_.parts(); ++part)
-    first_incoming_[part + 1] += first_incoming_[part];
   incoming_.resize(noted_.size());
-  for (const Incoming& in : noted_) incoming_[first_incoming_[in.body / BodyTiles::part_size + 1]++] = in;
+  counting_sort(
+      bodies_.parts(), first_incoming_,
+      [&](const auto& visit) {
+        for (const Incoming& in : noted_) visit(in);
+      },
+      [](const Incoming& in) { return in.body / BodyTiles::part_size; },
+      [&](const Incoming& in, std::size_t place) { incoming_[place] = in; });
 }
 
 void Tiles::plan(const Contacts& contacts, std::size_t planes) {
@@ -119,8 +120,6 @@ void Tiles::plan(const Contacts& contacts, std::size_t planes) {
   blocks_.clear(), noted_.clear();
   slots_ = bodies_.size();
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
-    tiles_[t].first_body = bodies_[t].begin;
-    tiles_[t].last_body = bodies_[t].end;
     cut_blocks(contacts, std::uint32_t(t));
   }
   lay_slots(contacts, planes);

@@ -30,7 +30,6 @@ class Tiles {
     std::uint32_t body, slot;
   };
   struct Tile {
-    std::size_t first_body, last_body;        // [first, last)
     std::size_t first_block, last_block;      // [first, last)
     std::size_t first_foreign, last_foreign;  // slots written for other tiles
     std::size_t first_own;                    // slots of planes and padding

@@ -1,4 +1,3 @@
-#include "csv_line.hpp"
 #include "table_columns.hpp"
 
 #include <algorithm>
@@ -6,8 +5,12 @@
 #include <limits>
 
 #include <scree/campaign/report.hpp>
+#include <scree/scenario/csv_line.hpp>
 
 namespace scree::campaign {
+
+using scenario::csv_line;
+using scenario::csv_number;
 
 namespace {
 

@@ -53,7 +53,6 @@ Inputs inputs_of(const Campaign& campaign, const Point& point) {
 }
 
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
-  inputs_of(campaign, point);
   const scenario::Plan plan = placed(campaign, point, [&] {
     scenario::Plan read = scenario::read_plan(campaign.scenario, point.overrides(), host);
     scenario::set_up(read);

@@ -23,7 +23,10 @@ class CampaignFolder {
   std::string refusal() const {
     std::string line = message([&] {
       const campaign::Campaign read_in = read();
-      for (const campaign::Point& point : read_in.points) campaign::check_point(read_in, point, host());
+      for (const campaign::Point& point : read_in.points) {
+        campaign::inputs_of(read_in, point);
+        campaign::check_point(read_in, point, host());
+      }
     });
     const std::string prefix = folder_.path().string() + "/";
     for (auto at = line.find(prefix); at != std::string::npos; at = line.find(prefix))

@@ -1,10 +1,10 @@
-#include "csv_line.hpp"
-
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace scree::campaign {
+#include <scree/scenario/csv_line.hpp>
+
+namespace scree::scenario {
 
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
@@ -23,4 +23,4 @@ std::string csv_line(const std::vector<std::string>& cells) {
 
 std::string csv_number(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
 
-}  // namespace scree::campaign
+}  // namespace scree::scenario
