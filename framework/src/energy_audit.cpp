@@ -26,7 +26,10 @@ void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodyS
   const auto trapezoid = [step](double before, double after) { return 0.5 * step * (before + after); };
   totals_.dissipated_normal += trapezoid(contacts_.dissipated_normal, contacts.dissipated_normal);
   totals_.dissipated_tangential += trapezoid(contacts_.dissipated_tangential, contacts.dissipated_tangential);
+  totals_.dissipated_rolling += trapezoid(contacts_.dissipated_rolling, contacts.dissipated_rolling);
   totals_.dissipated_friction += contacts.dissipated_friction;
+  totals_.dissipated_release += contacts.dissipated_release;
+  totals_.created += trapezoid(contacts_.created_power, contacts.created_power) + contacts.created;
   totals_.dissipated_translation += trapezoid(bodies_.dissipated_translation, bodies.dissipated_translation);
   totals_.dissipated_rotation += trapezoid(bodies_.dissipated_rotation, bodies.dissipated_rotation);
   store(contacts, bodies);
@@ -48,8 +51,8 @@ scree_energy EnergyAudit::balance(double kinetic_translation, double kinetic_rot
   e.kinetic_boundary = boundaries.kinetic;
   e.dissipated_boundary = boundaries.dissipated;
   e.work = totals_.work + boundaries.work;
-  e.residual =
-      kinetic_energy(e) + elastic_energy(e) + e.potential - stored_at_start_ + dissipated_energy(e) - e.work;
+  e.residual = kinetic_energy(e) + elastic_energy(e) + e.potential - stored_at_start_ + dissipated_energy(e) -
+               e.created - e.work;
   return e;
 }
 
@@ -60,8 +63,8 @@ double kinetic_energy(const scree_energy& e) {
 double elastic_energy(const scree_energy& e) { return e.elastic_normal + e.elastic_tangential; }
 
 double dissipated_energy(const scree_energy& e) {
-  return e.dissipated_normal + e.dissipated_tangential + e.dissipated_friction + e.dissipated_translation +
-         e.dissipated_rotation + e.dissipated_boundary;
+  return e.dissipated_normal + e.dissipated_tangential + e.dissipated_rolling + e.dissipated_friction +
+         e.dissipated_release + e.dissipated_translation + e.dissipated_rotation + e.dissipated_boundary;
 }
 
 double EnergyAudit::turnover(const scree_energy& e) const {

@@ -57,6 +57,20 @@ struct Forces::Work {
   double deepest = 0;  // overlap ratio met so far
 };
 
+ContactSums& ContactSums::operator+=(const ContactSums& other) {
+  elastic_normal += other.elastic_normal;
+  elastic_tangential += other.elastic_tangential;
+  dissipated_normal += other.dissipated_normal;
+  dissipated_tangential += other.dissipated_tangential;
+  dissipated_rolling += other.dissipated_rolling;
+  dissipated_friction += other.dissipated_friction;
+  dissipated_release += other.dissipated_release;
+  created_power += other.created_power;
+  created += other.created;
+  max_overlap_ratio = std::max(max_overlap_ratio, other.max_overlap_ratio);
+  return *this;
+}
+
 Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
 Forces::~Forces() = default;
 
@@ -79,14 +93,7 @@ std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
 
 ContactSums add_up(const std::vector<ContactSums>& blocks) {
   ContactSums total;
-  for (const ContactSums& b : blocks) {
-    total.elastic_normal += b.elastic_normal;
-    total.elastic_tangential += b.elastic_tangential;
-    total.dissipated_normal += b.dissipated_normal;
-    total.dissipated_tangential += b.dissipated_tangential;
-    total.dissipated_friction += b.dissipated_friction;
-    total.max_overlap_ratio = std::max(total.max_overlap_ratio, b.max_overlap_ratio);
-  }
+  for (const ContactSums& block : blocks) total += block;
   return total;
 }
 

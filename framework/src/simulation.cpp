@@ -79,7 +79,8 @@ Simulation::Simulation(const Scene& scene)
       integrator_(make_integrator(scene.integration)),
       threads_(std::make_unique<ThreadPool>(threads_of(scene))),
       smallest_radius_(smallest_radius(scene)),
-      speed_limit_(scene.limits.speed > 0 ? scene.limits.speed : smallest_radius_ / scene.step),
+      speed_limit_(scene.limits.speed > 0 ? scene.limits.speed
+                                          : smallest_radius_ / scene.step + norm(drift_velocity(scene))),
       tiles_(particles_.size()),
       part_sums_(tiles_.parts()) {
   configure_laws();
@@ -106,7 +107,11 @@ void Simulation::configure_laws() {
                       law.name));
     if (scene_.precision == Precision::mixed && !configured_laws_.back().instance().evaluate_single)
       throw Error(fmt::format("contact law '{}' cannot compute in mixed precision; use double", law.name));
-    laws_.push_back({configured_laws_.back().instance(), configured_laws_.back().storage()});
+    const scree_contact_instance& instance = configured_laws_.back().instance();
+    laws_.push_back({.interface = instance,
+                     .storage = configured_laws_.back().storage(),
+                     .touching = OnsetWeights::of_power(instance.onset_power),
+                     .parting = OnsetWeights::of_power(instance.parting_power)});
   }
 }
 
@@ -175,8 +180,14 @@ double Simulation::energy_residual() const {
   return turnover > 0 ? std::abs(e.residual) / turnover : 0;
 }
 
+double Simulation::energy_created() const {
+  const scree_energy e = energy();
+  const double turnover = audit_.turnover(e);
+  return turnover > 0 ? e.created / turnover : 0;
+}
+
 double Simulation::min_steps_per_contact() const {
-  const double met = 2 * std::sqrt(max_square_speed_);
+  const double met = 2 * std::max(0.0, std::sqrt(max_square_speed_) - norm(drift_velocity(scene_)));
   return shortest_contact_time(scene_, std::max(expected_speed(scene_), met)) / scene_.step;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/body_bounds.hpp>
 #include <scree/stability.hpp>
 #include <scree/step_guard.hpp>
 
@@ -131,8 +132,9 @@ void add_body_terms(const Simulation& s, std::vector<StepLimit>& limits) {
 
 void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
   double fastest = 0;
+  const Vec3 drift = drift_velocity(s.scene());
   for (std::size_t i = 0; i < s.particles().size(); ++i)
-    fastest = std::max(fastest, norm(s.particles().body(i).velocity));
+    fastest = std::max(fastest, norm(s.particles().body(i).velocity - drift));
   for (const scree_plane& plane : s.boundaries().planes())
     fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
   if (fastest > 0 && s.particles().size() > 0)
@@ -144,10 +146,21 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
 
 }  // namespace
 
+Vec3 drift_velocity(const Scene& scene) {
+  const BodyBounds box = bounds_of(scene.bodies, scene.dimension);
+  const Boundaries boundaries(scene.boundaries, scene.dimension, box.lower, box.upper);
+  if (!boundaries.planes().empty()) return {};
+  double mass = 0;
+  Vec3 momentum = {};
+  for (const Body& body : scene.bodies) mass += body.mass, momentum += body.mass * body.velocity;
+  return mass > 0 ? (1 / mass) * momentum : Vec3{};
+}
+
 double expected_speed(const Scene& scene) {
   if (scene.expected_speed > 0) return scene.expected_speed;
   double fastest = 0;
-  for (const Body& body : scene.bodies) fastest = std::max(fastest, norm(body.velocity));
+  const Vec3 drift = drift_velocity(scene);
+  for (const Body& body : scene.bodies) fastest = std::max(fastest, norm(body.velocity - drift));
   return std::max(least_speed, 2 * fastest);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <scree/contact_law.hpp>
+#include <scree/friction.hpp>
 #include <scree/restitution.hpp>
 #include <scree/rolling.hpp>
 #include <scree/stability.hpp>
@@ -25,6 +26,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
   double tangential_damping = 0;
   double static_friction = 0;
   double dynamic_friction = -1;  // below 0: the same as static
+  int slip_rule = 0;             // by the spring, by the total force
   double rolling_friction = 0;
   double damping_ratio = 0;
   double damping_by_root_mass = 0;          // γ/√m* = 2ζ √k
@@ -36,9 +38,14 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "f_n = k δ + γ δ'                                  normal force\n"
       "ξ <- ξ + v_t Δt (mid-step normal), ξ <- ξ − n (n·ξ)   spring carried along, then turned into the "
       "plane\n"
-      "f_0 = −k_t ξ − γ_t v_t                            test force\n"
-      "stick: |f_0| <= μ f_n, f_t = f_0                  μ = μ_s while sticking, μ_d while sliding\n"
-      "slip:  f_t = μ_d f_n f_0/|f_0|, ξ = −(f_t + γ_t v_t)/k_t\n"
+      "f_t = −P(k_t ξ + γ_t v_t)                         P: shortened to C = μ f_n where it is longer\n"
+      "stick: |k_t ξ| <= C                               μ = μ_s while sticking, μ_d while sliding\n"
+      "slip:  ξ shortened to |k_t ξ| = μ_d f_n           the dashpot never makes the spring slip; both only "
+      "lose energy:\n"
+      "       friction k_t ξ·s >= 0, dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0, since P is monotone\n"
+      "slip_rule = total, as [D3], [D4] print it: slip where |k_t ξ + γ_t v_t| > C, then ξ = −(f_t + γ_t "
+      "v_t)/k_t;\n"
+      "       where γ_t v_t changes while it slides this may create energy, which the books show\n"
       "T = −μ_r k δ R* Δω/|Δω|  rolling; smaller where it would turn the motion round within a step\n"
       "arms of the torque: R − δ/2 (angular momentum is conserved)",
       "David et al. 2005, equations 1 to 4"};
@@ -62,6 +69,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
     d.number("dynamic_friction", dynamic_friction, "", non_negative,
              "μ_d <= μ_s, the same as static if absent")
         .optional();
+    d.choice("slip_rule", slip_rule, "spring|total",
+             "what decides on slip: the spring's force, or with the dashpot's as David et al. print it");
     d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0 leaves rolling resistance out");
   }
 
@@ -77,8 +86,12 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 
   std::size_t kernel() const {
-    return (rolling_friction > 0 ? 4 : 0) + (static_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0);
+    const std::size_t friction = static_friction > 0 ? 1 + std::size_t(slip_rule) : 0;
+    return 4 * friction + (rolling_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0);
   }
+
+  // The dashpot jumps at first touch; at the end it jumps, or has brought the force to 0 before.
+  double parting_power() const { return scree::Tension(tension) == scree::Tension::cut ? continuous : 0; }
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
                              std::uint32_t capacity) const {
@@ -106,8 +119,11 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 };
 
-template <bool frictional, bool by_restitution, bool rolling = false>
+enum class Friction { none, spring, total };
+
+template <Friction friction, bool rolling, bool by_restitution>
 struct Kernel : LinearSpringDashpot {
+  static constexpr bool frictional = friction != Friction::none;
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
       scree::reads_onset_weight | (frictional ? scree::reads_tangential_increment : 0u) |
@@ -118,7 +134,7 @@ struct Kernel : LinearSpringDashpot {
   static constexpr bool writes_couple = rolling;
 
   template <int D, class T>
-  struct Friction {
+  struct Spring {
     Vec<D, T> spring;  // ξ (m)
     T sliding;         // 1 while the contact slides
     static constexpr int sliding_column = D;
@@ -130,10 +146,10 @@ struct Kernel : LinearSpringDashpot {
     }();
   };
   template <int D, class T>
-  using History = std::conditional_t<frictional, Friction<D, T>, scree::NoHistory<D, T>>;
+  using History = std::conditional_t<frictional, Spring<D, T>, scree::NoHistory<D, T>>;
 
   template <int D, class T>
-  T stored_energy(const Friction<D, T>& h) const {
+  T stored_energy(const Spring<D, T>& h) const {
     return T(0.5 * tangential_stiffness) * dot(h.spring, h.spring);
   }
 
@@ -151,41 +167,76 @@ struct Kernel : LinearSpringDashpot {
     out.force = f_n * c.normal;
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
-    if constexpr (frictional) slide_or_stick(c, pushing, h, out);
+    if constexpr (friction == Friction::spring) slide_or_stick(c, pushing, h, out);
+    if constexpr (friction == Friction::total)
+      slide_or_stick_by_total(c, pushing, std::max(scree::fused(-gamma, v_n, spring_force), T(0)), h, out);
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
  private:
+  // The old spring, moved by this step's displacement and turned into the present tangent plane.
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, Friction<D, T>& h, Response<D, T>& out) const {
-    const T k_t = T(tangential_stiffness);
-    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
-    const Vec<D, T> dashpot = (c.onset_weight * T(tangential_damping)) * v_t;
+  static Vec<D, T> moved_spring(const Contact<D, T>& c, const Spring<D, T>& h) {
+    return tangential_part(h.spring + c.tangential_increment, c.normal);
+  }
 
-    // The old spring, moved by this step's displacement and turned into the present tangent plane.
-    const Vec<D, T> old = h.spring;
-    const Vec<D, T> xi = tangential_part(old + c.tangential_increment, c.normal);
-    const Vec<D, T> f_0 = fused(-k_t, xi, -dashpot);  // [D3]
-    const T square = dot(f_0, f_0);
-    const T limit = (h.sliding > T(0) ? T(dynamic_friction) : T(static_friction)) * f_n;
-    const bool slides = square > limit * limit;
+  template <int D, class T>
+  scree::SlipStep<D, T> step_of(const Contact<D, T>& c, const Spring<D, T>& h, const Vec<D, T>& moved,
+                                const Vec<D, T>& v_t, const T& f_n) const {
+    const T sliding_limit = T(dynamic_friction) * f_n;
+    return {.moved = moved,
+            .stiffness = T(tangential_stiffness),
+            .inverse_stiffness = T(inverse_tangential_stiffness),
+            .velocity = v_t,
+            .damping = T(tangential_damping),
+            .onset_weight = c.onset_weight,
+            .length = c.step,
+            .limit = h.sliding > T(0) ? sliding_limit : T(static_friction) * f_n,
+            .sliding_limit = sliding_limit};
+  }
 
-    const Vec<D, T> f_t = (slides ? T(dynamic_friction) * f_n * scree::inverse_sqrt(square) : T(1)) * f_0;
-    const T inverse_k_t = T(inverse_tangential_stiffness);
-    for (int k = 0; k < D; ++k) h.spring[k] = slides ? -(f_t[k] + dashpot[k]) * inverse_k_t : xi[k];  // [D4]
-    h.sliding = slides ? T(1) : T(0);
-
-    out.force += f_t;
+  // Takes over spring and force. Returns the mean of the spring's forces before and after the step.
+  template <int D, class T>
+  Vec<D, T> take_over(const scree::Slip<D, T>& slip, Spring<D, T>& h, Response<D, T>& out) const {
+    const Vec<D, T> mean_force = T(0.5 * tangential_stiffness) * (h.spring + slip.spring);
+    h.spring = slip.spring;
+    h.sliding = slip.slides ? T(1) : T(0);
+    out.force += slip.force;
     out.elastic_tangential = stored_energy(h);
-    out.dissipated_tangential = dot(dashpot, v_t);
-    // The work of the mean of the old and the new spring's force on what slipped: what the bodies lose,
-    // exactly.
-    out.dissipated_friction = T(0.5) * k_t * dot(old + h.spring, xi - h.spring);
+    return mean_force;
+  }
+
+  template <int D, class T>
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, Spring<D, T>& h, Response<D, T>& out) const {
+    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
+    const scree::Slip<D, T> slip = scree::slide_or_stick(step_of(c, h, moved, v_t, f_n));
+    const Vec<D, T> mean_force = take_over(slip, h, out);
+    out.dissipated_tangential = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
+    out.dissipated_friction = std::max(dot(mean_force, moved - h.spring), T(0));
+  }
+
+  template <int D, class T>
+  void slide_or_stick_by_total(const Contact<D, T>& c, const T& f_n, const T& unweighted_f_n, Spring<D, T>& h,
+                               Response<D, T>& out) const {
+    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
+    const scree::Slip<D, T> slip =
+        scree::slide_or_stick_by_total(step_of(c, h, moved, v_t, unweighted_f_n), T(dynamic_friction) * f_n);
+    const Vec<D, T> mean_force = take_over(slip, h, out), slipped = moved - h.spring;
+    const T dashpot_power = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
+    // While it slides, the dashpot changes what the spring holds: γ_t v_t·ξ' of either sign.
+    out.dissipated_tangential = slip.slides ? T(0) : dashpot_power;
+    out.dissipated_friction = slip.slides ? -dot(slip.force, slipped) : T(0);
+    out.dissipated_release =
+        slip.slides ? dot(mean_force + slip.force, slipped) + c.step * dashpot_power : T(0);
   }
 };
 
+using enum Friction;
+
 }  // namespace
 
-SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, Kernel<false, false>, Kernel<false, true>, Kernel<true, false>,
-                         Kernel<true, true>, Kernel<false, false, true>, Kernel<false, true, true>,
-                         Kernel<true, false, true>, Kernel<true, true, true>)
+SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, Kernel<none, false, false>, Kernel<none, false, true>,
+                         Kernel<none, true, false>, Kernel<none, true, true>, Kernel<spring, false, false>,
+                         Kernel<spring, false, true>, Kernel<spring, true, false>, Kernel<spring, true, true>,
+                         Kernel<total, false, false>, Kernel<total, false, true>, Kernel<total, true, false>,
+                         Kernel<total, true, true>)

@@ -17,16 +17,19 @@ struct EnergyProbe {
                                       {"potential", &scree_energy::potential},
                                       {"dissipated_normal", &scree_energy::dissipated_normal},
                                       {"dissipated_tangential", &scree_energy::dissipated_tangential},
+                                      {"dissipated_rolling", &scree_energy::dissipated_rolling},
                                       {"dissipated_friction", &scree_energy::dissipated_friction},
+                                      {"dissipated_release", &scree_energy::dissipated_release},
                                       {"dissipated_translation", &scree_energy::dissipated_translation},
                                       {"dissipated_rotation", &scree_energy::dissipated_rotation},
                                       {"dissipated_boundary", &scree_energy::dissipated_boundary},
+                                      {"created", &scree_energy::created},
                                       {"work", &scree_energy::work},
                                       {"residual", &scree_energy::residual}};
 
   static constexpr scree::About about = {"energy",
                                          "every reservoir and sink of energy, and what does not add up",
-                                         "residual = stored − stored at the start + dissipated − work", "—"};
+                                         "residual = stored − stored at the start + dissipated − created − work", "—"};
 
   void declare(scree::Declaration&) {}
   void describe(scree_probe_instance& instance) const { instance.column_count = std::size(entries); }

@@ -91,10 +91,11 @@ class ReferenceStep {
       c.sliding = false;
       return {};
     }
-    // A dashpot fades in over the first two steps' way: 3s/2, then 2 − s/2, then 1.
+    // A dashpot fades in over the first two steps' way: 3s/2, then 2 − s/2, then 1; and out again, unless
+    // tension is cut.
     const double closing = -dot(m.velocity, m.normal), way = std::abs(closing) * h;
     const double s = m.overlap < 2 * way ? m.overlap / way : 2;
-    const double share = s < 1 ? 1.5 * s : 2 - 0.5 * s;
+    const double share = law_.tension_cut && closing < 0 ? 1 : s < 1 ? 1.5 * s : 2 - 0.5 * s;
     double normal_force = law_.k * m.overlap + share * law_.gamma * closing;
     const double pressing = std::max(normal_force, 0.0);
     if (law_.tension_cut) normal_force = pressing;
@@ -105,11 +106,20 @@ class ReferenceStep {
     const Vec3 moved = (h * touched) * in_plane(halfway.velocity, halfway.normal);
     const Vec3 spring = in_plane(c.spring + moved, m.normal);
     const Vec3 dashpot = (share * law_.gamma_t) * in_plane(m.velocity, m.normal);
-    Vec3 tangential = -law_.k_t * spring - dashpot;
-    const double most = (c.sliding ? law_.dynamic_friction : law_.static_friction) * pressing;
-    c.sliding = norm(tangential) > most;
-    if (c.sliding) tangential = (law_.dynamic_friction * pressing / norm(tangential)) * tangential;
-    c.spring = c.sliding ? (-1 / law_.k_t) * (tangential + dashpot) : spring;
+    const double most = (c.sliding ? law_.dynamic_friction : law_.static_friction) * pressing / law_.k_t;
+    c.sliding = norm(spring) > most;
+    c.spring = spring;
+    const double limit = (c.sliding ? law_.dynamic_friction * pressing : most * law_.k_t);
+    if (c.sliding) {  // the spring turns towards the slip within the step
+      const double excess = std::pow(norm(spring) * law_.k_t / limit, 2);
+      const Vec3 towards = spring + (0.25 * h * (excess - 1)) * in_plane(m.velocity, m.normal);
+      c.spring = (limit / law_.k_t / norm(towards)) * towards;
+      const Vec3 whole = towards + (0.5 * (1 + excess) / law_.k_t) * dashpot;
+      const double size = limit / norm(towards) * norm(whole);
+      return normal_force * m.normal - (std::min(size, limit) / norm(whole)) * whole;
+    }
+    const Vec3 whole = law_.k_t * spring + dashpot;
+    const Vec3 tangential = norm(whole) > 0 ? -(std::min(norm(whole), limit) / norm(whole)) * whole : Vec3{};
     return normal_force * m.normal + tangential;
   }
 

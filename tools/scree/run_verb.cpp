@@ -46,6 +46,13 @@ void print_result(const scenario::RunResult& r) {
   if (quantity("energy_residual") > much)
     fmt::print(
         "WARNING: the energy books do not close; shorten time.step, or look for a law that makes energy\n");
+  constexpr double more_than_rounding = 1e-9;
+  if (quantity("energy_created") > more_than_rounding)
+    fmt::print(
+        "WARNING: a contact law created energy, {:.2g} of the turnover (column 'created' of the probe "
+        "energy); "
+        "'scree describe' names parameters that conserve it\n",
+        quantity("energy_created"));
   fmt::print("state hash {:016x}\n", r.state_hash);
   for (const scenario::Verdict& v : r.verdicts)
     if (v.met)

@@ -25,7 +25,7 @@ struct Contact {
   Vec<D, T> tangential_increment;            // (m) moved while touching in this step,
                                              // perpendicular to the mid-step normal
   Vec<spin_components<D>, T> relative_spin;  // (rad/s) a minus b
-  T onset_weight;                            // factor for forces that jump at first touch
+  T onset_weight;                            // factor for forces that begin with onset_power at first touch
   Root<T> contact_radius;                    // (m) a = √(R* δ) of a Hertzian contact, and 1/a
   T contact_radius_root;                     // (m^½) √a
   T reduced_mass, reduced_mass_root;         // (kg), (kg^½)
@@ -48,7 +48,9 @@ struct Response {
   T elastic_tangential;               // (J) stored
   T dissipated_normal;                // (W)
   T dissipated_tangential;            // (W)
+  T dissipated_rolling;               // (W)
   T dissipated_friction;              // (J) during the step
+  T dissipated_release;               // (J) during the step
 };
 
 // The history of a law that keeps none.
@@ -72,6 +74,11 @@ struct ContactLaw {
   static constexpr bool tangential = false;  // has forces off the normal: bodies must carry spin
   static constexpr bool writes_couple = false;
   static constexpr scree_arms arms = SCREE_ARM_CONTACT_POINT;
+  // Powers of time with which forces multiplied by `onset_weight` begin at first touch and end at parting: 0,
+  // a jump, 1/4, 1/2 or 3/4; `continuous` where they need no weights.
+  static constexpr double continuous = 1;
+  double onset_power() const { return 0; }
+  double parting_power() const { return 0; }
 };
 
 namespace detail {
@@ -175,7 +182,9 @@ template <class Parameters, class Kernel, int D, bool audit, class T>
       batch.output[SCREE_ELASTIC_TANGENTIAL][i] = keep(response.elastic_tangential);
       batch.output[SCREE_DISSIPATED_NORMAL][i] = keep(response.dissipated_normal);
       batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = keep(response.dissipated_tangential);
-      batch.output[SCREE_DISSIPATED_FRICTION][i] = touching ? response.dissipated_friction : released;
+      batch.output[SCREE_DISSIPATED_ROLLING][i] = keep(response.dissipated_rolling);
+      batch.output[SCREE_DISSIPATED_FRICTION][i] = keep(response.dissipated_friction);
+      batch.output[SCREE_DISSIPATED_RELEASE][i] = touching ? response.dissipated_release : released;
     }
   }
 }
@@ -190,7 +199,7 @@ void evaluate_contacts(const void* storage, const ContactBatch<T>* batch) {
 }
 
 template <class Parameters, class Kernel, int D>
-scree_contact_instance describe_kernel() {
+scree_contact_instance describe_kernel(const Parameters& parameters) {
   using History = typename Kernel::template History<D, double>;
   scree_contact_instance instance = {};
   instance.struct_size = sizeof(instance);
@@ -201,6 +210,8 @@ scree_contact_instance describe_kernel() {
   instance.history_width = history_width<Kernel, D>;
   instance.sliding_column = -1;
   if constexpr (requires { History::sliding_column; }) instance.sliding_column = History::sliding_column;
+  instance.onset_power = parameters.onset_power();
+  instance.parting_power = parameters.parting_power();
   if constexpr (requires { History::names; }) instance.history_names = History::names.data();
   instance.evaluate = &evaluate_contacts<Parameters, Kernel, D, double>;
   instance.evaluate_single = &evaluate_contacts<Parameters, Kernel, D, float>;
@@ -210,11 +221,12 @@ scree_contact_instance describe_kernel() {
 template <class Parameters, class... Kernels>
 int configure_law(const scree_setup* setup, void* storage, scree_contact_instance* instance) {
   if (const int failed = configure_author<Parameters>(setup, storage)) return failed;
-  const std::size_t choice = static_cast<const Parameters*>(storage)->kernel();
+  const Parameters& parameters = *static_cast<const Parameters*>(storage);
+  const std::size_t choice = parameters.kernel();
   const bool plane = setup->dimension == 2;
   std::size_t k = 0;
-  ((k++ == choice ? void(*instance = plane ? describe_kernel<Parameters, Kernels, 2>()
-                                           : describe_kernel<Parameters, Kernels, 3>())
+  ((k++ == choice ? void(*instance = plane ? describe_kernel<Parameters, Kernels, 2>(parameters)
+                                           : describe_kernel<Parameters, Kernels, 3>(parameters))
                   : void()),
    ...);
   return 0;

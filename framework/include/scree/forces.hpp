@@ -8,6 +8,7 @@
 #include <scree/body_range.hpp>
 #include <scree/contacts.hpp>
 #include <scree/domain.hpp>
+#include <scree/onset.hpp>
 #include <scree/pair_constants.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_abi.h>
@@ -20,14 +21,20 @@ namespace scree {
 struct LawInstance {
   scree_contact_instance interface = {};
   const void* storage = nullptr;
+  OnsetWeights touching = {}, parting = {};  // of its forces
 };
 
-// What one evaluation of all contacts adds up to.
+// What one evaluation of all contacts adds up to. Dissipated columns are of the contacts in which they are
+// above 0; those below 0 add up to what the laws create.
 struct ContactSums {
-  double elastic_normal = 0, elastic_tangential = 0;        // (J)
-  double dissipated_normal = 0, dissipated_tangential = 0;  // (W)
-  double dissipated_friction = 0;                           // (J) in this step
-  double max_overlap_ratio = 0;                             // overlap / smaller radius, met so far
+  double elastic_normal = 0, elastic_tangential = 0;                                // (J)
+  double dissipated_normal = 0, dissipated_tangential = 0, dissipated_rolling = 0;  // (W)
+  double dissipated_friction = 0, dissipated_release = 0;                           // (J) in this step
+  double created_power = 0;                                                         // (W)
+  double created = 0;                                                               // (J) in this step
+  double max_overlap_ratio = 0;  // overlap / smaller radius, met so far
+
+  ContactSums& operator+=(const ContactSums& other);
 };
 
 // Evaluates all contacts in tiles of bodies: gather -> law -> scatter in blocks of pairs.

@@ -9,8 +9,8 @@ namespace scree {
 // Rolling resistance of constant torque against the relative spin, μ_r f R* [L7], with R* as in the code that
 // Lemrich et al. used. Towards Δω = 0 the torque is bounded by what would take a sixteenth of the relative
 // spin of a sphere of the pair's mass and radius within the step: a body at rest is not shaken, with a dozen
-// contacts and whatever the integrator. spring_force: elastic part of the normal force (N). Adds to the
-// couple and to the dissipated power.
+// contacts and whatever the integrator. spring_force: elastic part of the normal force (N). Sets the couple
+// and the dissipated power.
 template <int D, class T>
 void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rolling_friction,
                     Response<D, T>& out) {
@@ -21,7 +21,7 @@ void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rollin
   const T bound = T(0.4) * root * root * (T(1.0 / 16) / std::max(step, smallest_divisor<T>));
   const T torque_by_rate = std::min(full * inverse_sqrt(square_rate), bound);
   out.couple = -torque_by_rate * c.relative_spin;
-  out.dissipated_tangential += torque_by_rate * square_rate;
+  out.dissipated_rolling = torque_by_rate * square_rate;
 }
 
 }  // namespace scree

@@ -22,32 +22,47 @@ inline T guess_power(const T& x, int shift, std::uint64_t magic, std::uint32_t m
   return std::bit_cast<T>(Bits(from - (std::bit_cast<Bits>(x) >> shift)));
 }
 
-// Iterations that take such a guess to round-off.
+// c₀ + c₁ e + c₂ e² + ...
 template <class T>
-inline constexpr int newton_iterations = std::is_same_v<T, double> ? 4 : 3;
+inline T polynomial(const T&, double c) {
+  return T(c);
+}
+template <class T, class... More>
+inline T polynomial(const T& e, double c, More... more) {
+  return fused(e, polynomial(e, more...), T(c));
+}
+
+template <class T>
+inline constexpr bool is_single = std::is_same_v<T, float>;
 
 }  // namespace detail
 
-// 1/√x to 1.5 units in the last place; finite at 0. A guess that halves the exponent, then Newton's
-// iteration, which squares the error: 3.4 %, 1.8e-3, 4.7e-6, 3.3e-11, round-off.
+// 1/√x to one unit in the last place; finite at 0. A guess y₀ that halves the exponent, to 13 %; a linear
+// function of x y₀², the best for where that lies, to 6.5e-4; then the series of (1 − e)^(−1/2) in e = 1 − x
+// y², |e| < 1.302e-3, economised, to 6e-17. Shorter than Newton's iterations, and fewer of its operations
+// wait for others.
 template <class T>
 inline T inverse_sqrt(const T& x) {
-  T y = detail::guess_power(x, 1, 0x5fe6eb50c7b537a9u, 0x5f375a86u);
-  const T half = T(0.5) * x;
-  for (int k = 0; k < detail::newton_iterations<T>; ++k) y *= fused(-half * y, y, T(1.5));
-  return y;
+  const T guess = detail::guess_power(x, 1, 0x5fe3f58e38590eb4u, 0x5f1fac72u);
+  const T y = guess * fused(T(-0.7075673662945378), x * guess * guess, T(0.7075673662945378 * 2.3811));
+  const T e = fused(-(x * y), y, T(1));
+  if constexpr (detail::is_single<T>) return fused(y * e, detail::polynomial(e, 0.5, 0.375), y);
+  return fused(y * e, detail::polynomial(e, 0.49999999999977934, 0.375, 0.31250052107344606, 35.0 / 128), y);
 }
 
-// x^(−1/4) to 2 units in the last place; finite at 0. Likewise: 3.2 %, 2.4e-3, 1.5e-5, 5.5e-10, round-off.
+// x^(−1/4) to one unit in the last place; finite at 0. Likewise: 1.1e-3, then the series in e = 1 − x y⁴, |e|
+// < 4.345e-3.
 template <class T>
 inline T inverse_fourth_root(const T& x) {
-  T y = detail::guess_power(x, 2, 0x4feb083126e978d6u, 0x4f584189u);
-  const T quarter = T(0.25) * x;
-  for (int k = 0; k < detail::newton_iterations<T>; ++k) {
-    const T square = y * y;
-    y *= fused(-quarter * square, square, T(1.25));
-  }
-  return y;
+  const T guess = detail::guess_power(x, 2, 0x4fe9fdf3b645a1ccu, 0x4f4fef9eu);
+  const T square_guess = guess * guess;
+  const T y =
+      guess * fused(T(-0.3086685529065161), x * square_guess * square_guess, T(0.3086685529065161 * 4.2277));
+  const T square = y * y, e = fused(-(x * square), square, T(1));
+  if constexpr (detail::is_single<T>) return fused(y * e, detail::polynomial(e, 0.25, 5.0 / 32), y);
+  return fused(
+      y * e, detail::polynomial(e, 0.25, 0.15624999998580244, 15.0 / 128, 0.09521684915668545, 663.0 / 8192),
+      y);
 }
 
 // A square root and its reciprocal.

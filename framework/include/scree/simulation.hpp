@@ -66,6 +66,8 @@ class Simulation {
   scree_energy energy() const;
   // |residual| over the turnover of energy; 0 without an audit.
   double energy_residual() const;
+  // Energy that contact laws have made, over the turnover; 0 without an audit.
+  double energy_created() const;
   // Momentum made by the contact handling, which pairs and planes must cancel, over the momentum exchanged.
   double momentum_residual() const { return momentum_audit_.residual(); }
   double max_overlap_ratio() const { return contact_sums_.max_overlap_ratio; }

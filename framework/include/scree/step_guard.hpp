@@ -13,9 +13,13 @@ struct StepLimit {
   double longest_step;  // (s)
 };
 
+// What speeds are measured against (m/s): where there are walls they are at rest; without walls it is the mean
+// velocity of the bodies at the start, by mass, so that a step suits a cloud however fast it flies as a whole.
+Vec3 drift_velocity(const Scene& scene);
+
 // Impact speed that contacts are judged at (m/s): what the scene expects, else twice the fastest body's at
-// the start, but at least 1 m/s, since bodies at rest are set in motion later. Contact times of Hertz' law go
-// with its fifth root.
+// the start, against the drift velocity, but at least 1 m/s, since bodies at rest are set in motion later.
+// Contact times of Hertz' law go with its fifth root.
 double expected_speed(const Scene& scene);
 
 // Shortest contact of the lightest pair that each law may meet (s); infinite if the scene has no pairs.

@@ -68,7 +68,8 @@ SCREE_HOT void resolve(const BlockJob<T>& b, Block<T>& w) {
   const double step = b.tile.scene->step;
   const auto motion = [&]<bool increments>() SCREE_INLINE_LAMBDA {
     if (resolve_motion<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, padded, w) > 0)
-      resolve_onsets<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, padded, w);
+      resolve_onsets<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, b.law.touching,
+                                                  b.law.parting, padded, w);
   };
   if (b.reads(SCREE_TANGENTIAL_INCREMENT))
     motion.template operator()<true>();

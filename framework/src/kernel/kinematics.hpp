@@ -2,6 +2,7 @@
 
 #include "block.hpp"
 
+#include <scree/onset.hpp>
 #include <scree/roots.hpp>
 
 namespace scree::kernel {
@@ -120,25 +121,34 @@ SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_su
   return near;
 }
 
+// The weight of a force that begins or ends as a power of time (OnsetWeights), at s steps from that moment.
+template <class T>
+SCREE_HOT T onset_weight(const OnsetWeights& weights, const T& s) {
+  const T root = inverse_fourth_root(s);
+  T power = s;  // s^(1 − p)
+  for (int k = 0; k < 4; ++k) power *= k < weights.quarters ? root : T(1);
+  const T first = power * fused(s, fused(s, T(weights.first[2]), T(weights.first[1])), T(weights.first[0]));
+  const T second = fused(T(2) - s, T(weights.slope), T(1));
+  return s < T(1) ? first : second;
+}
+
 // What pairs near the moment in which their surfaces meet or part need, with the way w that they go along the
 // normal within a step:
 //   touched  a pair that met within the step, overlap δ < w, touched for the share δ/w of it
-//   onset    a force that jumps in mid-step and is sampled at the ends of steps gives an impulse that is
-//            off by up to half a step. The weights 3s/2 (s = δ/w < 1) and 2 − s/2 (s < 2) add up to the
-//            right impulse wherever in a step the surfaces meet, and are continuous: damping keeps the
-//            second order.
+//   onset    the weight of forces that begin or end abruptly, at s = δ/w < 2 steps from that moment
 // Most blocks have no such pair.
 template <int D, bool spin, bool planes, bool increments, class T>
 SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step,
-                              std::uint32_t padded, Block<T>& w) {
+                              const OnsetWeights& touching, const OnsetWeights& parting, std::uint32_t padded,
+                              Block<T>& w) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
     const T overlap = w.input[SCREE_OVERLAP][i], approach = w.approach[i], way = std::abs(approach);
-    const T rising = T(1.5) * overlap, falling = T(2) * way - T(0.5) * overlap;
     const T inverse_way = T(1) / (way > T(0) ? way : T(1));
-    w.input[SCREE_ONSET_WEIGHT][i] =
-        overlap < T(2) * way ? std::min(rising, std::max(falling, way)) * inverse_way : T(1);
-    const T touched = overlap < approach ? overlap * inverse_way : T(1);
+    const T s = std::max(overlap, T(0)) * inverse_way;
+    const T closing = onset_weight(touching, s), opening = onset_weight(parting, s);
+    w.input[SCREE_ONSET_WEIGHT][i] = overlap < T(2) * way ? (approach > T(0) ? closing : opening) : T(1);
+    const T touched = overlap < approach ? s : T(1);
     if constexpr (increments)
       set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, touched, i, w);
   }

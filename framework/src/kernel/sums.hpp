@@ -4,15 +4,24 @@
 
 namespace scree::kernel {
 
-// Sum of a padded column in 8 interleaved parts: the same order for every vector width.
+// Sums of what is above and of what is below 0 in a padded column.
+struct SignedSums {
+  double above = 0, below = 0;
+};
+
+// In 8 interleaved parts: the same order for every vector width.
 template <class T>
-SCREE_HOT double sum_column(const T* column, std::uint32_t padded) {
-  double part[SCREE_LANES] = {};
+SCREE_HOT SignedSums sum_column(const T* column, std::uint32_t padded) {
+  double above[SCREE_LANES] = {}, below[SCREE_LANES] = {};
   for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
-    for (std::uint32_t k = 0; k < SCREE_LANES; ++k) part[k] += double(column[i + k]);
-  double sum = 0;
-  for (const double p : part) sum += p;
-  return sum;
+    for (std::uint32_t k = 0; k < SCREE_LANES; ++k) {
+      above[k] += double(std::max(column[i + k], T(0)));
+      below[k] += double(std::min(column[i + k], T(0)));
+    }
+  SignedSums sums;
+  for (const double part : above) sums.above += part;
+  for (const double part : below) sums.below += part;
+  return sums;
 }
 
 // Largest overlap over the smaller radius of each pair. Divides only where it exceeds what was met already.
@@ -37,11 +46,22 @@ SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t p
 template <class T>
 SCREE_HOT ContactSums sum_block(const Block<T>& w, std::uint32_t padded) {
   ContactSums sums;
-  sums.elastic_normal = sum_column(w.output[SCREE_ELASTIC_NORMAL], padded);
-  sums.elastic_tangential = sum_column(w.output[SCREE_ELASTIC_TANGENTIAL], padded);
-  sums.dissipated_normal = sum_column(w.output[SCREE_DISSIPATED_NORMAL], padded);
-  sums.dissipated_tangential = sum_column(w.output[SCREE_DISSIPATED_TANGENTIAL], padded);
-  sums.dissipated_friction = sum_column(w.output[SCREE_DISSIPATED_FRICTION], padded);
+  const auto stored = [&](scree_contact_output column) SCREE_INLINE_LAMBDA {
+    const SignedSums all = sum_column(w.output[column], padded);
+    return all.above + all.below;
+  };
+  const auto dissipated = [&](scree_contact_output column, double& created) SCREE_INLINE_LAMBDA {
+    const SignedSums all = sum_column(w.output[column], padded);
+    created -= all.below;
+    return all.above;
+  };
+  sums.elastic_normal = stored(SCREE_ELASTIC_NORMAL);
+  sums.elastic_tangential = stored(SCREE_ELASTIC_TANGENTIAL);
+  sums.dissipated_normal = dissipated(SCREE_DISSIPATED_NORMAL, sums.created_power);
+  sums.dissipated_tangential = dissipated(SCREE_DISSIPATED_TANGENTIAL, sums.created_power);
+  sums.dissipated_rolling = dissipated(SCREE_DISSIPATED_ROLLING, sums.created_power);
+  sums.dissipated_friction = dissipated(SCREE_DISSIPATED_FRICTION, sums.created);
+  sums.dissipated_release = dissipated(SCREE_DISSIPATED_RELEASE, sums.created);
   return sums;
 }
 

@@ -109,7 +109,8 @@ void check_audit(const Table& root, const Plan& plan) {
   for (const Stage& stage : plan.stages)
     if (stage.kinetic_over_elastic) refuse(fmt::format("the condition of stage '{}'", stage.name));
   for (const Expectation& e : plan.expectations)
-    for (const char* name : {"energy_residual", "elastic_energy", "dissipated_energy", "work"})
+    for (const char* name :
+         {"energy_residual", "energy_created", "elastic_energy", "dissipated_energy", "work"})
       if (e.quantity == name) refuse(fmt::format("the [[expect]] of '{}'", name));
 }
 

@@ -15,13 +15,16 @@ namespace {
 constexpr double k = 5000, gamma_n = 0.5, k_t = 1000, gamma_t = 0.2, mu_s = 0.5, mu_d = 0.3;
 constexpr double overlap = 1e-3, step = 1e-6;
 
-LawBatch contact() {
+enum Rule { by_spring, by_total };
+
+LawBatch contact(Rule rule = by_total) {
   LawBatch c("linear_spring_dashpot", {{"normal_stiffness", {k}},
                                        {"normal_damping", {gamma_n}},
                                        {"tangential_stiffness", {k_t}},
                                        {"tangential_damping", {gamma_t}},
                                        {"static_friction", {mu_s}},
-                                       {"dynamic_friction", {mu_d}}});
+                                       {"dynamic_friction", {mu_d}},
+                                       {"slip_rule", {double(rule)}}});
   c.set(SCREE_NORMAL, {{0, 0, 1}});
   c.input(SCREE_OVERLAP) = overlap;
   return c;
@@ -78,7 +81,7 @@ TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset w
   const Vec3 old = {{3e-3, 1e-3, 0}}, slip = {{0.5, -1, 0}};
   set_spring(c, old);
   c.set(SCREE_RELATIVE_VELOCITY, slip);
-  c.evaluate(step);
+  c.evaluate(0);  // no time in which the direction of slip could turn
   const double f_n = k * overlap;
   const Vec3 f_0 = -k_t * old - gamma_t * slip;
   REQUIRE(norm(f_0) > mu_s * f_n);
@@ -86,9 +89,60 @@ TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset w
   check_equal(c.force(), Vec3{{0, 0, f_n}} + f_t, 5);
   check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
   CHECK(c.history[3][0] == 1);
-  // What slipped against the mean of the old and the new spring's force.
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(-dot(f_t, old - spring_of(c))));
+}
+
+TEST_CASE("[D4]: the spring makes up for the whole dashpot, whatever its weight around first touch",
+          "[equations]") {
+  LawBatch c = contact();
+  const Vec3 old = {{3e-3, 1e-3, 0}}, slip = {{0.5, -1, 0}};
+  set_spring(c, old);
+  c.set(SCREE_RELATIVE_VELOCITY, slip);
+  c.input(SCREE_ONSET_WEIGHT) = 0.4;
+  c.evaluate(0);
+  const Vec3 f_0 = -k_t * old - gamma_t * slip, f_t = (mu_d * k * overlap / norm(f_0)) * f_0;
+  check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
+}
+
+TEST_CASE("by the spring: while it sticks the force is that of spring and dashpot, shortened to the limit",
+          "[equations]") {
+  LawBatch c = contact(by_spring);
+  const Vec3 old = {{1e-3, 0, 0}}, slip = {{3, 4, 0}};
+  set_spring(c, old);
+  c.set(SCREE_RELATIVE_VELOCITY, slip);
+  c.evaluate(step);
+  const double f_n = k * overlap;
+  const Vec3 whole = -k_t * old - gamma_t * slip;
+  REQUIRE(norm(k_t * old) < mu_s * f_n);
+  REQUIRE(norm(whole) < mu_s * f_n);
+  check_equal(c.force(), Vec3{{0, 0, f_n}} + whole, 5);
+  c.set(SCREE_RELATIVE_VELOCITY, 10 * slip);
+  c.evaluate(step);
+  const Vec3 more = -k_t * old - 10 * gamma_t * slip;
+  check_equal(c.force(), Vec3{{0, 0, f_n}} + (mu_s * f_n / norm(more)) * more, 5);
+  check_equal(spring_of(c), old, 1e-4);  // the dashpot never makes the spring slip
+  CHECK(c.history[3][0] == 0);
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
+  CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) ==
+        Approx(dot((mu_s * f_n / norm(more)) * (-1.0 * more) - k_t * old, 10 * slip)));
+}
+
+TEST_CASE("by the spring: a spring that slides keeps μ_d f_n, and the dashpot works against it",
+          "[equations]") {
+  LawBatch c = contact(by_spring);
+  const double f_n = k * overlap, excess = 1e-3;
+  const Vec3 unit = {{0.6, 0.8, 0}}, old = ((1 + excess) * mu_d * f_n / k_t) * unit;
+  set_spring(c, old, true);
+  c.set(SCREE_RELATIVE_VELOCITY, -0.5 * unit);
+  c.evaluate(0);
+  check_equal(spring_of(c), (mu_d * f_n / k_t) * unit, 1e-3);
+  // The dashpot is exact to second order in how far the spring was beyond the limit.
+  CHECK(norm(c.force() - (Vec3{{0, 0, f_n}} - (mu_d * f_n - 0.5 * gamma_t) * unit)) < excess * excess);
+  CHECK(c.history[3][0] == 1);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) ==
         Approx(0.5 * k_t * dot(old + spring_of(c), old - spring_of(c))));
+  CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) == Approx(gamma_t * 0.25).epsilon(excess * excess));
+  CHECK(c.output(SCREE_DISSIPATED_RELEASE) == 0);
 }
 
 TEST_CASE("between μ_d and μ_s the state in memory decides", "[equations]") {
@@ -120,7 +174,8 @@ TEST_CASE("a pair that does not touch feels nothing and lets its spring go, on t
   check_equal(c.force(), {}, 1);
   check_equal(spring_of(c), {}, 1);
   CHECK(c.history[3][0] == 0);
-  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0.5 * k_t * 1e-8));
+  CHECK(c.output(SCREE_DISSIPATED_RELEASE) == Approx(0.5 * k_t * 1e-8));
+  CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
 }
 
 TEST_CASE("friction costs nothing where there is none", "[equations]") {

@@ -34,13 +34,14 @@ std::map<std::string, int> disassemble(const std::string& library, const std::st
 // The baseline of x86-64 is not among them: without an instruction for it, a fused multiply-add is a call.
 TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
   const std::string folder = SCREE_TEST_PLUGINS "/contact/";
-  for (const std::string law : {"linear_spring_dashpot", "hertz_mindlin"})
+  for (const auto& [law, kernels] :
+       {std::pair<std::string, std::size_t>{"linear_spring_dashpot", 12}, {"hertz_mindlin", 8}})
     for (const auto& [level, vector_register] :
          {std::pair<std::string, std::string>{"x86-64-v3/", "%ymm"}, {"x86-64-v4/", "%zmm"}}) {
       const auto functions = disassemble(folder + level + law + ".so", vector_register);
       INFO(law << " at " << level << ": " << functions.size() << " functions");
-      // 8 kernels × 2 dimensions × with and without audit × double and single precision.
-      CHECK(functions.size() == 64);
+      // Kernels × 2 dimensions × with and without audit × double and single precision.
+      CHECK(functions.size() == 8 * kernels);
       for (const auto& [symbol, packed] : functions) {
         INFO(symbol);
         CHECK(packed >= 5);

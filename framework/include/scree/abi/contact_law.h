@@ -23,7 +23,7 @@ typedef enum scree_contact_input {
   SCREE_TANGENTIAL_INCREMENT = 7, /* (m) displacement of a's contact point relative to b's during the part of
                                      the step in which they touch, perpendicular to the normal of mid-step */
   SCREE_RELATIVE_SPIN = 10,       /* (rad/s) spin of a minus spin of b, at the end of the step */
-  SCREE_ONSET_WEIGHT = 13,        /* factor for forces that jump at first touch: see contact_law.hpp */
+  SCREE_ONSET_WEIGHT = 13,        /* factor for forces that begin or end with onset_power or parting_power */
   SCREE_CONTACT_RADIUS = 14,      /* 3 columns: (m) a = √(R* δ) of a Hertzian contact, 0 apart; (1/m) 1/a,
                                      finite; (m^½) √a */
   SCREE_REDUCED_MASS = 17,        /* (kg) m* = m_a m_b/(m_a+m_b); for a wall m_a */
@@ -40,8 +40,12 @@ typedef enum scree_contact_output {
   SCREE_ELASTIC_TANGENTIAL = 7,    /* (J) energy stored in tangential and rolling springs */
   SCREE_DISSIPATED_NORMAL = 8,     /* (W) power lost to the normal dashpot */
   SCREE_DISSIPATED_TANGENTIAL = 9, /* (W) power lost to the tangential dashpot */
-  SCREE_DISSIPATED_FRICTION = 10,  /* (J) lost to sliding and to springs let go during the step */
-  SCREE_CONTACT_OUTPUT_COUNT = 11
+  SCREE_DISSIPATED_ROLLING = 10,   /* (W) power lost to rolling resistance */
+  SCREE_DISSIPATED_FRICTION = 11,  /* (J) lost to slip during the step */
+  SCREE_DISSIPATED_RELEASE = 12,   /* (J) let go by springs during the step: where a stiffness changes, or the
+                                      pair opens with its springs stretched. Each dissipated column is >= 0;
+                                      what   is below 0 is kept apart, as energy that the law has created */
+  SCREE_CONTACT_OUTPUT_COUNT = 13
 } scree_contact_output;
 
 typedef enum scree_arms {
@@ -76,6 +80,9 @@ typedef struct scree_contact_instance {
   uint32_t arms;          /* scree_arms */
   uint32_t history_width; /* <= SCREE_MAX_HISTORY */
   int32_t sliding_column; /* history column that is above 0 while the contact slides, -1 without */
+  /* Powers of time with which forces that are multiplied by SCREE_ONSET_WEIGHT begin at first touch and end
+   * at parting: 0 for a jump, 1/4, 1/2, 3/4; 1 and more for no weights. */
+  double onset_power, parting_power;
   const char* const* history_names; /* (optional) history_width names */
   void (*evaluate)(const void* storage, const scree_contact_batch* batch);
   /* (optional) NULL: the law cannot be used in a run of mixed precision */

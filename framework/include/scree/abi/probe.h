@@ -18,10 +18,12 @@ extern "C" {
 typedef struct scree_energy {
   double kinetic_translation, kinetic_rotation, kinetic_boundary;
   double elastic_normal, elastic_tangential, potential;
-  double dissipated_normal, dissipated_tangential, dissipated_friction;
+  double dissipated_normal, dissipated_tangential, dissipated_rolling; /* dashpots, rolling resistance */
+  double dissipated_friction, dissipated_release;                      /* slip, springs let go */
   double dissipated_translation, dissipated_rotation, dissipated_boundary;
+  double created;  /* by contact laws that have no potential and do not only dissipate */
   double work;     /* done by boundaries since the start */
-  double residual; /* stored now − stored at the start + dissipated − work */
+  double residual; /* stored now − stored at the start + dissipated − created − work */
 } scree_energy;
 
 enum { SCREE_NEEDS_CONTACTS = 1u << 0 };
