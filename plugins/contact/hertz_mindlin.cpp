@@ -172,14 +172,16 @@ struct Kernel : HertzMindlin {
     const T weight = c.onset_weight * c.reduced_mass_root * c.contact_radius_root;
 
     const T spring_force = T(4.0 / 3.0 * effective_modulus) * c.contact_radius.value * c.overlap;
-    const T gamma_n = weight * T(normal_damping);
+    const T stiffness = T(2 * effective_modulus) * c.contact_radius.value;  // of the normal spring
+    const T gamma_n = weight * T(normal_damping) *
+                      scree::prediction_share(T(0.5) * c.step * c.step, stiffness, c.reduced_mass_root);
     const T pushing_or_pulling = scree::fused(-gamma_n, v_n, spring_force);
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
-    out.force = f_n * c.normal;
+    if constexpr (!frictional) out.force = f_n * c.normal;
     out.elastic_normal = T(0.4) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
-    if constexpr (frictional) slide_or_stick(c, pushing, weight, h, out);
+    if constexpr (frictional) slide_or_stick(c, f_n, pushing, weight, h, out);
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
@@ -194,10 +196,11 @@ struct Kernel : HertzMindlin {
   }
 
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& weight, Friction<D, T>& h,
-                      Response<D, T>& out) const {
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& pushing, const T& weight,
+                      Friction<D, T>& h, Response<D, T>& out) const {
     const T k_t = T(8 * effective_shear_modulus) * c.contact_radius.value;
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
+    const T inverse_k_t = T(inverse_shear_stiffness) * c.contact_radius.inverse;
     const T gamma_t = weight * T(tangential_damping);
 
     // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
@@ -209,27 +212,26 @@ struct Kernel : HertzMindlin {
       carried = fused(mean, c.tangential_increment, growth * h.spring);
     }
     const Vec<D, T> moved = tangential_part(carried, c.normal);
-    const T limit = T(friction) * f_n;
-    const scree::Slip<D, T> slip = scree::slide_or_stick<D, T>(
-        {.moved = moved,
-         .stiffness = k_t,
-         .inverse_stiffness = T(inverse_shear_stiffness) * c.contact_radius.inverse,
-         .velocity = v_t,
-         .damping = gamma_t,
-         .onset_weight = T(1),
-         .length = c.step,
-         .limit = limit,
-         .sliding_limit = limit});
+    const T limit = T(friction) * pushing;
+    const scree::SlipStep<D, T> step = {.moved = moved,
+                                        .stiffness = k_t,
+                                        .inverse_stiffness = inverse_k_t,
+                                        .velocity = v_t,
+                                        .delay = gamma_t * inverse_k_t,
+                                        .length = c.step,
+                                        .limit = limit,
+                                        .sliding_limit = limit};
+    const scree::Slip<D, T> slip = scree::slide_or_stick(step);
     const Friction<D, T> before = h;
     h.spring = slip.spring;
     h.signed_contact_radius = slip.slides ? c.contact_radius.value : -c.contact_radius.value;
 
-    out.force += slip.force;
     // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ) = 4 G* R*/a.
+    T along_normal = f_n;
     if constexpr (form == potential)
-      out.force += (T(2 * effective_shear_modulus) * c.effective_radius * c.contact_radius.inverse *
-                    dot(h.spring, h.spring)) *
-                   c.normal;
+      along_normal += T(2 * effective_shear_modulus) * c.effective_radius * c.contact_radius.inverse *
+                      dot(h.spring, h.spring);
+    out.force = fused(along_normal, c.normal, slip.force);
     out.elastic_tangential = stored_energy(h);
     out.dissipated_tangential = -dot(fused(k_t, h.spring, slip.force), v_t);
     book_slip(before, h, moved, growth, mean, k_t, out);

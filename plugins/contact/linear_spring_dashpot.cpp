@@ -86,7 +86,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 
   std::size_t kernel() const {
-    const std::size_t friction = static_friction > 0 ? 1 + std::size_t(slip_rule) : 0;
+    std::size_t friction = 0;
+    if (static_friction > 0) friction = tangential_damping == 0 ? 1 : 2 + std::size_t(slip_rule);
     return 4 * friction + (rolling_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0);
   }
 
@@ -119,7 +120,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 };
 
-enum class Friction { none, spring, total };
+enum class Friction { none, undamped, spring, total };  // undamped: both slip rules are one
 
 template <Friction friction, bool rolling, bool by_restitution>
 struct Kernel : LinearSpringDashpot {
@@ -156,20 +157,27 @@ struct Kernel : LinearSpringDashpot {
   template <int D, class T>
   void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
-    T gamma = T(normal_damping);
-    if constexpr (by_restitution) gamma = T(damping_by_root_mass) * c.reduced_mass_root;
+    T gamma = T(normal_damping), predicted = T(1);
+    if constexpr (by_restitution) {
+      gamma = T(damping_by_root_mass) * c.reduced_mass_root;
+      predicted = scree::prediction_share(T(0.5) * c.step * c.step, T(normal_stiffness), c.reduced_mass_root);
+    }
 
     // [D1], δ' = −v_n
-    const T spring_force = T(normal_stiffness) * c.overlap;
-    const T pushing_or_pulling = scree::fused(-(c.onset_weight * gamma), v_n, spring_force);
+    const T spring_force = T(normal_stiffness) * c.overlap, damping_force = predicted * gamma * v_n;
+    const T pushing_or_pulling = scree::fused(-c.onset_weight, damping_force, spring_force);
     const T pushing = std::max(pushing_or_pulling, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
-    out.force = f_n * c.normal;
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
-    if constexpr (friction == Friction::spring) slide_or_stick(c, pushing, h, out);
+    if constexpr (friction == Friction::undamped || friction == Friction::spring)
+      slide_or_stick(c, pushing, h, out);
     if constexpr (friction == Friction::total)
-      slide_or_stick_by_total(c, pushing, std::max(scree::fused(-gamma, v_n, spring_force), T(0)), h, out);
+      slide_or_stick_by_total(c, pushing, std::max(spring_force - damping_force, T(0)), h, out);
+    if constexpr (frictional)
+      out.force = fused(f_n, c.normal, out.force);
+    else
+      out.force = f_n * c.normal;
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
@@ -182,14 +190,13 @@ struct Kernel : LinearSpringDashpot {
 
   template <int D, class T>
   scree::SlipStep<D, T> step_of(const Contact<D, T>& c, const Spring<D, T>& h, const Vec<D, T>& moved,
-                                const Vec<D, T>& v_t, const T& f_n) const {
+                                const Vec<D, T>& v_t, const T& f_n, const T& weight) const {
     const T sliding_limit = T(dynamic_friction) * f_n;
     return {.moved = moved,
             .stiffness = T(tangential_stiffness),
             .inverse_stiffness = T(inverse_tangential_stiffness),
             .velocity = v_t,
-            .damping = T(tangential_damping),
-            .onset_weight = c.onset_weight,
+            .delay = weight * T(tangential_damping * inverse_tangential_stiffness),
             .length = c.step,
             .limit = h.sliding > T(0) ? sliding_limit : T(static_friction) * f_n,
             .sliding_limit = sliding_limit};
@@ -201,7 +208,7 @@ struct Kernel : LinearSpringDashpot {
     const Vec<D, T> mean_force = T(0.5 * tangential_stiffness) * (h.spring + slip.spring);
     h.spring = slip.spring;
     h.sliding = slip.slides ? T(1) : T(0);
-    out.force += slip.force;
+    out.force = slip.force;
     out.elastic_tangential = stored_energy(h);
     return mean_force;
   }
@@ -209,9 +216,12 @@ struct Kernel : LinearSpringDashpot {
   template <int D, class T>
   void slide_or_stick(const Contact<D, T>& c, const T& f_n, Spring<D, T>& h, Response<D, T>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
-    const scree::Slip<D, T> slip = scree::slide_or_stick(step_of(c, h, moved, v_t, f_n));
+    constexpr bool damped = friction != Friction::undamped;
+    const scree::Slip<D, T> slip =
+        scree::slide_or_stick<damped>(step_of(c, h, moved, v_t, f_n, c.onset_weight));
     const Vec<D, T> mean_force = take_over(slip, h, out);
-    out.dissipated_tangential = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
+    if constexpr (damped)
+      out.dissipated_tangential = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
     out.dissipated_friction = std::max(dot(mean_force, moved - h.spring), T(0));
   }
 
@@ -219,8 +229,8 @@ struct Kernel : LinearSpringDashpot {
   void slide_or_stick_by_total(const Contact<D, T>& c, const T& f_n, const T& unweighted_f_n, Spring<D, T>& h,
                                Response<D, T>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
-    const scree::Slip<D, T> slip =
-        scree::slide_or_stick_by_total(step_of(c, h, moved, v_t, unweighted_f_n), T(dynamic_friction) * f_n);
+    const scree::Slip<D, T> slip = scree::slide_or_stick_by_total(
+        step_of(c, h, moved, v_t, unweighted_f_n, T(1)), c.onset_weight, T(dynamic_friction) * f_n);
     const Vec<D, T> mean_force = take_over(slip, h, out), slipped = moved - h.spring;
     const T dashpot_power = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
     // While it slides, the dashpot changes what the spring holds: γ_t v_t·ξ' of either sign.
@@ -236,7 +246,9 @@ using enum Friction;
 }  // namespace
 
 SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, Kernel<none, false, false>, Kernel<none, false, true>,
-                         Kernel<none, true, false>, Kernel<none, true, true>, Kernel<spring, false, false>,
+                         Kernel<none, true, false>, Kernel<none, true, true>, Kernel<undamped, false, false>,
+                         Kernel<undamped, false, true>, Kernel<undamped, true, false>,
+                         Kernel<undamped, true, true>, Kernel<spring, false, false>,
                          Kernel<spring, false, true>, Kernel<spring, true, false>, Kernel<spring, true, true>,
                          Kernel<total, false, false>, Kernel<total, false, true>, Kernel<total, true, false>,
                          Kernel<total, true, true>)

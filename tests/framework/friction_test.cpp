@@ -23,8 +23,7 @@ double angle_after(double angle, double time, int steps, const Velocity& slip_ve
                                                          .stiffness = stiffness,
                                                          .inverse_stiffness = 1 / stiffness,
                                                          .velocity = velocity,
-                                                         .damping = 0,
-                                                         .onset_weight = 1,
+                                                         .delay = 0,
                                                          .length = h,
                                                          .limit = limit,
                                                          .sliding_limit = limit});
@@ -88,8 +87,7 @@ TEST_CASE("forces obey Coulomb's law, and spring and dashpot lose energy only, w
                                                          .stiffness = stiffness,
                                                          .inverse_stiffness = 1 / stiffness,
                                                          .velocity = velocity,
-                                                         .damping = damping,
-                                                         .onset_weight = 1,
+                                                         .delay = damping / stiffness,
                                                          .length = h,
                                                          .limit = bound,
                                                          .sliding_limit = bound});

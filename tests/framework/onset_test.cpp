@@ -1,5 +1,6 @@
 #include "../../framework/src/kernel/kinematics.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include <catch2/catch.hpp>
@@ -30,6 +31,8 @@ std::unique_ptr<Block<double>> pairs(const std::vector<double>& ways, double clo
   if (resolve_motion<3, false, false, true>(true, radius_sums.data(), step, block_size, *w) > 0)
     resolve_onsets<3, false, false, true>(true, radius_sums.data(), step, OnsetWeights::of_power(touching),
                                           OnsetWeights::of_power(parting), block_size, *w);
+  else  // what a block without such pairs is given
+    std::fill_n(w->input[SCREE_ONSET_WEIGHT], block_size, 1.0);
   return w;
 }
 

@@ -30,8 +30,7 @@ struct SlipStep {
   const Vec<D, T>& moved;          // ξ moved by the step, in the present tangent plane (m)
   T stiffness, inverse_stiffness;  // k and 1/k at its end (N/m, m/N)
   const Vec<D, T>& velocity;       // v_t at its end (m/s)
-  T damping;                       // γ (kg/s)
-  T onset_weight;                  // of γ around first touch
+  T delay;                         // γ/k, weighted around first touch (s)
   T length;                        // of the step (s)
   T limit, sliding_limit;          // C as the contact has been so far, and while it slides (N)
 };
@@ -41,11 +40,11 @@ struct SlipStep {
 // direction is that of p = ξ + ½ y h v_t, with y = slip/|ξ| = ½ (ξ²/L² − 1), L = C/k. It is multiplied by 4
 // L², which saves a division. The whole force is along k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t), where |p| = ½
 // L (1 + ξ²/L²) to second order does without the root that ξ waits for.
-template <int D, class T>
+// damped: false saves what a dashpot takes.
+template <bool damped = true, int D, class T>
 inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   const T longest = in.limit * in.inverse_stiffness, square = dot(in.moved, in.moved);
   const bool slides = square > longest * longest;
-  const T limit = slides ? in.sliding_limit : in.limit;
   const T sliding_longest = in.sliding_limit * in.inverse_stiffness;  // L
   const T longest_square = sliding_longest * sliding_longest;
 
@@ -54,15 +53,15 @@ inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   if constexpr (std::is_same_v<T, float>) scale = T(1) / std::max(square, smallest_divisor<T>);
   const T kept = slides ? T(4) * scale * longest_square : T(1);
   const T turned = slides ? scale * in.length * (square - longest_square) : T(0);
-  const T length = slides ? T(2) * scale * (square + longest_square) : T(1);  // |direction|/L
   const Vec<D, T> direction = fused(turned, in.velocity, kept * in.moved);
-  const T delay = in.onset_weight * in.damping * in.inverse_stiffness;  // γ/k
-  const Vec<D, T> along = fused(delay * length, in.velocity, direction);
-  const T along_square = dot(along, along);
   const T shortening = sliding_longest * inverse_sqrt(dot(direction, direction));
-  const T limiting = limit * inverse_sqrt(along_square);
-
   const T share = slides ? shortening : T(1), whole = in.stiffness * share;
+  if constexpr (!damped) return {share * direction, -whole * direction, slides};
+
+  const T limit = slides ? in.sliding_limit : in.limit;
+  const T length = slides ? T(2) * scale * (square + longest_square) : T(1);  // |direction|/L
+  const Vec<D, T> along = fused(in.delay * length, in.velocity, direction);
+  const T along_square = dot(along, along), limiting = limit * inverse_sqrt(along_square);
   const bool limited = whole * whole * along_square > limit * limit;
   return {share * direction, -(limited ? limiting : whole) * along, slides};
 }
@@ -71,10 +70,14 @@ inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
 // contact slides the spring is ξ = −(f_t + γ v_t)/k [D4], so that f_t has the direction of the test force.
 // Where γ v_t changes during slip this moves energy between dashpot and spring, and may create some. Limits
 // and dashpot have no weights around first touch here, for the spring makes up for a dashpot that the next
-// step adds with another weight; weighted_limit (N) is the limit with its weight, which the force obeys.
+// step adds with another weight.
+//   onset_weight    of dashpots around first touch
+//   weighted_limit  C while it slides with that weight, which the force obeys (N)
 template <int D, class T>
-inline Slip<D, T> slide_or_stick_by_total(const SlipStep<D, T>& in, const T& weighted_limit) {
-  const Vec<D, T> test = fused(in.stiffness, in.moved, in.damping * in.velocity);
+inline Slip<D, T> slide_or_stick_by_total(const SlipStep<D, T>& in, const T& onset_weight,
+                                          const T& weighted_limit) {
+  const T damping = in.stiffness * in.delay;
+  const Vec<D, T> test = fused(in.stiffness, in.moved, damping * in.velocity);
   const T square = dot(test, test), limit_square = in.limit * in.limit;
   const bool slides = square > limit_square;
   const T ratio = std::min(square / std::max(limit_square, smallest_divisor<T>), T(1e8));
@@ -82,10 +85,10 @@ inline Slip<D, T> slide_or_stick_by_total(const SlipStep<D, T>& in, const T& wei
   const Vec<D, T> direction = fused(turned, in.velocity, test);
   const T shortening = inverse_sqrt(dot(direction, direction));
   const Vec<D, T> held = (slides ? in.sliding_limit * shortening : T(1)) * direction;  // k ξ + γ v_t
-  const T unweighted = slides ? T(0) : (in.onset_weight - T(1)) * in.damping;
-  const Vec<D, T> force =
-      fused(unweighted, in.velocity, (slides ? weighted_limit * shortening : T(1)) * direction);
-  return {in.inverse_stiffness * fused(-in.damping, in.velocity, held), -force, slides};
+  const T missing = slides ? T(0) : (onset_weight - T(1)) * damping;
+  const T share = slides ? weighted_limit * shortening : T(1);
+  return {in.inverse_stiffness * fused(-damping, in.velocity, held),
+          -fused(missing, in.velocity, share * direction), slides};
 }
 
 }  // namespace scree

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <scree/vec.hpp>
+
 namespace scree {
 
 // Whether a dashpot may pull at the end of a contact: allowed, the contact ends at δ = 0; cut, at f_n = 0,
@@ -38,6 +40,17 @@ inline double damping_ratio_of(double restitution, Tension tension) {
     (restitution_of(middle, tension) > restitution ? low : high) = middle;
   }
   return 0.5 * (low + high);
+}
+
+// What the predicted normal velocity of a contact is to be multiplied by in its dashpot. The prediction, v +
+// h F/m from the force before the step, overshoots by −½ h² F'/m = ½ h² (K/m*) v for the stiffness K of the
+// contact itself, so that a damped impact would lose ½ (ω h)² too much of what it loses; this share is taken
+// back. Other contacts of the same bodies are of no account: they leave an error of second order.
+//   half_square_step  ½ h² (s²);  stiffness  K = dF/dδ (N/m)
+template <class T>
+inline T prediction_share(const T& half_square_step, const T& stiffness, const T& reduced_mass_root) {
+  const T mass = reduced_mass_root * reduced_mass_root;
+  return mass / fused(half_square_step, stiffness, mass);
 }
 
 }  // namespace scree

@@ -35,10 +35,10 @@ struct alignas(64) Block {
   double separation[3][block_size];  // x_a − x_b (m); of a plane from its point
   T radius_difference[block_size];   // R_a − R_b (m)
   T distance[block_size];
-  T approach[block_size];                                  // along the normal within the step (m)
   T velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
   T spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
   T input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
+  T ones[block_size];                                      // onset weights of blocks that need none
   T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // forces go straight to pairs that keep them
   T torque[2][3][block_size];                              // on a, on b (N m)
   ContactBatch<T> batch;                                   // what the law is given

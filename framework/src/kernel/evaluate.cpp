@@ -67,7 +67,10 @@ SCREE_HOT void resolve(const BlockJob<T>& b, Block<T>& w) {
   if (b.reads(SCREE_CONTACT_RADIUS)) resolve_contact_radii(b.constant(SCREE_EFFECTIVE_RADIUS), padded, w);
   const double step = b.tile.scene->step;
   const auto motion = [&]<bool increments>() SCREE_INLINE_LAMBDA {
-    if (resolve_motion<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, padded, w) > 0)
+    const bool near =
+        resolve_motion<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, padded, w) > 0;
+    w.batch.input[SCREE_ONSET_WEIGHT] = near ? w.input[SCREE_ONSET_WEIGHT] : w.ones;
+    if (near)
       resolve_onsets<D, spin, planes, increments>(to_contact_point, b.radius_sum, step, b.law.touching,
                                                   b.law.parting, padded, w);
   };
@@ -84,6 +87,7 @@ SCREE_HOT void begin_batch(const Scene& scene, Block<T>& w) {
   w.batch.struct_size = sizeof(w.batch);
   w.batch.step = scene.step;
   for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) w.batch.input[k] = w.input[k];
+  std::fill(std::begin(w.ones), std::end(w.ones), T(1));
   const std::uint32_t outputs = scene.audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
   for (std::uint32_t k = 0; k < outputs; ++k) w.batch.output[k] = w.output[k];
 }
@@ -171,9 +175,10 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
 
 // The same code once more for each instruction level. No contraction and no reassociation: the same bits.
 #if SCREE_SEVERAL_LEVELS
-#define SCREE_LEVELS(X) \
-  X(baseline, )         \
-  X(v3, gnu::target("arch=x86-64-v3")) X(v4, gnu::target("arch=x86-64-v4,prefer-vector-width=512"))
+#define SCREE_LEVELS(X)                \
+  X(baseline, )                        \
+  X(v3, gnu::target("arch=x86-64-v3")) \
+  X(v4, gnu::target("arch=x86-64-v4,prefer-vector-width=512"))
 #else
 #define SCREE_LEVELS(X) X(baseline, )
 #endif

@@ -82,7 +82,7 @@ SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double 
     for (int k = 0; k < D; ++k) separation[k] = fused(-half, motion[k], T(w.separation[k][i]));
     const T square = dot(separation, separation), inverse = inverse_sqrt(square);
     distance = square * inverse;
-    for (int k = 0; k < D; ++k) mid_normal[k] = distance > T(0) ? separation[k] * inverse : n[k];
+    for (int k = 0; k < D; ++k) mid_normal[k] = separation[k] * inverse;
   }
   if constexpr (spin) {
     const auto arms = Arms<planes, T>::of(to_contact_point, distance, radius_sum, w.radius_difference[i]);
@@ -111,9 +111,7 @@ SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_su
       set_lanes<S>(w.input + SCREE_RELATIVE_SPIN, i, spin_a - spin_b);
     }
     set_lanes<D>(w.input + SCREE_RELATIVE_VELOCITY, i, v);
-    const T approach = -dot(v, n) * T(step), overlap = w.input[SCREE_OVERLAP][i];
-    w.approach[i] = approach;
-    w.input[SCREE_ONSET_WEIGHT][i] = T(1);
+    const T approach = dot(v, n) * T(step), overlap = w.input[SCREE_OVERLAP][i];
     near += overlap > T(0) && overlap < T(2) * std::abs(approach);
     if constexpr (increments)
       set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, T(1), i, w);
@@ -143,7 +141,9 @@ SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, d
                               Block<T>& w) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    const T overlap = w.input[SCREE_OVERLAP][i], approach = w.approach[i], way = std::abs(approach);
+    const Vec<D, T> v = lanes_of<D>(w.input + SCREE_RELATIVE_VELOCITY, i);
+    const T approach = -dot(v, lanes_of<D>(w.input + SCREE_NORMAL, i)) * T(step);
+    const T overlap = w.input[SCREE_OVERLAP][i], way = std::abs(approach);
     const T inverse_way = T(1) / (way > T(0) ? way : T(1));
     const T s = std::max(overlap, T(0)) * inverse_way;
     const T closing = onset_weight(touching, s), opening = onset_weight(parting, s);

@@ -35,7 +35,7 @@ std::map<std::string, int> disassemble(const std::string& library, const std::st
 TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
   const std::string folder = SCREE_TEST_PLUGINS "/contact/";
   for (const auto& [law, kernels] :
-       {std::pair<std::string, std::size_t>{"linear_spring_dashpot", 12}, {"hertz_mindlin", 8}})
+       {std::pair<std::string, std::size_t>{"linear_spring_dashpot", 16}, {"hertz_mindlin", 8}})
     for (const auto& [level, vector_register] :
          {std::pair<std::string, std::string>{"x86-64-v3/", "%ymm"}, {"x86-64-v4/", "%zmm"}}) {
       const auto functions = disassemble(folder + level + law + ".so", vector_register);
