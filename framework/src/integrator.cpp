@@ -11,8 +11,7 @@ namespace {
 // tests/framework/integrator_choice_test.cpp measures them again.
 constexpr IntegrationTraits all[] = {
     {Integration::velocity_verlet, "velocity_verlet",
-     "order 2, symplectic; dashpots and contact onset keep order 2, sliding brings it to between 1 and 2", 1,
-     1},
+     "order 2, symplectic; dashpots, contact onset, sliding and sticking keep order 2", 1, 1},
     {Integration::position_verlet, "position_verlet",
      "order 2, symplectic, forces in mid-step; as velocity Verlet", 1, 1},
     {Integration::fourth_order, "fourth_order",
