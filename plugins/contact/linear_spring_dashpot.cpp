@@ -42,7 +42,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "stick: |k_t ξ| <= C                               μ = μ_s while sticking, μ_d while sliding\n"
       "slip:  ξ shortened to |k_t ξ| = μ_d f_n           the dashpot never makes the spring slip; both only "
       "lose energy:\n"
-      "       friction k_t ξ·s >= 0, dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0, since P is monotone\n"
+      "       friction k_t ξ·s >= 0 (s: velocity of slip), dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0: P is "
+      "monotone\n"
       "slip_rule = total, as [D3], [D4] print it: slip where |k_t ξ + γ_t v_t| > C, then ξ = −(f_t + γ_t "
       "v_t)/k_t;\n"
       "       where γ_t v_t changes while it slides this may create energy, which the books show\n"
@@ -80,6 +81,11 @@ struct LinearSpringDashpot : scree::ContactLaw {
       return setup.refuse("dynamic_friction is above static_friction; give at most the static value");
     if (static_friction > 0 && tangential_stiffness <= 0)
       return setup.refuse("friction needs tangential_stiffness above 0");
+    // Its reciprocal, and the square of the time γ_t/k_t, must be numbers in single precision too.
+    if (static_friction > 0 && !(tangential_stiffness > 1e-15 * std::max(1.0, tangential_damping)))
+      return setup.refuse(
+          "tangential_stiffness is too small for numbers to hold; give at least 1e-15 N/m, and "
+          "1e-15/s times tangential_damping");
     if (restitution > 0) damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
     damping_by_root_mass = 2 * damping_ratio * std::sqrt(normal_stiffness);
     if (tangential_stiffness > 0) inverse_tangential_stiffness = 1 / tangential_stiffness;
@@ -229,8 +235,11 @@ struct Kernel : LinearSpringDashpot {
   void slide_or_stick_by_total(const Contact<D, T>& c, const T& f_n, const T& unweighted_f_n, Spring<D, T>& h,
                                Response<D, T>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
-    const scree::Slip<D, T> slip = scree::slide_or_stick_by_total(
-        step_of(c, h, moved, v_t, unweighted_f_n, T(1)), c.onset_weight, T(dynamic_friction) * f_n);
+    const T weighted_sliding_limit = T(dynamic_friction) * f_n;
+    const T weighted_limit = h.sliding > T(0) ? weighted_sliding_limit : T(static_friction) * f_n;
+    const scree::Slip<D, T> slip =
+        scree::slide_or_stick_by_total(step_of(c, h, moved, v_t, unweighted_f_n, T(1)), c.onset_weight,
+                                       weighted_limit, weighted_sliding_limit);
     const Vec<D, T> mean_force = take_over(slip, h, out), slipped = moved - h.spring;
     const T dashpot_power = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
     // While it slides, the dashpot changes what the spring holds: γ_t v_t·ξ' of either sign.

@@ -71,24 +71,27 @@ inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
 // Where γ v_t changes during slip this moves energy between dashpot and spring, and may create some. Limits
 // and dashpot have no weights around first touch here, for the spring makes up for a dashpot that the next
 // step adds with another weight.
-//   onset_weight    of dashpots around first touch
-//   weighted_limit  C while it slides with that weight, which the force obeys (N)
+//   onset_weight                             of dashpots around first touch
+//   weighted_limit, weighted_sliding_limit   C with that weight, which the force obeys (N)
 template <int D, class T>
 inline Slip<D, T> slide_or_stick_by_total(const SlipStep<D, T>& in, const T& onset_weight,
-                                          const T& weighted_limit) {
+                                          const T& weighted_limit, const T& weighted_sliding_limit) {
   const T damping = in.stiffness * in.delay;
   const Vec<D, T> test = fused(in.stiffness, in.moved, damping * in.velocity);
   const T square = dot(test, test), limit_square = in.limit * in.limit;
   const bool slides = square > limit_square;
-  const T ratio = std::min(square / std::max(limit_square, smallest_divisor<T>), T(1e8));
+  const T ratio = std::min(square / std::max(limit_square, smallest_divisor<T>), T(1e4));
   const T turned = slides ? T(0.25) * (ratio - T(1)) * in.length * in.stiffness : T(0);
   const Vec<D, T> direction = fused(turned, in.velocity, test);
-  const T shortening = inverse_sqrt(dot(direction, direction));
-  const Vec<D, T> held = (slides ? in.sliding_limit * shortening : T(1)) * direction;  // k ξ + γ v_t
+  const T shortening = in.sliding_limit * inverse_sqrt(dot(direction, direction));
+  const Vec<D, T> held = (slides ? shortening : T(1)) * direction;  // k ξ + γ v_t
+
   const T missing = slides ? T(0) : (onset_weight - T(1)) * damping;
-  const T share = slides ? weighted_limit * shortening : T(1);
-  return {in.inverse_stiffness * fused(-damping, in.velocity, held),
-          -fused(missing, in.velocity, share * direction), slides};
+  const Vec<D, T> whole = fused(missing, in.velocity, direction);
+  const T limit = slides ? weighted_sliding_limit : weighted_limit, whole_square = dot(whole, whole);
+  const T limiting = limit * inverse_sqrt(whole_square);
+  const T share = slides || whole_square > limit * limit ? limiting : T(1);
+  return {in.inverse_stiffness * fused(-damping, in.velocity, held), -share * whole, slides};
 }
 
 }  // namespace scree

@@ -104,6 +104,22 @@ TEST_CASE("[D4]: the spring makes up for the whole dashpot, whatever its weight 
   check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
 }
 
+TEST_CASE("[D3]: the force obeys Coulomb's law also where dashpots are weighted around first touch",
+          "[equations]") {
+  for (const double weight : {0.1, 0.7, 1.4}) {
+    LawBatch c = contact();
+    // It sticks: the test force without weights is below the limit, to which the normal dashpot adds.
+    c.set(SCREE_RELATIVE_VELOCITY, {{20, 0, -10}});
+    c.input(SCREE_ONSET_WEIGHT) = weight;
+    c.evaluate(step);
+    const double f_n = k * overlap + weight * gamma_n * 10;
+    REQUIRE(c.history[3][0] == 0);
+    INFO("weight " << weight);
+    CHECK(c.force()[2] == Approx(f_n));
+    CHECK(std::abs(c.force()[0]) == Approx(std::min(weight * gamma_t * 20, mu_s * f_n)));
+  }
+}
+
 TEST_CASE("by the spring: while it sticks the force is that of spring and dashpot, shortened to the limit",
           "[equations]") {
   LawBatch c = contact(by_spring);

@@ -259,6 +259,12 @@ TEST_CASE("parameters that contradict each other are refused", "[parameters]") {
   CHECK_THROWS_WITH(
       configure({{"normal_stiffness", {1}}, {"normal_damping", {1}}, {"static_friction", {0.5}}}),
       Catch::Contains("tangential_stiffness"));
+  CHECK_THROWS_WITH(configure({{"normal_stiffness", {1}},
+                               {"normal_damping", {1}},
+                               {"tangential_stiffness", {1e-300}},
+                               {"tangential_damping", {0.03}},
+                               {"static_friction", {0.5}}}),
+                    Catch::Contains("too small"));
   CHECK_THROWS_WITH(configure({{"normal_stiffness", {-1}}, {"normal_damping", {1}}}),
                     Catch::Contains("above 0"));
 }
