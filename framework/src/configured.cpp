@@ -1,3 +1,4 @@
+#include <cmath>
 #include <new>
 #include <type_traits>
 
@@ -14,6 +15,12 @@ void check_instance(const char* name, const scree_contact_instance& i) {
   if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
     throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
                             name, i.history_width, SCREE_MAX_HISTORY));
+  for (const double power : {i.onset_power, i.parting_power})
+    if (!(power >= 0) || (power < 1 && std::fmod(4 * power, 1) != 0))
+      throw Error(
+          fmt::format("plug-in {}: forces that begin or end with the power {:g} of time; it is 0, 1/4, 1/2, "
+                      "3/4, or 1 and more for none to be weighted",
+                      name, power));
 }
 template <class Instance>
 void check_instance(const char*, const Instance&) {}

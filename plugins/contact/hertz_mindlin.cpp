@@ -39,7 +39,7 @@ struct HertzMindlin : scree::ContactLaw {
       "hertz_mindlin", "Hertz normal force, Mindlin tangential spring, friction, rolling resistance",
       "f_n = k_n δ − γ_n v_n          k_n = (4/3) E* √(R* δ),  γ_n = 2β √(5/3 m* E*) (R* δ)^(1/4)\n"
       "f_t = −P(k_t ξ + γ_t v_t)      k_t = 8 G* √(R* δ),      γ_t = 4β √(5/3 m* G*) (R* δ)^(1/4)\n"
-      "                               P: shortened to C = μ f_n where it is longer\n"
+      "                               P: shortened to C = μ max(f_n, 0) where it is longer\n"
       "stick: |k_t ξ| <= C            slip: ξ shortened to |k_t ξ| = C; the dashpot never makes the spring "
       "slip;\n"
       "       both only lose energy: friction k_t ξ·s >= 0 (s: velocity of slip), dashpot (P(k_t ξ + γ_t v) "

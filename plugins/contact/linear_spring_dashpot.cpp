@@ -38,7 +38,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "f_n = k δ + γ δ'                                  normal force\n"
       "ξ <- ξ + v_t Δt (mid-step normal), ξ <- ξ − n (n·ξ)   spring carried along, then turned into the "
       "plane\n"
-      "f_t = −P(k_t ξ + γ_t v_t)                         P: shortened to C = μ f_n where it is longer\n"
+      "f_t = −P(k_t ξ + γ_t v_t)                         P: shortened to C = μ max(f_n, 0)\n"
       "stick: |k_t ξ| <= C                               μ = μ_s while sticking, μ_d while sliding\n"
       "slip:  ξ shortened to |k_t ξ| = μ_d f_n           the dashpot never makes the spring slip; both only "
       "lose energy:\n"

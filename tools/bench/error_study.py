@@ -32,7 +32,8 @@ LAWS = """The laws, as far as they differ (all let dashpots pull at the end of a
             mindlin_rescale/force; the fit behind its tsuji damping gives another restitution than asked for;
             arms of the slip velocity are R, those of the others R - overlap/2
 steps: of an elastic contact of that length (assembly: half the period of a pair under load);
-">": the finest steps whose error can be told from that of the reference do not suffice; "?": no error can"""
+"<": already the longest steps of the ladder suffice; ">": more steps than the finest that could be judged;
+"?": no error could be determined. ratio: LIGGGHTS/scree, then LAMMPS/scree, of steps and of times"""
 
 
 def three_digits(number):

@@ -26,7 +26,8 @@ Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario:
   // What must be 0 cannot be measured in itself.
   if (e.reference && *e.reference == 0 && scale == 0 && cut) return {e.quantity, 0, INFINITY, 0, false};
   if (e.reference && !e.of_step && !cut) return {e.quantity, *e.reference, 0, scale, true};
-  if (e.quantity == "energy_residual" || e.quantity == "momentum_residual")
+  const bool bound = !e.reference && e.quantity == "energy_created";  // of rounding
+  if (bound || e.quantity == "energy_residual" || e.quantity == "momentum_residual")
     return {e.quantity, 0, 0, 1, true};
   const Limit limit = extrapolate(trials[0].quantities[k], trials[1].quantities[k], trials[2].quantities[k]);
   return {e.quantity, limit.value, limit.uncertainty, scale, false};
