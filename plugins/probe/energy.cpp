@@ -27,9 +27,9 @@ struct EnergyProbe {
                                       {"work", &scree_energy::work},
                                       {"residual", &scree_energy::residual}};
 
-  static constexpr scree::About about = {"energy",
-                                         "every reservoir and sink of energy, and what does not add up",
-                                         "residual = stored − stored at the start + dissipated − created − work", "—"};
+  static constexpr scree::About about = {
+      "energy", "every reservoir and sink of energy, and what does not add up",
+      "residual = stored − stored at the start + dissipated − created − work", "—"};
 
   void declare(scree::Declaration&) {}
   void describe(scree_probe_instance& instance) const { instance.column_count = std::size(entries); }

@@ -52,12 +52,12 @@ Coefficients::Coefficients(const Law& law, double effective_mass, double effecti
     tangential_ = law.tangential_stiffness;
     tangential_damping_ = law.tangential_damping;
   } else {
-    require(law.young_modulus > 0, "the Young modulus must be positive");
+    require(law.youngs_modulus > 0, "the Young modulus must be positive");
     require(law.history != History::potential || std::isfinite(law.friction),
             "without a Coulomb limit the potential history pushes without bound as the overlap vanishes");
     require(law.slip_rule == SlipRule::spring, "the slip rule total is one of the linear law alone");
-    const double E_a = law.young_modulus, E_b = law.other_young_modulus.value_or(E_a);
-    const double nu_a = law.poisson_ratio, nu_b = law.other_poisson_ratio.value_or(nu_a);
+    const double E_a = law.youngs_modulus, E_b = law.other_youngs_modulus.value_or(E_a);
+    const double nu_a = law.poissons_ratio, nu_b = law.other_poissons_ratio.value_or(nu_a);
     // 1/E* = Σ(1-ν²)/E, 1/G* = Σ 2(2-ν)(1+ν)/E
     const double E = 1 / ((1 - nu_a * nu_a) / E_a + (1 - nu_b * nu_b) / E_b);
     const double G = 1 / (2 * (2 - nu_a) * (1 + nu_a) / E_a + 2 * (2 - nu_b) * (1 + nu_b) / E_b);

@@ -39,10 +39,10 @@ struct Law {
   SlipRule slip_rule = SlipRule::spring;
 
   // The hertz law alone. What b or the wall is made of, if not of the same as a.
-  double young_modulus = 0;
-  double poisson_ratio = 0;
-  std::optional<double> other_young_modulus;
-  std::optional<double> other_poisson_ratio;
+  double youngs_modulus = 0;
+  double poissons_ratio = 0;
+  std::optional<double> other_youngs_modulus;
+  std::optional<double> other_poissons_ratio;
   History history = History::rescaled;
 };
 

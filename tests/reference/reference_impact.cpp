@@ -94,10 +94,10 @@ Law law_of(Words& words) {
                                            law.slip_rule);
     return law;
   }
-  law.young_modulus = words.number("E", 0);
-  law.poisson_ratio = words.number("nu", 0);
-  law.other_young_modulus = words.number("E_b", law.young_modulus);
-  law.other_poisson_ratio = words.number("nu_b", law.poisson_ratio);
+  law.youngs_modulus = words.number("E", 0);
+  law.poissons_ratio = words.number("nu", 0);
+  law.other_youngs_modulus = words.number("E_b", law.youngs_modulus);
+  law.other_poissons_ratio = words.number("nu_b", law.poissons_ratio);
   law.history = words.choice<History>("history",
                                       {{"displacement", History::displacement},
                                        {"rescaled", History::rescaled},

@@ -29,8 +29,8 @@ inline Law hertz(double restitution, Tension tension, History history) {
   law.kind = LawKind::hertz;
   law.tension = tension;
   law.restitution = restitution;
-  law.young_modulus = 1e8;
-  law.poisson_ratio = 0.3;
+  law.youngs_modulus = 1e8;
+  law.poissons_ratio = 0.3;
   law.history = history;
   return law;
 }

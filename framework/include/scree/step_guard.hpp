@@ -13,8 +13,9 @@ struct StepLimit {
   double longest_step;  // (s)
 };
 
-// What speeds are measured against (m/s): where there are walls they are at rest; without walls it is the mean
-// velocity of the bodies at the start, by mass, so that a step suits a cloud however fast it flies as a whole.
+// What speeds are measured against (m/s): where there are walls they are at rest; without walls it is the
+// mean velocity of the bodies at the start, by mass, so that a step suits a cloud however fast it flies as a
+// whole.
 Vec3 drift_velocity(const Scene& scene);
 
 // Impact speed that contacts are judged at (m/s): what the scene expects, else twice the fastest body's at

@@ -151,8 +151,8 @@ class ImpactPair {
     law.tangential_stiffness = tangential_stiffness();
     law.tangential_damping = tangential_damping();
     law.slip_rule = case_.slip_rule;
-    law.young_modulus = youngs_modulus;
-    law.poisson_ratio = poissons_ratio;
+    law.youngs_modulus = youngs_modulus;
+    law.poissons_ratio = poissons_ratio;
     law.history = case_.history;
     return law;
   }
