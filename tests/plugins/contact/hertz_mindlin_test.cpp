@@ -131,6 +131,36 @@ TEST_CASE("[L2]-[L5] for one contact, by hand", "[hertz]") {
   }
 }
 
+TEST_CASE("dashpots take back what the predicted velocity overshoots by, ½ h² K/m* of it", "[damping]") {
+  const double m = 1e-3, R = 5e-3, delta = 1e-5, v = -0.3, Y = 1e9;
+  const auto force = [&](const std::string& plugin, const Values& law, double h) {
+    LawBatch c(plugin, law);
+    c.set(SCREE_NORMAL, {{0, 0, 1}});
+    c.set(SCREE_RELATIVE_VELOCITY, {{0, 0, v}});
+    c.input(SCREE_OVERLAP) = delta, c.input(SCREE_REDUCED_MASS) = m, c.input(SCREE_EFFECTIVE_RADIUS) = R;
+    c.evaluate(h);
+    return c.force()[2];
+  };
+  // K = dF/dδ: of the linear spring k, of Hertz' 2 E* √(R* δ), with E* = Y/2 here.
+  const double k = 2e4, hertz_stiffness = Y * std::sqrt(R * delta);
+  const Values linear = {{"normal_stiffness", {k}}, {"restitution", {0.5}}};
+  const Values hertz = {{"youngs_modulus", {Y}}, {"poissons_ratio", {0}}, {"restitution", {0.5}}};
+  struct Case {
+    const char* plugin;
+    const Values& law;
+    double stiffness, elastic;
+  };
+  for (const Case& c : {Case{"linear_spring_dashpot", linear, k, k * delta},
+                        Case{"hertz_mindlin", hertz, hertz_stiffness, 2.0 / 3 * hertz_stiffness * delta}})
+    for (const double h : {1e-5, 1e-4, -1e-4}) {
+      const double whole = force(c.plugin, c.law, 0) - c.elastic,
+                   damped = force(c.plugin, c.law, h) - c.elastic;
+      INFO(c.plugin << ", step " << h);
+      REQUIRE(whole > 0);
+      CHECK(damped / whole == Approx(1 / (1 + 0.5 * h * h * c.stiffness / m)).epsilon(1e-10));
+    }
+}
+
 TEST_CASE("tangential springs while the overlap cycles: who invents energy", "[hertz]") {
   // A loop in (δ, ξ): load δ, shear, unload δ, shear back. The work of a force law that has a potential
   // vanishes.
