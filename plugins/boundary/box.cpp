@@ -1,13 +1,13 @@
 // Rectangular box of 4 (2D) or 6 (3D) walls, each fixed or controlled by stress, after David et al. 2005.
 
-#include <scree/boundary.hpp>
+#include <scree/plugin/boundary.hpp>
 
 namespace {
 
 struct Box {
   static constexpr int most_walls = 6;
   enum Control { stress_controlled, fixed };
-  enum State { pushed, per_wall };  // of each wall at the last kick: p A along the normal
+  enum State { pushed, per_wall };  // of each wall at the last finish_step: p A along the normal
 
   std::array<double, 3> lower = {}, upper = {};
   double gap = 0;
@@ -89,7 +89,7 @@ struct Box {
     }
   }
 
-  void drift(const scree_boundary_step& s) const {
+  void begin_step(const scree_boundary_step& s) const {
     double push[most_walls];
     for (int w = 0; w < walls(); ++w) push[w] = push_on(w, s, s.time);
     for (int w = 0; w < walls(); ++w) {
@@ -104,7 +104,7 @@ struct Box {
     }
   }
 
-  void kick(const scree_boundary_step& s) const {
+  void finish_step(const scree_boundary_step& s) const {
     s.energy->kinetic = 0;
     for (int w = 0; w < walls(); ++w) {
       scree_plane& plane = s.planes[w];

@@ -1,6 +1,6 @@
 // Periodic axes: what leaves at one side comes in at the other.
 
-#include <scree/boundary.hpp>
+#include <scree/plugin/boundary.hpp>
 
 namespace {
 
@@ -47,8 +47,8 @@ struct Periodic {
     }
   }
   void start(const scree_boundary_step&) const {}
-  void drift(const scree_boundary_step&) const {}
-  void kick(const scree_boundary_step&) const {}
+  void begin_step(const scree_boundary_step&) const {}
+  void finish_step(const scree_boundary_step&) const {}
 };
 
 }  // namespace

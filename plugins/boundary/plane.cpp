@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <scree/boundary.hpp>
+#include <scree/plugin/boundary.hpp>
 
 namespace {
 
@@ -48,7 +48,7 @@ struct Plane {
     }
   }
 
-  void drift(const scree_boundary_step& s) const {
+  void begin_step(const scree_boundary_step& s) const {
     scree_plane& plane = s.planes[0];
     const double way = moves() ? displacement(s.time + s.step) - displacement(s.time) : 0;
     const double speed = moves() ? displacement.rate(s.time + s.step) : 0;
@@ -59,7 +59,7 @@ struct Plane {
     }
   }
 
-  void kick(const scree_boundary_step& s) const {
+  void finish_step(const scree_boundary_step& s) const {
     for (int k = 0; k < 3; ++k) {
       const double force = s.loads[0].force[k];
       s.energy->work -= 0.5 * (s.state[load_x + k] + force) * s.planes[0].mid_velocity[k] * s.step;

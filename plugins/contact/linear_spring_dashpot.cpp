@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include <scree/contact_law.hpp>
-#include <scree/friction.hpp>
-#include <scree/restitution.hpp>
-#include <scree/rolling.hpp>
-#include <scree/stability.hpp>
+#include <scree/plugin/contact_law.hpp>
+#include <scree/plugin/friction.hpp>
+#include <scree/plugin/restitution.hpp>
+#include <scree/plugin/rolling.hpp>
+#include <scree/plugin/stability.hpp>
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <scree/probe.hpp>
+#include <scree/plugin/probe.hpp>
 
 namespace {
 

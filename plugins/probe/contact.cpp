@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <scree/probe.hpp>
+#include <scree/plugin/probe.hpp>
 
 namespace {
 

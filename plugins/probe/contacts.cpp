@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <scree/probe.hpp>
+#include <scree/plugin/probe.hpp>
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include <scree/probe.hpp>
-#include <scree/vec.hpp>
+#include <scree/plugin/probe.hpp>
+#include <scree/plugin/vec.hpp>
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Every reservoir and sink of energy.
 
-#include <scree/probe.hpp>
+#include <scree/plugin/probe.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Total momentum and angular momentum of the bodies.
 
-#include <scree/probe.hpp>
-#include <scree/vec.hpp>
+#include <scree/plugin/probe.hpp>
+#include <scree/plugin/vec.hpp>
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The motion of chosen bodies.
 
-#include <scree/probe.hpp>
+#include <scree/plugin/probe.hpp>
 
 namespace {
 

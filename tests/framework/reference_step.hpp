@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <scree/particles.hpp>
-#include <scree/plugin_abi.h>
+#include <scree/plugin/abi.h>
 
 // A slow second implementation of one step, written from the documentation of the linear law and of the
 // integrator: one contact after the other, always in three dimensions (a disc moves in z = 0 and turns about

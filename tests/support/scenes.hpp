@@ -57,8 +57,8 @@ inline void add_boundary(Scene& s, const std::string& plugin, const Values& valu
   s.boundaries.push_back({name.empty() ? plugin : name, 0, parameters(plugin, SCREE_BOUNDARY, values)});
 }
 
-inline void add_body_term(Scene& s, const std::string& plugin, const Values& values) {
-  s.body_terms.push_back({plugin, parameters(plugin, SCREE_BODY_TERM, values)});
+inline void add_body_force(Scene& s, const std::string& plugin, const Values& values) {
+  s.body_forces.push_back({plugin, parameters(plugin, SCREE_BODY_FORCE, values)});
 }
 
 inline void run(Simulation& simulation, std::uint64_t steps) {

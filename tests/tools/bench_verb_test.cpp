@@ -11,7 +11,7 @@ TEST_CASE("bench adds a row per call to a CSV with one header, and tells phases"
   const auto first = w.scree("bench scene.toml --seconds 0.01 --repeats 1 --csv bench.csv");
   INFO(first.err);
   CHECK(first.status == 0);
-  for (const char* part : {"9 particles", "ms a step", "neighbours", "gather", "law", "reduce", "books"})
+  for (const char* part : {"9 particles", "ms a step", "neighbours", "gather", "law", "reduce", "audit"})
     CHECK(first.out.find(part) != std::string::npos);
   CHECK(w.scree("bench scene.toml --threads 2 --seconds 0.01 --repeats 1 --csv bench.csv").status == 0);
   std::istringstream csv(w.text("bench.csv"));

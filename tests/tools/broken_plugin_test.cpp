@@ -1,6 +1,6 @@
 #include "program.hpp"
 
-#include <scree/plugin_abi.h>
+#include <scree/plugin/abi.h>
 
 using namespace scree::test;
 

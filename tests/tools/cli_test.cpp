@@ -51,7 +51,7 @@ TEST_CASE("describe lists all plug-ins by kind") {
   CHECK(list.status == 0);
   for (const char* part :
        {"contact laws, [[contact]]\n  ", "\n  linear_spring_dashpot ", "boundaries, [[boundary]]\n  box ",
-        "body terms, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  body_energy "})
+        "body forces, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  body_energy "})
     CHECK(contains(list.out, part));
   CHECK_FALSE(contains(list.out, "cannot be used"));
 }
@@ -95,7 +95,7 @@ TEST_CASE("describe refuses what it cannot make sense of") {
           "linear_spring_dashpot.normal_stiffness = nan is out of range; ", "give a number above 0 (N/m)");
   refused("linear_spring_dashpot tension=ct", "'tension=ct': 'ct' is none of the choices; ",
           "did you mean 'cut'?");
-  refused("gravity acceleration=1", "'acceleration=1': gravity is a body term ", "leave the value out");
+  refused("gravity acceleration=1", "'acceleration=1': gravity is a body force ", "leave the value out");
   refused("linear_spring_dashpot --radius inf", "--radius: inf is no number above 0; ",
           "see scree describe --help");
 }

@@ -51,10 +51,10 @@ accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBa
 ExitStatus study_scenario(const AccuracyArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  constexpr auto kind = scenario::RunDirectory::Kind::study;
-  const auto out = arguments.out.empty() ? scenario::RunDirectory::default_for(arguments.scenario, kind)
+  constexpr auto kind = run::RunDirectory::Kind::study;
+  const auto out = arguments.out.empty() ? run::RunDirectory::default_for(arguments.scenario, kind)
                                          : std::filesystem::path(arguments.out);
-  const scenario::RunDirectory directory(out, arguments.overwrite, kind);
+  const run::RunDirectory directory(out, arguments.overwrite, kind);
   ProgressBar bar(arguments.quiet);
   const accuracy::Study study = [&] {
     // Cleared also where an error leaves, so that its line stands alone.

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
-#include <scree/scenario/set_up.hpp>
+#include <scree/run/set_up.hpp>
 
 namespace scree::tool {
 
@@ -41,7 +41,7 @@ class Course {
  private:
   void begin() {
     ++begun_;
-    simulation_ = scenario::set_up(plan_, options_.threads);
+    simulation_ = run::set_up(plan_, options_.threads);
     stages_ = std::make_unique<StageRunner>(*simulation_, plan_.stages);
     const double h = simulation_->step_length();
     while (!stages_->finished() && simulation_->time() < options_.start - 0.5 * h) {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/csv_line.hpp>
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/csv_line.hpp>
 
 namespace scree::tool {
 
@@ -45,7 +45,7 @@ std::filesystem::path scene_file(const std::string& scene) {
   if (std::filesystem::is_regular_file(scene)) return scene;
   const std::filesystem::path file = scenes_folder() / (scene + ".toml");
   if (std::filesystem::exists(file)) return file;
-  throw Error(fmt::format("no scene '{}'; {}", scene, scenario::name_cure(scene, scene_names())));
+  throw Error(fmt::format("no scene '{}'; {}", scene, document::name_cure(scene, scene_names())));
 }
 
 // Not finite without contacts.
@@ -114,10 +114,10 @@ std::string csv_row(const std::string& scene, const std::string& precision, unsi
   const auto add = [&](auto number) { cells.push_back(fmt::format("{}", number)); };
   add(r.particles), add(r.contacts), add(threads), add(r.first_time), add(r.steps), add(r.s_per_step.size());
   add(r.median()), add(*fastest), add(*slowest), add(double(r.particles) / r.median());
-  cells.push_back(scenario::csv_number(ns_per_contact(r)));
+  cells.push_back(files::csv_number(ns_per_contact(r)));
   add(r.bytes_per_particle), add(r.bytes_per_contact), add(r.searches);
   for (int k = 0; k < Profile::phase_count; ++k) add(r.profile.seconds(Profile::Phase(k)) / double(r.steps));
-  return scenario::csv_line(cells);
+  return files::csv_line(cells);
 }
 
 ExitStatus bench(const BenchArguments& a) {
@@ -147,7 +147,7 @@ std::string footer() {
       "them),\n"
       "gather (bodies of pairs), geometry (overlaps, relative motion), law (the plug-in), reduce (torques, "
       "sums of\n"
-      "forces and energies), body_forces (plug-ins), books (momentum)\n\n"
+      "forces and energies), body_forces (plug-ins), audit (momentum)\n\n"
       "Example: scree bench beads-4096 --threads 2 --csv bench.csv",
       fmt::join(scene_names(), ", "));
 }

@@ -22,8 +22,8 @@ struct CampaignArguments {
 };
 
 std::filesystem::path directory_of(const CampaignArguments& a) {
-  constexpr auto kind = scenario::RunDirectory::Kind::campaign;
-  return a.out.empty() ? scenario::RunDirectory::default_for(a.file, kind) : std::filesystem::path(a.out);
+  constexpr auto kind = run::RunDirectory::Kind::campaign;
+  return a.out.empty() ? run::RunDirectory::default_for(a.file, kind) : std::filesystem::path(a.out);
 }
 
 ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a) {

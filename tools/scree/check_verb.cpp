@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/set_up.hpp>
+#include <scree/run/set_up.hpp>
 
 namespace scree::tool {
 
@@ -33,16 +33,16 @@ void print_stages(const scenario::Plan& plan) {
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
   fmt::print("{}: good{}{}\n", file, plan.title.empty() ? "" : ", ", plan.title);
   fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
-             simulation.particles().size(), plan.scene.dimension, simulation.boundaries().planes().size(),
-             plan.scene.laws.size(), plan.scene.body_terms.size(), plan.probes.size());
-  fmt::print("  {}\n", scenario::describe_step(simulation));
+             simulation.particles().size(), plan.scene.dimension, simulation.planes().size(),
+             plan.scene.laws.size(), plan.scene.body_forces.size(), plan.probes.size());
+  fmt::print("  {}\n", run::describe_step(simulation));
   print_stages(plan);
 }
 
 ExitStatus check(const CheckArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  const auto simulation = scenario::set_up(plan);
+  const auto simulation = run::set_up(plan);
   print_summary(arguments.scenario, plan, *simulation);
   return ExitStatus::success;
 }

@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
 
 namespace scree::tool {
 
 namespace {
 
-constexpr scree_kind kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_TERM, SCREE_PROBE};
+constexpr scree_kind kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FORCE, SCREE_PROBE};
 
 struct DescribeArguments {
   std::string name;
@@ -30,7 +30,7 @@ void list_all(PluginHost& host) {
   const auto plugins = host.load_all(broken);
   for (const scree_kind kind : kinds) {
     static constexpr const char* titles[] = {"", "contact laws, [[contact]]", "boundaries, [[boundary]]",
-                                             "body terms, [[body_force]]", "probes, [[probe]]"};
+                                             "body forces, [[body_force]]", "probes, [[probe]]"};
     fmt::print("{}\n", titles[kind]);
     for (const scree_plugin* plugin : plugins)
       if (plugin->kind == std::uint32_t(kind)) fmt::print("  {:<24} {}\n", plugin->name, plugin->summary);
@@ -67,7 +67,7 @@ double number_of(const scree_parameter& p, const std::string& text, const std::s
     const auto found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) return double(found - words.begin());
     throw wrong_value(text, fmt::format("'{}' is none of the choices", word),
-                      scenario::name_cure(word, words));
+                      document::name_cure(word, words));
   }
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
@@ -86,7 +86,7 @@ void set_value(Parameters& parameters, const std::string& text) {
     for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k)
       keys.push_back(parameters.plugin().parameters[k].key);
     throw wrong_value(text, fmt::format("{} has no parameter '{}'", name, key),
-                      scenario::name_cure(key, keys));
+                      document::name_cure(key, keys));
   }
   const double value = number_of(*p, text, text.substr(equals + 1));
   parameters.set(key, p->type == SCREE_PROGRAM ? std::vector<double>{0, value} : std::vector<double>{value});
@@ -102,8 +102,7 @@ std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, const DescribeAr
         "leave the value out");
   Parameters parameters(plugin);
   for (const std::string& value : a.values) set_value(parameters, value);
-  constexpr double nowhere[3] = {0, 0, 0};
-  return ConfiguredLaw(parameters, a.dimension, nowhere, nowhere);
+  return ConfiguredLaw(parameters, a.dimension, no_bounds, no_bounds);
 }
 
 void print_forms(const std::string& who, const ConfiguredLaw& law, const scree_encounter& encounter) {
@@ -135,7 +134,7 @@ std::vector<const scree_plugin*> find_any(PluginHost& host, const std::string& n
         found.push_back(&host.find(known, kind));
       all.push_back(known);
     }
-  if (found.empty()) throw Error(fmt::format("no plug-in '{}'; {}", name, scenario::name_cure(name, all)));
+  if (found.empty()) throw Error(fmt::format("no plug-in '{}'; {}", name, document::name_cure(name, all)));
   return found;
 }
 

@@ -9,13 +9,14 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::tool {
 
 ExitStatus report(std::string_view line, ExitStatus status) {
   constexpr std::size_t longest = 4000;
-  std::fputs(fmt::format("scree: {}\n", scenario::one_line(line, longest)).c_str(), stderr);
+  std::fputs(fmt::format("scree: {}\n", files::one_line(line, longest)).c_str(), stderr);
   return status;
 }
 
@@ -32,7 +33,7 @@ PluginHost make_host(const PluginOptions& options) {
   for (const auto& directory : directories)
     if (std::error_code failed; !std::filesystem::is_directory(directory, failed))
       throw Error(fmt::format(
-          "--plugins {}: is no directory; name the one that holds contact/, boundary/, body/, probe/",
+          "--plugins {}: is no directory; name the one that holds contact/, boundary/, body_force/, probe/",
           directory.string()));
   if (const char* path = std::getenv("SCREE_PLUGIN_PATH")) {
     std::istringstream parts(path);
@@ -82,7 +83,7 @@ void check_verb_name(const CLI::App& app, int argc, char** argv) {
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     verbs.push_back(verb->get_name());
   if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return;
-  throw Error(fmt::format("no verb '{}'; {}", argv[1], scenario::name_cure(argv[1], verbs)));
+  throw Error(fmt::format("no verb '{}'; {}", argv[1], document::name_cure(argv[1], verbs)));
 }
 
 // Output that did not reach its file must not pass for success.

@@ -30,7 +30,7 @@ std::string duration_text(double seconds) {
 
 ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
-void ProgressBar::show(const scenario::Progress& p) {
+void ProgressBar::show(const run::Progress& p) {
   show(p.share, p.wall, fmt::format("t = {:.4g} s  {}", p.time, p.stage));
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <scree/scenario/run.hpp>
+#include <scree/run/run.hpp>
 
 namespace scree::tool {
 
@@ -12,7 +12,7 @@ namespace scree::tool {
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
-  void show(const scenario::Progress& progress);
+  void show(const run::Progress& progress);
   // A share from 0 to 1, seconds since the start, and what is going on.
   void show(double share, double wall, std::string_view what);
   // Clears the moving line, so that other text can follow.

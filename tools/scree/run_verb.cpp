@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/run.hpp>
-#include <scree/scenario/run_directory.hpp>
-#include <scree/scenario/set_up.hpp>
+#include <scree/run/run.hpp>
+#include <scree/run/run_directory.hpp>
+#include <scree/run/set_up.hpp>
 
 namespace scree::tool {
 
@@ -27,17 +27,17 @@ void print_carried(const Simulation& simulation) {
   fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes a body, {} bytes a pair\n",
              simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
              f.bytes_per_pair);
-  fmt::print("{}\n", scenario::describe_step(simulation));
+  fmt::print("{}\n", run::describe_step(simulation));
 }
 
-double quantity_of(const scenario::RunResult& r, const char* name) {
+double quantity_of(const run::RunResult& r, const char* name) {
   for (const auto& [key, value] : r.quantities)
     if (key == name) return value;
   return 0;
 }
 
 // Told even to those who asked for quiet.
-void print_warnings(const scenario::RunResult& r, Precision precision) {
+void print_warnings(const run::RunResult& r, Precision precision) {
   constexpr double much = 0.05;
   if (quantity_of(r, "energy_residual") > much)
     fmt::print(
@@ -52,7 +52,7 @@ void print_warnings(const scenario::RunResult& r, Precision precision) {
         quantity_of(r, "energy_created"));
 }
 
-void print_result(const scenario::RunResult& r) {
+void print_result(const run::RunResult& r) {
   const auto quantity = [&](const char* name) { return quantity_of(r, name); };
   fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps a second\n", quantity("steps"), r.wall,
              1e-6 * r.particle_steps_per_second);
@@ -61,14 +61,14 @@ void print_result(const scenario::RunResult& r) {
       "radius\n",
       quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
   fmt::print("state hash {:016x}\n", r.state_hash);
-  for (const scenario::Verdict& v : r.verdicts)
+  for (const run::Verdict& v : r.verdicts)
     if (v.met)
       fmt::print("met      {} ({} = {:.6g})\n", v.expectation.requirement, v.expectation.quantity, v.value);
 }
 
 // What is not met is told even to those who asked for quiet.
-void print_unmet(const scenario::RunResult& r) {
-  for (const scenario::Verdict& v : r.verdicts) {
+void print_unmet(const run::RunResult& r) {
+  for (const run::Verdict& v : r.verdicts) {
     if (v.met) continue;
     const scenario::Expectation& e = v.expectation;
     std::string wanted;
@@ -92,15 +92,15 @@ void print_places(const std::filesystem::path& directory) {
       fmt::print("  {:<28} {}\n", (directory / folder).string(), what);
 }
 
-scenario::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar) {
-  scenario::RunOptions options;
-  options.out = arguments.out.empty() ? scenario::RunDirectory::default_for(arguments.scenario)
+run::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar) {
+  run::RunOptions options;
+  options.out = arguments.out.empty() ? run::RunDirectory::default_for(arguments.scenario)
                                       : std::filesystem::path(arguments.out);
   options.overwrite = arguments.overwrite;
   options.threads = arguments.threads;
   options.stop = &watch_for_interrupt();
   if (!arguments.quiet) options.on_start = print_carried;
-  options.on_progress = [&bar](const scenario::Progress& p) { bar.show(p); };
+  options.on_progress = [&bar](const run::Progress& p) { bar.show(p); };
   options.on_message = [&bar](const std::string& line) {
     bar.clear();
     report(line, ExitStatus::success);
@@ -108,17 +108,17 @@ scenario::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar)
   return options;
 }
 
-scenario::RunResult run_with_bar(const scenario::Plan& plan, const RunArguments& arguments) {
+run::RunResult run_with_bar(const scenario::Plan& plan, const RunArguments& arguments) {
   ProgressBar bar(arguments.quiet);
   // Cleared also where an error leaves, so that its line stands alone.
   const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
-  return scenario::run(plan, options_of(arguments, bar));
+  return run::run_plan(plan, options_of(arguments, bar));
 }
 
 ExitStatus run_scenario(const RunArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  const scenario::RunResult result = run_with_bar(plan, arguments);
+  const run::RunResult result = run_with_bar(plan, arguments);
   if (!arguments.quiet) print_result(result);
   print_warnings(result, plan.scene.precision);
   print_unmet(result);

@@ -3,9 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <scree/contacts.hpp>
-#include <scree/forces.hpp>
-
 namespace scree {
 
 // All touching pairs at one moment, for probes and snapshots.
@@ -18,9 +15,5 @@ struct ContactList {
 
   std::size_t size() const { return a.size(); }
 };
-
-ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const Forces& forces,
-                              const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
-                              const Domain& domain);
 
 }  // namespace scree

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <scree/plugin_abi.h>
+#include <scree/plugin/abi.h>
 
 namespace scree {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <scree/column.hpp>
+#include <scree/plugin/vec.hpp>
 #include <scree/strided.hpp>
-#include <scree/vec.hpp>
 
 namespace scree {
 
@@ -24,11 +24,11 @@ struct Body {
 };
 
 // Where the parts of a body's record are (doubles), of four doubles each, and those of its loads:
-//   3D  place (x, y, z, R), motion (v, 1/m), mid_motion (v, –), with spin: spin (ω, 1/I), mid_spin (ω, –)
+//   3D  position (x, y, z, R), motion (v, 1/m), mid_motion (v, –), with spin: spin (ω, 1/I), mid_spin (ω, –)
 //       loads (f, 0), with spin: torque (t, 0)
-//   2D  place (x, y, 1/I, R), motion (v, ω, 1/m), mid_motion (v, ω, –);  loads (f, t, 0)
+//   2D  position (x, y, 1/I, R), motion (v, ω, 1/m), mid_motion (v, ω, –);  loads (f, t, 0)
 namespace record {
-inline constexpr std::size_t place = 0, motion = 4, mid_motion = 8, spin = 12, mid_spin = 16;
+inline constexpr std::size_t position = 0, motion = 4, mid_motion = 8, spin = 12, mid_spin = 16;
 inline constexpr std::size_t width(int dimension, bool with_spin) {
   return dimension == 3 && with_spin ? 20 : 12;
 }
@@ -59,16 +59,16 @@ class Particles {
   std::size_t bytes_per_body() const;
 
   // State, written by the integrator.
-  Vectors<double> position() { return vectors(records_.data(), record::place); }  // (m)
+  Vectors<double> position() { return vectors(records_.data(), record::position); }  // (m)
   // (m/s) after a step; while forces are evaluated, predicted for its end
   Vectors<double> velocity() { return vectors(records_.data(), record::motion); }
   Vectors<double> spin() { return spins(records_.data(), record::motion, record::spin); }  // (rad/s) likewise
-  Vectors<const double> position() const { return vectors(records_.data(), record::place); }
+  Vectors<const double> position() const { return vectors(records_.data(), record::position); }
   Vectors<const double> velocity() const { return vectors(records_.data(), record::motion); }
   Vectors<const double> spin() const { return spins(records_.data(), record::motion, record::spin); }
 
   // Constant.
-  Strided<const double> radius() const { return {records_.data() + record::place + 3, width(), size()}; }
+  Strided<const double> radius() const { return {records_.data() + record::position + 3, width(), size()}; }
   Strided<const double> inverse_mass() const {
     return {records_.data() + record::motion + 3, width(), size()};
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <scree/parameters.hpp>
-#include <scree/plugin_abi.h>
+#include <scree/plugin/abi.h>
 
 namespace scree {
 
@@ -51,10 +51,13 @@ class PluginHost {
   std::map<std::filesystem::path, std::unique_ptr<Library>> libraries_;
 };
 
-// "contact", "boundary", "body", "probe": the folder of a kind and its table in a scenario.
+// "contact", "boundary", "body_force", "probe": the folder of a kind and its table in a scenario.
 const char* kind_folder(scree_kind kind);
-// "contact law", "boundary", "body term", "probe".
+// "contact law", "boundary", "body force", "probe".
 const char* kind_name(scree_kind kind);
+
+// For plug-ins that do not depend on the bounding box of the scene.
+inline constexpr double no_bounds[3] = {0, 0, 0};
 
 // A plug-in with its parameters, configured in storage of its own.
 template <class Interface, class Instance>
@@ -79,12 +82,12 @@ class Configured {
   Instance instance_ = {};
 };
 
-// What a body term's `configure` fills in.
+// What a body force's `configure` fills in.
 struct NoInstance {};
 
 using ConfiguredLaw = Configured<scree_contact_law, scree_contact_instance>;
 using ConfiguredBoundary = Configured<scree_boundary, scree_boundary_instance>;
-using ConfiguredBodyTerm = Configured<scree_body_term, NoInstance>;
+using ConfiguredBodyForce = Configured<scree_body_force, NoInstance>;
 using ConfiguredProbe = Configured<scree_probe, scree_probe_instance>;
 
 }  // namespace scree

@@ -11,18 +11,18 @@ class Profile {
  public:
   enum Phase {
     boundaries,
-    integrate,  // kicks and drifts of bodies
+    integrate,  // both halves of the motion of bodies
     neighbours,
     gather,
     geometry,
     law,
     reduce,
     body_forces,
-    books,
+    audit,
     phase_count
   };
   static constexpr std::array<const char*, phase_count> names = {
-      "boundaries", "integrate", "neighbours", "gather", "geometry", "law", "reduce", "body_forces", "books"};
+      "boundaries", "integrate", "neighbours", "gather", "geometry", "law", "reduce", "body_forces", "audit"};
 
   void add(Phase phase, double seconds) { seconds_[phase] += seconds; }
   double seconds(Phase phase) const { return seconds_[phase]; }

@@ -3,12 +3,10 @@
 #include <string>
 #include <vector>
 
-#include <scree/body_terms.hpp>
-#include <scree/boundaries.hpp>
-#include <scree/integrator.hpp>
-#include <scree/pair_columns.hpp>
+#include <scree/integration.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
+#include <scree/precision.hpp>
 
 namespace scree {
 
@@ -24,11 +22,20 @@ struct Scene {
     std::string name;  // unique; materials and stages refer to it
     Parameters parameters;
   };
+  struct Boundary {
+    std::string name;
+    std::uint32_t material = 0;
+    Parameters parameters;
+  };
+  struct BodyForce {
+    std::string name;
+    Parameters parameters;
+  };
 
   int dimension = 3;
   double step = 0;  // (s)
   Integration integration = Integration::velocity_verlet;
-  Precision precision = Precision::full;
+  Precision precision = Precision::double_precision;
   double expected_speed =
       0;                 // (m/s) of impacts, for what the step is judged by; 0: from the bodies' at the start
   double skin = 0;       // (m), 0: at most a tenth of the mean radius, thinner where little moves
@@ -43,8 +50,8 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Law> laws;
   std::vector<std::uint32_t> law_of;  // (materials, materials), symmetric: index into laws
-  std::vector<Boundaries::Entry> boundaries;
-  std::vector<BodyTerms::Entry> body_terms;
+  std::vector<Boundary> boundaries;
+  std::vector<BodyForce> body_forces;
 };
 
 // Whether a law with these parameters turns bodies, so that a scene must carry spins.

@@ -2,151 +2,95 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include <scree/body_range.hpp>
-#include <scree/body_terms.hpp>
-#include <scree/boundaries.hpp>
 #include <scree/contact_list.hpp>
-#include <scree/contacts.hpp>
-#include <scree/energy_audit.hpp>
-#include <scree/forces.hpp>
-#include <scree/integrator.hpp>
-#include <scree/momentum_audit.hpp>
-#include <scree/neighbour_list.hpp>
+#include <scree/domain.hpp>
+#include <scree/particles.hpp>
 #include <scree/profile.hpp>
 #include <scree/scene.hpp>
 
 namespace scree {
 
-// What a scene carries, for people to see that it pays for nothing else.
+class BodyForces;
+class Boundaries;
+class Contacts;
+struct SimulationParts;
+
+// What a scene carries; it pays for nothing else.
 struct Footprint {
   std::size_t degrees_of_freedom, bytes_per_body, bytes_per_pair;
-  std::uint32_t history_width;
+  std::uint32_t history_width;  // numbers kept per pair
 };
 
-// One scene in motion: neighbours -> contacts -> laws -> forces, boundaries, integrator, in this order each
-// step.
+// One scene in motion. The order of a step: src/step/stepper.cpp.
 class Simulation {
  public:
-  // Sets everything up and evaluates the forces at t = 0. Throws Error for a scene that cannot be.
+  // Sets everything up and evaluates the forces at t = 0. Throws Error for a scene that cannot be set up.
   explicit Simulation(const Scene& scene);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
 
   // Advances by one time step. Throws Error(blow_up) naming particle, contact, time and cure.
   void step();
-  // The same for up to so many steps: faster, for nobody looks at the bodies in between. In the course of
-  // each step asks whether another may follow. Returns how many were made.
+  // Takes up to `steps` steps. Faster than step(): the state is not observable in between. `proceed` is
+  // polled during each step; false makes that step the last. Returns the steps taken.
   std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
 
-  // Tells where the time of steps goes from now on; null ends it. The profile must live as long.
-  void measure(Profile* profile) { profile_ = profile; }
+  // Measures the wall time of the phases of each step from now on; null ends it. The profile must outlive
+  // the measurement.
+  void measure(Profile* profile);
 
-  // New parameters for a law, boundary or body term by name, between steps; histories and walls stay.
+  // New parameters for a law, boundary or body force by name, between steps; histories and walls stay.
+  // Throw Error for an unknown name or parameters that change the layout of the scene.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
   void reconfigure_boundary(const std::string& name, const Parameters& parameters);
-  void reconfigure_body_term(const std::string& name, const Parameters& parameters);
+  void reconfigure_body_force(const std::string& name, const Parameters& parameters);
   // To be called after reconfigurations, before the next step.
   void apply_reconfiguration();
 
-  int dimension() const { return scene_.dimension; }
-  double time() const { return time_; }               // (s)
-  double step_length() const { return scene_.step; }  // (s)
-  std::uint64_t steps() const { return steps_; }
-  const Particles& particles() const { return particles_; }
-  const Boundaries& boundaries() const { return boundaries_; }
-  const BodyTerms& body_terms() const { return body_terms_; }
-  const Contacts& contacts() const { return contacts_; }
-  const Scene& scene() const { return scene_; }
+  int dimension() const;
+  double time() const;         // (s)
+  double step_length() const;  // (s)
+  std::uint64_t steps() const;
+  const Scene& scene() const;
+  const Particles& particles() const;
+  const Domain& domain() const;
+  const std::vector<scree_plane>& planes() const;
+  const std::vector<scree_load>& loads() const;         // on each plane (N)
+  const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
   ContactList contact_list() const;
 
   scree_energy energy() const;
   // |residual| over the turnover of energy; 0 without an audit.
   double energy_residual() const;
-  // Energy that contact laws have made, over the turnover; 0 without an audit.
+  // Energy created by contact laws, over the turnover; 0 without an audit.
   double energy_created() const;
-  // Momentum made by the contact handling, which pairs and planes must cancel, over the momentum exchanged.
-  double momentum_residual() const { return momentum_audit_.residual(); }
-  double max_overlap_ratio() const { return contact_sums_.max_overlap_ratio; }
-  std::uint64_t rebuilds() const { return neighbours_.rebuilds(); }
-  double skin() const { return neighbours_.skin(); }
+  // Net momentum created by contact forces (0 in exact arithmetic) over the momentum exchanged.
+  double momentum_residual() const;
+  double max_overlap_ratio() const;  // overlap over the smaller radius, largest so far
+  std::uint64_t rebuilds() const;    // neighbour searches so far
+  double skin() const;               // (m)
   // That of the first search (m): stated, or a tenth of the mean radius.
-  double first_skin() const { return neighbours_.first_skin(); }
+  double first_skin() const;
   // Shortest contact of the lightest pair of each law over the step, at the speeds expected or met so far,
   // whichever are higher; infinite without pairs.
   double min_steps_per_contact() const;
   std::uint64_t state_hash() const;
   Footprint footprint() const;
 
+  // Internal to the framework and its tests; the types are private.
+  const Boundaries& boundaries() const;
+  const BodyForces& body_forces() const;
+  const Contacts& contacts() const;
+
  private:
-  Contacts make_contacts() const;
-  Contacts::Lookup lookup() const;
-  void configure_laws();
-  // What moves bodies after an evaluation: the rest of this substep, and the first half of the next unless
-  // somebody looks at them before (s).
-  struct Moves {
-    std::optional<double> kick = std::nullopt, drift = std::nullopt;
-  };
-  void drift_bodies(double step);
-  // What the bodies of a part do once contacts have loaded them.
-  void settle(std::size_t part, const Moves& moves, Profile* profile);
-  // Forces on bodies where they are, after `step` since the last evaluation. Whether velocities and spins are
-  // numbers then.
-  bool evaluate_forces(double step, const Moves& moves);
-  // The same where the bodies have not drifted.
-  void evaluate_forces_afresh(double step);
-  // One step; the next follows unseen.
-  void step(bool more);
-  // Moves everything by one substep, and bodies into the next; largest squared speed on the way (m²/s²),
-  // infinite if any velocity or spin is not a number.
-  double advance(double step, std::optional<double> next);
-  // Brings forces and springs to where the bodies are, after an integrator that evaluates in mid-step.
-  void catch_up();
-  // Of the bodies as the scene states them (m²/s²).
-  double largest_square_speed() const;
-  bool too_fast(double square_speed) const;
-  bool too_deep() const;
-  // Whether an overlap may be beyond the limit once nobody has moved further than `way` (m).
-  bool may_be_too_deep(double way) const;
-  void check_health(double largest_square_speed) const;
+  void check_health(bool sound) const;
 
-  Scene scene_;
-  std::vector<ConfiguredLaw> configured_laws_;
-  std::vector<LawInstance> laws_;
-  Boundaries boundaries_;
-  BodyTerms body_terms_;
-  Particles particles_;
-  Contacts contacts_;
-  NeighbourList neighbours_;
-  Forces forces_;
-  std::unique_ptr<Integrator> integrator_;
-  std::unique_ptr<ThreadPool> threads_;
-  Profile* profile_ = nullptr;
-
-  double time_ = 0;
-  double force_time_ = 0;  // (s) at which forces were evaluated last
-  std::uint64_t steps_ = 0;
-  ContactSums contact_sums_;
-  BodySums body_sums_;
-  EnergyAudit audit_;
-  MomentumAudit momentum_audit_;
-  double max_square_speed_ = 0;  // (m²/s²)
-  double smallest_radius_ = 0;   // (m)
-  double speed_limit_ = 0;
-
-  // What the bodies of each part add up to.
-  struct PartSums {
-    BodySums bodies;
-    MomentumAudit::Sums momentum;
-    double square_speed = 0;
-    bool finite = true;
-  };
-  bool drifted_ = false;  // bodies have drifted into the next substep
-  BodyTiles tiles_;
-  std::vector<PartSums> part_sums_;
+  std::unique_ptr<SimulationParts> parts_;
 };
 
 }  // namespace scree

@@ -13,7 +13,7 @@ namespace scree {
 struct Stage {
   struct Change {
     scree_kind kind;
-    std::string name;  // of the law, boundary or body term
+    std::string name;  // of the law, boundary or body force
     Parameters parameters;
   };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <scree/scenario/set_up.hpp>
-#include <scree/scenario/trial.hpp>
+#include <scree/run/set_up.hpp>
+#include <scree/run/trial.hpp>
 
 namespace scree::accuracy {
 
@@ -17,7 +17,7 @@ class Companion {
  public:
   Companion(scenario::Plan plan, double step)
       : plan_(with_step(std::move(plan), step)),
-        simulation_(scenario::set_up(plan_)),
+        simulation_(run::set_up(plan_)),
         runner_(*simulation_, plan_.stages) {}
 
   void run_until(double time, const std::atomic<bool>* stop) {
@@ -26,7 +26,7 @@ class Companion {
       runner_.step();
   }
   bool finished() const { return runner_.finished(); }
-  std::vector<Vec3> positions() const { return scenario::unfolded_positions(*simulation_); }
+  std::vector<Vec3> positions() const { return run::unfolded_positions(*simulation_); }
 
  private:
   static scenario::Plan with_step(scenario::Plan plan, double step) {

@@ -20,8 +20,8 @@ Limit extrapolate(double at_h, double at_half, double at_quarter) {
 
 namespace {
 
-Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario::Trial>& trials,
-                     std::size_t k, bool cut) {
+Quantity quantity_of(const scenario::Expectation& e, const std::vector<run::Trial>& trials, std::size_t k,
+                     bool cut) {
   const double scale = e.scale.value_or(0);
   // What must be 0 cannot be measured in itself.
   if (e.reference && *e.reference == 0 && scale == 0 && cut) return {e.quantity, 0, INFINITY, 0, false};
@@ -36,7 +36,7 @@ Quantity quantity_of(const scenario::Expectation& e, const std::vector<scenario:
 }  // namespace
 
 std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
-                                               const std::vector<scenario::Trial>& trials,
+                                               const std::vector<run::Trial>& trials,
                                                std::vector<std::string>& without) {
   static const std::vector<std::string> of_the_run = {"steps", "time", "neighbour_searches",
                                                       "min_steps_per_contact"};
@@ -45,7 +45,7 @@ std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
     const std::string& name = plan.expectations[k].quantity;
     if (std::find(of_the_run.begin(), of_the_run.end(), name) != of_the_run.end()) continue;
     const bool known = std::all_of(trials.begin(), trials.end(),
-                                   [k](const scenario::Trial& t) { return std::isfinite(t.quantities[k]); });
+                                   [k](const run::Trial& t) { return std::isfinite(t.quantities[k]); });
     if (known)
       compared.push_back(k);
     else
@@ -54,8 +54,7 @@ std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
   return compared;
 }
 
-std::vector<Quantity> reference_quantities(const scenario::Plan& plan,
-                                           const std::vector<scenario::Trial>& trials,
+std::vector<Quantity> reference_quantities(const scenario::Plan& plan, const std::vector<run::Trial>& trials,
                                            const std::vector<std::size_t>& compared, bool cut) {
   std::vector<Quantity> quantities;
   for (const std::size_t k : compared)
@@ -65,7 +64,7 @@ std::vector<Quantity> reference_quantities(const scenario::Plan& plan,
   return quantities;
 }
 
-ReferencePositions reference_positions(const std::vector<scenario::Trial>& trials) {
+ReferencePositions reference_positions(const std::vector<run::Trial>& trials) {
   ReferencePositions reference = {trials.back().positions, 0};
   double square = 0;
   for (std::size_t i = 0; i < reference.positions.size(); ++i)

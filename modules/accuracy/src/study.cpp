@@ -10,14 +10,14 @@
 
 #include <scree/accuracy/study.hpp>
 #include <scree/error.hpp>
-#include <scree/scenario/trial.hpp>
+#include <scree/run/trial.hpp>
 
 namespace scree::accuracy {
 
 namespace {
 
+using run::Trial;
 using scenario::Plan;
-using scenario::Trial;
 
 Plan with(Plan plan, const Setting& setting) {
   plan.scene.step = setting.step;
@@ -48,7 +48,7 @@ class Studying {
     make_reference();
     note_ends();
     for (const Integration integration : chosen())
-      for (const Precision precision : {Precision::full, Precision::mixed})
+      for (const Precision precision : {Precision::double_precision, Precision::mixed})
         for (int k = 0; k < options_.count && !stopped(); ++k)
           try_setting({integration, precision, std::ldexp(coarsest_, -k)});
     study_.orders = fit_orders(study_);
@@ -81,8 +81,8 @@ class Studying {
     constexpr double good_enough = 1e-5;
     const double distance = std::max(0.1 * options_.tolerance, good_enough) * mean_radius(plan_);
     const auto until = trustworthy_until(
-        with(plan_, {Integration::velocity_verlet, Precision::full, finest_}), finest_, coarsest_, distance,
-        [&](double share) { tell(3 * share, "how long the reference holds"); }, options_.stop);
+        with(plan_, {Integration::velocity_verlet, Precision::double_precision, finest_}), finest_, coarsest_,
+        distance, [&](double share) { tell(3 * share, "how long the reference holds"); }, options_.stop);
     count(3);
     if (!until) return;
     if (*until <= 0)
@@ -120,8 +120,9 @@ class Studying {
     std::vector<Trial> trials;
     for (int k = 1; k <= 3 && !stopped(); ++k) {
       tell(0, "reference");
-      const Setting setting = {Integration::velocity_verlet, Precision::full, std::ldexp(finest_, -k)};
-      trials.push_back(scenario::try_plan(with(plan_, setting), {1, until_, options_.stop}));
+      const Setting setting = {Integration::velocity_verlet, Precision::double_precision,
+                               std::ldexp(finest_, -k)};
+      trials.push_back(run::try_plan(with(plan_, setting), {1, until_, options_.stop}));
       count(std::ldexp(1, k));
     }
     if (trials.size() < 3 || trials.back().stopped)
@@ -155,10 +156,10 @@ class Studying {
   Trial timed(const Plan& plan) {
     constexpr int most = 5;
     constexpr double enough = 0.2;  // (s) of wall time
-    Trial best = scenario::try_plan(plan, {1, until_, options_.stop});
+    Trial best = run::try_plan(plan, {1, until_, options_.stop});
     double spent = best.wall;
     for (int n = 1; n < most && spent < enough && !stopped(); ++n) {
-      const Trial again = scenario::try_plan(plan, {1, until_, options_.stop});
+      const Trial again = run::try_plan(plan, {1, until_, options_.stop});
       if (again.stopped) break;
       spent += again.wall;
       best.wall = std::min(best.wall, again.wall);

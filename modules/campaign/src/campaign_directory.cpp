@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/campaign/campaign_directory.hpp>
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::campaign {
 
@@ -29,7 +30,7 @@ void check_owner(const fs::path& path, const Campaign& campaign) {
   const bool elsewhere = fs::exists(owner, failed) && !fs::equivalent(owner, campaign.source, failed);
   if (elsewhere || fs::path(owner).filename() != campaign.source.filename())
     throw Error(fmt::format("{}: holds the campaign of {}; give another --out", path.string(),
-                            scenario::one_line(owner)));
+                            files::one_line(owner)));
 }
 
 Error in_use(const fs::path& path) {
@@ -40,7 +41,7 @@ Error in_use(const fs::path& path) {
 }  // namespace
 
 CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bool alone)
-    : files_(std::move(path), true, scenario::RunDirectory::Kind::campaign) {
+    : files_(std::move(path), true, run::RunDirectory::Kind::campaign) {
   check_owner(files_.path(), campaign);
   in_use_ = !take();
   if (alone && in_use_) throw in_use(files_.path());
@@ -78,7 +79,7 @@ std::vector<std::string> CampaignDirectory::leftovers(const Campaign& campaign) 
   for (const auto& entry : fs::directory_iterator(files_.path(), failed)) {
     const std::string name = entry.path().filename().string();
     const auto is_there = [&](const Point& point) { return point.name == name; };
-    const bool begun = fs::exists(entry.path() / scenario::RunDirectory::log_name, failed) ||
+    const bool begun = fs::exists(entry.path() / run::RunDirectory::log_name, failed) ||
                        fs::exists(entry.path() / "run.json", failed);
     if (begun && std::none_of(campaign.points.begin(), campaign.points.end(), is_there))
       names.push_back(name);

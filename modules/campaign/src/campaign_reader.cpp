@@ -7,17 +7,18 @@
 #include <fmt/format.h>
 
 #include <scree/campaign/campaign.hpp>
-#include <scree/scenario/document.hpp>
-#include <scree/scenario/message.hpp>
+#include <scree/document/document.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::campaign {
 
 namespace {
 
-using scenario::Document;
-using scenario::one_line;
-using scenario::Range;
-using scenario::Table;
+using document::Document;
+using document::Range;
+using document::Table;
+using files::one_line;
 
 constexpr std::size_t most_runs = 100000;
 const char* const seeds_form = "give whole numbers, [1, 2, 3], or { first = 1, count = 20 }";

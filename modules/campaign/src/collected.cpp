@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include <scree/scenario/run_quantities.hpp>
+#include <scree/scenario/quantities.hpp>
 
 namespace scree::campaign {
 

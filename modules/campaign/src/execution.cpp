@@ -38,7 +38,7 @@ class Executor {
       if (options_.on_check) options_.on_check(checked++, to_do_);
       check_point(campaign_, campaign_.points[k], host);
       // As the run itself will: other files may stand where it is to go.
-      scenario::RunDirectory(directory_.run(campaign_.points[k]), true);
+      run::RunDirectory(directory_.run(campaign_.points[k]), true);
     }
   }
 

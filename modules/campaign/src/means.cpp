@@ -5,12 +5,12 @@
 #include <limits>
 
 #include <scree/campaign/report.hpp>
-#include <scree/scenario/csv_line.hpp>
+#include <scree/files/csv_line.hpp>
 
 namespace scree::campaign {
 
-using scenario::csv_line;
-using scenario::csv_number;
+using files::csv_line;
+using files::csv_number;
 
 namespace {
 

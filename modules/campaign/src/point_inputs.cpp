@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <scree/campaign/campaign.hpp>
-#include <scree/scenario/document.hpp>
-#include <scree/scenario/set_up.hpp>
+#include <scree/document/document.hpp>
+#include <scree/run/set_up.hpp>
 
 namespace scree::campaign {
 
@@ -42,10 +42,10 @@ auto placed(const Campaign& campaign, const Point& point, Action&& action) {
 
 Inputs inputs_of(const Campaign& campaign, const Point& point) {
   return placed(campaign, point, [&] {
-    const auto document = scenario::Document::load(campaign.scenario, point.overrides());
+    const auto document = document::Document::load(campaign.scenario, point.overrides());
     if (!document.outdone().empty()) throw Error(fmt::format("{}; keep one of the two", document.outdone()));
     Inputs inputs{document.resolved_text(), std::nullopt};
-    const scenario::Table root = document.root();
+    const document::Table root = document.root();
     if (root.is_table("particles") && root.table("particles").is_string("file"))
       inputs.packing = campaign.scenario.parent_path() / root.table("particles").string("file");
     return inputs;
@@ -55,7 +55,7 @@ Inputs inputs_of(const Campaign& campaign, const Point& point) {
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
   const scenario::Plan plan = placed(campaign, point, [&] {
     scenario::Plan read = scenario::read_plan(campaign.scenario, point.overrides(), host);
-    scenario::set_up(read);
+    run::set_up(read);
     return read;
   });
   const std::vector<std::string> known = scenario::quantity_names(plan.probes, plan.scene.dimension);

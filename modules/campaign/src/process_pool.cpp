@@ -12,7 +12,7 @@
 
 #include <scree/campaign/process_pool.hpp>
 #include <scree/error.hpp>
-#include <scree/scenario/run_directory.hpp>
+#include <scree/run/run_directory.hpp>
 
 namespace scree::campaign {
 
@@ -103,7 +103,7 @@ ProcessPool::~ProcessPool() {
 void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
                         const std::filesystem::path& log) {
   const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (output.get() < 0) throw scenario::unwritable(log);
+  if (output.get() < 0) throw run::unwritable(log);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw no_process(errno);
   Descriptor alive(ends[0]);

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <scree/campaign/report.hpp>
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::campaign {
 
@@ -20,9 +21,9 @@ std::string title_line(const Campaign& c) {
   std::vector<std::string> factors;
   if (!c.cases.empty()) factors.push_back(counted(c.cases.size(), "case"));
   for (const Parameter& p : c.parameters)
-    factors.push_back(fmt::format("{} of {}", counted(p.values.size(), "value"), scenario::one_line(p.key)));
+    factors.push_back(fmt::format("{} of {}", counted(p.values.size(), "value"), files::one_line(p.key)));
   if (!c.seeds.empty()) factors.push_back(counted(c.seeds.size(), "seed"));
-  return fmt::format("{}: {}{}\n", scenario::one_line(c.title), counted(c.points.size(), "run"),
+  return fmt::format("{}: {}{}\n", files::one_line(c.title), counted(c.points.size(), "run"),
                      factors.empty() ? "" : fmt::format(", {}", fmt::join(factors, " x ")));
 }
 
@@ -42,7 +43,7 @@ void write_expectations(const std::vector<Outcome>& outcomes, Out out) {
     }
   for (const Count& c : counts)
     fmt::format_to(out, "{:<8} in {} of {}: {}\n", c.met == c.of ? "met" : "NOT MET",
-                   c.met == c.of ? c.met : c.of - c.met, c.of, scenario::one_line(c.requirement, 200));
+                   c.met == c.of ? c.met : c.of - c.met, c.of, files::one_line(c.requirement, 200));
 }
 
 void write_failures(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
@@ -85,13 +86,13 @@ std::string leftover_report(const std::vector<std::string>& names) {
   if (names.empty()) return "";
   const std::vector<std::string> told(names.begin(), names.begin() + std::min(most, names.size()));
   return fmt::format("{} of earlier values still there, in no table: {}{}\n", counted(names.size(), "run"),
-                     scenario::one_line(fmt::format("{}", fmt::join(told, "  ")), 400),
+                     files::one_line(fmt::format("{}", fmt::join(told, "  ")), 400),
                      names.size() > most ? " ..." : "");
 }
 
 void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                   const CampaignDirectory& directory) {
-  const scenario::RunDirectory& files = directory.files();
+  const run::RunDirectory& files = directory.files();
   files.write_file("campaign.json", campaign_json(campaign, outcomes));
   files.write_file("table.csv", table_csv(campaign, outcomes));
   std::error_code failed;

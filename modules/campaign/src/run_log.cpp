@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::campaign {
 
@@ -35,7 +36,7 @@ std::string problem_of(const std::filesystem::path& log, const std::string& how)
       std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) { return line.starts_with(sign); });
   std::string problem = told != lines.rend() ? told->substr(sign.size()) : lines.empty() ? "" : lines.back();
   if (!how.empty()) problem = problem.empty() ? how : fmt::format("{} ({})", problem, how);
-  return problem.empty() ? "it left no result" : scenario::one_line(problem, longest);
+  return problem.empty() ? "it left no result" : files::one_line(problem, longest);
 }
 
 double share_in(const std::filesystem::path& log) {

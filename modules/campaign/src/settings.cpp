@@ -5,14 +5,15 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::campaign {
 
 namespace {
 
-using scenario::one_line;
-using scenario::Table;
+using document::Table;
+using files::one_line;
 
 class Reader {
  public:

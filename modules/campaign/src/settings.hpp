@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <scree/campaign/campaign.hpp>
-#include <scree/scenario/document_table.hpp>
+#include <scree/document/table.hpp>
 
 namespace scree::campaign {
 
@@ -17,8 +17,8 @@ struct Settings {
 
 // Of [set]: every list is a parameter. Throws Error at a list that is empty or holds a value twice, and at a
 // key that is given twice.
-Settings read_settings(const scenario::Table& table);
+Settings read_settings(const document::Table& table);
 // Of a case: a list is a value.
-std::vector<Setting> read_case_settings(const scenario::Table& table);
+std::vector<Setting> read_case_settings(const document::Table& table);
 
 }  // namespace scree::campaign

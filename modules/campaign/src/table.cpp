@@ -1,12 +1,12 @@
 #include "table_columns.hpp"
 
 #include <scree/campaign/report.hpp>
-#include <scree/scenario/csv_line.hpp>
+#include <scree/files/csv_line.hpp>
 
 namespace scree::campaign {
 
-using scenario::csv_line;
-using scenario::csv_number;
+using files::csv_line;
+using files::csv_number;
 
 std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
   const std::vector<std::string> names = number_names(outcomes);

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::scenario {
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t no_law = ~0u;
 
-void assign_pair(const Table& t, std::uint32_t law, Scene& scene) {
+void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
   const std::vector<std::string> names = t.strings("between");
   if (names.size() != 2)
     throw t.error("between", fmt::format("names {} materials", names.size()),
@@ -23,30 +24,31 @@ void assign_pair(const Table& t, std::uint32_t law, Scene& scene) {
   const std::size_t b = find_name(t, "between", "material", names[1], scene.materials, 1);
   const std::size_t n = scene.materials.size();
   if (scene.law_of[a * n + b] != no_law)
-    throw t.error(
-        "between",
-        fmt::format("'{}' and '{}' have a [[contact]] already", one_line(names[0]), one_line(names[1])),
-        "keep one of them");
+    throw t.error("between",
+                  fmt::format("'{}' and '{}' have a [[contact]] already", files::one_line(names[0]),
+                              files::one_line(names[1])),
+                  "keep one of them");
   scene.law_of[a * n + b] = scene.law_of[b * n + a] = law;
 }
 
-void check_pairs(const Table& root, const PluginHost& host, const Scene& scene) {
+void check_pairs(const document::Table& root, const PluginHost& host, const Scene& scene) {
   const auto open = std::find(scene.law_of.begin(), scene.law_of.end(), no_law);
   if (open == scene.law_of.end()) return;
   const std::size_t pair = std::size_t(open - scene.law_of.begin()), n = scene.materials.size();
-  throw root.error("contact",
-                   fmt::format("no [[contact]] says how '{}' and '{}' touch",
-                               one_line(scene.materials[pair / n]), one_line(scene.materials[pair % n])),
-                   fmt::format("add a [[contact]] with plugin = \"{}\"",
-                               fmt::join(host.names(SCREE_CONTACT_LAW), "\" or \"")));
+  throw root.error(
+      "contact",
+      fmt::format("no [[contact]] says how '{}' and '{}' touch", files::one_line(scene.materials[pair / n]),
+                  files::one_line(scene.materials[pair % n])),
+      fmt::format("add a [[contact]] with plugin = \"{}\"",
+                  fmt::join(host.names(SCREE_CONTACT_LAW), "\" or \"")));
 }
 
 }  // namespace
 
-void read_contacts(const Table& root, PluginHost& host, Scene& scene, Instances& instances) {
+void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, Instances& instances) {
   scene.law_of.assign(scene.materials.size() * scene.materials.size(), no_law);
   std::optional<std::uint32_t> for_the_rest;
-  for (const Table& t : root.tables("contact")) {
+  for (const document::Table& t : root.tables("contact")) {
     const Stage::Change& read = read_instance(t, SCREE_CONTACT_LAW, host, scene, instances);
     const auto law = std::uint32_t(scene.laws.size());
     scene.laws.push_back({read.name, read.parameters});

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include <scree/body_bounds.hpp>
+#include <scree/scene_checks.hpp>
 
 namespace scree::scenario {
 
@@ -27,8 +28,8 @@ void try_out(const Stage::Change& instance, const Scene& scene) {
     case SCREE_BOUNDARY:
       configured_boundary(instance.parameters, scene);
       break;
-    case SCREE_BODY_TERM:
-      BodyTerms({{instance.name, instance.parameters}}, scene.dimension, scene.audit);
+    case SCREE_BODY_FORCE:
+      check_body_force({instance.name, instance.parameters}, scene);
       break;
     case SCREE_PROBE:
       break;
@@ -47,8 +48,8 @@ bool same_layout(const scree_boundary_instance& a, const scree_boundary_instance
 
 }  // namespace
 
-const Stage::Change& read_instance(const Table& table, scree_kind kind, PluginHost& host, const Scene& scene,
-                                   Instances& instances) {
+const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
+                                   const Scene& scene, Instances& instances) {
   Parameters parameters(find_plugin(table, kind, host));
   read_parameters(table, scene.dimension, parameters);
   check_complete(table, parameters);
@@ -58,7 +59,7 @@ const Stage::Change& read_instance(const Table& table, scree_kind kind, PluginHo
   return added;
 }
 
-Stage::Change changed_instance(const Table& table, const Stage::Change& old, const Scene& scene) {
+Stage::Change changed_instance(const document::Table& table, const Stage::Change& old, const Scene& scene) {
   Stage::Change changed = old;
   read_parameters(table, scene.dimension, changed.parameters);
   check_complete(table, changed.parameters);

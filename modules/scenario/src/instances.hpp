@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <scree/document/table.hpp>
 #include <scree/plugin_host.hpp>
-#include <scree/scenario/document_table.hpp>
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
@@ -20,11 +20,11 @@ struct Instances {
 
 // Reads one entry of [[contact]], [[boundary]] or [[body_force]], tries it out and adds it to the instances.
 // The scene must hold its bodies already. Throws Error at the key that is wrong.
-const Stage::Change& read_instance(const Table& table, scree_kind kind, PluginHost& host, const Scene& scene,
-                                   Instances& instances);
+const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
+                                   const Scene& scene, Instances& instances);
 
 // An instance with the keys of `table` (what a stage sets) in the place of the old ones, tried out.
 // Throws Error at the key that is wrong.
-Stage::Change changed_instance(const Table& table, const Stage::Change& old, const Scene& scene);
+Stage::Change changed_instance(const document::Table& table, const Stage::Change& old, const Scene& scene);
 
 }  // namespace scree::scenario

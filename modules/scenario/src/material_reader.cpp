@@ -4,11 +4,11 @@
 
 namespace scree::scenario {
 
-std::vector<Material> read_materials(const Table& root) {
+std::vector<Material> read_materials(const document::Table& root) {
   std::vector<Material> materials;
   UniqueNames names("material");
-  for (const Table& t : root.tables("material")) {
-    materials.push_back({t.string("name"), t.number("density", Range::positive("kg/m^3"))});
+  for (const document::Table& t : root.tables("material")) {
+    materials.push_back({t.string("name"), t.number("density", document::Range::positive("kg/m^3"))});
     names.add(t, materials.back().name);
   }
   if (materials.empty())

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <scree/scenario/document_table.hpp>
+#include <scree/document/table.hpp>
 
 namespace scree::scenario {
 
@@ -14,7 +14,7 @@ struct Material {
 };
 
 // At least one. Throws Error where there is none or two have the same name.
-std::vector<Material> read_materials(const Table& root);
+std::vector<Material> read_materials(const document::Table& root);
 
 std::vector<std::string> names_of(const std::vector<Material>& materials);
 

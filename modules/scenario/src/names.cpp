@@ -4,40 +4,41 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/message.hpp>
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::scenario {
 
-std::size_t find_name(const Table& table, std::string_view key, std::string_view what,
+std::size_t find_name(const document::Table& table, std::string_view key, std::string_view what,
                       const std::string& word, const std::vector<std::string>& names,
                       std::optional<std::size_t> element) {
   const auto found = std::find(names.begin(), names.end(), word);
   if (found != names.end()) return std::size_t(found - names.begin());
-  const std::string problem = fmt::format("no {} '{}'", what, one_line(word));
-  const std::string cure = name_cure(word, names);
+  const std::string problem = fmt::format("no {} '{}'", what, files::one_line(word));
+  const std::string cure = document::name_cure(word, names);
   throw element ? table.error(key, *element, problem, cure) : table.error(key, problem, cure);
 }
 
-void UniqueNames::add(const Table& table, const std::string& name) {
+void UniqueNames::add(const document::Table& table, const std::string& name) {
   if (name.empty())
     throw table.error("name", fmt::format("the {} name is empty", what_), "give a word, such as \"first\"");
   if (!taken_.insert(name).second)
-    throw table.error("name", fmt::format("the {} name '{}' is taken", what_, one_line(name)),
+    throw table.error("name", fmt::format("the {} name '{}' is taken", what_, files::one_line(name)),
                       "give each a name of its own");
 }
 
-std::string UniqueNames::add_or_number(const Table& table, const std::string& fallback) {
+std::string UniqueNames::add_or_number(const document::Table& table, const std::string& fallback) {
   std::string name = table.string("name", fallback);
   for (int k = 2; !table.has("name") && taken_.contains(name); ++k) name = fmt::format("{}_{}", fallback, k);
   add(table, name);
   return name;
 }
 
-void check_file_name(const Table& table, const std::string& name) {
+void check_file_name(const document::Table& table, const std::string& name) {
   constexpr std::size_t longest = 100;
   const auto fit = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c >= 0x80; };
   if (name.empty() || name.size() > longest || !std::all_of(name.begin(), name.end(), fit))
-    throw table.error("name", fmt::format("'{}' cannot be the name of a file", one_line(name)),
+    throw table.error("name", fmt::format("'{}' cannot be the name of a file", files::one_line(name)),
                       fmt::format("use letters, digits, '_' and '-', at most {}", longest));
 }
 

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include <scree/scenario/document_table.hpp>
+#include <scree/document/table.hpp>
 
 namespace scree::scenario {
 
 // Index of a word among the names. Throws Error at the key, or at that element of the array under it:
 // "no <what> '<word>'; did you mean ...".
-std::size_t find_name(const Table& table, std::string_view key, std::string_view what,
+std::size_t find_name(const document::Table& table, std::string_view key, std::string_view what,
                       const std::string& word, const std::vector<std::string>& names,
                       std::optional<std::size_t> element = std::nullopt);
 
@@ -21,9 +21,9 @@ class UniqueNames {
  public:
   explicit UniqueNames(std::string what) : what_(std::move(what)) {}
   // Throws Error at `name` of the table if it is empty or taken.
-  void add(const Table& table, const std::string& name);
+  void add(const document::Table& table, const std::string& name);
   // The `name` of the table or, where it gives none, the fallback, numbered from the second on; added.
-  std::string add_or_number(const Table& table, const std::string& fallback);
+  std::string add_or_number(const document::Table& table, const std::string& fallback);
 
  private:
   std::string what_;  // they are of
@@ -31,6 +31,6 @@ class UniqueNames {
 };
 
 // Throws Error at `name` of the table unless it is fit for a file: letters, digits, '_' and '-'.
-void check_file_name(const Table& table, const std::string& name);
+void check_file_name(const document::Table& table, const std::string& name);
 
 }  // namespace scree::scenario

@@ -8,25 +8,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 #include <scree/nearest.hpp>
 #include <scree/probes.hpp>
-#include <scree/scenario/message.hpp>
-#include <scree/scenario/run_quantities.hpp>
+#include <scree/scenario/quantities.hpp>
 #include <scree/snapshot/render_options.hpp>
 
 namespace scree::scenario {
 
 namespace {
 
-double read_interval(const Table& t, std::string_view key, double step) {
-  const double every = t.number(key, Range::positive("s"));
+double read_interval(const document::Table& t, std::string_view key, double step) {
+  const double every = t.number(key, document::Range::positive("s"));
   if (every < 0.999 * step)
     throw t.error(key, fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key, every, step),
                   "raise it, or shorten time.step");
   return every;
 }
 
-ProbePlan read_probe(const Table& t, const Scene& scene, const std::vector<std::string>& stages,
+ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::vector<std::string>& stages,
                      PluginHost& host) {
   ProbePlan probe{"", Parameters(find_plugin(t, SCREE_PROBE, host)), 0, {}, t.place("plugin")};
   read_parameters(t, scene.dimension, probe.parameters);
@@ -53,7 +54,7 @@ Columns columns_of(const ProbePlan& probe, int dimension) {
   return columns;
 }
 
-const ProbePlan& probe_named(const Table& t, const std::vector<ProbePlan>& probes) {
+const ProbePlan& probe_named(const document::Table& t, const std::vector<ProbePlan>& probes) {
   std::vector<std::string> names;
   for (const ProbePlan& probe : probes) names.push_back(probe.name);
   return probes[find_name(t, "probe", "probe", t.string("probe"), names)];
@@ -70,7 +71,7 @@ std::string label_of(const Columns& columns, std::size_t k) {
   return columns.units[k].empty() ? words : fmt::format("{} ({})", words, columns.units[k]);
 }
 
-ChartPlan read_chart(const Table& t, const std::vector<ProbePlan>& probes, int dimension) {
+ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& probes, int dimension) {
   ChartPlan chart;
   chart.name = t.string("name");
   check_file_name(t, chart.name);
@@ -95,18 +96,18 @@ ChartPlan read_chart(const Table& t, const std::vector<ProbePlan>& probes, int d
   return chart;
 }
 
-Expectation read_expectation(const Table& t, const std::vector<std::string>& known) {
+Expectation read_expectation(const document::Table& t, const std::vector<std::string>& known) {
   Expectation e;
   e.requirement = t.string("requirement");
   e.quantity = t.string("quantity");
   if (const auto problem = quantity_problem(e.quantity, known))
     throw Error(fmt::format("{}: {}", t.place("quantity"), *problem));
   e.reference = t.optional_number("reference");
-  e.tolerance = t.optional_number("tolerance", Range::non_negative());
+  e.tolerance = t.optional_number("tolerance", document::Range::non_negative());
   e.at_most = t.optional_number("at_most");
   e.at_least = t.optional_number("at_least");
   e.of_step = t.boolean("of_step", false);
-  e.scale = t.optional_number("scale", Range::positive());
+  e.scale = t.optional_number("scale", document::Range::positive());
   if (e.reference.has_value() != e.tolerance.has_value())
     throw t.error(e.reference ? "reference" : "tolerance", "reference and tolerance go together",
                   "give both, or at_most / at_least");
@@ -134,23 +135,23 @@ std::optional<std::string> quantity_problem(const std::string& name, const std::
       near ? fmt::format("did you mean '{}'?", *near)
            : fmt::format("give one of {}, or <probe>.<column>.<{}>", fmt::join(run_quantity_names(), ", "),
                          fmt::join(series_statistics, "|"));
-  return fmt::format("no quantity '{}'; {}", one_line(name), cure);
+  return fmt::format("no quantity '{}'; {}", files::one_line(name), cure);
 }
 
-std::vector<ProbePlan> read_probes(const Table& root, const Scene& scene, const std::vector<Stage>& stages,
-                                   PluginHost& host) {
+std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
+                                   const std::vector<Stage>& stages, PluginHost& host) {
   std::vector<ProbePlan> probes;
   UniqueNames names("probe");
   std::vector<std::string> stage_names;
   for (const Stage& stage : stages) stage_names.push_back(stage.name);
-  for (const Table& t : root.tables("probe")) {
+  for (const document::Table& t : root.tables("probe")) {
     probes.push_back(read_probe(t, scene, stage_names, host));
     names.add(t, probes.back().name);
   }
   return probes;
 }
 
-SnapshotPlan read_snapshot(const Table& root, double step) {
+SnapshotPlan read_snapshot(const document::Table& root, double step) {
   SnapshotPlan plan;
   const auto t = root.optional_table("snapshot");
   if (!t) return plan;
@@ -160,26 +161,27 @@ SnapshotPlan read_snapshot(const Table& root, double step) {
       t->choice("color_by", {snapshot::color_fields.begin(), snapshot::color_fields.end()}, "radius");
   plan.view = t->choice("view", {snapshot::view_names.begin(), snapshot::view_names.end()}, "");
   plan.show_contacts = t->boolean("contacts", false);
-  plan.width = int(t->integer("width", 1200, Range::between(200, 8000, "pixels")));
-  plan.height = int(t->integer("height", 900, Range::between(200, 8000, "pixels")));
+  plan.width = int(t->integer("width", 1200, document::Range::between(200, 8000, "pixels")));
+  plan.height = int(t->integer("height", 900, document::Range::between(200, 8000, "pixels")));
   return plan;
 }
 
-std::vector<ChartPlan> read_charts(const Table& root, const std::vector<ProbePlan>& probes, int dimension) {
+std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbePlan>& probes,
+                                   int dimension) {
   std::vector<ChartPlan> charts;
   UniqueNames names("chart");
-  for (const Table& t : root.tables("chart")) {
+  for (const document::Table& t : root.tables("chart")) {
     charts.push_back(read_chart(t, probes, dimension));
     names.add(t, charts.back().name);
   }
   return charts;
 }
 
-std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes,
+std::vector<Expectation> read_expectations(const document::Table& root, const std::vector<ProbePlan>& probes,
                                            int dimension) {
   std::vector<Expectation> all;
   const std::vector<std::string> known = quantity_names(probes, dimension);
-  for (const Table& t : root.tables("expect")) all.push_back(read_expectation(t, known));
+  for (const document::Table& t : root.tables("expect")) all.push_back(read_expectation(t, known));
   return all;
 }
 

@@ -2,17 +2,18 @@
 
 #include <vector>
 
-#include <scree/scenario/document_table.hpp>
+#include <scree/document/table.hpp>
 #include <scree/scenario/plan.hpp>
 
 namespace scree::scenario {
 
-std::vector<ProbePlan> read_probes(const Table& root, const Scene& scene, const std::vector<Stage>& stages,
-                                   PluginHost& host);
+std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
+                                   const std::vector<Stage>& stages, PluginHost& host);
 // step: the time step (s), below which nothing can be written.
-SnapshotPlan read_snapshot(const Table& root, double step);
-std::vector<ChartPlan> read_charts(const Table& root, const std::vector<ProbePlan>& probes, int dimension);
-std::vector<Expectation> read_expectations(const Table& root, const std::vector<ProbePlan>& probes,
+SnapshotPlan read_snapshot(const document::Table& root, double step);
+std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbePlan>& probes,
+                                   int dimension);
+std::vector<Expectation> read_expectations(const document::Table& root, const std::vector<ProbePlan>& probes,
                                            int dimension);
 
 }  // namespace scree::scenario

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double largest_id = 1e15;  // below which numbers of a probe's list are exact
 
-packing::Packing read_file(const Table& particles, int dimension, const std::filesystem::path& folder,
-                           const std::vector<Material>& materials) {
+packing::Packing read_file(const document::Table& particles, int dimension,
+                           const std::filesystem::path& folder, const std::vector<Material>& materials) {
   packing::ImportOptions options;
   // A file may say that it is flat; that a spatial scene must not overlook.
   if (dimension == 2) options.dimension = dimension;
@@ -37,12 +37,12 @@ packing::Packing read_file(const Table& particles, int dimension, const std::fil
 }
 
 // Copies of a periodic packing side by side: so many along each axis, one period apart.
-void repeat(const Table& particles, int dimension, packing::Packing& packing) {
+void repeat(const document::Table& particles, int dimension, packing::Packing& packing) {
   if (!particles.has("repeat")) return;
   const std::vector<double> times =
-      particles.numbers("repeat", std::size_t(dimension), Range::between(1, 1e4));
+      particles.numbers("repeat", std::size_t(dimension), document::Range::between(1, 1e4));
   const std::vector<double> period =
-      particles.numbers("period", std::size_t(dimension), Range::positive("m"));
+      particles.numbers("period", std::size_t(dimension), document::Range::positive("m"));
   for (const double n : times)
     if (n != std::floor(n))
       throw particles.error("repeat", fmt::format("{:g} is no whole number", n),
@@ -59,7 +59,7 @@ void repeat(const Table& particles, int dimension, packing::Packing& packing) {
   }
 }
 
-packing::Packing read_source(const Table& particles, int dimension, packing::Random& random,
+packing::Packing read_source(const document::Table& particles, int dimension, packing::Random& random,
                              const std::filesystem::path& folder, const std::vector<Material>& materials) {
   if (!particles.has("file")) return read_lattice_bodies(particles, dimension, random);
   if (particles.has("lattice"))
@@ -69,13 +69,14 @@ packing::Packing read_source(const Table& particles, int dimension, packing::Ran
   return packing;
 }
 
-packing::Body read_inline(const Table& t, int dimension) {
+packing::Body read_inline(const document::Table& t, int dimension) {
   packing::Body body;
-  body.id = t.integer("id", 0, Range::between(1, largest_id));
+  body.id = t.integer("id", 0, document::Range::between(1, largest_id));
   body.material = t.string("material", "");
-  body.radius = t.number("radius", Range::positive("m"));
-  if (const auto density = t.optional_number("density", Range::positive("kg/m^3"))) body.density = *density;
-  if (const auto mass = t.optional_number("mass", Range::positive("kg"))) body.mass = *mass;
+  body.radius = t.number("radius", document::Range::positive("m"));
+  if (const auto density = t.optional_number("density", document::Range::positive("kg/m^3")))
+    body.density = *density;
+  if (const auto mass = t.optional_number("mass", document::Range::positive("kg"))) body.mass = *mass;
   if (!std::isnan(body.density) && !std::isnan(body.mass))
     throw t.error("mass", "mass and density are both given", "keep one of them");
   body.position = read_vector(t, "position", dimension, true);
@@ -87,7 +88,7 @@ packing::Body read_inline(const Table& t, int dimension) {
   return body;
 }
 
-std::uint32_t material_index(const Table& t, const std::string& name,
+std::uint32_t material_index(const document::Table& t, const std::string& name,
                              const std::vector<Material>& materials) {
   if (name.empty() && materials.size() == 1) return 0;
   const std::vector<std::string> names = names_of(materials);
@@ -98,7 +99,7 @@ std::uint32_t material_index(const Table& t, const std::string& name,
 }
 
 // A body of the kernel; `t` describes it. Throws Error where its mass or inertia has no finite value above 0.
-Body complete(const Table& t, const packing::Body& from, int dimension,
+Body complete(const document::Table& t, const packing::Body& from, int dimension,
               const std::vector<Material>& materials) {
   Body body = {.id = from.id, .material = material_index(t, from.material, materials), .radius = from.radius};
   body.position = from.position;
@@ -120,11 +121,11 @@ Body complete(const Table& t, const packing::Body& from, int dimension,
 }
 
 // Adds the [[particle]]s, whose ids must not be those of other bodies.
-void add_inline(const Table& root, int dimension, const std::vector<Material>& materials,
+void add_inline(const document::Table& root, int dimension, const std::vector<Material>& materials,
                 std::vector<Body>& bodies) {
   std::set<std::int64_t> used;
   for (const Body& body : bodies) used.insert(body.id);
-  for (const Table& t : root.tables("particle")) {
+  for (const document::Table& t : root.tables("particle")) {
     bodies.push_back(complete(t, read_inline(t, dimension), dimension, materials));
     if (t.has("id") && !used.insert(bodies.back().id).second)
       throw t.error("id", fmt::format("two bodies have the id {}", bodies.back().id),
@@ -152,13 +153,14 @@ void sort_in_space(std::vector<Body>& bodies, int dimension) {
 
 }  // namespace
 
-std::vector<Body> read_bodies(const Table& root, int dimension, const std::vector<Material>& materials,
-                              std::uint64_t seed, const std::filesystem::path& folder) {
+std::vector<Body> read_bodies(const document::Table& root, int dimension,
+                              const std::vector<Material>& materials, std::uint64_t seed,
+                              const std::filesystem::path& folder) {
   std::vector<Body> bodies;
   packing::Random random(seed);
   if (const auto particles = root.optional_table("particles")) {
     const std::string material = particles->string("material", "");
-    const double agitation = particles->number("random_velocity", 0.0, Range::non_negative("m/s"));
+    const double agitation = particles->number("random_velocity", 0.0, document::Range::non_negative("m/s"));
     const Vec3 velocity = read_vector(*particles, "velocity", dimension, false);
     for (packing::Body& from : read_source(*particles, dimension, random, folder, materials).bodies) {
       if (from.material.empty()) from.material = material;

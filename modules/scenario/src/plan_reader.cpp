@@ -9,29 +9,30 @@
 
 #include <fmt/format.h>
 
-#include <scree/body_bounds.hpp>
+#include <scree/document/document.hpp>
 #include <scree/probes.hpp>
-#include <scree/scenario/document.hpp>
 #include <scree/scenario/plan.hpp>
+#include <scree/scene_checks.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree::scenario {
 
 namespace {
 
-void read_header(const Table& root, Plan& plan) {
-  const Table t = root.table_or_empty("scene");
+void read_header(const document::Table& root, Plan& plan) {
+  const document::Table t = root.table_or_empty("scene");
   Scene& scene = plan.scene;
   plan.title = t.string("title", "");
-  scene.dimension = int(t.integer("dimension", 3, Range::between(2, 3)));
-  plan.seed = std::uint64_t(t.integer("seed", 1, Range::non_negative()));
-  const Table limits = root.table_or_empty("limits");
-  scene.limits.overlap_ratio = limits.number("overlap_ratio", scene.limits.overlap_ratio, Range::positive());
-  scene.limits.speed = limits.number("speed", 0.0, Range::positive("m/s"));
-  scene.skin = root.table_or_empty("neighbours").number("skin", 0.0, Range::positive("m"));
+  scene.dimension = int(t.integer("dimension", 3, document::Range::between(2, 3)));
+  plan.seed = std::uint64_t(t.integer("seed", 1, document::Range::non_negative()));
+  const document::Table limits = root.table_or_empty("limits");
+  scene.limits.overlap_ratio =
+      limits.number("overlap_ratio", scene.limits.overlap_ratio, document::Range::positive());
+  scene.limits.speed = limits.number("speed", 0.0, document::Range::positive("m/s"));
+  scene.skin = root.table_or_empty("neighbours").number("skin", 0.0, document::Range::positive("m"));
 }
 
-void read_bodies_of(const Table& root, Plan& plan) {
+void read_bodies_of(const document::Table& root, Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
@@ -39,59 +40,53 @@ void read_bodies_of(const Table& root, Plan& plan) {
       read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
 }
 
-bool has_planes(const Parameters& boundary, const Scene& scene, const BodyBounds& box) {
-  return !Boundaries({{"", 0, boundary}}, scene.dimension, box.lower, box.upper).planes().empty();
-}
-
-void read_boundaries(const Table& root, PluginHost& host, Instances& instances, Plan& plan) {
+void read_boundaries(const document::Table& root, PluginHost& host, Instances& instances, Plan& plan) {
   Scene& scene = plan.scene;
-  const BodyBounds box = bounds_of(scene.bodies, scene.dimension);
-  for (const Table& t : root.tables("boundary")) {
+  for (const document::Table& t : root.tables("boundary")) {
     const Stage::Change& read = read_instance(t, SCREE_BOUNDARY, host, scene, instances);
-    const bool has_walls = has_planes(read.parameters, scene, box);
+    const bool has_walls = plane_count({read.name, 0, read.parameters}, scene) > 0;
     const std::string material = scene.materials.size() > 1 && has_walls
                                      ? t.string("material")
                                      : t.string("material", scene.materials[0]);
     const auto index = std::uint32_t(find_name(t, "material", "material", material, scene.materials));
     scene.boundaries.push_back({read.name, index, read.parameters});
     // All so far together: each may be good and the sum not.
-    const bool periodic = placed(t, "plugin", [&] {
-      return Boundaries(scene.boundaries, scene.dimension, box.lower, box.upper).domain().any_periodic();
-    });
+    const bool periodic = placed(t, "plugin", [&] { return periodic_domain(scene).any_periodic(); });
     if (periodic && plan.periodic_place.empty()) plan.periodic_place = t.place("plugin");
   }
 }
 
-void read_body_forces(const Table& root, PluginHost& host, Scene& scene, Instances& instances) {
-  for (const Table& t : root.tables("body_force")) {
-    const Stage::Change& read = read_instance(t, SCREE_BODY_TERM, host, scene, instances);
-    scene.body_terms.push_back({read.name, read.parameters});
+void read_body_forces(const document::Table& root, PluginHost& host, Scene& scene, Instances& instances) {
+  for (const document::Table& t : root.tables("body_force")) {
+    const Stage::Change& read = read_instance(t, SCREE_BODY_FORCE, host, scene, instances);
+    scene.body_forces.push_back({read.name, read.parameters});
   }
 }
 
-Integration read_integration(const Table& time) {
+Integration read_integration(const document::Table& time) {
   std::vector<std::string> names;
   for (const IntegrationTraits& traits : integrations()) names.emplace_back(traits.name);
   const std::string name = time.choice("integrator", names, names[0]);
   return integrations()[std::size_t(std::find(names.begin(), names.end(), name) - names.begin())].integration;
 }
 
-void read_time(const Table& root, Plan& plan) {
-  const Table t = root.table("time");
+void read_time(const document::Table& root, Plan& plan) {
+  const document::Table t = root.table("time");
   Scene& scene = plan.scene;
   plan.step_guard = t.boolean("step_guard", true);
   plan.step_place = t.place("step");
-  scene.expected_speed = t.number("expected_speed", 0.0, Range::positive("m/s"));
+  scene.expected_speed = t.number("expected_speed", 0.0, document::Range::positive("m/s"));
   scene.audit = t.boolean("energy_audit", true);
   scene.integration = read_integration(t);
-  scene.precision =
-      t.choice("precision", {"double", "mixed"}, "double") == "mixed" ? Precision::mixed : Precision::full;
+  scene.precision = t.choice("precision", {"double", "mixed"}, "double") == "mixed"
+                        ? Precision::mixed
+                        : Precision::double_precision;
   if (!t.is_table("step")) {
-    scene.step = t.number("step", Range::positive("s"));
+    scene.step = t.number("step", document::Range::positive("s"));
     return;
   }
-  const Table step = t.table("step");
-  const double fraction = step.number("fraction", Range::positive());
+  const document::Table step = t.table("step");
+  const double fraction = step.number("fraction", document::Range::positive());
   const double contact = shortest_contact_time(scene, expected_speed(scene));
   if (!std::isfinite(contact))
     throw step.error("fraction", "the scene has no pair of bodies whose contact time could be taken",
@@ -100,7 +95,7 @@ void read_time(const Table& root, Plan& plan) {
 }
 
 // Without an audit nothing is known of energies in springs and of what is lost.
-void check_audit(const Table& root, const Plan& plan) {
+void check_audit(const document::Table& root, const Plan& plan) {
   if (plan.scene.audit) return;
   const auto refuse = [&](const std::string& who) {
     throw root.table("time").error("energy_audit", fmt::format("{} needs the energy books", who),
@@ -133,8 +128,8 @@ bool looks_at_pair_forces(const Plan& plan) {
 
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                PluginHost& host) {
-  const Document document = Document::load(path, overrides);
-  const Table root = document.root();
+  const document::Document document = document::Document::load(path, overrides);
+  const document::Table root = document.root();
   Plan plan;
   plan.source = path;
   read_header(root, plan);

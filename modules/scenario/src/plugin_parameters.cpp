@@ -11,9 +11,9 @@ namespace scree::scenario {
 namespace {
 
 // A program of time: a number, or a table whose keys tell its kind (see program.hpp of the framework).
-std::vector<double> read_program(const Table& table, const scree_parameter& p) {
+std::vector<double> read_program(const document::Table& table, const scree_parameter& p) {
   if (!table.is_table(p.key)) return {0, table.number(p.key)};
-  const Table t = table.table(p.key);
+  const document::Table t = table.table(p.key);
   if (t.has("table")) {
     std::vector<double> data = {4};
     double last = -std::numeric_limits<double>::infinity();
@@ -27,17 +27,19 @@ std::vector<double> read_program(const Table& table, const scree_parameter& p) {
     return data;
   }
   if (t.has("amplitude"))
-    return {1, t.number("mean", 0.0), t.number("amplitude"), t.number("frequency_hz", Range::positive("Hz")),
+    return {1, t.number("mean", 0.0), t.number("amplitude"),
+            t.number("frequency_hz", document::Range::positive("Hz")),
             t.number("phase_deg", 0.0) * std::numbers::pi / 180};
-  if (t.has("period")) return {2, t.number("from"), t.number("to"), t.number("period", Range::positive("s"))};
+  if (t.has("period"))
+    return {2, t.number("from"), t.number("to"), t.number("period", document::Range::positive("s"))};
   if (t.has("duration"))
-    return {3, t.number("from"), t.number("to"), t.number("duration", Range::positive("s"))};
+    return {3, t.number("from"), t.number("to"), t.number("duration", document::Range::positive("s"))};
   throw t.error(fmt::format("does not tell how '{}' goes with time", p.key),
                 "give a number, {from, to, period}, {from, to, duration}, {mean, amplitude, frequency_hz} or "
                 "{table = [[t, value], ...]}");
 }
 
-std::vector<double> read_value(const Table& table, const scree_parameter& p, int dimension) {
+std::vector<double> read_value(const document::Table& table, const scree_parameter& p, int dimension) {
   switch (scree_type(p.type)) {
     case SCREE_INTEGER:
       return {double(table.integer(p.key))};
@@ -64,7 +66,7 @@ std::vector<double> read_value(const Table& table, const scree_parameter& p, int
 }
 
 // "problem; cure" as the framework words it.
-[[noreturn]] void refuse(const Table& table, const std::string& key, const std::string& text) {
+[[noreturn]] void refuse(const document::Table& table, const std::string& key, const std::string& text) {
   const auto semicolon = text.find("; ");
   throw table.error(key, fmt::format("{} {}", key, text.substr(0, semicolon)),
                     semicolon == std::string::npos ? "see scree describe" : text.substr(semicolon + 2));
@@ -72,7 +74,7 @@ std::vector<double> read_value(const Table& table, const scree_parameter& p, int
 
 }  // namespace
 
-const scree_plugin& find_plugin(const Table& table, scree_kind kind, PluginHost& host) {
+const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host) {
   const std::string name = table.string("plugin");
   if (name.size() >= SCREE_MAX_NAME)
     throw table.error("plugin", fmt::format("a plug-in's name has fewer than {} letters", SCREE_MAX_NAME),
@@ -80,7 +82,7 @@ const scree_plugin& find_plugin(const Table& table, scree_kind kind, PluginHost&
   return placed(table, "plugin", [&]() -> const scree_plugin& { return host.find(name, kind); });
 }
 
-void read_parameters(const Table& table, int dimension, Parameters& parameters) {
+void read_parameters(const document::Table& table, int dimension, Parameters& parameters) {
   const scree_plugin& plugin = parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
@@ -91,7 +93,7 @@ void read_parameters(const Table& table, int dimension, Parameters& parameters) 
   }
 }
 
-void check_complete(const Table& table, const Parameters& parameters) {
+void check_complete(const document::Table& table, const Parameters& parameters) {
   placed(table, "plugin", [&] { parameters.check_complete(); });
 }
 

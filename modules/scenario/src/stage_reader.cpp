@@ -11,7 +11,7 @@ namespace {
 // At a microsecond a step, which few scenes reach, this takes twelve days.
 constexpr double most_steps = 1e12;
 
-void check_steps(const Table& t, std::string_view key, double seconds, double step) {
+void check_steps(const document::Table& t, std::string_view key, double seconds, double step) {
   const double steps = seconds / step;
   if (steps < 0.999)
     throw t.error(key, fmt::format("{:g} s is shorter than the time step of {:g} s", seconds, step),
@@ -21,9 +21,9 @@ void check_steps(const Table& t, std::string_view key, double seconds, double st
                   fmt::format("give a shorter time or a longer step, for at most {:g} steps", most_steps));
 }
 
-void read_condition(const Table& until, double step, Stage& stage) {
-  stage.kinetic_over_elastic = until.number("kinetic_over_elastic", Range::positive());
-  stage.at_least = until.number("at_least", 0.0, Range::non_negative("s"));
+void read_condition(const document::Table& until, double step, Stage& stage) {
+  stage.kinetic_over_elastic = until.number("kinetic_over_elastic", document::Range::positive());
+  stage.at_least = until.number("at_least", 0.0, document::Range::non_negative("s"));
   stage.at_most = read_steps(until, "at_most", step);
   if (stage.at_least >= *stage.at_most)
     throw until.error("at_least",
@@ -32,7 +32,7 @@ void read_condition(const Table& until, double step, Stage& stage) {
                       "give a smaller at_least or a larger at_most");
 }
 
-void read_end(const Table& t, double step, Stage& stage) {
+void read_end(const document::Table& t, double step, Stage& stage) {
   const int given = int(t.has("duration")) + int(t.has("cycles")) + int(t.has("until"));
   if (given != 1)
     throw t.error(given ? "says more than once when it ends" : "does not say when it ends",
@@ -42,12 +42,13 @@ void read_end(const Table& t, double step, Stage& stage) {
   if (t.has("until")) read_condition(t.table("until"), step, stage);
   if (t.has("cycles")) {
     const double period = read_steps(t, "period", step);
-    stage.duration = t.number("cycles", Range::positive()) * period;
+    stage.duration = t.number("cycles", document::Range::positive()) * period;
     check_steps(t, "cycles", *stage.duration, step);
   }
 }
 
-void read_changes(const Table& t, const Scene& scene, std::vector<Stage::Change>& instances, Stage& stage) {
+void read_changes(const document::Table& t, const Scene& scene, std::vector<Stage::Change>& instances,
+                  Stage& stage) {
   const auto set = t.optional_table("set");
   if (!set) return;
   std::vector<std::string> names;
@@ -61,17 +62,17 @@ void read_changes(const Table& t, const Scene& scene, std::vector<Stage::Change>
 
 }  // namespace
 
-double read_steps(const Table& table, std::string_view key, double step) {
-  const double seconds = table.number(key, Range::positive("s"));
+double read_steps(const document::Table& table, std::string_view key, double step) {
+  const double seconds = table.number(key, document::Range::positive("s"));
   check_steps(table, key, seconds, step);
   return seconds;
 }
 
-std::vector<Stage> read_stages(const Table& root, const Scene& scene, Instances instances) {
+std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances) {
   std::vector<Stage> stages;
   UniqueNames names("stage");
-  const Table time = root.table("time");
-  for (const Table& t : root.tables("stage")) {
+  const document::Table time = root.table("time");
+  for (const document::Table& t : root.tables("stage")) {
     Stage stage;
     stage.name = t.string("name", fmt::format("stage {}", stages.size() + 1));
     names.add(t, stage.name);

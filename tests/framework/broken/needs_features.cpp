@@ -1,5 +1,5 @@
 // A plug-in that asks the host for what it does not have.
-#include <scree/body_term.hpp>
+#include <scree/plugin/body_force.hpp>
 
 namespace {
 
@@ -9,14 +9,14 @@ struct NeedsFeatures {
   void act(const scree::BodyState&, scree::BodyResponse&) const {}
 };
 
-const scree_body_term body_term = {sizeof(scree_body_term), sizeof(NeedsFeatures),
-                                   &scree::configure_author<NeedsFeatures>,
-                                   &scree::detail::apply_body_term<NeedsFeatures>, nullptr};
+const scree_body_force body_force = {sizeof(scree_body_force), sizeof(NeedsFeatures),
+                                     &scree::configure_author<NeedsFeatures>,
+                                     &scree::detail::apply_body_force<NeedsFeatures>, nullptr};
 
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query(void) {
-  static scree_plugin plugin = *scree::manifest_of<NeedsFeatures>(SCREE_BODY_TERM, body_term);
+  static scree_plugin plugin = *scree::manifest_of<NeedsFeatures>(SCREE_BODY_FORCE, body_force);
   plugin.features = 0x8;
   return &plugin;
 }

@@ -1,5 +1,5 @@
 // A plug-in that has nothing to say.
-#include <scree/plugin_abi.h>
+#include <scree/plugin/abi.h>
 
 extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query(void) {
   return nullptr;

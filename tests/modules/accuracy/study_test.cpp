@@ -44,7 +44,8 @@ StudyOptions quick() {
 
 const Order& order_of(const Study& study, Integration integration) {
   for (const Order& order : study.orders)
-    if (order.method.integration == integration && order.method.precision == Precision::full) return order;
+    if (order.method.integration == integration && order.method.precision == Precision::double_precision)
+      return order;
   throw std::runtime_error("no such method");
 }
 
@@ -118,7 +119,7 @@ TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as 
   options.integrations = {Integration::velocity_verlet};
   const Study result = study(closed_form_plan(), options);
   write_report(result, "Oscillator",
-               scenario::RunDirectory(folder.path() / "out", false, scenario::RunDirectory::Kind::study));
+               run::RunDirectory(folder.path() / "out", false, run::RunDirectory::Kind::study));
   std::ifstream csv(folder.path() / "out/accuracy.csv");
   std::string header, row;
   std::getline(csv, header);

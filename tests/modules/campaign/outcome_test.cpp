@@ -4,7 +4,7 @@
 
 #include <scree/campaign/campaign_directory.hpp>
 #include <scree/campaign/report.hpp>
-#include <scree/scenario/run.hpp>
+#include <scree/run/run.hpp>
 
 using namespace scree;
 using namespace scree::campaign;
@@ -19,11 +19,11 @@ double number(const Outcome& outcome, const std::string& name) {
   return 0;
 }
 
-void run(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
-  scenario::RunOptions options;
+void make_run(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
+  run::RunOptions options;
   options.out = out;
   options.overwrite = true;
-  scenario::run(scenario::read_plan(c.scenario, c.points[k].overrides(), test::host()), options);
+  run::run_plan(scenario::read_plan(c.scenario, c.points[k].overrides(), test::host()), options);
 }
 
 Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
@@ -37,7 +37,7 @@ TEST_CASE("a run counts for the point whose resolved scenario it has, and no oth
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
   CHECK(outcome_of(c, 0, out).state == State::missing);
-  run(c, 0, out);
+  make_run(c, 0, out);
   const Outcome outcome = outcome_of(c, 0, out);
   CHECK(outcome.state == State::finished);
   CHECK(number(outcome, "steps") == 10);
@@ -52,7 +52,7 @@ TEST_CASE("a record that makes no sense counts as no run, one that broke off as 
   const CampaignFolder folder("");
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
-  run(c, 0, out);
+  make_run(c, 0, out);
   const std::string record = test::text_of(out / "run.json");
   const auto state_with = [&](const std::string& text) {
     folder.folder().write("out/run.json", text);
@@ -72,12 +72,12 @@ TEST_CASE("a file of bodies newer than the run makes it another run") {
                             "file = 'bodies.csv'\n"),
                  "radius = 0.01\n", "");
   const CampaignFolder source(""), folder("", scene);
-  run(source.read(), 0, source.folder() / "out");
+  make_run(source.read(), 0, source.folder() / "out");
   const auto bodies =
       folder.folder().write("bodies.csv", test::text_of(source.folder() / "out/final_packing.csv"));
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
-  run(c, 0, out);
+  make_run(c, 0, out);
   const auto written = std::filesystem::last_write_time(out / "run.json");
   std::filesystem::last_write_time(bodies, written - std::chrono::seconds(1));
   CHECK(outcome_of(c, 0, out).state == State::finished);
@@ -117,8 +117,8 @@ TEST_CASE("runs of values that a campaign no longer has are told") {
   CampaignDirectory directory(folder.folder() / "campaign", c, true);
   CHECK(directory.leftovers(c).empty());
   directory.create();
-  run(c, 0, directory.run(c.points[0]));
-  run(c, 1, directory.run(c.points[1]));
+  make_run(c, 0, directory.run(c.points[0]));
+  make_run(c, 1, directory.run(c.points[1]));
   std::filesystem::create_directory(directory.files().path() / "no run");
   CHECK(directory.leftovers(c).empty());
   Campaign fewer = c;

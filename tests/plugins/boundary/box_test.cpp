@@ -14,8 +14,8 @@ const Values soft_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0.5}}
 // Wall order of the box plug-in.
 enum { x_low, x_high, y_low, y_high, z_low, z_high };
 
-const scree_plane& wall(const Simulation& s, int w) { return s.boundaries().planes()[std::size_t(w)]; }
-double force(const Simulation& s, int w) { return s.boundaries().loads()[std::size_t(w)].force[w / 2]; }
+const scree_plane& wall(const Simulation& s, int w) { return s.planes()[std::size_t(w)]; }
+double force(const Simulation& s, int w) { return s.loads()[std::size_t(w)].force[w / 2]; }
 
 // A small sphere in the middle of a cube of this edge, touching nothing.
 Scene empty_box(double edge, double step, const Values& box, int dimension = 3) {
@@ -74,7 +74,7 @@ TEST_CASE("at rest the contacts carry the stress of every wall, programmed ones 
                 {"stress", {0, 1000}},
                 {"stress_y", {0, 2000}},
                 {"stress_z", {3, 1000, 500, 0.05}}});
-  add_body_term(sc, "background_damping", {{"translational", {0.5}}});
+  add_body_force(sc, "background_damping", {{"translational", {0.5}}});
   Simulation s(sc);
   run(s, 60000);
   const double length[3] = {wall(s, x_high).point[0] - wall(s, x_low).point[0],
@@ -106,7 +106,7 @@ TEST_CASE("in 2D a wall's area is its length, 1 m deep", "[box]") {
                           {"y_low", {1}},
                           {"y_high", {1}}},
                          2));
-  REQUIRE(s.boundaries().planes().size() == 4);
+  REQUIRE(s.planes().size() == 4);
   run(s, 100);
   // Uniform acceleration is exact in velocity Verlet.
   CHECK(-wall(s, x_high).velocity[0] == Approx(7 * 0.1 / 1 * s.time()).epsilon(1e-12));

@@ -18,7 +18,7 @@ Simulation moving_plane(const std::vector<double>& displacement, double step) {
   return Simulation(sc);
 }
 
-double height(const Simulation& s) { return s.boundaries().planes()[0].point[2]; }
+double height(const Simulation& s) { return s.planes()[0].point[2]; }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ TEST_CASE("a plane follows its program: sine, cycle, ramp, table", "[plane]") {
     Simulation s = moving_plane({1, 0, 0.01, 2, 0}, step);
     run(s, 300);
     CHECK(height(s) == Approx(0.2 + 0.01 * std::sin(2 * pi * 2 * 0.3)).margin(round_off));
-    CHECK(s.boundaries().planes()[0].velocity[2] == Approx(0.01 * 4 * pi * std::cos(2 * pi * 2 * 0.3)));
+    CHECK(s.planes()[0].velocity[2] == Approx(0.01 * 4 * pi * std::cos(2 * pi * 2 * 0.3)));
   }
   SECTION("cycle") {
     Simulation s = moving_plane({2, 0, 0.02, 0.5}, step);
@@ -43,7 +43,7 @@ TEST_CASE("a plane follows its program: sine, cycle, ramp, table", "[plane]") {
     CHECK(height(s) == Approx(0.175).margin(round_off));
     run(s, 250);
     CHECK(height(s) == Approx(0.15).margin(round_off));
-    CHECK(s.boundaries().planes()[0].velocity[2] == 0);
+    CHECK(s.planes()[0].velocity[2] == 0);
   }
   SECTION("table") {
     Simulation s = moving_plane({4, 0, 0, 0.1, 0.01, 0.2, 0.01, 0.3, -0.01}, step);
@@ -95,7 +95,7 @@ TEST_CASE("a plane that rests, moves and rests again knows its load each time it
   const auto change = [&](const Values& values) {
     s.reconfigure_boundary("ground", parameters("plane", SCREE_BOUNDARY, values));
   };
-  const auto plane_velocity = [&] { return s.boundaries().planes()[0].velocity[2]; };
+  const auto plane_velocity = [&] { return s.planes()[0].velocity[2]; };
   for (int start = 0; start < 2; ++start) {
     run(s, 700);
     CHECK(plane_velocity() == 0);
@@ -122,8 +122,8 @@ TEST_CASE("a plane has a direction of its own and wants a normal with a length",
                 {"displacement", {3, 0, 0.1, 1}}});
   Simulation s(sc);
   run(s, 100);
-  CHECK(s.boundaries().planes()[0].point[0] == Approx(0.01));
-  CHECK(s.boundaries().planes()[0].point[2] == 0);
+  CHECK(s.planes()[0].point[0] == Approx(0.01));
+  CHECK(s.planes()[0].point[2] == 0);
 
   Scene bad = scene(3, 1e-3, {}, elastic);
   add_boundary(bad, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 0}}});

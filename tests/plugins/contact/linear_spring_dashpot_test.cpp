@@ -1,3 +1,4 @@
+#include "contacts/contacts.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -141,7 +142,7 @@ TEST_CASE("a sphere thrown onto a plane slides, then rolls at 5/7 of its speed",
                     {"tangential_damping", {1}},
                     {"static_friction", {friction}}});
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
-  add_body_term(sc, "gravity", {{"acceleration", {0, 0, -g}}});
+  add_body_force(sc, "gravity", {{"acceleration", {0, 0, -g}}});
   Simulation s(sc);
   const double rolls_from = 2 * speed / (7 * friction * g);
 
@@ -173,9 +174,9 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
                 {"normal", {0, 0, 1}},
                 {"direction", {1, 0, 0}},
                 {"displacement", {3, 0, 10, 10 / plane_speed}}});
-  add_body_term(sc, "gravity", {{"acceleration", {0, 0, -g}}});
+  add_body_force(sc, "gravity", {{"acceleration", {0, 0, -g}}});
   // Drag holds it back against the plane.
-  add_body_term(sc, "background_damping", {{"translational", {1e4}}});
+  add_body_force(sc, "background_damping", {{"translational", {1e4}}});
   Simulation s(sc);
   double largest_sticking = 0, smallest_sliding = 1e9, largest_sliding = 0;
   for (int k = 0; k < 40000; ++k) {

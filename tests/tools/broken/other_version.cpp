@@ -1,6 +1,6 @@
 // A plug-in as a later version of the interface might build it.
 
-#include <scree/plugin_abi.h>
+#include <scree/plugin/abi.h>
 
 extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query() {
   static const scree_plugin plugin = [] {

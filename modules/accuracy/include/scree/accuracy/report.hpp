@@ -3,7 +3,7 @@
 #include <string>
 
 #include <scree/accuracy/study.hpp>
-#include <scree/scenario/run_directory.hpp>
+#include <scree/run/run_directory.hpp>
 
 namespace scree::accuracy {
 
@@ -18,6 +18,6 @@ std::string csv_report(const Study& study);
 // Writes accuracy.csv, accuracy.json and charts/<quantity>.png (error against wall time with the Pareto
 // front), of the worst error and of up to six quantities, into the directory of a study. Throws Error
 // (failure) where it cannot.
-void write_report(const Study& study, const std::string& title, const scenario::RunDirectory& directory);
+void write_report(const Study& study, const std::string& title, const run::RunDirectory& directory);
 
 }  // namespace scree::accuracy

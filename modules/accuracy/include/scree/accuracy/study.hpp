@@ -13,7 +13,7 @@ namespace scree::accuracy {
 // One way to compute a scene.
 struct Setting {
   Integration integration = Integration::velocity_verlet;
-  Precision precision = Precision::full;
+  Precision precision = Precision::double_precision;
   double step = 0;  // (s)
 };
 // "velocity_verlet, double".

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <scree/campaign/outcome.hpp>
-#include <scree/scenario/run_directory.hpp>
+#include <scree/run/run_directory.hpp>
 
 namespace scree::campaign {
 
@@ -23,11 +23,9 @@ class CampaignDirectory {
   // Creates it where it is not there. Throws Error if another campaign was faster.
   void create();
 
-  const scenario::RunDirectory& files() const { return files_; }
+  const run::RunDirectory& files() const { return files_; }
   std::filesystem::path run(const Point& point) const { return files_.path() / point.name; }
-  std::filesystem::path log(const Point& point) const {
-    return run(point) / scenario::RunDirectory::log_name;
-  }
+  std::filesystem::path log(const Point& point) const { return run(point) / run::RunDirectory::log_name; }
 
   // What is there of each point. Throws Error where the settings of one do not fit the scenario.
   std::vector<Outcome> outcomes(const Campaign& campaign) const;
@@ -40,7 +38,7 @@ class CampaignDirectory {
   // Whether nobody else uses the directory; true too where it is not there or the file system knows no locks.
   bool take();
 
-  scenario::RunDirectory files_;
+  run::RunDirectory files_;
   int lock_ = -1;  // descriptor of the directory, inherited by the runs
   bool in_use_ = false;
 };

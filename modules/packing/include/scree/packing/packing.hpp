@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <scree/vec.hpp>
+#include <scree/plugin/vec.hpp>
 
 namespace scree::packing {
 

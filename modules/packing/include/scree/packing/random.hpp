@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include <scree/vec.hpp>
+#include <scree/plugin/vec.hpp>
 
 namespace scree::packing {
 

@@ -1,0 +1,57 @@
+/* The only binary contract between scree and its plug-ins: C types, no exceptions, no allocation.
+ *
+ * Rules that hold for every struct: `struct_size` is set by whoever fills the struct, so that a newer host
+ * can still read an older plug-in's; pointers are never NULL unless marked (optional); strings are UTF-8,
+ * static, and owned by the plug-in; all quantities are in SI units; vectors have 3 components, in 2D the
+ * third is 0. Functions that can fail return 0 on success, else nonzero with one line of text in `message`.
+ * No function is called from two threads on the same storage, except `evaluate` and `apply`, which only read
+ * it. Plug-in authors write the C++ adapters of contact_law.hpp, boundary.hpp, probe.hpp, body_force.hpp
+ * instead. */
+#ifndef SCREE_PLUGIN_ABI_H
+#define SCREE_PLUGIN_ABI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <scree/plugin/abi/body_force.h>
+#include <scree/plugin/abi/boundary.h>
+#include <scree/plugin/abi/column.h>
+#include <scree/plugin/abi/contact_law.h>
+#include <scree/plugin/abi/parameters.h>
+#include <scree/plugin/abi/probe.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SCREE_ABI_VERSION 6u
+#define SCREE_QUERY_SYMBOL "scree_plugin_query"
+
+typedef enum scree_kind {
+  SCREE_CONTACT_LAW = 1,
+  SCREE_BOUNDARY = 2,
+  SCREE_BODY_FORCE = 3,
+  SCREE_PROBE = 4
+} scree_kind;
+
+typedef struct scree_plugin {
+  uint32_t struct_size;
+  uint32_t abi_version; /* SCREE_ABI_VERSION of the build; checked before anything below is read */
+  uint32_t kind;        /* scree_kind */
+  uint32_t parameter_count;
+  uint64_t features;    /* bits of capabilities that the plug-in requires of the host; 0 today */
+  const char* name;     /* as in the scenario: plugin = "name" */
+  const char* summary;  /* one line */
+  const char* equation; /* the equations in plain text, lines separated by \n */
+  const char* source;   /* paper and equation numbers */
+  const scree_parameter* parameters;
+  const void* interface; /* scree_contact_law, scree_boundary, scree_body_force or scree_probe */
+} scree_plugin;
+
+/* The one symbol a library exports. */
+typedef const scree_plugin* (*scree_query_function)(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <scree/plugin/abi.h>
+#include <scree/plugin/declaration.hpp>
+#include <scree/plugin/vec.hpp>
+
+// How to write a body force: plugins/README.md. An author's struct has
+//
+//   static constexpr scree::About about;
+//   void declare(scree::Declaration&);
+//   void prepare(const scree::Setup&);                          optional: derived values, refusals
+//   void act(const scree::BodyState&, scree::BodyResponse&) const;
+//   double damping_rate(double mass, double inertia, double radius) const;
+//                                               optional: how fast it slows a body (1/s), for the step guard
+
+namespace scree {
+
+// One body. What the scene does not carry is 0: z and the x, y spins in 2D, spin and inertia without spin.
+struct BodyState {
+  Vec3 position;                 // (m) with the periods that the body has crossed
+  Vec3 velocity;                 // (m/s)
+  Vec3 spin;                     // (rad/s)
+  double radius, mass, inertia;  // (m), (kg), (kg m²)
+};
+
+// What a term answers. Everything starts at 0.
+struct BodyResponse {
+  Vec3 force;                     // (N)
+  Vec3 torque;                    // (N m) no effect in a scene without spin
+  double potential;               // (J)
+  double dissipated_translation;  // (W)
+  double dissipated_rotation;     // (W)
+};
+
+namespace detail {
+
+// Components [first, last) of a vector, `at` numbers into its columns.
+template <int first, int last>
+inline Vec3 vector_at(const scree_column (&columns)[3], std::uint64_t at) {
+  Vec3 v = {};
+  for (int k = first; k < last; ++k) v[k] = columns[k].data[at];
+  return v;
+}
+
+// A batch has one stride for all of the bodies' state and one for their loads.
+template <class Author, int D, bool with_spin, bool audit>
+[[gnu::flatten]] void act_on_batch(const Author& shared, scree_body_batch& sums) {
+  constexpr int first_spin = with_spin ? first_spin_axis<D> : 3;
+  // Copies, which no load that is written can overlap.
+  const Author author = shared;
+  const scree_body_batch batch = sums;
+  const std::uint64_t state_stride = batch.radius.stride, load_stride = batch.force[0].stride;
+  std::uint64_t state = 0, load = 0;
+  BodyResponse all{};
+  for (std::uint32_t i = 0; i < batch.count; ++i, state += state_stride, load += load_stride) {
+    BodyState body{vector_at<0, D>(batch.position, state),
+                   vector_at<0, D>(batch.velocity, state),
+                   vector_at<first_spin, 3>(batch.spin, state),
+                   batch.radius.data[state],
+                   batch.mass.data[i],
+                   with_spin ? batch.inertia.data[i] : 0};
+    for (int k = 0; k < D; ++k)
+      if (batch.image[k]) body.position[k] += batch.image[k][i] * batch.period[k];
+    BodyResponse response{};
+    author.act(body, response);
+    for (int k = 0; k < D; ++k) batch.force[k].data[load] += response.force[k];
+    for (int k = first_spin; k < 3; ++k) batch.torque[k].data[load] += response.torque[k];
+    if constexpr (audit) {
+      all.potential += response.potential;
+      all.dissipated_translation += response.dissipated_translation;
+      all.dissipated_rotation += response.dissipated_rotation;
+    }
+  }
+  sums.potential += all.potential;
+  sums.dissipated_translation += all.dissipated_translation;
+  sums.dissipated_rotation += all.dissipated_rotation;
+}
+
+template <class Author, int D, bool with_spin>
+void act_with_audit(const Author& author, scree_body_batch& batch) {
+  if (batch.audit)
+    act_on_batch<Author, D, with_spin, true>(author, batch);
+  else
+    act_on_batch<Author, D, with_spin, false>(author, batch);
+}
+
+template <class Author>
+void apply_body_force(const void* storage, scree_body_batch* batch) {
+  const Author& author = *static_cast<const Author*>(storage);
+  const bool with_spin = bool(batch->torque[2]);
+  if (batch->dimension == 2)
+    with_spin ? act_with_audit<Author, 2, true>(author, *batch)
+              : act_with_audit<Author, 2, false>(author, *batch);
+  else
+    with_spin ? act_with_audit<Author, 3, true>(author, *batch)
+              : act_with_audit<Author, 3, false>(author, *batch);
+}
+
+template <class Author>
+double damping_rate_of(const void* storage, double mass, double inertia, double radius) {
+  if constexpr (requires(const Author& author) { author.damping_rate(mass, inertia, radius); })
+    return static_cast<const Author*>(storage)->damping_rate(mass, inertia, radius);
+  else
+    return 0;
+}
+
+}  // namespace detail
+
+}  // namespace scree
+
+#define SCREE_BODY_FORCE_PLUGIN(Author)                                                   \
+  static const scree_body_force scree_interface = {                                       \
+      sizeof(scree_body_force), sizeof(Author), &scree::configure_author<Author>,         \
+      &scree::detail::apply_body_force<Author>, &scree::detail::damping_rate_of<Author>}; \
+  SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BODY_FORCE, scree_interface)))

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <type_traits>
+
+#include <scree/plugin/abi.h>
+
+namespace scree {
+
+// The batch of contacts that a law is given, in double or in float.
+template <class T>
+using ContactBatch =
+    std::conditional_t<std::is_same_v<T, float>, scree_contact_batch_single, scree_contact_batch>;
+
+}  // namespace scree

@@ -1,0 +1,252 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include <scree/plugin/abi.h>
+#include <scree/plugin/contact_batch.hpp>
+#include <scree/plugin/declaration.hpp>
+#include <scree/plugin/roots.hpp>
+#include <scree/plugin/vec.hpp>
+
+// How to write a contact law: plugins/README.md. The author's `force` is a pure, branch-free function of one
+// contact; this header turns it into a vectorised batch. Selections are written with ?:, std::max, std::min.
+
+namespace scree {
+
+// One touching pair, as far as the kernel's `reads` asks for it; the rest is 0.
+template <int D, class T = double>
+struct Contact {
+  Vec<D, T> normal;                          // unit, from b to a
+  T overlap;                                 // (m) > 0
+  Vec<D, T> relative_velocity;               // (m/s) of the contact points, a minus b, at the end of the step
+  Vec<D, T> tangential_increment;            // (m) moved while touching in this step,
+                                             // perpendicular to the mid-step normal
+  Vec<spin_components<D>, T> relative_spin;  // (rad/s) a minus b
+  T onset_weight;                            // factor for forces that begin with onset_power at first touch
+  Root<T> contact_radius;                    // (m) a = √(R* δ) of a Hertzian contact, and 1/a
+  T contact_radius_root;                     // (m^½) √a
+  T reduced_mass, reduced_mass_root;         // (kg), (kg^½)
+  T effective_radius;                        // (m)
+  T step;                                    // (s) below 0 in a substep that goes back in time
+};
+
+// What a divisor is raised to where it might be 0: its reciprocal is finite.
+template <class T>
+inline constexpr T smallest_divisor = T(1e-300);
+template <>
+inline constexpr float smallest_divisor<float> = 1e-36f;
+
+// What a law answers. Everything starts at 0.
+template <int D, class T = double>
+struct Response {
+  Vec<D, T> force;                    // (N) on a, the opposite on b
+  Vec<spin_components<D>, T> couple;  // (N m) on a beyond force × arm, the opposite on b
+  T elastic_normal;                   // (J) stored
+  T elastic_tangential;               // (J) stored
+  T dissipated_normal;                // (W)
+  T dissipated_tangential;            // (W)
+  T dissipated_rolling;               // (W)
+  T dissipated_friction;              // (J) during the step
+  T dissipated_release;               // (J) during the step
+};
+
+// The history of a law that keeps none.
+template <int D, class T>
+struct NoHistory {};
+
+inline constexpr std::uint32_t reads_normal = 1u << SCREE_NORMAL;
+inline constexpr std::uint32_t reads_overlap = 1u << SCREE_OVERLAP;
+inline constexpr std::uint32_t reads_relative_velocity = 1u << SCREE_RELATIVE_VELOCITY;
+inline constexpr std::uint32_t reads_tangential_increment = 1u << SCREE_TANGENTIAL_INCREMENT;
+inline constexpr std::uint32_t reads_relative_spin = 1u << SCREE_RELATIVE_SPIN;
+inline constexpr std::uint32_t reads_onset_weight = 1u << SCREE_ONSET_WEIGHT;
+inline constexpr std::uint32_t reads_contact_radius = 1u << SCREE_CONTACT_RADIUS;
+inline constexpr std::uint32_t reads_reduced_mass = 1u << SCREE_REDUCED_MASS;
+inline constexpr std::uint32_t reads_reduced_mass_root = 1u << SCREE_REDUCED_MASS_ROOT;
+inline constexpr std::uint32_t reads_effective_radius = 1u << SCREE_EFFECTIVE_RADIUS;
+
+// Base of every law; a kernel states what differs.
+struct ContactLaw {
+  static constexpr std::uint32_t reads = reads_overlap | reads_normal;
+  static constexpr bool tangential = false;  // has forces off the normal: bodies must carry spin
+  static constexpr bool writes_couple = false;
+  static constexpr scree_arms arms = SCREE_ARM_CONTACT_POINT;
+  // Powers of time with which forces multiplied by `onset_weight` begin at first touch and end at parting: 0,
+  // a jump, 1/4, 1/2 or 3/4; `continuous` where they need no weights.
+  static constexpr double continuous = 1;
+  double onset_power() const { return 0; }
+  double parting_power() const { return 0; }
+};
+
+namespace detail {
+
+template <int N, class T>
+inline void load(Vec<N, T>& vector, const T* const* columns, std::uint32_t i) {
+  for (int k = 0; k < N; ++k) vector[k] = columns[k][i];
+}
+
+template <class Kernel, int D, class T>
+inline Contact<D, T> load_contact(const ContactBatch<T>& batch, std::uint32_t i) {
+  Contact<D, T> c{};
+  const T* const* in = batch.input;
+  if constexpr (Kernel::reads & reads_normal) load(c.normal, in + SCREE_NORMAL, i);
+  c.overlap = in[SCREE_OVERLAP][i];
+  c.step = T(batch.step);
+  if constexpr (Kernel::reads & reads_relative_velocity)
+    load(c.relative_velocity, in + SCREE_RELATIVE_VELOCITY, i);
+  if constexpr (Kernel::reads & reads_tangential_increment)
+    load(c.tangential_increment, in + SCREE_TANGENTIAL_INCREMENT, i);
+  if constexpr (Kernel::reads & reads_relative_spin) load(c.relative_spin, in + SCREE_RELATIVE_SPIN, i);
+  if constexpr (Kernel::reads & reads_onset_weight) c.onset_weight = in[SCREE_ONSET_WEIGHT][i];
+  if constexpr (Kernel::reads & reads_contact_radius) {
+    c.contact_radius = {in[SCREE_CONTACT_RADIUS][i], in[SCREE_CONTACT_RADIUS + 1][i]};
+    c.contact_radius_root = in[SCREE_CONTACT_RADIUS + 2][i];
+  }
+  if constexpr (Kernel::reads & reads_reduced_mass) c.reduced_mass = in[SCREE_REDUCED_MASS][i];
+  if constexpr (Kernel::reads & reads_reduced_mass_root) c.reduced_mass_root = in[SCREE_REDUCED_MASS_ROOT][i];
+  if constexpr (Kernel::reads & reads_effective_radius) c.effective_radius = in[SCREE_EFFECTIVE_RADIUS][i];
+  return c;
+}
+
+// A history struct is `width` doubles in declared order.
+template <class Kernel, int D>
+inline constexpr std::uint32_t history_width = std::is_empty_v<typename Kernel::template History<D, double>>
+                                                   ? 0
+                                                   : sizeof(typename Kernel::template History<D, double>) /
+                                                         sizeof(double);
+
+// Calls visit(k, component) for the `width` numbers that a history struct consists of.
+template <std::uint32_t width, class T, class History, class Visit>
+inline void each_component(History& history, Visit visit) {
+  T* components = reinterpret_cast<T*>(&history);
+  [&]<std::size_t... k>(std::index_sequence<k...>) { (visit(std::uint32_t(k), components[k]), ...); }
+  (std::make_index_sequence<width>{});
+}
+
+// Energy let go when a contact opens with its springs stretched.
+template <class T, class Kernel, class History>
+inline T released_energy(const Kernel& kernel, const History& history) {
+  if constexpr (requires { kernel.stored_energy(history); })
+    return kernel.stored_energy(history);
+  else
+    return T(0);
+}
+
+// Keeps values where a condition holds, and makes them 0 elsewhere. By bits: compilers make branches and
+// second stores of selections.
+template <class T>
+class KeepIf {
+ public:
+  explicit KeepIf(bool condition)
+      : mask_(std::bit_cast<Bits>(condition ? std::bit_cast<T>(Bits(~Bits(0))) : T(0))) {}
+  T operator()(const T& value) const { return std::bit_cast<T>(std::bit_cast<Bits>(value) & mask_); }
+
+ private:
+  using Bits = std::conditional_t<sizeof(T) == sizeof(double), std::uint64_t, std::uint32_t>;
+  Bits mask_;
+};
+
+// Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
+// so that a test can find it in the machine code.
+template <class Parameters, class Kernel, int D, bool audit, class T>
+[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
+                                                    const ContactBatch<T>& shared) {
+  using History = typename Kernel::template History<D, T>;
+  constexpr std::uint32_t width = history_width<Kernel, D>;
+  // Copies, which no column that is written can overlap.
+  const Kernel kernel{parameters};
+  const ContactBatch<T> batch = shared;
+  const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Contact<D, T> contact = load_contact<Kernel, D, T>(batch, i);
+    History history{};
+    each_component<width, T>(history, [&](std::uint32_t k, T& value) { value = batch.history[k][i]; });
+    const T released = audit ? released_energy<T>(kernel, history) : T(0);
+
+    Response<D, T> response{};
+    kernel.force(contact, history, response);
+
+    const bool touching = contact.overlap > T(0);
+    const KeepIf<T> keep(touching);
+    each_component<width, T>(history, [&](std::uint32_t k, T& value) { batch.history[k][i] = keep(value); });
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = keep(response.force[k]);
+    if constexpr (Kernel::writes_couple)
+      for (int k = 0; k < spin_components<D>; ++k)
+        batch.output[SCREE_COUPLE + k][i] = keep(response.couple[k]);
+    if constexpr (audit) {
+      batch.output[SCREE_ELASTIC_NORMAL][i] = keep(response.elastic_normal);
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = keep(response.elastic_tangential);
+      batch.output[SCREE_DISSIPATED_NORMAL][i] = keep(response.dissipated_normal);
+      batch.output[SCREE_DISSIPATED_TANGENTIAL][i] = keep(response.dissipated_tangential);
+      batch.output[SCREE_DISSIPATED_ROLLING][i] = keep(response.dissipated_rolling);
+      batch.output[SCREE_DISSIPATED_FRICTION][i] = keep(response.dissipated_friction);
+      batch.output[SCREE_DISSIPATED_RELEASE][i] = touching ? response.dissipated_release : released;
+    }
+  }
+}
+
+template <class Parameters, class Kernel, int D, class T>
+void evaluate_contacts(const void* storage, const ContactBatch<T>* batch) {
+  const Parameters& parameters = *static_cast<const Parameters*>(storage);
+  if (batch->output[SCREE_ELASTIC_NORMAL])
+    evaluate_batch<Parameters, Kernel, D, true, T>(parameters, *batch);
+  else
+    evaluate_batch<Parameters, Kernel, D, false, T>(parameters, *batch);
+}
+
+template <class Parameters, class Kernel, int D>
+scree_contact_instance describe_kernel(const Parameters& parameters) {
+  using History = typename Kernel::template History<D, double>;
+  scree_contact_instance instance = {};
+  instance.struct_size = sizeof(instance);
+  instance.reads = Kernel::reads | reads_overlap;
+  instance.writes_couple = Kernel::writes_couple;
+  instance.tangential = Kernel::tangential;
+  instance.arms = Kernel::arms;
+  instance.history_width = history_width<Kernel, D>;
+  instance.sliding_column = -1;
+  if constexpr (requires { History::sliding_column; }) instance.sliding_column = History::sliding_column;
+  instance.onset_power = parameters.onset_power();
+  instance.parting_power = parameters.parting_power();
+  if constexpr (requires { History::names; }) instance.history_names = History::names.data();
+  instance.evaluate = &evaluate_contacts<Parameters, Kernel, D, double>;
+  instance.evaluate_single = &evaluate_contacts<Parameters, Kernel, D, float>;
+  return instance;
+}
+
+template <class Parameters, class... Kernels>
+int configure_law(const scree_setup* setup, void* storage, scree_contact_instance* instance) {
+  if (const int failed = configure_author<Parameters>(setup, storage)) return failed;
+  const Parameters& parameters = *static_cast<const Parameters*>(storage);
+  const std::size_t choice = parameters.kernel();
+  const bool plane = setup->dimension == 2;
+  std::size_t k = 0;
+  ((k++ == choice ? void(*instance = plane ? describe_kernel<Parameters, Kernels, 2>(parameters)
+                                           : describe_kernel<Parameters, Kernels, 3>(parameters))
+                  : void()),
+   ...);
+  return 0;
+}
+
+template <class Parameters>
+std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* encounter,
+                                  scree_closed_form* forms, std::uint32_t capacity) {
+  return static_cast<const Parameters*>(storage)->closed_forms(*encounter, forms, capacity);
+}
+
+}  // namespace detail
+
+// Parameters: a ContactLaw with `about`, `declare`, `kernel() -> index of the kernel to use`, `closed_forms`.
+// Kernels: derived from Parameters without data of their own, cheapest first; a scene pays for the one that
+// it needs.
+#define SCREE_CONTACT_LAW_PLUGIN(Parameters, ...)                                                           \
+  static const scree_contact_law scree_interface = {sizeof(scree_contact_law), sizeof(Parameters),          \
+                                                    &scree::detail::configure_law<Parameters, __VA_ARGS__>, \
+                                                    &scree::detail::closed_forms_of_law<Parameters>};       \
+  SCREE_EXPORT_PLUGIN((scree::manifest_of<Parameters>(SCREE_CONTACT_LAW, scree_interface)))
+
+}  // namespace scree

@@ -1,0 +1,200 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+
+#include <scree/plugin/abi.h>
+#include <scree/plugin/program.hpp>
+
+namespace scree {
+
+struct Range {
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  bool minimum_excluded = false;
+  bool maximum_excluded = false;
+};
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr Range any_number{};
+inline constexpr Range positive{.minimum = 0, .minimum_excluded = true};
+inline constexpr Range non_negative{.minimum = 0};
+inline constexpr Range coefficient{.minimum = 0, .maximum = 1};
+inline constexpr Range positive_coefficient{.minimum = 0, .maximum = 1, .minimum_excluded = true};
+
+// The parameters of a plug-in, declared once: the same calls describe them to the host and, when values have
+// come, write them into the author's members. A member's initial value is its default.
+//   void declare(scree::Declaration& d) {
+//     d.number("normal_stiffness", normal_stiffness, "N/m", scree::positive, "spring k").required();
+//   }
+class Declaration {
+ public:
+  static constexpr std::uint32_t capacity = 32;
+
+  // Refines the parameter declared last.
+  class Entry {
+   public:
+    explicit Entry(scree_parameter& parameter) : parameter_(parameter) {}
+    // Must be given.
+    Entry& required() { return flag(SCREE_REQUIRED); }
+    // May be absent; the member then keeps its initial value.
+    Entry& optional() { return flag(SCREE_OPTIONAL); }
+    // Exactly one of this and `key` is given.
+    Entry& or_else(const char* key) {
+      parameter_.excludes = key;
+      return flag(SCREE_OPTIONAL);
+    }
+
+   private:
+    Entry& flag(std::uint32_t bit) {
+      parameter_.flags |= bit;
+      return *this;
+    }
+    scree_parameter& parameter_;
+  };
+
+  Declaration() = default;
+  explicit Declaration(const scree_value* values) : values_(values) {}
+
+  Entry number(const char* key, double& member, const char* unit, const Range& range, const char* doc) {
+    assign(member);
+    return add(SCREE_NUMBER, key, unit, doc, member, range);
+  }
+  Entry boolean(const char* key, bool& member, const char* doc) {
+    double value = member ? 1 : 0;
+    assign(value);
+    member = value != 0;
+    return add(SCREE_BOOLEAN, key, "", doc, value, {.minimum = 0, .maximum = 1});
+  }
+  // `choices` is "first|second|third"; the member holds the index.
+  Entry choice(const char* key, int& member, const char* choices, const char* doc) {
+    double value = member;
+    assign(value);
+    member = int(value);
+    const Entry entry = add(SCREE_CHOICE, key, "", doc, value, any_number);
+    table_[count_ - 1].choices = choices;
+    return entry;
+  }
+  Entry vector(const char* key, std::array<double, 3>& member, const char* unit, const char* doc) {
+    if (const scree_value* value = next())
+      for (int k = 0; k < 3; ++k) member[k] = value->data[k];
+    return add(SCREE_VECTOR, key, unit, doc, 0, any_number);
+  }
+  // A view of the host's numbers, which live as long as the configuration.
+  Entry list(const char* key, scree_value& member, const char* unit, const Range& range, const char* doc) {
+    if (const scree_value* value = next()) member = *value;
+    return add(SCREE_LIST, key, unit, doc, 0, range);
+  }
+  Entry program(const char* key, Program& member, const char* unit, const Range& range, const char* doc) {
+    if (const scree_value* value = next()) member = Program(*value);
+    return add(SCREE_PROGRAM, key, unit, doc, 0, range);
+  }
+
+  const scree_parameter* table() const { return table_.data(); }
+  std::uint32_t count() const { return count_; }
+
+ private:
+  // The value for the parameter that is being declared, or null while only describing or if not given.
+  const scree_value* next() const {
+    return values_ && values_[count_].count > 0 ? &values_[count_] : nullptr;
+  }
+  void assign(double& member) const {
+    if (const scree_value* value = next()) member = value->data[0];
+  }
+  Entry add(scree_type type, const char* key, const char* unit, const char* doc, double initial,
+            const Range& range) {
+    scree_parameter& p = table_.at(count_++);
+    p = {.struct_size = sizeof(scree_parameter),
+         .type = std::uint32_t(type),
+         .flags = (range.minimum_excluded ? std::uint32_t(SCREE_MINIMUM_EXCLUDED) : 0) |
+                  (range.maximum_excluded ? std::uint32_t(SCREE_MAXIMUM_EXCLUDED) : 0),
+         .key = key,
+         .unit = unit,
+         .doc = doc,
+         .choices = nullptr,
+         .excludes = nullptr,
+         .default_value = initial,
+         .minimum = range.minimum,
+         .maximum = range.maximum};
+    return Entry(p);
+  }
+
+  const scree_value* values_ = nullptr;
+  std::array<scree_parameter, capacity> table_ = {};
+  std::uint32_t count_ = 0;
+};
+
+// What an author's `prepare` may look at besides the parameters; `refuse` makes the configuration fail.
+class Setup {
+ public:
+  explicit Setup(const scree_setup& setup) : setup_(setup) {}
+  int dimension() const { return int(setup_.dimension); }
+  double lower(int axis) const { return setup_.lower[axis]; }
+  double upper(int axis) const { return setup_.upper[axis]; }
+  // What is wrong and what to do, in one line.
+  void refuse(const char* message) const {
+    std::snprintf(setup_.message, setup_.message_size, "%s", message);
+    refused_ = true;
+  }
+  bool refused() const { return refused_; }
+
+ private:
+  const scree_setup& setup_;
+  mutable bool refused_ = false;
+};
+
+// Constructs an author's struct in the host's storage, gives it its values and lets it prepare itself.
+template <class Author>
+int configure_author(const scree_setup* setup, void* storage) {
+  static_assert(sizeof(Author) <= SCREE_MAX_INSTANCE_SIZE, "keep large data in the host's state");
+  static_assert(std::is_trivially_copyable_v<Author> && std::is_trivially_destructible_v<Author>);
+  Author* author = ::new (storage) Author{};
+  Declaration declaration(setup->values);
+  author->declare(declaration);
+  if constexpr (requires(const Setup& s) { author->prepare(s); }) {
+    const Setup view(*setup);
+    author->prepare(view);
+    return view.refused() ? 1 : 0;
+  }
+  return 0;
+}
+
+// What describes a plug-in to people; each line of `equation` is one equation.
+struct About {
+  const char* name;
+  const char* summary;
+  const char* equation;
+  const char* source;
+};
+
+template <class Author, class Interface>
+const scree_plugin* manifest_of(scree_kind kind, const Interface& interface) {
+  static const Declaration declaration = [] {
+    Declaration d;
+    Author author{};
+    author.declare(d);
+    return d;
+  }();
+  static const scree_plugin plugin = {.struct_size = sizeof(scree_plugin),
+                                      .abi_version = SCREE_ABI_VERSION,
+                                      .kind = std::uint32_t(kind),
+                                      .parameter_count = declaration.count(),
+                                      .features = 0,
+                                      .name = Author::about.name,
+                                      .summary = Author::about.summary,
+                                      .equation = Author::about.equation,
+                                      .source = Author::about.source,
+                                      .parameters = declaration.table(),
+                                      .interface = &interface};
+  return &plugin;
+}
+
+#define SCREE_EXPORT_PLUGIN(manifest)                                                              \
+  extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query(void) { \
+    return manifest;                                                                               \
+  }
+
+}  // namespace scree

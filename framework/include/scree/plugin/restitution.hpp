@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <scree/plugin/vec.hpp>
+
+namespace scree {
+
+// Whether a dashpot may pull at the end of a contact: allowed, the contact ends at δ = 0; cut, at f_n = 0,
+// earlier.
+enum class Tension { allowed, cut };
+
+// Restitution of a contact whose approach obeys v dv/dy = −ω₀² y − 2ζω₀ v: a linear spring and dashpot with y
+// = δ, and as well Hertz with a dashpot ∝ δ^(1/4), with y = (4/5) δ^(5/4), ω₀² = 5k/(4m*).
+//   tension allowed: r = exp(−πζ/√(1−ζ²))
+//   tension cut:     r = exp(−ζφ/√(1−ζ²)), φ = atan2(2ζ√(1−ζ²), 2ζ²−1), the phase at which the force vanishes
+inline double restitution_of(double zeta, Tension tension) {
+  constexpr double pi = 3.14159265358979323846;
+  const double root = std::sqrt(std::max(1 - zeta * zeta, 0.0));
+  if (tension == Tension::allowed) return root > 0 ? std::exp(-pi * zeta / root) : 0;
+  if (zeta < 1) return std::exp(-zeta / root * std::atan2(2 * zeta * root, 2 * zeta * zeta - 1));
+  const double overdamped = std::sqrt(zeta * zeta - 1);
+  if (overdamped == 0) return std::exp(-2.0);
+  return std::exp(-zeta / overdamped * std::log((zeta + overdamped) / (zeta - overdamped)));
+}
+
+// The damping ratio ζ that gives a restitution in (0, 1].
+inline double damping_ratio_of(double restitution, Tension tension) {
+  constexpr double pi = 3.14159265358979323846;
+  if (restitution == 1) return 0;
+  if (tension == Tension::allowed) {
+    const double log_r = std::log(restitution);
+    return -log_r / std::sqrt(pi * pi + log_r * log_r);
+  }
+  double low = 0, high = 1;
+  while (restitution_of(high, tension) > restitution && high < 1e6) high *= 2;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (restitution_of(middle, tension) > restitution ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// What the predicted normal velocity of a contact is to be multiplied by in its dashpot. The prediction, v +
+// h F/m from the force before the step, overshoots by −½ h² F'/m = ½ h² (K/m*) v for the stiffness K of the
+// contact itself, so that a damped impact would lose ½ (ω h)² too much of what it loses; this share is taken
+// back. Other contacts of the same bodies are of no account: they leave an error of second order.
+//   half_square_step  ½ h² (s²);  stiffness  K = dF/dδ (N/m)
+template <class T>
+inline T prediction_share(const T& half_square_step, const T& stiffness, const T& reduced_mass_root) {
+  const T mass = reduced_mass_root * reduced_mass_root;
+  return mass / fused(half_square_step, stiffness, mass);
+}
+
+}  // namespace scree

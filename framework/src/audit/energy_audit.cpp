@@ -1,0 +1,77 @@
+#include "audit/energy_audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <scree/energy.hpp>
+
+namespace scree {
+
+void EnergyAudit::restate(const ContactSums& contacts, const BodySums& bodies) {
+  const double before = totals_.elastic_normal + totals_.elastic_tangential + totals_.potential;
+  store(contacts, bodies);
+  if (started_)
+    totals_.work += totals_.elastic_normal + totals_.elastic_tangential + totals_.potential - before;
+}
+
+void EnergyAudit::store(const ContactSums& contacts, const BodySums& bodies) {
+  contacts_ = contacts;
+  bodies_ = bodies;
+  totals_.elastic_normal = contacts.elastic_normal;
+  totals_.elastic_tangential = contacts.elastic_tangential;
+  totals_.potential = bodies.potential;
+  const double height = started_ ? std::abs(totals_.potential - potential_at_start_) : 0;
+  most_stored_ = std::max(most_stored_, totals_.elastic_normal + totals_.elastic_tangential + height);
+}
+
+void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodySums& bodies) {
+  const auto trapezoid = [step](double before, double after) { return 0.5 * step * (before + after); };
+  totals_.dissipated_normal += trapezoid(contacts_.dissipated_normal, contacts.dissipated_normal);
+  totals_.dissipated_tangential += trapezoid(contacts_.dissipated_tangential, contacts.dissipated_tangential);
+  totals_.dissipated_rolling += trapezoid(contacts_.dissipated_rolling, contacts.dissipated_rolling);
+  totals_.dissipated_friction += contacts.dissipated_friction;
+  totals_.dissipated_release += contacts.dissipated_release;
+  totals_.created += trapezoid(contacts_.created_power, contacts.created_power) + contacts.created;
+  totals_.dissipated_translation += trapezoid(bodies_.dissipated_translation, bodies.dissipated_translation);
+  totals_.dissipated_rotation += trapezoid(bodies_.dissipated_rotation, bodies.dissipated_rotation);
+  store(contacts, bodies);
+}
+
+void EnergyAudit::start(double kinetic_translation, double kinetic_rotation,
+                        const scree_boundary_energy& boundaries) {
+  kinetic_at_start_ = kinetic_translation + kinetic_rotation;
+  potential_at_start_ = totals_.potential;
+  stored_at_start_ = balance(kinetic_translation, kinetic_rotation, boundaries).residual;
+  started_ = true;
+}
+
+scree_energy EnergyAudit::balance(double kinetic_translation, double kinetic_rotation,
+                                  const scree_boundary_energy& boundaries) const {
+  scree_energy e = totals_;
+  e.kinetic_translation = kinetic_translation;
+  e.kinetic_rotation = kinetic_rotation;
+  e.kinetic_boundary = boundaries.kinetic;
+  e.dissipated_boundary = boundaries.dissipated;
+  e.work = totals_.work + boundaries.work;
+  e.residual = kinetic_energy(e) + elastic_energy(e) + e.potential - stored_at_start_ + dissipated_energy(e) -
+               e.created - e.work;
+  return e;
+}
+
+double kinetic_energy(const scree_energy& e) {
+  return e.kinetic_translation + e.kinetic_rotation + e.kinetic_boundary;
+}
+
+double elastic_energy(const scree_energy& e) { return e.elastic_normal + e.elastic_tangential; }
+
+double dissipated_energy(const scree_energy& e) {
+  return e.dissipated_normal + e.dissipated_tangential + e.dissipated_rolling + e.dissipated_friction +
+         e.dissipated_release + e.dissipated_translation + e.dissipated_rotation + e.dissipated_boundary;
+}
+
+double EnergyAudit::turnover(const scree_energy& e) const {
+  const double most = std::max({kinetic_energy(e) + elastic_energy(e), kinetic_at_start_, most_stored_});
+  return std::max(std::abs(e.work), most + dissipated_energy(e));
+}
+
+}  // namespace scree

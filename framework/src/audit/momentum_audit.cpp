@@ -1,0 +1,59 @@
+#include "audit/momentum_audit.hpp"
+
+#include "contacts/kernel/lanes.hpp"
+#include "plugins/instruction_levels.hpp"
+
+#include <cmath>
+
+namespace scree {
+
+namespace {
+
+using kernel::Four;
+
+// Sums of records of four numbers and of their sizes, lane by lane, in interleaved parts so that one addition
+// need not wait for the other.
+SCREE_EVERY_LEVEL void add_up(const double* first, std::size_t stride, std::size_t count, Four& sum,
+                              Four& size) {
+  constexpr std::size_t parts = 4;
+  Four sums[parts] = {}, sizes[parts] = {};
+  const auto take = [&](std::size_t i, std::size_t part) SCREE_INLINE_LAMBDA {
+    const Four numbers = kernel::load_four(first + stride * i);
+    sums[part] += numbers;
+    sizes[part] += numbers < 0 ? -numbers : numbers;
+  };
+  const std::size_t whole = count / parts * parts;
+  for (std::size_t i = 0; i < whole; i += parts)
+    for (std::size_t k = 0; k < parts; ++k) take(i + k, k);
+  for (std::size_t i = whole; i < count; ++i) take(i, 0);
+  sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  size = (sizes[0] + sizes[1]) + (sizes[2] + sizes[3]);
+}
+
+}  // namespace
+
+void MomentumAudit::Sums::add(const Particles& particles, BodyRange bodies) {
+  Four sum, sizes;
+  add_up(particles.loads() + bodies.begin * particles.load_width(), particles.load_width(),
+         bodies.end - bodies.begin, sum, sizes);
+  for (int k = 0; k < particles.dimension(); ++k) {
+    force[k] += sum[k];
+    size += sizes[k];
+  }
+}
+
+void MomentumAudit::Sums::add(const Sums& other) {
+  force += other.force;
+  size += other.size;
+}
+
+void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_load>& loads) {
+  for (const scree_load& load : loads)
+    for (int k = 0; k < 3; ++k) sums.force[k] += load.force[k], sums.size += std::abs(load.force[k]);
+  made_ += step * sums.force;
+  exchanged_ += std::abs(step) * sums.size;
+}
+
+double MomentumAudit::residual() const { return exchanged_ > 0 ? norm(made_) / exchanged_ : 0; }
+
+}  // namespace scree

@@ -1,0 +1,52 @@
+#include <algorithm>
+
+#include <scree/particles.hpp>
+
+namespace scree {
+
+Particles::Particles(int dimension, bool with_spin, bool with_images, const std::vector<Body>& bodies)
+    : dimension_(dimension), has_spin_(with_spin) {
+  const std::size_t n = bodies.size();
+  // One at least, so that an empty scene has addresses too.
+  records_.assign(std::max<std::size_t>(n, 1) * width(), 0.0);
+  loads_.assign(std::max<std::size_t>(n, 1) * load_width(), 0.0);
+  if (with_images)
+    for (int k = 0; k < dimension; ++k) image[k].assign(n, 0);
+  mass.resize(n);
+  if (with_spin) inertia.resize(n);
+  id.resize(n);
+  material.resize(n);
+
+  for (std::size_t i = 0; i < n; ++i) {
+    const Body& body = bodies[i];
+    for (int k = 0; k < dimension; ++k) {
+      position()[k][i] = body.position[k];
+      velocity()[k][i] = mid_velocity()[k][i] = body.velocity[k];
+    }
+    for (int k = spin_axes().first; k < spin_axes().last; ++k) spin()[k][i] = mid_spin()[k][i] = body.spin[k];
+    double* const record = records_.data() + i * width();
+    record[record::position + 3] = body.radius;
+    record[record::motion + 3] = 1 / body.mass;
+    if (with_spin) record[dimension == 2 ? record::position + 2 : record::spin + 3] = 1 / body.inertia;
+    mass[i] = body.mass;
+    if (with_spin) inertia[i] = body.inertia;
+    id[i] = body.id;
+    material[i] = body.material;
+  }
+}
+
+Body Particles::body(std::size_t i) const {
+  Body b = {.id = id[i], .material = material[i], .radius = radius()[i], .mass = mass[i]};
+  if (has_spin_) b.inertia = inertia[i];
+  for (int k = 0; k < dimension_; ++k) b.position[k] = position()[k][i], b.velocity[k] = velocity()[k][i];
+  for (int k = spin_axes().first; k < spin_axes().last; ++k) b.spin[k] = spin()[k][i];
+  return b;
+}
+
+std::size_t Particles::bytes_per_body() const {
+  const std::size_t doubles = width() + load_width() + (has_spin_ ? 2 : 1);
+  const std::size_t images = image[0].empty() ? 0 : std::size_t(dimension_) * sizeof(std::int32_t);
+  return doubles * sizeof(double) + images + sizeof(std::int64_t) + sizeof(std::uint32_t);
+}
+
+}  // namespace scree

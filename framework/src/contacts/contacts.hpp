@@ -1,0 +1,83 @@
+#pragma once
+
+#include "contacts/pair_columns.hpp"
+#include "search/neighbours.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include <scree/column.hpp>
+#include <scree/plugin/abi.h>
+
+namespace scree {
+
+// Candidate pair of a body and a plane.
+struct PlanePair {
+  std::uint32_t body, plane;
+};
+
+// Pairs that share a law and a kind of partner; a contiguous range of the pair arrays.
+struct PairGroup {
+  std::uint32_t law = 0;
+  bool planes = false;    // b is a plane
+  std::size_t begin = 0;  // multiple of SCREE_LANES
+  std::size_t end = 0;    // the last real pair; padded up to the next multiple of SCREE_LANES
+  std::uint32_t history_width = 0;
+  PairColumns history = PairColumns();  // (width, padded size), zero where the pair does not touch
+
+  std::size_t padded_size() const { return (end - begin + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
+  // Of one pair, numbered in the whole of all groups.
+  double history_of(std::size_t pair, std::uint32_t k) const { return history.value(k, pair - begin); }
+};
+
+// All neighbour pairs of a scene in a fixed order, with the history that their laws keep. A pair stays from
+// one neighbour search to the next; whether it touches is told by its overlap.
+class Contacts {
+ public:
+  // Whether pairs of (law, partner kind) exist; groups are empty until `rebuild`.
+  struct Kind {
+    std::uint32_t law;
+    bool planes;
+    std::uint32_t history_width;
+  };
+  // law_of[material_a * materials + material_b]; plane materials likewise.
+  struct Lookup {
+    const std::uint32_t* law_of = nullptr;
+    std::uint32_t materials = 0;
+    const std::uint32_t* body_material = nullptr;
+    const std::uint32_t* plane_material = nullptr;
+  };
+
+  explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::double_precision);
+
+  // Takes new pairs (sorted by a, b) and carries over the history of those that were there before.
+  void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
+               const Lookup& lookup);
+
+  std::vector<PairGroup>& groups() { return groups_; }
+  const std::vector<PairGroup>& groups() const { return groups_; }
+  std::size_t padded_size() const { return a.size(); }
+
+  Column<std::uint32_t> a, b;  // padding: the last a of its group with itself, or with the first plane
+  Column<std::uint8_t> image;
+
+  // Counts the rebuilds, so that what is derived from the pairs knows when to follow.
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  void carry_history();
+
+  // A group before the last rebuild; its memory serves the next.
+  struct Before {
+    std::size_t begin = 0, end = 0;
+    PairColumns history = PairColumns();
+  };
+
+  std::vector<PairGroup> groups_;
+  std::vector<Before> before_;
+  Column<std::uint32_t> before_a_, before_b_;
+  std::vector<PairColumns::Move> stayed_;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace scree

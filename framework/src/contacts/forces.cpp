@@ -1,0 +1,144 @@
+#include "contacts/forces.hpp"
+
+#include "contacts/kernel/block.hpp"
+#include "contacts/kernel/evaluate.hpp"
+#include "contacts/tile_schedule.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace scree {
+
+struct Forces::Work {
+  explicit Work(const Features& features)
+      : evaluate(kernel::tile_evaluation(features)), constants(features.precision) {}
+
+  kernel::EvaluateTile evaluate;
+  std::uint64_t revision = 0;  // of the contacts that the following belongs to
+  kernel::Tiles tiles;
+  kernel::PlaneRecords planes;
+  PairConstants constants;
+  std::vector<ContactSums> block_sums;
+  TileSchedule schedule;
+  double deepest = 0;  // overlap ratio met so far
+};
+
+Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
+Forces::~Forces() = default;
+
+namespace {
+
+std::array<double, 4 * 27> image_shifts(const Domain& domain) {
+  std::array<double, 4 * 27> shifts = {};
+  for (std::size_t code = 0; code < 27; ++code)
+    for (int k = 0; k < 3; ++k) shifts[4 * code + std::size_t(k)] = domain.shift(std::uint8_t(code))[k];
+  return shifts;
+}
+
+// Inputs that any law reads, and what these are made of.
+std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
+  std::uint32_t reads = 0;
+  for (const LawInstance& law : laws) reads |= law.interface.reads;
+  if (reads & (1u << SCREE_CONTACT_RADIUS)) reads |= 1u << SCREE_EFFECTIVE_RADIUS;
+  return reads;
+}
+
+ContactSums add_up(const std::vector<ContactSums>& blocks) {
+  ContactSums total;
+  for (const ContactSums& block : blocks) total += block;
+  return total;
+}
+
+}  // namespace
+
+void Forces::follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads,
+                          std::size_t planes) {
+  Work& work = *work_;
+  if (work.revision == contacts.revision()) return;
+  work.revision = contacts.revision();
+  if (work.tiles.bodies().size() != particles.size()) work.tiles = kernel::Tiles(particles.size());
+  work.tiles.plan(contacts, planes);
+  work.constants.update(contacts, particles, reads, features_.pair_forces);
+  particles.set_load_rows(work.tiles.slots());
+  work.block_sums.resize(work.tiles.blocks().size());
+}
+
+void Forces::clear(Particles& particles, BodyRange bodies) {
+  const std::size_t width = particles.load_width();
+  std::fill(particles.loads() + bodies.begin * width, particles.loads() + bodies.end * width, 0.0);
+}
+
+ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart& finish_part,
+                             Profile* profile) {
+  Work& work = *work_;
+  follow_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size());
+  work.planes.set(e.planes, e.particles.width());
+  alignas(32) std::array<double, 4 * 27> shifts;
+  if (features_.periodic) shifts = image_shifts(e.domain);
+  const kernel::EvaluationInput input = {.contacts = e.contacts,
+                                         .records = e.particles.records(),
+                                         .planes = work.planes,
+                                         .shifts = shifts.data(),
+                                         .periodic = features_.periodic,
+                                         .step = e.elapsed,
+                                         .audit = features_.audit,
+                                         .pair_forces = features_.pair_forces,
+                                         .deepest = work.deepest};
+  work.schedule.run(
+      work.tiles, threads,
+      [&](std::size_t tile, unsigned worker) {
+        work.evaluate({.input = &input,
+                       .tiles = &work.tiles,
+                       .tile = tile,
+                       .groups = &e.contacts.groups(),
+                       .laws = e.laws.data(),
+                       .constants = &work.constants,
+                       .slots = e.particles.loads(),
+                       .sums = work.block_sums.data(),
+                       .profile = worker == 0 ? profile : nullptr});
+      },
+      [&](std::size_t part, unsigned worker) {
+        Laps laps(worker == 0 ? profile : nullptr);
+        collect(e.particles, part);
+        laps.lap(Profile::reduce);
+        finish_part(part, worker);
+      });
+  sum_loads(e.particles, e.loads);
+  ContactSums sums = add_up(work.block_sums);
+  work.deepest = sums.max_overlap_ratio = std::max(work.deepest, sums.max_overlap_ratio);
+  return sums;
+}
+
+void Forces::collect(Particles& particles, std::size_t part) const {
+  const std::size_t width = particles.load_width();
+  double* const loads = particles.loads();
+  for (const kernel::Tiles::Incoming& in : work_->tiles.incoming(part))
+    for (std::size_t k = 0; k < width; k += 4)
+      kernel::add_four(loads + in.body * width + k, kernel::load_four(loads + in.slot * width + k));
+}
+
+void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads) const {
+  const kernel::Tiles& tiles = work_->tiles;
+  const std::size_t width = particles.load_width();
+  for (std::size_t plane = 0; plane < loads.size(); ++plane) {
+    kernel::Four sum = {};
+    for (std::size_t tile = 0; tile < tiles.tiles().size(); ++tile)
+      sum += kernel::load_four(particles.loads() + tiles.plane_slot(tile, plane) * width);
+    loads[plane] = {sum[0], sum[1], features_.dimension == 3 ? sum[2] : 0};
+  }
+}
+
+Vec3 Forces::pair_force(std::size_t p) const {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (!features_.pair_forces) return {{unknown, unknown, unknown}};
+  Vec3 force = {};
+  for (int k = 0; k < features_.dimension; ++k) force[k] = work_->constants.force.value(std::uint32_t(k), p);
+  return force;
+}
+
+std::size_t Forces::bytes_per_pair() const {
+  return work_->constants.bytes_per_pair() + 4 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
+}
+
+}  // namespace scree

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "contacts/forces.hpp"
+#include "contacts/kernel/tiles.hpp"
+
+namespace scree::kernel {
+
+struct EvaluationInput;
+
+// Everything that the evaluation of one tile needs.
+struct TileJob {
+  const EvaluationInput* input;
+  const Tiles* tiles;
+  std::size_t tile;
+  std::vector<PairGroup>* groups;
+  const LawInstance* laws;
+  PairConstants* constants;
+  double* slots;      // (slots, slot width)
+  ContactSums* sums;  // of each block
+  Profile* profile;   // null: not measured
+};
+
+// Evaluates all pairs of a tile: gather -> law -> scatter in blocks.
+using EvaluateTile = void (*)(const TileJob&);
+
+// For the features of a scene, compiled for the best instruction level that the processor has, or for the one
+// that SCREE_LEVEL names. All levels give the same bits.
+EvaluateTile tile_evaluation(const Forces::Features& features);
+
+}  // namespace scree::kernel

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "contacts/kernel/block.hpp"
+
+namespace scree::kernel {
+
+// A record of a body or of a plane. The barrier keeps GCC from computing four addresses in a vector and
+// taking them out again.
+template <int D, bool spin>
+SCREE_HOT const double* record_of(const double* records, std::uint32_t body) {
+  std::size_t index = body;
+  __asm__("" : "+r"(index));
+  return records + record::width(D, spin) * index;
+}
+
+// One part of four records as columns.
+SCREE_HOT void four_parts(const double* const (&record)[4], std::size_t part, Four (&out)[4]) {
+  for (int k = 0; k < 4; ++k) out[k] = load_four(record[k] + part);
+  transpose(out[0], out[1], out[2], out[3]);
+}
+
+// Differences of one part for four pairs, as columns.
+SCREE_HOT void four_differences(const double* const (&a)[4], const double* const (&b)[4], std::size_t part,
+                                Four (&out)[4]) {
+  for (int k = 0; k < 4; ++k) out[k] = load_four(a[k] + part) - load_four(b[k] + part);
+  transpose(out[0], out[1], out[2], out[3]);
+}
+
+// Whether any of four pairs reaches across a periodic face.
+SCREE_HOT bool any_across(const std::uint8_t* image) {
+  constexpr std::uint32_t none = 0x01010101u * Domain::no_shift;
+  std::uint32_t images;
+  __builtin_memcpy(&images, image, sizeof(images));
+  return images != none;
+}
+
+template <class T>
+SCREE_HOT void store_vector(T (*columns)[block_size], int count, std::uint32_t lane, const Four (&v)[4]) {
+  for (int k = 0; k < count; ++k) store_lanes(columns[k] + lane, v[k]);
+}
+
+// Velocities and spins of four pairs of discs.
+template <bool spin, class T>
+SCREE_HOT void gather_flat_motion(const double* const (&a)[4], const double* const (&b)[4], std::size_t part,
+                                  T (*velocity)[block_size], T (*spin_a)[block_size], T (*spin_b)[block_size],
+                                  std::uint32_t lane) {
+  Four of_a[4], of_b[4];
+  four_parts(a, part, of_a);
+  four_parts(b, part, of_b);
+  for (int k = 0; k < 2; ++k) store_lanes(velocity[k] + lane, of_a[k] - of_b[k]);
+  if constexpr (spin) {
+    store_lanes(spin_a[0] + lane, of_a[2]);
+    store_lanes(spin_b[0] + lane, of_b[2]);
+  }
+}
+
+// Velocities and spins of four pairs of spheres.
+template <bool spin, class T>
+SCREE_HOT void gather_motion(const double* const (&a)[4], const double* const (&b)[4], std::uint32_t lane,
+                             BlockColumns<T>& block) {
+  Four v[4];
+  four_differences(a, b, record::motion, v);
+  store_vector(block.velocity, 3, lane, v);
+  if constexpr (spin) {
+    four_differences(a, b, record::mid_motion, v);
+    store_vector(block.mid_velocity, 3, lane, v);
+    for (int side = 0; side < 2; ++side) {
+      const auto& record = side == 0 ? a : b;
+      four_parts(record, record::spin, v);
+      store_vector(block.spin[side], 3, lane, v);
+      four_parts(record, record::mid_spin, v);
+      store_vector(block.mid_spin[side], 3, lane, v);
+    }
+  }
+}
+
+// Four pairs of bodies, or of a body and a plane, which is a body that does not turn, without radius here.
+template <int D, bool spin, bool planes, class T>
+SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint32_t lane,
+                           BlockColumns<T>& block) {
+  const double *a[4], *b[4];
+  for (int k = 0; k < 4; ++k) {
+    a[k] = record_of<D, spin>(s.records, s.contacts.a[pair + std::size_t(k)]);
+    b[k] = record_of<D, spin>(planes ? s.planes.records() : s.records, s.contacts.b[pair + std::size_t(k)]);
+  }
+  Four v[4];
+  for (int k = 0; k < 4; ++k) v[k] = load_four(a[k] + record::position) - load_four(b[k] + record::position);
+  const std::uint8_t* image = s.contacts.image.data() + pair;
+  if (!planes && s.periodic && any_across(image))
+    for (int k = 0; k < 4; ++k) v[k] += load_four(s.shifts + 4 * image[k]);
+  transpose(v[0], v[1], v[2], v[3]);
+  store_vector(block.separation, D, lane, v);
+  store_lanes(block.radius_difference + lane, v[3]);
+  if constexpr (planes) {
+    for (int k = 0; k < 4; ++k)
+      v[k] = load_four(s.planes.normals() + 4 * s.contacts.b[pair + std::size_t(k)]);
+    transpose(v[0], v[1], v[2], v[3]);
+    store_vector(block.input + SCREE_NORMAL, D, lane, v);
+  }
+  if constexpr (D == 2) {
+    gather_flat_motion<spin>(a, b, record::motion, block.velocity, block.spin[0], block.spin[1], lane);
+    gather_flat_motion<spin>(a, b, record::mid_motion, block.mid_velocity, block.mid_spin[0],
+                             block.mid_spin[1], lane);
+  } else {
+    gather_motion<spin>(a, b, lane, block);
+  }
+}
+
+// Lanes [begin, end) of padding, which are pairs of the first body: they must not touch.
+template <class T>
+SCREE_HOT void part_lanes(std::uint32_t begin, std::uint32_t end, BlockColumns<T>& block) {
+  for (std::uint32_t lane = begin; lane < end; ++lane)
+    for (int k = 0; k < 3; ++k) block.separation[k][lane] = 0;
+}
+
+}  // namespace scree::kernel

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "contacts/kernel/block.hpp"
+
+namespace scree::kernel {
+
+// Sums of what is above and of what is below 0 in a padded column.
+struct SignedSums {
+  double above = 0, below = 0;
+};
+
+// In 8 interleaved parts: the same order for every vector width.
+template <class T>
+SCREE_HOT SignedSums sum_column(const T* column, std::uint32_t padded) {
+  double above[SCREE_LANES] = {}, below[SCREE_LANES] = {};
+  for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
+    for (std::uint32_t k = 0; k < SCREE_LANES; ++k) {
+      above[k] += double(std::max(column[i + k], T(0)));
+      below[k] += double(std::min(column[i + k], T(0)));
+    }
+  SignedSums sums;
+  for (const double part : above) sums.above += part;
+  for (const double part : below) sums.below += part;
+  return sums;
+}
+
+// Largest overlap over the smaller radius of each pair. Divides only where it exceeds what was met already.
+template <bool planes, class T>
+SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t padded,
+                                       const BlockColumns<T>& block, double largest) {
+  const auto smaller_radius = [&](std::uint32_t i) {
+    const double difference = double(block.radius_difference[i]);
+    return planes ? difference : 0.5 * (radius_sum[i] - std::abs(difference));
+  };
+  Count<double> deeper = 0;
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < padded; ++i)
+    deeper += double(block.input[SCREE_OVERLAP][i]) > largest * smaller_radius(i);
+  if (deeper == 0) return largest;
+  for (std::uint32_t i = 0; i < padded; ++i)
+    if (block.input[SCREE_OVERLAP][i] > T(0))
+      largest = std::max(largest, double(block.input[SCREE_OVERLAP][i]) / smaller_radius(i));
+  return largest;
+}
+
+template <class T>
+SCREE_HOT ContactSums sum_block(const BlockColumns<T>& block, std::uint32_t padded) {
+  ContactSums sums;
+  const auto stored = [&](scree_contact_output column) SCREE_INLINE_LAMBDA {
+    const SignedSums all = sum_column(block.output[column], padded);
+    return all.above + all.below;
+  };
+  const auto dissipated = [&](scree_contact_output column, double& created) SCREE_INLINE_LAMBDA {
+    const SignedSums all = sum_column(block.output[column], padded);
+    created -= all.below;
+    return all.above;
+  };
+  sums.elastic_normal = stored(SCREE_ELASTIC_NORMAL);
+  sums.elastic_tangential = stored(SCREE_ELASTIC_TANGENTIAL);
+  sums.dissipated_normal = dissipated(SCREE_DISSIPATED_NORMAL, sums.created_power);
+  sums.dissipated_tangential = dissipated(SCREE_DISSIPATED_TANGENTIAL, sums.created_power);
+  sums.dissipated_rolling = dissipated(SCREE_DISSIPATED_ROLLING, sums.created_power);
+  sums.dissipated_friction = dissipated(SCREE_DISSIPATED_FRICTION, sums.created);
+  sums.dissipated_release = dissipated(SCREE_DISSIPATED_RELEASE, sums.created);
+  return sums;
+}
+
+}  // namespace scree::kernel

@@ -1,0 +1,131 @@
+#include "contacts/kernel/tiles.hpp"
+
+#include "contacts/kernel/block.hpp"
+#include "search/counting_sort.hpp"
+
+#include <algorithm>
+
+namespace scree::kernel {
+
+namespace {
+
+// What second-level caches hold, at half a megabyte for a tile and its pairs.
+constexpr std::size_t tiles_in_cache = 4;
+
+// First pair of a group whose a is at least `body`, rounded up to whole lanes.
+std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std::size_t body) {
+  const auto begin = contacts.a.begin() + std::ptrdiff_t(group.begin),
+             end = contacts.a.begin() + std::ptrdiff_t(group.end);
+  const std::size_t offset = std::size_t(std::lower_bound(begin, end, body) - begin);
+  return group.begin + (offset + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
+}
+
+}  // namespace
+
+std::uint32_t Tiles::owner(std::size_t body) const {
+  return std::uint32_t(std::min(body / BodyTiles::usual_size, tiles_.size() - 1));
+}
+
+void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
+  Tile& tile = tiles_[t];
+  tile.first_block = blocks_.size();
+  for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
+    const PairGroup& group = contacts.groups()[g];
+    const std::size_t all = group.begin + group.padded_size();
+    const std::size_t from = t == 0 ? group.begin : pair_boundary(contacts, group, bodies_[t].begin);
+    const std::size_t to = t + 1 == tiles_.size() ? all : pair_boundary(contacts, group, bodies_[t].end);
+    for (std::size_t p = from; p < to; p += block_size)
+      blocks_.push_back({g, p, std::uint32_t(std::min<std::size_t>(block_size, to - p)), 0, 0});
+  }
+  tile.last_block = blocks_.size();
+}
+
+void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
+  resize_with_room(slot_a_, contacts.padded_size());
+  resize_with_room(slot_b_, contacts.padded_size());
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    Tile& tile = tiles_[t];
+    const auto slot_of = [&](std::uint32_t body) {
+      if (owner(body) == t) return body;
+      noted_.push_back({body, std::uint32_t(slots_)});
+      tile.reached.push_back(owner(body));
+      return std::uint32_t(slots_++);
+    };
+    tile.first_foreign = slots_;
+    for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+      const PairBlock& block = blocks_[k];
+      const PairGroup& group = contacts.groups()[block.group];
+      for (std::size_t p = block.begin; p < std::min(block.begin + block.count, group.end); ++p) {
+        slot_a_[p] = slot_of(contacts.a[p]);
+        if (!group.planes) slot_b_[p] = slot_of(contacts.b[p]);
+      }
+    }
+    tile.last_foreign = tile.first_own = slots_;
+    slots_ += planes + 1;
+    for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+      const PairBlock& block = blocks_[k];
+      const PairGroup& group = contacts.groups()[block.group];
+      for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
+        if (p >= group.end) slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
+        if (p < group.end && group.planes) slot_b_[p] = std::uint32_t(tile.first_own + contacts.b[p]);
+      }
+    }
+  }
+}
+
+void Tiles::note_reach() {
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    Tile& tile = tiles_[t];
+    std::vector<std::uint32_t>& reached = tile.reached;
+    reached.push_back(t);
+    std::sort(reached.begin(), reached.end());
+    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    for (const std::uint32_t other : reached) ++tiles_[other].reached_by;
+  }
+}
+
+void Tiles::note_visits(const Contacts& contacts) {
+  visits_.clear();
+  if (tiles_.size() <= tiles_in_cache) return;
+  visited_by_.assign(bodies_.size(), std::uint32_t(tiles_.size()));
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t)
+    for (std::size_t k = tiles_[t].first_block; k < tiles_[t].last_block; ++k) {
+      PairBlock& block = blocks_[k];
+      block.first_visit = visits_.size();
+      const auto visit = [&](std::uint32_t body) {
+        if (visited_by_[body] != t) visits_.push_back(body);
+        visited_by_[body] = t;
+      };
+      for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
+        visit(contacts.a[p]);
+        if (!contacts.groups()[block.group].planes) visit(contacts.b[p]);
+      }
+      block.last_visit = visits_.size();
+    }
+}
+
+void Tiles::sort_incoming() {
+  incoming_.resize(noted_.size());
+  counting_sort(
+      bodies_.parts(), first_incoming_,
+      [&](const auto& visit) {
+        for (const Incoming& in : noted_) visit(in);
+      },
+      [](const Incoming& in) { return in.body / BodyTiles::part_size; },
+      [&](const Incoming& in, std::size_t place) { incoming_[place] = in; });
+}
+
+void Tiles::plan(const Contacts& contacts, std::size_t planes) {
+  tiles_.assign(bodies_.count(), {});
+  blocks_.clear(), noted_.clear();
+  slots_ = bodies_.size();
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    cut_blocks(contacts, std::uint32_t(t));
+  }
+  lay_slots(contacts, planes);
+  sort_incoming();
+  note_reach();
+  note_visits(contacts);
+}
+
+}  // namespace scree::kernel

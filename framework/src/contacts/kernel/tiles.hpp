@@ -1,0 +1,79 @@
+#pragma once
+
+#include "bodies/body_range.hpp"
+#include "contacts/contacts.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <scree/column.hpp>
+
+namespace scree::kernel {
+
+// The pairs of a scene cut into parts that can be evaluated at the same time: a tile owns a range of bodies
+// and takes the pairs whose a it owns. Where the loads of a pair's two ends go is laid down beforehand, as
+// slots:
+//   [0, bodies)         of a body, if the tile that evaluates the pair owns it
+//   behind              of one end of one pair, if another tile owns the body
+//   then, for each tile, of each plane, and one for padding
+// Loads of the second kind are added to their bodies afterwards in the order of the pairs. Tiles depend on
+// the scene alone, never on the number of threads, and so do the sums.
+class Tiles {
+ public:
+  struct PairBlock {
+    std::uint32_t group;
+    std::size_t begin;                    // pair
+    std::uint32_t count;                  // multiple of SCREE_LANES
+    std::size_t first_visit, last_visit;  // of visits()
+  };
+  struct Incoming {
+    std::uint32_t body, slot;
+  };
+  struct Tile {
+    std::size_t first_block, last_block;      // [first, last)
+    std::size_t first_foreign, last_foreign;  // slots written for other tiles
+    std::size_t first_own;                    // slots of planes and padding
+    std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself among them
+    std::uint32_t reached_by = 0;             // how many tiles reach it, itself among them
+  };
+
+  explicit Tiles(std::size_t bodies = 0) : bodies_(bodies) {}
+
+  void plan(const Contacts& contacts, std::size_t planes);
+
+  const BodyTiles& bodies() const { return bodies_; }
+
+  const std::vector<Tile>& tiles() const { return tiles_; }
+  const std::vector<PairBlock>& blocks() const { return blocks_; }
+  std::size_t slots() const { return slots_; }
+  // Bodies that a block looks at and no earlier one of its tile did; none in scenes that a cache holds.
+  const std::vector<std::uint32_t>& visits() const { return visits_; }
+  std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
+  // What other tiles leave for the bodies of a part, in the order of the pairs.
+  std::span<const Incoming> incoming(std::size_t part) const {
+    return {incoming_.data() + first_incoming_[part], incoming_.data() + first_incoming_[part + 1]};
+  }
+  // Of both ends of each pair, padding included.
+  const Column<std::uint32_t>& slot_a() const { return slot_a_; }
+  const Column<std::uint32_t>& slot_b() const { return slot_b_; }
+
+ private:
+  void cut_blocks(const Contacts& contacts, std::uint32_t tile);
+  std::uint32_t owner(std::size_t body) const;
+  void lay_slots(const Contacts& contacts, std::size_t planes);
+  void note_reach();
+  void note_visits(const Contacts& contacts);
+  void sort_incoming();
+
+  BodyTiles bodies_;
+  std::size_t slots_ = 0;
+  std::vector<Tile> tiles_;
+  std::vector<PairBlock> blocks_;
+  std::vector<Incoming> noted_, incoming_;     // in the order of slots; of parts
+  std::vector<std::uint32_t> first_incoming_;  // of each part
+  std::vector<std::uint32_t> visits_, visited_by_;
+  Column<std::uint32_t> slot_a_, slot_b_;
+};
+
+}  // namespace scree::kernel

@@ -1,0 +1,43 @@
+#include "contacts/pair_constants.hpp"
+
+#include <cmath>
+
+namespace scree {
+
+void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads, bool forces) {
+  const std::size_t all = contacts.padded_size();
+  resize_with_room(radius_sum, all);
+  force.reset(forces ? std::uint32_t(p.dimension()) : 0, all);
+  for (std::uint32_t k = 0; k < column_count; ++k) {
+    const bool read = reads & (1u << (SCREE_REDUCED_MASS + k));
+    terms[k].resize(read ? 1 : 0, all);
+  }
+  const auto set = [this](scree_contact_input column, std::size_t q, double value) {
+    PairColumns& term = terms[column - SCREE_REDUCED_MASS];
+    if (term.size() > 0) term.set(0, q, value);
+  };
+  for (const PairGroup& group : contacts.groups()) {
+    for (std::size_t q = group.begin; q < group.end; ++q) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      const double mass = 1 / (p.inverse_mass()[a] + (group.planes ? 0 : p.inverse_mass()[b]));
+      radius_sum[q] = p.radius()[a] + (group.planes ? 0 : p.radius()[b]);
+      set(SCREE_REDUCED_MASS, q, mass);
+      set(SCREE_REDUCED_MASS_ROOT, q, std::sqrt(mass));
+      set(SCREE_EFFECTIVE_RADIUS, q,
+          group.planes ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]));
+    }
+    for (std::size_t q = group.end; q < group.begin + group.padded_size(); ++q) {
+      radius_sum[q] = -1;
+      for (PairColumns& term : terms)
+        if (term.size() > 0) term.set(0, q, 1);
+    }
+  }
+}
+
+std::size_t PairConstants::bytes_per_pair() const {
+  std::size_t bytes = sizeof(double) + force.width() * force.bytes_per_number();
+  for (const PairColumns& term : terms) bytes += term.width() * term.bytes_per_number();
+  return bytes;
+}
+
+}  // namespace scree

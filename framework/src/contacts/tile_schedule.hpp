@@ -1,0 +1,81 @@
+#pragma once
+
+#include "contacts/kernel/tiles.hpp"
+#include "threads/thread_pool.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace scree {
+
+// Decides which thread evaluates a tile and finishes its bodies, and when. Depends on the number of threads;
+// what is computed does not.
+class TileSchedule {
+ public:
+  // Calls evaluate_tile(tile, worker) for all tiles, and finish_part(part, worker) for each part of their
+  // bodies once every tile that reaches these has been evaluated.
+  template <class EvaluateTile, class FinishPart>
+  void run(const kernel::Tiles& tiles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
+           const FinishPart& finish_part) {
+    const std::size_t count = tiles.tiles().size();
+    if (threads.size() == 1) {
+      run_in_order(tiles, evaluate_tile, finish_part);
+    } else if (count < tiles_per_thread * threads.size()) {
+      threads.each(count, evaluate_tile);
+      threads.each(tiles.bodies().parts(), finish_part);
+    } else {
+      run_as_ready(tiles, threads, evaluate_tile, finish_part);
+    }
+  }
+
+ private:
+  // With fewer, the first threads would have parts to finish beside contacts while the last wait for them.
+  static constexpr std::size_t tiles_per_thread = 8;
+  static constexpr std::uint32_t finished = ~0u;
+
+  // Pairs are in the order of a < b, so that no later tile reads the bodies of this one.
+  template <class EvaluateTile, class FinishPart>
+  static void run_in_order(const kernel::Tiles& tiles, const EvaluateTile& evaluate_tile,
+                           const FinishPart& finish_part) {
+    for (std::size_t tile = 0; tile < tiles.tiles().size(); ++tile) {
+      evaluate_tile(tile, 0);
+      tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, 0); });
+    }
+  }
+
+  // Finishes a tile at once where that is possible, while its bodies are in the cache of the thread; the
+  // others in a second round.
+  template <class EvaluateTile, class FinishPart>
+  void run_as_ready(const kernel::Tiles& tiles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
+                    const FinishPart& finish_part) {
+    const std::size_t count = tiles.tiles().size();
+    await_all(tiles);
+    const auto finish_if_ready = [&](std::size_t tile, unsigned worker) {
+      std::uint32_t none = 0;
+      if (awaited_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
+        tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
+    };
+    threads.each(count, [&](std::size_t tile, unsigned worker) {
+      evaluate_tile(tile, worker);
+      for (const std::uint32_t reached : tiles.tiles()[tile].reached)
+        awaited_[reached].fetch_sub(1, std::memory_order_acq_rel);
+      finish_if_ready(tile, worker);
+    });
+    threads.each(count, finish_if_ready);
+  }
+
+  void await_all(const kernel::Tiles& tiles) {
+    const std::size_t count = tiles.tiles().size();
+    if (count_ != count) awaited_ = std::make_unique<std::atomic<std::uint32_t>[]>(count_ = count);
+    for (std::size_t tile = 0; tile < count; ++tile)
+      awaited_[tile].store(tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
+  }
+
+  // Of each tile: how many of those that reach it are still to be evaluated; `finished` once a thread has
+  // taken it on.
+  std::unique_ptr<std::atomic<std::uint32_t>[]> awaited_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace scree

@@ -1,0 +1,53 @@
+#include "contacts/touching_contacts.hpp"
+
+namespace scree {
+
+namespace {
+
+Vec3 position(const Particles& p, std::size_t i) {
+  Vec3 x = {};
+  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][i];
+  return x;
+}
+
+void append(std::vector<double>& columns, const Vec3& v) {
+  columns.insert(columns.end(), v.component, v.component + 3);
+}
+
+}  // namespace
+
+ContactList touching_contacts(const Particles& p, const Contacts& contacts, const Forces& forces,
+                              const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
+                              const Domain& domain) {
+  ContactList list;
+  for (const PairGroup& group : contacts.groups()) {
+    const int sliding_column = laws[group.law].interface.sliding_column;
+    for (std::size_t q = group.begin; q < group.end; ++q) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      Vec3 normal = {};
+      double distance = 0, reach = p.radius()[a];
+      if (group.planes) {
+        for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
+        for (int k = 0; k < p.dimension(); ++k)
+          distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
+      } else {
+        normal = position(p, a) - position(p, b) + domain.shift(contacts.image[q]);
+        distance = norm(normal);
+        normal = (distance > 0 ? 1 / distance : 0) * normal;
+        reach += p.radius()[b];
+      }
+      if (!(distance < reach)) continue;
+      list.a.push_back(a);
+      list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : b);
+      append(list.normal, normal);
+      append(list.force, forces.pair_force(q));
+      list.overlap.push_back(reach - distance);
+      list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
+                             group.history_of(q, std::uint32_t(sliding_column)) > 0);
+      list.pair.push_back(q);
+    }
+  }
+  return list;
+}
+
+}  // namespace scree

@@ -1,0 +1,44 @@
+#include "motion/motion.hpp"
+
+#include "plugins/instruction_levels.hpp"
+
+#include <algorithm>
+
+namespace scree {
+
+using namespace kernel;
+
+namespace {
+
+// Raises the largest square of four components, of those that `axes` is 1 for, in lanes of which each takes a
+// fourth of the bodies. Keeps a square that is not finite in `unbounded`.
+SCREE_EVERY_LEVEL void raise(Four& largest, Four& unbounded, const double* first, std::size_t stride,
+                             std::size_t count, const Four& axes) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    Four v[4];
+    // Past the end the last body once more.
+    for (std::size_t k = 0; k < 4; ++k) v[k] = axes * load_four(first + stride * std::min(i + k, count - 1));
+    transpose(v[0], v[1], v[2], v[3]);
+    const Four square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    largest = square > largest ? square : largest;
+    unbounded = square < infinity ? unbounded : square;
+  }
+}
+
+}  // namespace
+
+double Motions::largest_square(BodyRange bodies, bool mid_step) const {
+  const std::size_t count = bodies.end - bodies.begin;
+  if (count == 0) return 0;
+  Four largest = {}, unbounded = {};
+  raise(largest, unbounded, part(bodies, mid_step ? record::mid_motion : record::motion), width(), count,
+        axes());
+  double all = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (!(unbounded[k] == 0)) return infinity;
+    all = std::max(all, largest[k]);
+  }
+  return all;
+}
+
+}  // namespace scree

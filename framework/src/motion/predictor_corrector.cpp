@@ -1,0 +1,56 @@
+#include "motion/predictor_corrector.hpp"
+
+#include "motion/motion.hpp"
+
+namespace scree {
+
+using namespace kernel;
+
+// Higher terms start at 0; the first steps fill them.
+void PredictorCorrector::prepare(Particles& particles, double step) {
+  const Motions motions(particles);
+  const std::size_t numbers = 4 * particles.size() * motions.each_body();
+  if (second_.size() == numbers) return;
+  for (auto* column : {&second_, &third_, &fourth_}) column->assign(numbers, 0.0);
+  motions.each({0, particles.size()}, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    store_four(second_.data() + 4 * m.number, 0.5 * step * step * m.acceleration);
+  });
+}
+
+double PredictorCorrector::begin_step(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  const double per_step = 1 / step;
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    double *const at_second = second_.data() + 4 * m.number, *const at_third = third_.data() + 4 * m.number;
+    const Four second = load_four(at_second), third = load_four(at_third),
+               fourth = load_four(fourth_.data() + 4 * m.number);
+    const Four moved = step * m.velocity + second + third + fourth;
+    m.mid_velocity = per_step * moved;
+    m.velocity += per_step * (2 * second + 3 * third + 4 * fourth);
+    m.position += motions.axes() * moved;
+    store_four(at_second, second + 3 * third + 6 * fourth);
+    store_four(at_third, third + 4 * fourth);
+  });
+  return motions.largest_square(bodies, true);
+}
+
+bool PredictorCorrector::finish_step(Particles& particles, double step, BodyRange bodies) {
+  const Motions motions(particles);
+  const double half_square = 0.5 * step * step, per_step = 1 / step;
+  const auto add = [](double* to, const Four& term)
+                       SCREE_INLINE_LAMBDA { store_four(to, load_four(to) + term); };
+  Finiteness finite;
+  motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+    double* const second = second_.data() + 4 * m.number;
+    const Four correction = half_square * m.acceleration - load_four(second);
+    m.velocity += 0.75 * per_step * correction;
+    add(second, correction);
+    add(third_.data() + 4 * m.number, 0.5 * correction);
+    add(fourth_.data() + 4 * m.number, 1.0 / 12 * correction);
+    m.position += 19.0 / 90 * motions.axes() * correction;
+    finite.look_at(m.velocity);
+  });
+  return finite.whole();
+}
+
+}  // namespace scree

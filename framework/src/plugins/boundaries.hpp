@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/body_bounds.hpp>
+#include <scree/domain.hpp>
+#include <scree/plugin_host.hpp>
+#include <scree/scene.hpp>
+
+namespace scree {
+
+// All boundaries of a scene: their planes, the loads on them, their state, and the periodic domain.
+class Boundaries {
+ public:
+  // Throws Error if a plug-in refuses or two make the same axis periodic.
+  Boundaries(const std::vector<Scene::Boundary>& entries, int dimension, const BodyBounds& bodies);
+
+  // Moves the planes from t to t + step, knowing the loads at t.
+  void begin_step(double time, double step);
+  // Completes velocities and energies with the loads at t + step.
+  void finish_step(double time, double step);
+  // For integrators that evaluate forces in mid-step: shows the planes where they will be so much later, at
+  // the velocity they have; and takes them back to where the loads belong, before the next begin_step.
+  void run_ahead_of_forces(double time);
+  void return_to_forces() { planes_ = planes_at_forces_; }
+  // New parameters for a boundary; its clock for programs starts again at `time`, state and planes stay.
+  void reconfigure(const std::string& name, const Parameters& parameters, double time);
+
+  const Domain& domain() const { return domain_; }
+  const std::vector<scree_plane>& planes() const { return planes_; }
+  const std::vector<scree_load>& loads() const { return loads_; }
+  std::vector<scree_load>& loads() { return loads_; }
+  const std::vector<std::uint32_t>& plane_materials() const { return materials_; }
+  // "<boundary>.<plane>" of each plane.
+  const std::vector<std::string>& plane_names() const { return names_; }
+  // Mass that forces on each plane move (kg); 0 where none do.
+  const std::vector<double>& plane_masses() const { return masses_; }
+  // Fastest at which a boundary's own viscosity slows a plane (1/s); 0 without.
+  double largest_damping_rate() const;
+  // Sum over all boundaries.
+  scree_boundary_energy energy() const;
+  // Largest speed of a plane along its normal in the last begin_step (m/s); infinite if any is not finite.
+  double largest_speed() const;
+  void add_to_hash(class StateHash& hash) const;
+
+ private:
+  struct Member {
+    Scene::Boundary entry;
+    ConfiguredBoundary plugin;
+    std::size_t first_plane;
+    double clock_start = 0;  // (s)
+    std::vector<double> state = {};
+    scree_boundary_energy energy = {};
+    bool still() const { return plugin.instance().still; }
+  };
+  scree_boundary_step step_of(Member& member, double time, double step);
+  void add_domain(const Member& member);
+  void finish_step(Member& member, double time, double step);
+  void come_to_rest(Member& member);
+
+  int dimension_;
+  double lower_[3], upper_[3];
+  Domain domain_;
+  std::vector<Member> members_;
+  std::vector<scree_plane> planes_, planes_at_forces_;
+  std::vector<scree_load> loads_;
+  std::vector<std::uint32_t> materials_;
+  std::vector<std::string> names_;
+  std::vector<double> masses_;
+};
+
+// Those of a scene at its start.
+Boundaries boundaries_of(const Scene& scene);
+
+}  // namespace scree

@@ -1,0 +1,65 @@
+#include <cmath>
+#include <new>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/plugin_host.hpp>
+
+namespace scree {
+
+namespace {
+
+void check_instance(const char* name, const scree_contact_instance& i) {
+  if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
+    throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
+                            name, i.history_width, SCREE_MAX_HISTORY));
+  for (const double power : {i.onset_power, i.parting_power})
+    if (!(power >= 0) || (power < 1 && std::fmod(4 * power, 1) != 0))
+      throw Error(
+          fmt::format("plug-in {}: forces that begin or end with the power {:g} of time; it is 0, 1/4, 1/2, "
+                      "3/4, or 1 and more for none to be weighted",
+                      name, power));
+}
+template <class Instance>
+void check_instance(const char*, const Instance&) {}
+
+}  // namespace
+
+template <class Interface, class Instance>
+Configured<Interface, Instance>::Configured(const Parameters& parameters, int dimension,
+                                            const double (&lower)[3], const double (&upper)[3])
+    : parameters_(std::make_unique<Parameters>(parameters)),
+      storage_(::operator new(SCREE_MAX_INSTANCE_SIZE, std::align_val_t(64))) {
+  parameters_->check_complete();
+  const std::vector<scree_value> values = parameters_->values();
+  char message[512] = "";
+  scree_setup setup = {};
+  setup.struct_size = sizeof(setup);
+  setup.dimension = std::uint32_t(dimension);
+  setup.values = values.data();
+  for (int k = 0; k < 3; ++k) setup.lower[k] = lower[k], setup.upper[k] = upper[k];
+  setup.message = message;
+  setup.message_size = sizeof(message);
+
+  const char* name = parameters_->plugin().name;
+  if (interface().storage_size > SCREE_MAX_INSTANCE_SIZE)
+    throw Error(fmt::format("plug-in {}: asks for {} bytes of storage of at most {}", name,
+                            interface().storage_size, SCREE_MAX_INSTANCE_SIZE));
+  int failed = 0;
+  if constexpr (std::is_same_v<Instance, NoInstance>)
+    failed = interface().configure(&setup, storage_.get());
+  else
+    failed = interface().configure(&setup, storage_.get(), &instance_);
+  message[sizeof(message) - 1] = 0;
+  if (failed) throw Error(fmt::format("{}: {}", name, *message ? message : "refused its parameters"));
+  check_instance(name, instance_);
+}
+
+template class Configured<scree_contact_law, scree_contact_instance>;
+template class Configured<scree_boundary, scree_boundary_instance>;
+template class Configured<scree_body_force, NoInstance>;
+template class Configured<scree_probe, scree_probe_instance>;
+
+}  // namespace scree

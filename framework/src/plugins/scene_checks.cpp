@@ -1,0 +1,18 @@
+#include "plugins/body_forces.hpp"
+#include "plugins/boundaries.hpp"
+
+#include <scree/scene_checks.hpp>
+
+namespace scree {
+
+std::size_t plane_count(const Scene::Boundary& boundary, const Scene& scene) {
+  return Boundaries({boundary}, scene.dimension, bounds_of(scene.bodies, scene.dimension)).planes().size();
+}
+
+Domain periodic_domain(const Scene& scene) { return boundaries_of(scene).domain(); }
+
+void check_body_force(const Scene::BodyForce& force, const Scene& scene) {
+  BodyForces({force}, scene.dimension, scene.audit);
+}
+
+}  // namespace scree

@@ -1,0 +1,65 @@
+#include "search/cell_level.hpp"
+
+#include "search/counting_sort.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+// As many cells as four times the bodies, dealt out among the axes: those that need fewer than their share
+// leave the rest to the others.
+void CellLevel::choose_cells(const Vec3& lower, const Vec3& upper, double reach, int dimension,
+                             std::size_t bodies) {
+  std::array<double, 3> wanted = {1, 1, 1};
+  for (int k = 0; k < dimension; ++k) wanted[k] = std::max(1.0, std::floor((upper[k] - lower[k]) / reach));
+  std::array<int, 3> axes = {0, 1, 2};
+  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return wanted[a] < wanted[b]; });
+  double left = 4.0 * double(bodies);
+  for (int n = 0; n < 3; ++n) {
+    const int k = axes[n];
+    const double share = std::max(3.0, std::ceil(std::pow(left, 1.0 / (3 - n))));
+    rolled_[k] = !periodic_[k] && wanted[k] > share;
+    cells_[k] = int(std::min(wanted[k], share));
+    left /= cells_[k];
+    const double length = upper[k] - lower[k];
+    inverse_width_[k] = rolled_[k] ? 1 / reach : length > 0 ? cells_[k] / length : 0;
+  }
+}
+
+void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
+                     const Vec3& upper, double reach, const std::vector<std::uint32_t>& members) {
+  lower_ = lower;
+  periodic_ = domain.periodic;
+  choose_cells(lower, upper, reach, dimension, members.size());
+  const std::size_t total = std::size_t(cells_[0]) * std::size_t(cells_[1]) * std::size_t(cells_[2]);
+
+  cell_.resize(members.size());
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const Vec3& x = bodies[members[m]].position;
+    const int index[3] = {cell_of(0, x[0]), cell_of(1, x[1]), cell_of(2, x[2])};
+    cell_[m] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
+  }
+  filed_.resize(members.size());
+  counting_sort(
+      total, first_,
+      [&](const auto& visit) {
+        for (std::size_t m = 0; m < members.size(); ++m) visit(m);
+      },
+      [&](std::size_t m) { return cell_[m]; },
+      [&](std::size_t m, std::size_t place) {
+        filed_[place] = {bodies[members[m]], members[m]};
+      });
+}
+
+CellLevel::Spans CellLevel::spans(int axis, int middle) const {
+  const int n = cells_[axis];
+  const int low = std::max(middle - 1, 0), high = std::min(middle + 1, n - 1);
+  if (!(periodic_[axis] || rolled_[axis]) || n <= 2) return {1, {low}, {high}};
+  if (n == 3) return {1, {0}, {2}};
+  if (middle == 0) return {2, {low, n - 1}, {high, n - 1}};
+  if (middle == n - 1) return {2, {low, 0}, {high, 0}};
+  return {1, {low}, {high}};
+}
+
+}  // namespace scree

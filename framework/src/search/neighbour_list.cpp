@@ -1,0 +1,132 @@
+#include "search/neighbour_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace scree {
+
+namespace {
+
+// Lets a body that left a periodic domain come in again at the other side.
+void fold(Particles& p, std::size_t i, const Domain& domain) {
+  for (int k = 0; k < p.dimension(); ++k) {
+    double& x = p.position()[k][i];
+    if (!domain.periodic[k] || (x >= domain.lower[k] && x < domain.upper[k])) continue;
+    const double turns = std::floor((x - domain.lower[k]) / domain.length(k));
+    x -= turns * domain.length(k);
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    p.image[k][i] = std::int32_t(std::clamp(p.image[k][i] + turns, -most, most));
+  }
+}
+
+// Pairs of bodies, and how many of them touch, told from a few thousand of them.
+std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
+  constexpr std::size_t most_samples = 2500;
+  double listed = 0, touching = 0;
+  for (const PairGroup& group : contacts.groups()) {
+    if (group.planes) continue;
+    const std::size_t pairs = group.end - group.begin, stride = 1 + pairs / most_samples;
+    listed += double(pairs);
+    for (std::size_t q = group.begin; q < group.end; q += stride) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      const Vec3 shift = domain.shift(contacts.image[q]);
+      const double reach = p.radius()[a] + p.radius()[b];
+      double square = 0;
+      for (int k = 0; k < p.dimension(); ++k) {
+        const double apart = p.position()[k][a] - p.position()[k][b] + shift[k];
+        square += apart * apart;
+      }
+      touching += square < reach * reach ? double(std::min(stride, group.end - q)) : 0;
+    }
+  }
+  return {listed, touching};
+}
+
+std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const std::vector<scree_plane>& planes,
+                                   int dimension, double skin) {
+  std::vector<PlanePair> pairs;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    for (std::uint32_t w = 0; w < planes.size(); ++w) {
+      double height = 0;
+      for (int k = 0; k < dimension; ++k)
+        height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
+      if (height < bodies[i].radius + skin) pairs.push_back({i, w});
+    }
+  return pairs;
+}
+
+}  // namespace
+
+void NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
+                           const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
+  travelled_ += body_speed * step;
+  planes_travelled_ += plane_speed * step;
+  // The sum of largest speeds overestimates; measure before paying for a search.
+  ++steps_;
+  const bool review = choice_.due(steps_);
+  if (review || exhausted()) measure(particles, boundaries);
+  const bool search = exhausted();
+  if (!review && !search) return;
+  if (!choice_.fixed()) {
+    const SkinChoice::Experience list = experience(particles, boundaries, contacts);
+    const double skin = search ? choice_.after(list) : choice_.review(list);
+    if (!search && skin == skin_) return;
+    skin_ = skin;
+  }
+  rebuild(particles, boundaries, contacts, threads);
+}
+
+SkinChoice::Experience NeighbourList::experience(const Particles& particles, const Boundaries& boundaries,
+                                                 const Contacts& contacts) const {
+  const auto [listed, touching] = count_pairs(particles, contacts, boundaries.domain());
+  const double travelled = std::max(travelled_, planes_travelled_);
+  return {skin_, travelled, steps_, listed, touching, double(particles.size())};
+}
+
+void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    double square = 0;
+    for (int k = 0; k < p.dimension(); ++k) {
+      const double moved = p.position()[k][i] - searched_[i].position[k];
+      square += moved * moved;
+    }
+    largest = std::max(largest, square);
+  }
+  travelled_ = std::sqrt(largest);
+  planes_travelled_ = 0;
+  for (std::size_t w = 0; w < searched_planes_.size(); ++w) {
+    double moved = 0;
+    const scree_plane &now = boundaries.planes()[w], &then = searched_planes_[w];
+    for (int k = 0; k < p.dimension(); ++k) moved += (now.point[k] - then.point[k]) * then.normal[k];
+    planes_travelled_ = std::max(planes_travelled_, std::abs(moved));
+  }
+}
+
+void NeighbourList::note_bodies(Particles& p, const Domain& domain) {
+  searched_.resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (domain.any_periodic()) fold(p, i, domain);
+    searched_[i] = {{}, p.radius()[i]};
+    for (int k = 0; k < p.dimension(); ++k) searched_[i].position[k] = p.position()[k][i];
+  }
+}
+
+void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
+                            ThreadPool& threads) {
+  note_bodies(particles, boundaries.domain());
+  Contacts::Lookup lookup = lookup_;
+  lookup.body_material = particles.material.data();
+  lookup.plane_material = boundaries.plane_materials().data();
+  const int dimension = particles.dimension();
+  contacts.rebuild(search_.find(searched_, dimension, boundaries.domain(), skin_, threads),
+                   near_planes(searched_, boundaries.planes(), dimension, skin_), lookup);
+  searched_planes_ = boundaries.planes();
+  travelled_ = planes_travelled_ = 0;
+  steps_ = 0;
+  ++rebuilds_;
+}
+
+}  // namespace scree

@@ -1,0 +1,214 @@
+#include "search/neighbours.hpp"
+
+#include "plugins/instruction_levels.hpp"
+#include "search/cell_level.hpp"
+#include "search/counting_sort.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree {
+
+namespace {
+
+constexpr std::size_t most_levels = 16;
+
+// Level 0 holds the largest bodies; each further level half the size.
+std::size_t level_of(double radius, double largest) {
+  if (2 * radius > largest) return 0;
+  return std::min(std::size_t(std::ilogb(largest / radius)), most_levels - 1);
+}
+
+void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
+  for (int k = 0; k < dimension; ++k)
+    if (domain.periodic[k] && domain.length(k) < 2 * reach)
+      throw Error(fmt::format(
+          "the periodic length {:g} m along {} is under twice the reach of the largest pair, {:g} m; "
+          "give a length of at least {:g} m or a smaller skin",
+          domain.length(k), "xyz"[k], reach, 2 * reach * (1 + 1e-5)));
+}
+
+struct Extent {
+  Vec3 lower, upper;   // of centres (m)
+  double largest = 0;  // radius (m)
+
+  explicit Extent(std::span<const Sphere> bodies) : lower(bodies[0].position), upper(lower) {
+    for (const Sphere& body : bodies) {
+      for (int k = 0; k < 3; ++k) {
+        lower[k] = std::min(lower[k], body.position[k]);
+        upper[k] = std::max(upper[k], body.position[k]);
+      }
+      largest = std::max(largest, body.radius);
+    }
+  }
+};
+
+// Sorts pairs of one a by b: usually a handful, which insertion is quickest with.
+void sort_run(NeighbourPair* begin, NeighbourPair* end) {
+  const auto before = [](const NeighbourPair& p, const NeighbourPair& q) { return p.b < q.b; };
+  if (end - begin > 16) return std::sort(begin, end, before);
+  for (NeighbourPair* next = begin + 1; next < end; ++next)
+    for (NeighbourPair* p = next; p > begin && before(*p, *(p - 1)); --p) std::swap(*p, *(p - 1));
+}
+
+// Appends what is near one body after the other among others, filed one after the other. Without branches on
+// how many there are in a cell or on what is near, which nobody can foretell: what may be wanted is written,
+// and the next over it if it is not.
+class Appender {
+ public:
+  Appender(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
+      : pairs_(pairs), folding_(folding), skin_(skin) {
+    pairs_.clear();
+  }
+
+  // Takes the others [begin, end) for candidates.
+  void consider(std::size_t begin, std::size_t end) {
+    typedef std::uint32_t Run __attribute__((vector_size(32)));  // what three cells hold, or more
+    constexpr std::size_t usual = sizeof(Run) / sizeof(std::uint32_t);
+    const std::size_t length = end > begin ? end - begin : 0;
+    if (candidates_.size() < count_ + length + usual) candidates_.resize(2 * (count_ + length + usual));
+    Run run = std::uint32_t(begin) + Run{0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::size_t done = 0;;) {
+      std::memcpy(candidates_.data() + count_ + done, &run, sizeof(run));
+      if ((done += usual) >= length) break;
+      run += std::uint32_t(usual);
+    }
+    count_ += length;
+  }
+  // Makes pairs of the candidates that are near.
+  template <bool across>
+  void append(const CellLevel::Filed& body, const CellLevel::Filed* others) {
+    const double reach_of_body = body.radius + skin_;
+    std::uint32_t* near = candidates_.data();
+    for (std::size_t k = 0; k < count_; ++k) {
+      const std::uint32_t candidate = candidates_[k];
+      const CellLevel::Filed& other = others[candidate];
+      const Vec3 d = body.position - other.position;
+      const double square = across ? folding_.square_distance(d) : Folding::square(d);
+      const double reach = reach_of_body + other.radius;
+      *near = candidate;
+      near += square < reach * reach ? 1 : 0;
+    }
+    for (const std::uint32_t* k = candidates_.data(); k != near; ++k) {
+      const CellLevel::Filed& other = others[*k];
+      Vec3 d = body.position - other.position;
+      const int code = across ? folding_.fold(d) : Domain::no_shift;
+      const bool first = body.body < other.body;
+      pairs_.push_back({first ? body.body : other.body, first ? other.body : body.body,
+                        std::uint8_t(first ? code : 2 * Domain::no_shift - code)});
+    }
+    count_ = 0;
+  }
+
+ private:
+  std::vector<NeighbourPair>& pairs_;
+  std::vector<std::uint32_t> candidates_;
+  std::size_t count_ = 0;
+  Folding folding_;
+  double skin_;
+};
+
+}  // namespace
+
+struct NeighbourSearch::Hierarchy {
+  std::array<std::vector<std::uint32_t>, most_levels> members;
+  std::array<CellLevel, most_levels> levels;
+
+  // Pairs of the bodies filed as [begin, end) of a level with all of coarser levels, and with those that are
+  // filed behind them in their own.
+  void find(std::size_t level, std::size_t begin, std::size_t end, Appender& pairs) const;
+};
+
+[[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
+                                                                         std::size_t end,
+                                                                         Appender& pairs) const {
+  for (std::size_t place = begin; place < end; ++place) {
+    const CellLevel::Filed& body = levels[level].filed()[place];
+    for (std::size_t l = 0; l <= level; ++l) {
+      if (members[l].empty()) continue;
+      const std::size_t behind = l == level ? place + 1 : 0;
+      const CellLevel::Surroundings around = levels[l].around(body.position);
+      levels[l].each_run(around, [&](std::size_t first, std::size_t last) {
+        pairs.consider(std::max(first, behind), last);
+      });
+      const CellLevel::Filed* others = levels[l].filed().data();
+      around.across ? pairs.append<true>(body, others) : pairs.append<false>(body, others);
+    }
+  }
+}
+
+NeighbourSearch::NeighbourSearch() : hierarchy_(std::make_unique<Hierarchy>()) {}
+NeighbourSearch::~NeighbourSearch() = default;
+
+void NeighbourSearch::file_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
+                                  double skin) {
+  const Extent extent(bodies);
+  const double largest = extent.largest;
+  check_periodic_lengths(domain, dimension, 2 * largest + skin);
+  Vec3 lower = extent.lower, upper = extent.upper;
+  double farthest = 0;
+  for (int k = 0; k < dimension; ++k) {
+    farthest = std::max({farthest, std::abs(lower[k]), std::abs(upper[k])});
+    if (domain.periodic[k]) lower[k] = domain.lower[k], upper[k] = domain.upper[k];
+  }
+  // Coordinates far out are rounded, and so are the numbers of their cells.
+  const double round_off = 8 * std::numeric_limits<double>::epsilon() * farthest;
+  for (auto& members : hierarchy_->members) members.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    hierarchy_->members[level_of(bodies[i].radius, largest)].push_back(std::uint32_t(i));
+  for (std::size_t l = 0; l < most_levels; ++l)
+    if (const auto& members = hierarchy_->members[l]; !members.empty())
+      hierarchy_->levels[l].file(bodies, dimension, domain, lower, upper,
+                                 (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12) + round_off,
+                                 members);
+}
+
+// By a, then b: a counting sort by a, then each short run by b.
+void NeighbourSearch::sort_pairs(std::size_t bodies) {
+  std::size_t count = 0;
+  for (const auto& pairs : found_) count += pairs.size();
+  sorted_.resize(count);
+  counting_sort(
+      bodies, first_,
+      [&](const auto& visit) {
+        for (const auto& pairs : found_)
+          for (const NeighbourPair& p : pairs) visit(p);
+      },
+      [](const NeighbourPair& p) { return p.a; },
+      [&](const NeighbourPair& p, std::size_t place) { sorted_[place] = p; });
+  for (std::size_t i = 0; i < bodies; ++i)
+    sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
+}
+
+const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> bodies, int dimension,
+                                                        const Domain& domain, double skin,
+                                                        ThreadPool& threads) {
+  constexpr std::size_t share = 2048;
+  sorted_.clear();
+  if (bodies.size() < 2) return sorted_;
+  file_bodies(bodies, dimension, domain, skin);
+  struct Share {
+    std::size_t level, begin, end;
+  };
+  std::vector<Share> shares;
+  for (std::size_t l = 0; l < most_levels; ++l)
+    for (std::size_t begin = 0, end = hierarchy_->members[l].size(); begin < end; begin += share)
+      shares.push_back({l, begin, std::min(begin + share, end)});
+  found_.resize(shares.size());
+  threads.each(shares.size(), [&](std::size_t k, unsigned) {
+    const Share& s = shares[k];
+    Appender pairs(found_[k], Folding(domain), skin);
+    hierarchy_->find(s.level, s.begin, s.end, pairs);
+  });
+  sort_pairs(bodies.size());
+  return sorted_;
+}
+
+}  // namespace scree

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "bodies/folding.hpp"
+#include "threads/thread_pool.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace scree {
+
+// What a search knows of a body; in 2D z is 0.
+struct Sphere {
+  Vec3 position;  // (m)
+  double radius;  // (m)
+};
+
+// Two bodies whose surfaces are nearer than the skin; a < b.
+struct NeighbourPair {
+  std::uint32_t a, b;
+  std::uint8_t image;  // Folding::fold of a − b
+  friend bool operator==(const NeighbourPair&, const NeighbourPair&) = default;
+};
+
+// Finds neighbours. Cells of a hierarchy of sizes: a body is filed by its own size and looks only at its own
+// and coarser levels, so that size ratios of 1:100 cost no more than 1:2. Keeps its memory for the next
+// search.
+class NeighbourSearch {
+ public:
+  NeighbourSearch();
+  ~NeighbourSearch();
+
+  // All pairs with |x_a − x_b| < R_a + R_b + skin, sorted by a, then b. Positions must lie in the domain.
+  // Throws Error if a periodic length is under twice the largest reach, where images would be ambiguous.
+  const std::vector<NeighbourPair>& find(std::span<const Sphere> bodies, int dimension, const Domain& domain,
+                                         double skin, ThreadPool& threads);
+
+ private:
+  struct Hierarchy;
+  void file_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin);
+  void sort_pairs(std::size_t bodies);
+
+  std::unique_ptr<Hierarchy> hierarchy_;
+  std::vector<std::vector<NeighbourPair>> found_;  // by shares of the bodies
+  std::vector<std::uint32_t> first_;               // pair of each a
+  std::vector<NeighbourPair> sorted_;
+};
+
+}  // namespace scree

@@ -1,0 +1,115 @@
+#include "step/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/step_guard.hpp>
+
+namespace scree {
+
+namespace {
+
+std::string where(const Simulation& s) { return fmt::format("at t = {:g} s (step {})", s.time(), s.steps()); }
+
+[[noreturn]] void stop(const std::string& line) { throw Error(line, ExitStatus::blow_up); }
+
+void report_not_a_number(const Simulation& s, const Body& body) {
+  if (std::isfinite(norm(body.position)) && std::isfinite(norm(body.velocity)) &&
+      std::isfinite(norm(body.spin)))
+    return;
+  stop(fmt::format(
+      "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
+      "look for overlapping bodies at the start{}",
+      body.id, where(s), s.step_length(),
+      s.scene().precision == Precision::mixed ? ", or compute in precision = \"double\"" : ""));
+}
+
+void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
+  if (speed <= limit) return;
+  stop(
+      fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
+                  "(now {:g} s), or raise limits.speed if this speed is meant",
+                  id, speed, where(s), limit, s.step_length()));
+}
+
+void report_overlap(const Simulation& s) {
+  const ContactList list = s.contact_list();
+  const Particles& p = s.particles();
+  std::size_t worst = 0;
+  double worst_ratio = 0;
+  for (std::size_t c = 0; c < list.size(); ++c) {
+    double radius = p.radius()[list.a[c]];
+    if (list.b[c] < p.size()) radius = std::min(radius, p.radius()[list.b[c]]);
+    if (list.overlap[c] / radius > worst_ratio) worst_ratio = list.overlap[c] / radius, worst = c;
+  }
+  if (!(worst_ratio > s.scene().limits.overlap_ratio)) return;
+  const std::uint32_t b = list.b[worst];
+  const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
+                                         : fmt::format("wall {}", s.plane_names()[b - p.size()]);
+  const bool unstable = s.step_length() > shortest_limit(s).longest_step;
+  const char* cure = s.steps() > 0 && unstable ? "use a shorter time.step (it is longer than what is stable)"
+                     : s.steps() > 0           ? "use a stiffer contact, a lower load or a shorter time.step"
+                     : worst_ratio >= 2 && b < p.size() ? "their centres coincide: move them apart"
+                                                        : "they start inside each other: move them apart";
+  stop(fmt::format(
+      "contact of particle {} with {}: overlap is {:.3g} of the smaller radius {}, above the limit of {:g}; "
+      "{}, or raise limits.overlap_ratio",
+      p.id[list.a[worst]], other, worst_ratio, where(s), s.scene().limits.overlap_ratio, cure));
+}
+
+}  // namespace
+
+const Scene& checked(const Scene& scene) {
+  if (!(scene.step > 0)) throw Error("the time step is not above 0; give time.step in s");
+  const std::size_t materials = scene.materials.size();
+  if (scene.law_of.size() != materials * materials)
+    throw Error(
+        fmt::format("{} materials need {} entries of law_of, not {}; give a law for each pair of materials",
+                    materials, materials * materials, scene.law_of.size()));
+  for (const std::uint32_t law : scene.law_of)
+    if (law >= scene.laws.size())
+      throw Error(fmt::format("law_of names law {} of {}; give the index of a law", law, scene.laws.size()));
+  for (const Body& b : scene.bodies) {
+    if (!std::isfinite(norm(b.position)) || !std::isfinite(norm(b.velocity)) || !std::isfinite(norm(b.spin)))
+      throw Error(
+          fmt::format("particle {}: position, velocity or spin is not a finite number; correct it", b.id));
+    if (!(b.radius > 0 && std::isfinite(b.radius) && b.mass > 0 && std::isfinite(b.mass)))
+      throw Error(fmt::format("particle {}: radius {:g} m or mass {:g} kg is not above 0; correct it", b.id,
+                              b.radius, b.mass));
+    if (b.material >= materials)
+      throw Error(fmt::format("particle {}: material {} of {}; give the index of a material", b.id,
+                              b.material, materials));
+  }
+  for (const Scene::Boundary& boundary : scene.boundaries)
+    if (boundary.material >= materials)
+      throw Error(fmt::format("boundary '{}': material {} of {}; give the index of a material", boundary.name,
+                              boundary.material, materials));
+  return scene;
+}
+
+void report_blow_up(const Simulation& s, double speed_limit) {
+  const Particles& p = s.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    report_not_a_number(s, p.body(i));
+    report_speed(s, p.id[i], norm(p.body(i).velocity), speed_limit);
+  }
+  for (std::size_t w = 0; w < s.planes().size(); ++w)
+    for (const double x : s.planes()[w].point)
+      if (!std::isfinite(x))
+        stop(fmt::format(
+            "wall {}: position is not a number {}; give it more mass or viscosity, or a shorter time.step",
+            s.plane_names()[w], where(s)));
+  report_overlap(s);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 on_the_way = {};
+    for (int k = 0; k < p.dimension(); ++k) on_the_way[k] = p.mid_velocity()[k][i];
+    report_speed(s, p.id[i], norm(on_the_way), speed_limit);
+  }
+  stop(fmt::format("the motion is no longer finite {}; use a shorter time.step (now {:g} s)", where(s),
+                   s.step_length()));
+}
+
+}  // namespace scree

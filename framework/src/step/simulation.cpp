@@ -1,0 +1,165 @@
+#include "step/health.hpp"
+#include "step/simulation_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/simulation.hpp>
+#include <scree/state_hash.hpp>
+#include <scree/step_guard.hpp>
+
+namespace scree {
+
+Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
+  SimulationParts& p = *parts_;
+  p.stepper.evaluate_forces_afresh(0);
+  p.boundaries.finish_step(0, 0);
+  p.audit.restate(p.contact_sums, p.body_sums);
+  const scree_energy now = energy();
+  p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());
+  check_health(p.stepper.starts_sound());
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::step() { check_health(parts_->stepper.step(Stepper::Next::observed)); }
+
+std::uint64_t Simulation::run(std::uint64_t steps, const std::function<bool()>& proceed) {
+  std::uint64_t taken = 0;
+  for (bool more = steps > 0; more;) {
+    more = ++taken < steps && proceed();
+    check_health(parts_->stepper.step(more ? Stepper::Next::follows : Stepper::Next::observed));
+  }
+  return taken;
+}
+
+void Simulation::check_health(bool sound) const {
+  if (!sound) report_blow_up(*this, parts_->speed_limit);
+}
+
+void Simulation::measure(Profile* profile) { parts_->profile = profile; }
+
+void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
+  parts_->stepper.catch_up();
+  for (Scene::Law& law : parts_->scene.laws)
+    if (law.name == name) {
+      law.parameters = parameters;
+      return;
+    }
+  throw Error(fmt::format("no contact law '{}'", name));
+}
+
+void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
+  parts_->stepper.catch_up();
+  parts_->boundaries.reconfigure(name, parameters, time());
+}
+
+void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters) {
+  parts_->stepper.catch_up();
+  parts_->body_forces.reconfigure(name, parameters);
+}
+
+void Simulation::apply_reconfiguration() {
+  SimulationParts& p = *parts_;
+  p.configure_laws();
+  for (PairGroup& group : p.contacts.groups())
+    group.history_width = p.laws[group.law].interface.history_width;
+  p.search_neighbours();
+  p.stepper.evaluate_forces_afresh(0);
+  p.audit.restate(p.contact_sums, p.body_sums);
+}
+
+int Simulation::dimension() const { return parts_->scene.dimension; }
+double Simulation::time() const { return parts_->stepper.time(); }
+double Simulation::step_length() const { return parts_->scene.step; }
+std::uint64_t Simulation::steps() const { return parts_->stepper.steps(); }
+const Scene& Simulation::scene() const { return parts_->scene; }
+const Particles& Simulation::particles() const { return parts_->particles; }
+const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
+const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
+const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }
+const std::vector<std::string>& Simulation::plane_names() const { return parts_->boundaries.plane_names(); }
+const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
+const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
+const Contacts& Simulation::contacts() const { return parts_->contacts; }
+
+ContactList Simulation::contact_list() const {
+  const SimulationParts& p = *parts_;
+  return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain());
+}
+
+scree_energy Simulation::energy() const {
+  const Particles& p = parts_->particles;
+  // At the moment for which the stored energies are known.
+  const bool at_end = parts_->stepper.forces_at() == Stepper::ForcesAt::end_of_step;
+  const auto velocity = at_end ? p.velocity() : p.mid_velocity();
+  const auto spin = at_end ? p.spin() : p.mid_spin();
+  double translation = 0, rotation = 0;
+  for (int k = 0; k < dimension(); ++k)
+    for (std::size_t i = 0; i < p.size(); ++i) translation += p.mass[i] * velocity[k][i] * velocity[k][i];
+  for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
+    for (std::size_t i = 0; i < p.size(); ++i) rotation += p.inertia[i] * spin[k][i] * spin[k][i];
+  return parts_->audit.balance(0.5 * translation, 0.5 * rotation, parts_->boundaries.energy());
+}
+
+double Simulation::energy_residual() const {
+  if (!parts_->scene.audit) return 0;
+  const scree_energy e = energy();
+  const double turnover = parts_->audit.turnover(e);
+  return turnover > 0 ? std::abs(e.residual) / turnover : 0;
+}
+
+double Simulation::energy_created() const {
+  const scree_energy e = energy();
+  const double turnover = parts_->audit.turnover(e);
+  return turnover > 0 ? e.created / turnover : 0;
+}
+
+double Simulation::momentum_residual() const { return parts_->momentum_audit.residual(); }
+double Simulation::max_overlap_ratio() const { return parts_->contact_sums.max_overlap_ratio; }
+std::uint64_t Simulation::rebuilds() const { return parts_->neighbours.rebuilds(); }
+double Simulation::skin() const { return parts_->neighbours.skin(); }
+double Simulation::first_skin() const { return parts_->neighbours.first_skin(); }
+
+double Simulation::min_steps_per_contact() const {
+  const Scene& scene = parts_->scene;
+  const double met = 2 * std::max(0.0, parts_->stepper.max_speed() - norm(drift_velocity(scene)));
+  return shortest_contact_time(scene, std::max(expected_speed(scene), met)) / scene.step;
+}
+
+std::uint64_t Simulation::state_hash() const {
+  StateHash hash;
+  hash.add(steps());
+  const Particles& p = parts_->particles;
+  for (const auto& vectors : {p.position(), p.velocity(), p.spin()})
+    for (int k = 0; k < 3; ++k)
+      for (const double component : vectors[k]) hash.add(component);
+  const Contacts& contacts = parts_->contacts;
+  for (const PairGroup& group : contacts.groups())
+    for (std::size_t q = group.begin; q < group.end; ++q)
+      for (std::uint32_t k = 0; k < group.history_width; ++k)
+        if (const double value = group.history_of(q, k); value != 0) {
+          hash.add((std::uint64_t(contacts.a[q]) << 32) | contacts.b[q]);
+          hash.add(std::uint64_t(k));
+          hash.add(value);
+        }
+  parts_->boundaries.add_to_hash(hash);
+  return hash.value();
+}
+
+Footprint Simulation::footprint() const {
+  const Particles& p = parts_->particles;
+  std::uint32_t width = 0;
+  for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
+  const std::size_t history_bytes = PairColumns(parts_->scene.precision).bytes_per_number();
+  const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
+  return {.degrees_of_freedom = p.size() * (std::size_t(dimension()) + spins),
+          .bytes_per_body = p.bytes_per_body(),
+          .bytes_per_pair = parts_->forces.bytes_per_pair() + width * history_bytes,
+          .history_width = width};
+}
+
+}  // namespace scree

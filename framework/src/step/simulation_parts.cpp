@@ -1,0 +1,123 @@
+#include "step/simulation_parts.hpp"
+
+#include "step/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/step_guard.hpp>
+
+namespace scree {
+
+namespace {
+
+bool needs_spin(const Scene& scene) {
+  const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                    [](const Body& b) { return !(b.spin == Vec3{}); });
+  const bool turning = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
+    return turns_bodies(law.parameters, scene.dimension);
+  });
+  return scene.spin || spinning || turning;
+}
+
+double mean_radius(const Scene& scene) {
+  double sum = 0;
+  for (const Body& body : scene.bodies) sum += body.radius;
+  return sum / std::max(1.0, double(scene.bodies.size()));
+}
+
+double skin_of(const Scene& scene) { return scene.skin > 0 ? scene.skin : 0.1 * mean_radius(scene); }
+
+// 0 for a skin that the scene states. A periodic length must hold two of the largest reach.
+double thickest_skin_of(const Scene& scene, const Domain& domain) {
+  if (scene.skin > 0) return 0;
+  double thickest = 0.5 * mean_radius(scene), largest = 0;
+  for (const Body& body : scene.bodies) largest = std::max(largest, body.radius);
+  for (int k = 0; k < 3; ++k)
+    if (domain.periodic[k]) thickest = std::min(thickest, 0.5 * domain.length(k) - 2 * largest);
+  return std::max(thickest, skin_of(scene));
+}
+
+double smallest_radius_of(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) smallest = std::min(smallest, body.radius);
+  return smallest;
+}
+
+double speed_limit_of(const Scene& scene) {
+  if (scene.limits.speed > 0) return scene.limits.speed;
+  return smallest_radius_of(scene) / scene.step + norm(drift_velocity(scene));
+}
+
+unsigned threads_of(const Scene& scene) {
+  const std::size_t useful = scene.bodies.size() / std::max<std::size_t>(1, scene.least_bodies_per_thread);
+  return unsigned(std::clamp<std::size_t>(useful, 1, std::max(1u, scene.threads)));
+}
+
+// Pairs of each law with bodies and, in a scene with walls, with planes.
+Contacts make_contacts(const SimulationParts& parts) {
+  std::vector<Contacts::Kind> kinds;
+  for (std::uint32_t k = 0; k < parts.laws.size(); ++k)
+    for (const bool planes : {false, true})
+      if (!planes || !parts.boundaries.planes().empty())
+        kinds.push_back({k, planes, parts.laws[k].interface.history_width});
+  return Contacts(kinds, parts.scene.precision);
+}
+
+Contacts::Lookup lookup_of(const Scene& scene) {
+  return {.law_of = scene.law_of.data(), .materials = std::uint32_t(scene.materials.size())};
+}
+
+}  // namespace
+
+bool turns_bodies(const Parameters& law, int dimension) {
+  return ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance().tangential != 0;
+}
+
+SimulationParts::SimulationParts(const Scene& given)
+    : scene(checked(given)),
+      boundaries(boundaries_of(scene)),
+      body_forces(scene.body_forces, scene.dimension, scene.audit),
+      particles(scene.dimension, needs_spin(scene), boundaries.domain().any_periodic(), scene.bodies),
+      neighbours(skin_of(scene), thickest_skin_of(scene, boundaries.domain()), lookup_of(scene)),
+      forces({.dimension = scene.dimension,
+              .spin = particles.has_spin(),
+              .periodic = boundaries.domain().any_periodic(),
+              .audit = scene.audit,
+              .pair_forces = scene.pair_forces,
+              .precision = scene.precision}),
+      integrator(make_integrator(scene.integration)),
+      threads(std::make_unique<ThreadPool>(threads_of(scene))),
+      smallest_radius(smallest_radius_of(scene)),
+      speed_limit(speed_limit_of(scene)),
+      stepper(*this) {
+  configure_laws();
+  contacts = make_contacts(*this);
+  search_neighbours();
+}
+
+void SimulationParts::configure_laws() {
+  configured_laws.clear();
+  laws.clear();
+  for (const Scene::Law& law : scene.laws) {
+    configured_laws.emplace_back(law.parameters, scene.dimension, no_bounds, no_bounds);
+    const scree_contact_instance& instance = configured_laws.back().instance();
+    if (instance.tangential && !particles.has_spin())
+      throw Error(
+          fmt::format("contact law '{}' turns bodies now, but the scene carries no spins; set its spin "
+                      "from the start",
+                      law.name));
+    if (scene.precision == Precision::mixed && !instance.evaluate_single)
+      throw Error(fmt::format("contact law '{}' cannot compute in mixed precision; use double", law.name));
+    laws.push_back({.interface = instance,
+                    .storage = configured_laws.back().storage(),
+                    .touching = OnsetWeights::of_power(instance.onset_power),
+                    .parting = OnsetWeights::of_power(instance.parting_power)});
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "audit/energy_audit.hpp"
+#include "audit/momentum_audit.hpp"
+#include "contacts/contacts.hpp"
+#include "contacts/forces.hpp"
+#include "contacts/touching_contacts.hpp"
+#include "motion/integrator.hpp"
+#include "plugins/body_forces.hpp"
+#include "plugins/boundaries.hpp"
+#include "search/neighbour_list.hpp"
+#include "step/stepper.hpp"
+#include "threads/thread_pool.hpp"
+
+#include <memory>
+#include <vector>
+
+#include <scree/particles.hpp>
+#include <scree/plugin_host.hpp>
+#include <scree/scene.hpp>
+
+namespace scree {
+
+// Everything that a simulation consists of.
+struct SimulationParts {
+  // Throws Error for a scene that cannot be set up. Evaluates no forces.
+  explicit SimulationParts(const Scene& scene);
+
+  // Configures the laws of the scene anew. Throws Error where a law needs what the scene does not carry.
+  void configure_laws();
+  void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
+
+  Scene scene;
+  std::vector<ConfiguredLaw> configured_laws;
+  std::vector<LawInstance> laws;
+  Boundaries boundaries;
+  BodyForces body_forces;
+  Particles particles;
+  Contacts contacts;
+  NeighbourList neighbours;
+  Forces forces;
+  std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<ThreadPool> threads;
+  Profile* profile = nullptr;
+
+  ContactSums contact_sums;  // of the last evaluation
+  BodySums body_sums;
+  EnergyAudit audit;
+  MomentumAudit momentum_audit;
+
+  double smallest_radius;  // (m)
+  double speed_limit;      // (m/s) above which a run has blown up
+
+  Stepper stepper;
+};
+
+}  // namespace scree

@@ -1,0 +1,205 @@
+#include "contacts/contacts.hpp"
+#include "plugins/body_forces.hpp"
+#include "plugins/boundaries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <scree/plugin/stability.hpp>
+#include <scree/plugin_host.hpp>
+#include <scree/step_guard.hpp>
+
+namespace scree {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double least_speed = 1;  // (m/s)
+
+// How many times stiffer than a pair the stiffest packing of equal spheres is: 12 contacts hold a body of the
+// face-centred cubic lattice, and a wave in which its layers swing against each other feels 8 k/m, a pair 2
+// k/m.
+constexpr double dense_network = 4;
+
+// The lightest and the smallest body of a material; infinite where it has none.
+struct Smallest {
+  double mass = infinite, radius = infinite;
+  std::size_t count = 0;
+};
+
+std::vector<Smallest> smallest_bodies(const Scene& scene) {
+  std::vector<Smallest> all(scene.materials.size());
+  for (const Body& body : scene.bodies) {
+    Smallest& s = all[body.material];
+    s.mass = std::min(s.mass, body.mass);
+    s.radius = std::min(s.radius, body.radius);
+    ++s.count;
+  }
+  return all;
+}
+
+std::optional<double> closed_form(const ConfiguredLaw& law, const scree_encounter& encounter,
+                                  std::string_view name) {
+  scree_closed_form forms[32] = {};
+  const std::uint32_t count = law.interface().closed_forms(law.storage(), &encounter, forms, 32);
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (forms[k].name == name) return forms[k].value;
+  return std::nullopt;
+}
+
+scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed) {
+  return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed, 1};
+}
+
+// Which materials meet the bodies of material `a`, as the lightest partner of each: other bodies and walls.
+std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
+                                                       const std::vector<Smallest>& smallest, std::size_t a) {
+  std::vector<std::pair<std::size_t, Smallest>> all;
+  for (std::size_t b = 0; b < smallest.size(); ++b)
+    if (smallest[b].count > (a == b ? 1 : 0)) all.push_back({b, smallest[b]});
+  for (const Scene::Boundary& boundary : scene.boundaries) all.push_back({boundary.material, {}});
+  return all;
+}
+
+// Calls visit(law index, law, encounter) for the lightest pair of every two materials that may meet.
+template <class Visit>
+void each_encounter(const Scene& scene, double speed, const Visit& visit) {
+  const std::vector<Smallest> smallest = smallest_bodies(scene);
+  const std::size_t materials = smallest.size();
+  for (std::size_t k = 0; k < scene.laws.size(); ++k) {
+    const ConfiguredLaw law(scene.laws[k].parameters, scene.dimension, no_bounds, no_bounds);
+    for (std::size_t a = 0; a < materials; ++a)
+      for (const auto& [b, partner] : partners(scene, smallest, a))
+        if (smallest[a].count > 0 && scene.law_of[a * materials + b] == k)
+          visit(k, law, encounter_of(smallest[a], partner, speed));
+  }
+}
+
+// A law that does not tell its critical step is taken for a linear one, whose contact lasts π/ω.
+double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double network) {
+  encounter.network = network;
+  if (const auto critical = closed_form(law, encounter, "critical_step")) return *critical;
+  constexpr double pi = 3.14159265358979323846;
+  return 2 / pi / std::sqrt(network) * closed_form(law, encounter, "contact_time").value_or(infinite);
+}
+
+// How many bodies each plane is near to.
+std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
+  std::vector<std::size_t> near(s.planes().size(), 0);
+  for (const PairGroup& group : s.contacts().groups())
+    for (std::size_t p = group.begin; group.planes && p < group.end; ++p) ++near[s.contacts().b[p]];
+  return near;
+}
+
+// The mass of a wall is shared by the bodies near it, or by a face of the packing, which it may meet later.
+void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double speed,
+              std::vector<StepLimit>& limits) {
+  const Scene& scene = s.scene();
+  const double mass = s.boundaries().plane_masses()[wall];
+  const double face = std::pow(double(s.particles().size()), 1 - 1.0 / s.dimension());
+  const double count = std::max(double(near), std::floor(face));
+  const std::vector<Smallest> smallest = smallest_bodies(scene);
+  for (std::size_t a = 0; a < smallest.size(); ++a) {
+    if (smallest[a].count == 0) continue;
+    const std::size_t k = scene.law_of[a * smallest.size() + s.boundaries().plane_materials()[wall]];
+    const ConfiguredLaw law(scene.laws[k].parameters, s.dimension(), no_bounds, no_bounds);
+    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {:g} bodies near it",
+                                  s.plane_names()[wall], mass, count),
+                      stable_step(law, encounter_of(smallest[a], {mass / count, infinite}, speed), 1)});
+  }
+}
+
+void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits) {
+  const std::vector<std::size_t> near = bodies_near_planes(s);
+  for (std::size_t w = 0; w < near.size(); ++w)
+    if (s.boundaries().plane_masses()[w] > 0) add_wall(s, w, near[w], speed, limits);
+}
+
+void add_viscosity(const Simulation& s, std::vector<StepLimit>& limits) {
+  if (const double rate = s.boundaries().largest_damping_rate(); rate > 0)
+    limits.push_back(
+        {fmt::format("the viscosity of a wall, which slows it at {:.3g}/s,", rate), critical_step(0, rate)});
+}
+
+void add_body_forces(const Simulation& s, std::vector<StepLimit>& limits) {
+  const double rate = s.body_forces().largest_damping_rate(s.scene().bodies);
+  if (rate > 0)
+    limits.push_back({fmt::format("the drag of a body force, which slows a body at {:.3g}/s,", rate),
+                      critical_step(0, rate)});
+}
+
+void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
+  double fastest = 0;
+  const Vec3 drift = drift_velocity(s.scene());
+  for (std::size_t i = 0; i < s.particles().size(); ++i)
+    fastest = std::max(fastest, norm(s.particles().body(i).velocity - drift));
+  for (const scree_plane& plane : s.planes())
+    fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
+  if (fastest > 0 && s.particles().size() > 0)
+    limits.push_back(
+        {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,",
+                     s.first_skin(), fastest),
+         s.first_skin() / fastest});
+}
+
+}  // namespace
+
+Vec3 drift_velocity(const Scene& scene) {
+  if (!boundaries_of(scene).planes().empty()) return {};
+  double mass = 0;
+  Vec3 momentum = {};
+  for (const Body& body : scene.bodies) mass += body.mass, momentum += body.mass * body.velocity;
+  return mass > 0 ? (1 / mass) * momentum : Vec3{};
+}
+
+double expected_speed(const Scene& scene) {
+  if (scene.expected_speed > 0) return scene.expected_speed;
+  double fastest = 0;
+  const Vec3 drift = drift_velocity(scene);
+  for (const Body& body : scene.bodies) fastest = std::max(fastest, norm(body.velocity - drift));
+  return std::max(least_speed, 2 * fastest);
+}
+
+double shortest_contact_time(const Scene& scene, double speed) {
+  double shortest = infinite;
+  each_encounter(scene, speed, [&](std::size_t, const ConfiguredLaw& law, const scree_encounter& encounter) {
+    shortest = std::min(shortest, closed_form(law, encounter, "contact_time").value_or(infinite));
+  });
+  return shortest;
+}
+
+std::vector<StepLimit> step_limits(const Simulation& s) {
+  const Scene& scene = s.scene();
+  const double speed = expected_speed(scene);
+  const double network = scene.bodies.size() + s.planes().size() > 2 ? dense_network : 1;
+  std::vector<StepLimit> limits;
+  each_encounter(
+      scene, speed, [&](std::size_t k, const ConfiguredLaw& law, const scree_encounter& encounter) {
+        limits.push_back({fmt::format("the contacts of law '{}'", scene.laws[k].name),
+                          stable_step(law, encounter, network)});
+        if (const auto wave = closed_form(law, encounter, "rayleigh_time"))
+          limits.push_back({fmt::format("the Rayleigh wave of {:.3g} s across the smallest body of law '{}'",
+                                        *wave, scene.laws[k].name),
+                            0.5 * *wave});
+      });
+  add_walls(s, speed, limits);
+  add_viscosity(s, limits);
+  add_body_forces(s, limits);
+  for (StepLimit& limit : limits) limit.longest_step *= traits_of(scene.integration).stable_step;
+  add_motion(s, limits);
+  return limits;
+}
+
+StepLimit shortest_limit(const Simulation& simulation) {
+  StepLimit shortest = {"", infinite};
+  for (const StepLimit& limit : step_limits(simulation))
+    if (limit.longest_step < shortest.longest_step) shortest = limit;
+  return shortest;
+}
+
+}  // namespace scree

@@ -1,0 +1,192 @@
+#include "step/stepper.hpp"
+
+#include "motion/motion.hpp"
+#include "step/simulation_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+// A substep from t to t + h (one a step; five of `fourth_order`), in the order in which it happens:
+//
+//   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
+//   bodies begin      Integrator::begin_step       positions to t + h, velocities predicted there
+//   search            NeighbourList::update        only when the skin may be used up
+//   each tile         kernel::evaluate_tile        gather, geometry, law, scatter, block by block
+//   each part         Forces::collect              loads that other tiles left for its bodies
+//                     MomentumAudit, BodyForces    gravity, drag, ...
+//                     Integrator::finish_step      velocities at t + h
+//                     Integrator::begin_step       of the next substep, unless the bodies are observed before
+//   walls finish      Boundaries::finish_step      velocities and energies, with the loads at t + h
+//   audit             EnergyAudit::add_step
+//   health            Stepper::step                finite, speed and overlap within their limits
+//
+// `position_verlet` evaluates at t + h/2: elapsed time, forces, loads and springs are then those of mid-step,
+// and walls are shown run ahead by h/2.
+
+namespace scree {
+
+Stepper::Stepper(SimulationParts& parts)
+    : parts_(parts), tiles_(parts.particles.size()), part_sums_(tiles_.parts()) {}
+
+bool Stepper::step(Next next) {
+  const double h = parts_.scene.step;
+  const std::span<const double> shares = parts_.integrator->substeps();
+  double square_speed = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    std::optional<double> following;
+    if (k + 1 < shares.size() || next == Next::follows) following = shares[(k + 1) % shares.size()] * h;
+    const std::optional<double> moved = substep(shares[k] * h, following);
+    if (!moved) return false;
+    square_speed = *moved;
+  }
+  ++steps_;
+  time_ = double(steps_) * h;
+  force_time_ = forces_at_ == ForcesAt::middle_of_step ? time_ - 0.5 * h : time_;
+  max_square_speed_ = std::max(max_square_speed_, square_speed);
+  return !too_fast(square_speed) && !too_deep();
+}
+
+std::optional<double> Stepper::substep(double step, std::optional<double> next) {
+  SimulationParts& p = parts_;
+  const bool mid_step = p.integrator->evaluates_at_mid_step();
+  const double elapsed = mid_step && forces_at_ == ForcesAt::end_of_step ? 0.5 * step : step;
+  if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.return_to_forces();
+  Laps laps(p.profile);
+  p.boundaries.begin_step(force_time_, elapsed);
+  const double plane_speed = p.boundaries.largest_speed();
+  laps.lap(Profile::boundaries);
+
+  if (!bodies_have_begun_) begin_bodies(step);
+  const double square_speed = largest_square_speed(), speed = std::sqrt(square_speed);
+  if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) return std::nullopt;
+
+  laps = Laps(p.profile);
+  p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);
+  laps.lap(Profile::neighbours);
+
+  // What goes wrong is reported where it happened.
+  if (too_fast(square_speed) || may_become_too_deep(std::max(speed, plane_speed) * step)) next.reset();
+  const bool finite = evaluate_forces(elapsed, {.finish = step, .begin = next});
+
+  laps = Laps(p.profile);
+  p.boundaries.finish_step(force_time_, elapsed);
+  laps.lap(Profile::boundaries);
+  if (p.scene.audit) p.audit.add_step(elapsed, p.contact_sums, p.body_sums);
+  force_time_ += elapsed;
+  time_ += step;
+  forces_at_ = mid_step ? ForcesAt::middle_of_step : ForcesAt::end_of_step;
+  if (mid_step) p.boundaries.run_ahead_of_forces(0.5 * step);
+  return finite ? square_speed : infinity;
+}
+
+void Stepper::begin_bodies(double step) {
+  SimulationParts& p = parts_;
+  Laps laps(p.profile);
+  p.integrator->prepare(p.particles, step);
+  p.threads->each(tiles_.parts(), [&](std::size_t part, unsigned) {
+    const BodyRange bodies = tiles_.part(part);
+    (part_sums_[part] = {}).square_speed = p.integrator->begin_step(p.particles, step, bodies);
+    Forces::clear(p.particles, bodies);
+  });
+  laps.lap(Profile::integrate);
+}
+
+double Stepper::largest_square_speed() const {
+  double largest = 0;
+  for (const PartSums& sums : part_sums_) largest = std::max(largest, sums.square_speed);
+  return largest;
+}
+
+bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
+  SimulationParts& p = parts_;
+  bodies_have_begun_ = moves.begin.has_value();
+  p.contact_sums = p.forces.evaluate(
+      {.particles = p.particles,
+       .contacts = p.contacts,
+       .laws = p.laws,
+       .planes = p.boundaries.planes(),
+       .loads = p.boundaries.loads(),
+       .domain = p.boundaries.domain(),
+       .elapsed = elapsed},
+      *p.threads,
+      [&](std::size_t part, unsigned worker) { finish_part(part, moves, worker == 0 ? p.profile : nullptr); },
+      p.profile);
+  p.body_sums = {};
+  MomentumAudit::Sums momentum;
+  bool finite = true;
+  for (const PartSums& sums : part_sums_) {
+    p.body_sums += sums.bodies;
+    momentum.add(sums.momentum);
+    finite &= sums.finite;
+  }
+  p.momentum_audit.add_step(elapsed, momentum, p.boundaries.loads());
+  return finite;
+}
+
+void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile) {
+  SimulationParts& p = parts_;
+  Laps laps(profile);
+  const BodyRange bodies = tiles_.part(part);
+  PartSums& sums = part_sums_[part] = {};
+  sums.momentum.add(p.particles, bodies);
+  laps.lap(Profile::audit);
+  p.body_forces.apply(p.particles, p.boundaries.domain(), bodies, sums.bodies);
+  laps.lap(Profile::body_forces);
+  if (moves.finish && moves.begin) {
+    const auto moved = p.integrator->finish_and_begin_step(p.particles, *moves.finish, *moves.begin, bodies);
+    sums.finite = moved.finite;
+    sums.square_speed = moved.square_speed;
+    Forces::clear(p.particles, bodies);
+  } else if (moves.finish) {
+    sums.finite = p.integrator->finish_step(p.particles, *moves.finish, bodies);
+  }
+  laps.lap(Profile::integrate);
+}
+
+void Stepper::evaluate_forces_afresh(double elapsed) {
+  Forces::clear(parts_.particles, {0, parts_.particles.size()});
+  evaluate_forces(elapsed, {});
+}
+
+void Stepper::catch_up() {
+  if (forces_at_ == ForcesAt::end_of_step) return;
+  SimulationParts& p = parts_;
+  for (std::size_t i = 0; i < p.particles.size(); ++i) {
+    for (int k = 0; k < p.scene.dimension; ++k)
+      p.particles.mid_velocity()[k][i] = p.particles.velocity()[k][i];
+    for (int k = p.particles.spin_axes().first; k < p.particles.spin_axes().last; ++k)
+      p.particles.mid_spin()[k][i] = p.particles.spin()[k][i];
+  }
+  const double behind = time_ - force_time_;
+  p.boundaries.return_to_forces();
+  p.boundaries.begin_step(force_time_, behind);
+  evaluate_forces_afresh(behind);
+  p.boundaries.finish_step(force_time_, behind);
+  if (p.scene.audit) p.audit.add_step(behind, p.contact_sums, p.body_sums);
+  force_time_ = time_;
+  forces_at_ = ForcesAt::end_of_step;
+}
+
+bool Stepper::starts_sound() const {
+  double largest = 0;
+  for (const Body& body : parts_.scene.bodies) largest = std::max(largest, dot(body.velocity, body.velocity));
+  return !too_fast(largest) && !too_deep();
+}
+
+double Stepper::max_speed() const { return std::sqrt(max_square_speed_); }
+
+bool Stepper::too_fast(double square_speed) const {
+  return !(square_speed <= parts_.speed_limit * parts_.speed_limit);
+}
+
+bool Stepper::too_deep() const {
+  return parts_.contact_sums.max_overlap_ratio > parts_.scene.limits.overlap_ratio;
+}
+
+bool Stepper::may_become_too_deep(double distance) const {
+  return parts_.contact_sums.max_overlap_ratio + 2 * std::abs(distance) / parts_.smallest_radius >
+         parts_.scene.limits.overlap_ratio;
+}
+
+}  // namespace scree

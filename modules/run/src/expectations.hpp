@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <scree/run/run.hpp>
+
+namespace scree::run {
+
+using SeriesColumn = std::function<std::vector<double>(const std::string& probe, const std::string& column)>;
+
+// Compares what an expectation asks for with what a run came to. An empty series does not meet anything.
+Verdict judge_expectation(const scenario::Expectation& expectation,
+                          const std::vector<std::pair<std::string, double>>& quantities,
+                          const SeriesColumn& column);
+
+}  // namespace scree::run

@@ -1,0 +1,43 @@
+#include "final_packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <scree/packing/csv.hpp>
+
+namespace scree::run {
+
+namespace {
+
+packing::Packing packing_of(const Simulation& s) {
+  packing::Packing all;
+  all.dimension = s.dimension();
+  all.time = s.time();
+  for (std::size_t i = 0; i < s.particles().size(); ++i) {
+    const Body b = s.particles().body(i);
+    all.bodies.push_back({.id = b.id,
+                          .material = s.scene().materials[b.material],
+                          .radius = b.radius,
+                          .mass = b.mass,
+                          .position = b.position,
+                          .velocity = b.velocity,
+                          .spin = b.spin});
+  }
+  // As the ids go, whatever the order in memory.
+  std::stable_sort(all.bodies.begin(), all.bodies.end(),
+                   [](const packing::Body& a, const packing::Body& b) { return a.id < b.id; });
+  return all;
+}
+
+bool is_finite(const packing::Body& b) {
+  return std::isfinite(norm(b.position)) && std::isfinite(norm(b.velocity)) && std::isfinite(norm(b.spin));
+}
+
+}  // namespace
+
+void write_final_packing(const Simulation& simulation, const std::filesystem::path& path) {
+  const packing::Packing last = packing_of(simulation);
+  if (std::all_of(last.bodies.begin(), last.bodies.end(), is_finite)) packing::write_csv(last, path);
+}
+
+}  // namespace scree::run

@@ -1,0 +1,84 @@
+#include "pictures.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/snapshot/load_backend.hpp>
+
+namespace scree::run {
+
+Pictures::Pictures(const scenario::Plan& plan, const Simulation& start, const RunDirectory& directory)
+    : plan_(plan), directory_(directory), box_(scene_box(start)) {
+  if (plan.snapshot.any()) backend();
+}
+
+snapshot::SnapshotBackend& Pictures::backend() {
+  if (!backend_) backend_ = snapshot::load_backend();
+  return *backend_;
+}
+
+std::uint64_t Pictures::take(const Simulation& s, std::uint64_t steps) {
+  const auto due = [&](const std::optional<double>& every) {
+    return every && is_due(steps, *every, s.step_length());
+  };
+  if (due(plan_.snapshot.every)) write_snapshot(s);
+  if (due(plan_.snapshot.image_every)) write_image(s);
+  const auto next = [&](const std::optional<double>& every) {
+    return every ? next_due(steps, *every, s.step_length()) : never;
+  };
+  return std::min(next(plan_.snapshot.every), next(plan_.snapshot.image_every));
+}
+
+void Pictures::take_last(const Simulation& s) {
+  if (plan_.snapshot.every) write_snapshot(s);
+  if (plan_.snapshot.image_every) write_image(s);
+}
+
+void Pictures::write_snapshot(const Simulation& s) {
+  if (s.steps() == last_snapshot_) return;
+  last_snapshot_ = s.steps();
+  backend().write_frame(frame_of(s, plan_.title, box_), directory_.snapshots());
+}
+
+void Pictures::write_image(const Simulation& s) {
+  if (s.steps() == last_image_) return;
+  last_image_ = s.steps();
+  snapshot::RenderOptions options;
+  options.width = plan_.snapshot.width;
+  options.height = plan_.snapshot.height;
+  options.color_by = plan_.snapshot.color_by;
+  options.view = plan_.snapshot.view;
+  options.show_contacts = plan_.snapshot.show_contacts;
+  backend().render(frame_of(s, plan_.title, box_), options,
+                   directory_.images() / fmt::format("frame_{:010}.png", s.steps()));
+}
+
+void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
+  snapshot::ChartSpec chart;
+  chart.title = plan.title;
+  chart.x_label = plan.x_label;
+  chart.y_label = plan.y_label;
+  chart.log_x = plan.log_x;
+  chart.log_y = plan.log_y;
+  for (const scenario::CurvePlan& curve : plan.curves) {
+    const Series& series = sampler.series(curve.probe);
+    if (series.rows() > 0)
+      chart.series.push_back({curve.name, series.column(curve.x), series.column(curve.y)});
+  }
+  if (chart.series.empty()) throw Error("its probe took no sample; give it a stage that it can sample in");
+  backend().chart(chart, directory_.charts() / (plan.name + ".png"));
+}
+
+void Pictures::draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& tell) {
+  for (const scenario::ChartPlan& chart : plan_.charts) {
+    try {
+      draw(chart, sampler);
+    } catch (const std::exception& error) {
+      if (tell) tell(fmt::format("chart '{}' was not drawn: {}", chart.name, error.what()));
+    }
+  }
+}
+
+}  // namespace scree::run

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <fstream>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/run/run_directory.hpp>
+
+namespace scree::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* half_written = ".part";
+
+// Everything that is written into a directory of each kind; the last part tells the kind.
+struct Layout {
+  const char* name;
+  std::vector<const char*> parts;
+};
+const Layout& layout_of(RunDirectory::Kind kind) {
+  static const Layout run = {
+      "run", {"series", "snapshots", "images", "charts", "scenario.toml", "final_packing.csv", "run.json"}};
+  static const Layout study = {"accuracy study", {"charts", "accuracy.csv", "accuracy.json"}};
+  static const Layout campaign = {"campaign", {"table.csv", "means.csv", "campaign.json"}};
+  return kind == RunDirectory::Kind::run ? run : kind == RunDirectory::Kind::study ? study : campaign;
+}
+
+// The path itself if it exists, else the nearest directory above that does.
+fs::path existing_part(const fs::path& path) {
+  std::error_code failed;
+  fs::path p = fs::absolute(path, failed).lexically_normal();
+  while (!p.empty() && !fs::exists(p, failed) && p != p.parent_path()) p = p.parent_path();
+  return p;
+}
+
+// Nothing but the log, and what write_file had not finished when it was killed.
+bool holds_nothing(const fs::path& path, const Layout& layout) {
+  std::error_code failed;
+  const auto is_half_written = [&](const std::string& name) {
+    return std::any_of(layout.parts.begin(), layout.parts.end(),
+                       [&](const char* part) { return name == std::string(part) + half_written; });
+  };
+  for (const auto& entry : fs::directory_iterator(path, failed))
+    if (entry.path().filename() != RunDirectory::log_name &&
+        !is_half_written(entry.path().filename().string()))
+      return false;
+  return !failed;
+}
+
+void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
+  std::error_code failed;
+  const auto refuse = [&](const std::string& problem, const char* cure) {
+    return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
+  };
+  if (!fs::is_directory(path, failed)) throw refuse("exists and is no directory", "give another --out");
+  if (holds_nothing(path, layout)) return;
+  if (!fs::exists(path / layout.parts.back(), failed))
+    throw refuse(fmt::format("holds files that are no {} of scree", layout.name), "give another --out");
+  const char* article = layout.name[0] == 'a' ? "an" : "a";
+  if (!overwrite)
+    throw refuse(fmt::format("holds {} {} already", article, layout.name),
+                 "give another --out, or --overwrite to replace it");
+}
+
+}  // namespace
+
+RunDirectory::RunDirectory(fs::path path, bool overwrite, Kind kind)
+    : path_(std::move(path)), existing_(existing_part(path_)), kind_(kind) {
+  std::error_code failed;
+  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, layout_of(kind_), overwrite);
+  if (!fs::is_directory(existing_, failed) || access(existing_.c_str(), W_OK | X_OK) != 0)
+    throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out",
+                            path_.string(), existing_.string()));
+}
+
+void RunDirectory::create() const {
+  std::error_code failed;
+  if (kind_ != Kind::campaign)
+    for (const std::string part : layout_of(kind_).parts)
+      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + half_written), failed);
+  fs::create_directories(path_, failed);
+  if (failed)
+    throw Error(
+        fmt::format("{}: cannot be created ({}); give another --out", path_.string(), failed.message()));
+}
+
+void RunDirectory::discard() const {
+  std::error_code failed;
+  for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
+  // Only what is empty: another run may have begun beside this one.
+  for (fs::path p = fs::absolute(path_, failed).lexically_normal(); p != existing_ && p != p.parent_path();
+       p = p.parent_path())
+    fs::remove(p, failed);
+}
+
+void RunDirectory::write_file(const std::string& name, const std::string& text) const {
+  const fs::path final_path = path_ / name, temporary = path_ / (name + half_written);
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code failed;
+  if (file) fs::rename(temporary, final_path, failed);
+  if (!file || failed) {
+    fs::remove(temporary, failed);
+    throw unwritable(final_path);
+  }
+}
+
+Error unwritable(const fs::path& path) {
+  return Error(fmt::format("{}: cannot be written; free disk space or give another --out", path.string()),
+               ExitStatus::failure);
+}
+
+fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
+  if (kind == Kind::campaign) return fs::path("campaigns") / scenario.stem();
+  fs::path base = fs::path("runs") / scenario.stem();
+  if (kind == Kind::study) base += "-accuracy";
+  fs::path path = base;
+  std::error_code failed;
+  for (int k = 2; fs::exists(path, failed); ++k) path = fs::path(fmt::format("{}-{}", base.string(), k));
+  return path;
+}
+
+}  // namespace scree::run

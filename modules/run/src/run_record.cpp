@@ -1,0 +1,60 @@
+#include "run_record.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace scree::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json footprint_of(const Simulation& s) {
+  const Footprint f = s.footprint();
+  return {{"bodies", s.particles().size()},
+          {"degrees_of_freedom", f.degrees_of_freedom},
+          {"bytes_per_body", f.bytes_per_body},
+          {"bytes_per_pair", f.bytes_per_pair},
+          {"history_per_pair", f.history_width}};
+}
+
+Json verdict_of(const Verdict& v) {
+  Json json = {{"requirement", v.expectation.requirement},
+               {"quantity", v.expectation.quantity},
+               {"value", v.value},
+               {"met", v.met}};
+  const auto add = [&](const char* key, const std::optional<double>& number) {
+    if (number) json[key] = *number;
+  };
+  add("reference", v.expectation.reference);
+  add("tolerance", v.expectation.tolerance);
+  add("at_most", v.expectation.at_most);
+  add("at_least", v.expectation.at_least);
+  return json;
+}
+
+}  // namespace
+
+std::string run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
+                       const Simulation& s, const std::string& status, const std::string& error) {
+  Json json = {{"version", SCREE_VERSION}, {"status", status}};
+  if (!error.empty()) json["error"] = error;
+  json["title"] = plan.title;
+  json["seed"] = plan.seed;
+  json["threads"] = options.threads;
+  json["step"] = s.step_length();
+  json["wall_s"] = result.wall;
+  json["particle_steps_per_second"] = result.particle_steps_per_second;
+  for (const auto& [name, value] : result.quantities) json[name] = value;
+  json["steps"] = s.steps();  // counts, as whole numbers
+  json["neighbour_searches"] = s.rebuilds();
+  json["state_hash"] = fmt::format("{:016x}", result.state_hash);
+  json["footprint"] = footprint_of(s);
+  json["expect"] = Json::array();
+  for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
+  json["scenario"] = plan.resolved_text;
+  // A path in an error need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace scree::run

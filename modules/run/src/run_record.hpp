@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include <scree/run/run.hpp>
+
+namespace scree::run {
+
+// The text of run.json. `status`: "running", "finished", "interrupted" or "failed"; `error` is empty but for
+// failed.
+std::string run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
+                       const Simulation& simulation, const std::string& status, const std::string& error);
+
+}  // namespace scree::run

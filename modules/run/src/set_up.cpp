@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/probes.hpp>
+#include <scree/run/set_up.hpp>
+#include <scree/step_guard.hpp>
+
+namespace scree::run {
+
+namespace {
+
+std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned threads) {
+  Scene scene = plan.scene;
+  scene.threads = threads;
+  try {
+    return std::make_unique<Simulation>(scene);
+  } catch (const Error& error) {
+    // Beside the bodies, only a periodic length can be wrong for the scene as a whole.
+    const bool of_bodies = error.status() == ExitStatus::blow_up || plan.periodic_place.empty();
+    throw Error(fmt::format("{}: {}", of_bodies ? plan.bodies_place : plan.periodic_place, error.what()));
+  }
+}
+
+void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
+  const SimulationView view(simulation, false);
+  for (const scenario::ProbePlan& probe : plan.probes) {
+    // What a probe of later stages looks at may not be there yet.
+    const std::string& first = plan.stages.front().name;
+    if (!probe.stages.empty() &&
+        std::find(probe.stages.begin(), probe.stages.end(), first) == probe.stages.end())
+      continue;
+    try {
+      Probe(probe.parameters, plan.scene.dimension).check(view.get());
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", probe.place, error.what()));
+    }
+  }
+}
+
+}  // namespace
+
+void check_step(const scenario::Plan& plan, const Simulation& s) {
+  const auto problem = plan.step_guard ? step_problem(s) : std::nullopt;
+  if (problem) throw Error(fmt::format("t = {:g} s: {}", s.time(), *problem), ExitStatus::blow_up);
+}
+
+namespace {
+
+// Takes over what a stage changes of laws and body forces; whether there was anything.
+bool change_scene(const Stage& stage, Scene& scene) {
+  bool changed = false;
+  for (const Stage::Change& change : stage.changes) {
+    for (Scene::Law& law : scene.laws)
+      if (change.kind == SCREE_CONTACT_LAW && law.name == change.name)
+        law.parameters = change.parameters, changed = true;
+    for (Scene::BodyForce& term : scene.body_forces)
+      if (change.kind == SCREE_BODY_FORCE && term.name == change.name)
+        term.parameters = change.parameters, changed = true;
+  }
+  return changed;
+}
+
+// Whether the step is short enough for what later stages make of the scene, without running them.
+void check_later_stages(const scenario::Plan& plan) {
+  Scene scene = plan.scene;
+  for (const Stage& stage : plan.stages) {
+    if (!plan.step_guard || !change_scene(stage, scene)) continue;
+    if (const auto problem = step_problem(Simulation(scene)))
+      throw Error(fmt::format("{}: in stage '{}' {}", plan.step_place, stage.name, *problem));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads) {
+  auto simulation = make_simulation(plan, threads);
+  if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
+    throw Error(fmt::format("{}: {}", plan.step_place, *problem));
+  check_later_stages(plan);
+  check_probes(plan, *simulation);
+  return simulation;
+}
+
+namespace {
+
+// To two digits, so that the number as printed is allowed.
+double rounded_down(double step) {
+  const double unit = std::pow(10, std::floor(std::log10(step)) - 1);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
+}
+
+}  // namespace
+
+std::string describe_step(const Simulation& s) {
+  constexpr double few = 20;  // below which contacts are resolved to some per cent only
+  const double steps = s.min_steps_per_contact();
+  const double share = s.step_length() / shortest_limit(s).longest_step;
+  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step{}",
+                     s.step_length(), steps, share,
+                     share > 1 ? "; UNSTABLE (step_guard = false)"
+                     : steps < few
+                         ? "; that is few: use 20 or more, 50 for a per mille unless damping is strong"
+                         : "");
+}
+
+std::optional<std::string> step_problem(const Simulation& s) {
+  const StepLimit limit = shortest_limit(s);
+  if (s.step_length() <= limit.longest_step) return std::nullopt;
+  const double contact = s.min_steps_per_contact() * s.step_length();
+  return fmt::format(
+      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}, "
+      "or "
+      "time.step_guard = false to run it all the same",
+      s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
+      rounded_down(std::min(contact / 50, limit.longest_step)),
+      contact / 50 < limit.longest_step ? " (50 steps to a contact)" : "");
+}
+
+}  // namespace scree::run

@@ -1,0 +1,73 @@
+#include "drive.hpp"
+#include "expectations.hpp"
+#include "sampler.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <scree/run/set_up.hpp>
+#include <scree/run/trial.hpp>
+#include <scree/scenario/quantities.hpp>
+
+namespace scree::run {
+
+namespace {
+
+std::vector<double> quantities_of(const scenario::Plan& plan, const Simulation& simulation,
+                                  const Sampler& sampler) {
+  const auto numbers = scenario::run_quantities(simulation);
+  const auto column = [&](const std::string& probe, const std::string& name) {
+    return sampler.series(probe).column(name);
+  };
+  std::vector<double> values;
+  for (const scenario::Expectation& e : plan.expectations)
+    values.push_back(judge_expectation(e, numbers, column).value);
+  return values;
+}
+
+}  // namespace
+
+std::vector<Vec3> unfolded_positions(const Simulation& s) {
+  const Particles& p = s.particles();
+  std::vector<Vec3> positions;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 x = p.body(i).position;
+    for (int k = 0; k < p.dimension(); ++k)
+      if (s.domain().periodic[std::size_t(k)]) x[k] += p.image[k][i] * s.domain().length(k);
+    positions.push_back(x);
+  }
+  return positions;
+}
+
+Trial try_plan(const scenario::Plan& plan, const TrialOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto simulation = set_up(plan, options.threads);
+  Sampler sampler(plan);
+  sampler.open();
+  StageRunner runner(*simulation, plan.stages);
+  Trial trial;
+  // Half a step early, so that a time that is a multiple of the step but for rounding is met.
+  const double end = options.until - 0.5 * plan.scene.step;
+  const auto start = Clock::now();
+  const std::string last = drive(
+      runner, [&](const std::string&) { check_step(plan, *simulation); },
+      [&](const std::string& stage, std::uint64_t steps) {
+        const double left = std::ceil((end - simulation->time()) / plan.scene.step);
+        return std::min(sampler.sample(*simulation, stage, steps),
+                        steps + std::uint64_t(std::clamp(left, 1.0, 1e15)));
+      },
+      [&](const StageRunner&) {
+        trial.stopped = options.stop && *options.stop;
+        return !trial.stopped && simulation->time() < end;
+      });
+  trial.wall = std::chrono::duration<double>(Clock::now() - start).count();
+  sampler.sample_last(*simulation, last);
+  trial.steps = simulation->steps();
+  trial.time = simulation->time();
+  trial.quantities = quantities_of(plan, *simulation, sampler);
+  trial.positions = unfolded_positions(*simulation);
+  return trial;
+}
+
+}  // namespace scree::run

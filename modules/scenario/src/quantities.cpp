@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include <scree/energy.hpp>
+#include <scree/scenario/quantities.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+struct RunQuantity {
+  const char* name;
+  double (*value)(const Simulation&);
+};
+
+constexpr RunQuantity all[] = {
+    {"steps", [](const Simulation& s) { return double(s.steps()); }},
+    {"time", [](const Simulation& s) { return s.time(); }},
+    {"energy_residual", [](const Simulation& s) { return s.energy_residual(); }},
+    {"energy_created", [](const Simulation& s) { return s.energy_created(); }},
+    {"momentum_residual", [](const Simulation& s) { return s.momentum_residual(); }},
+    {"max_overlap_ratio", [](const Simulation& s) { return s.max_overlap_ratio(); }},
+    {"min_steps_per_contact", [](const Simulation& s) { return s.min_steps_per_contact(); }},
+    {"kinetic_energy", [](const Simulation& s) { return kinetic_energy(s.energy()); }},
+    {"elastic_energy", [](const Simulation& s) { return elastic_energy(s.energy()); }},
+    {"dissipated_energy", [](const Simulation& s) { return dissipated_energy(s.energy()); }},
+    {"work", [](const Simulation& s) { return s.energy().work; }},
+    {"neighbour_searches", [](const Simulation& s) { return double(s.rebuilds()); }},
+};
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> run_quantities(const Simulation& simulation) {
+  std::vector<std::pair<std::string, double>> values;
+  for (const RunQuantity& q : all) values.emplace_back(q.name, q.value(simulation));
+  return values;
+}
+
+std::vector<std::string> run_quantity_names() {
+  std::vector<std::string> names;
+  for (const RunQuantity& q : all) names.push_back(q.name);
+  return names;
+}
+
+double series_statistic(const std::vector<double>& values, const std::string& statistic) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (statistic == "first") return values.front();
+  if (statistic == "min") return *std::min_element(values.begin(), values.end());
+  if (statistic == "max") return *std::max_element(values.begin(), values.end());
+  if (statistic == "mean") return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  return values.back();
+}
+
+SeriesQuantity series_quantity(const std::string& name) {
+  const auto first = name.find('.'), last = name.rfind('.');
+  return {name.substr(0, first), name.substr(first + 1, last - first - 1), name.substr(last + 1)};
+}
+
+}  // namespace scree::scenario

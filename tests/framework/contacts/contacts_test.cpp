@@ -1,0 +1,222 @@
+#include "contacts/contacts.hpp"
+
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <tuple>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+using scree::Contacts;
+using scree::NeighbourPair;
+using scree::PairGroup;
+using scree::PlanePair;
+
+namespace {
+
+constexpr std::size_t bodies = 40, planes = 3;
+constexpr std::uint32_t width[] = {3, 5};  // history columns of the two laws
+
+// Materials 0, 1, 2; law 1 acts between unlike materials. All bodies and planes take materials in turn.
+struct Table {
+  std::vector<std::uint32_t> law_of = {0, 1, 1, 1, 0, 1, 1, 1, 0};
+  std::vector<std::uint32_t> body_material, plane_material;
+
+  Table() {
+    for (std::uint32_t i = 0; i < bodies; ++i) body_material.push_back(i % 3);
+    for (std::uint32_t i = 0; i < planes; ++i) plane_material.push_back(i % 3);
+  }
+  Contacts::Lookup lookup() const { return {law_of.data(), 3, body_material.data(), plane_material.data()}; }
+  std::uint32_t law(bool plane, std::uint32_t a, std::uint32_t b) const {
+    return law_of[body_material[a] * 3 + (plane ? plane_material[b] : body_material[b])];
+  }
+};
+
+struct Pairs {
+  std::vector<NeighbourPair> body;
+  std::vector<PlanePair> plane;
+};
+
+// Each possible pair is there with this probability; sorted, as a search gives them.
+Pairs some_pairs(double probability, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::bernoulli_distribution present(probability);
+  Pairs pairs;
+  for (std::uint32_t a = 0; a < bodies; ++a) {
+    for (std::uint32_t b = a + 1; b < bodies; ++b)
+      if (present(generator)) pairs.body.push_back({a, b, std::uint8_t(b % 27)});
+    for (std::uint32_t w = 0; w < planes; ++w)
+      if (present(generator)) pairs.plane.push_back({a, w});
+  }
+  return pairs;
+}
+
+Contacts two_laws() {
+  return Contacts({{0, false, width[0]}, {0, true, width[0]}, {1, false, width[1]}, {1, true, width[1]}});
+}
+
+void rebuild(Contacts& contacts, const Table& table, const Pairs& pairs) {
+  contacts.rebuild(pairs.body, pairs.plane, table.lookup());
+}
+
+using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;  // law, plane, a, b
+
+// A number that tells pair and column.
+double mark(const Key& key, std::uint32_t column) {
+  const auto [law, plane, a, b] = key;
+  return 1 + column + 10.0 * (law + 2 * plane) + 100.0 * double(a + bodies * b);
+}
+
+template <class Visit>
+void each_pair(Contacts& contacts, const Visit& visit) {
+  for (PairGroup& group : contacts.groups())
+    for (std::size_t p = group.begin; p < group.end; ++p)
+      visit(Key(group.law, group.planes, contacts.a[p], contacts.b[p]), group, p);
+}
+
+void mark_all(Contacts& contacts) {
+  each_pair(contacts, [](const Key& key, PairGroup& group, std::size_t p) {
+    for (std::uint32_t k = 0; k < group.history_width; ++k)
+      group.history.column<double>(k)[p - group.begin] = mark(key, k);
+  });
+}
+
+std::map<Key, std::size_t> positions(Contacts& contacts) {
+  std::map<Key, std::size_t> all;
+  each_pair(contacts, [&](const Key& key, PairGroup&, std::size_t p) { all[key] = p; });
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("each pair is filed once, in order, in the group of its law and partner") {
+  const Table table;
+  Contacts contacts = two_laws();
+  const Pairs pairs = some_pairs(0.3, 1);
+  rebuild(contacts, table, pairs);
+
+  std::size_t filed = 0;
+  for (const PairGroup& group : contacts.groups()) {
+    for (std::size_t p = group.begin; p < group.end; ++p, ++filed) {
+      const std::uint32_t a = contacts.a[p], b = contacts.b[p];
+      REQUIRE(table.law(group.planes, a, b) == group.law);
+      if (p > group.begin) REQUIRE(std::tie(contacts.a[p - 1], contacts.b[p - 1]) < std::tie(a, b));
+      if (group.planes)
+        REQUIRE(std::any_of(pairs.plane.begin(), pairs.plane.end(),
+                            [&](const PlanePair& q) { return q.body == a && q.plane == b; }));
+      else
+        REQUIRE(std::count(pairs.body.begin(), pairs.body.end(), NeighbourPair{a, b, contacts.image[p]}) ==
+                1);
+    }
+  }
+  CHECK(filed == pairs.body.size() + pairs.plane.size());
+}
+
+TEST_CASE("groups begin at whole lanes and are padded with pairs of their last body") {
+  const Table table;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Contacts contacts = two_laws();
+    rebuild(contacts, table, some_pairs(0.01 + 0.02 * seed, seed));
+    std::size_t next = 0;
+    for (const PairGroup& group : contacts.groups()) {
+      REQUIRE(group.begin == next);
+      next += group.padded_size();
+      REQUIRE(group.begin % SCREE_LANES == 0);
+      REQUIRE(next - group.end < SCREE_LANES);
+      REQUIRE(group.history.size() == group.padded_size() * group.history_width);
+      for (std::size_t p = group.end; p < next; ++p)
+        REQUIRE((contacts.a[p] == contacts.a[group.end - 1] &&
+                 contacts.b[p] == (group.planes ? 0 : contacts.a[p]) &&
+                 contacts.image[p] == scree::Domain::no_shift));
+    }
+    CHECK(next == contacts.padded_size());
+    CHECK(contacts.b.size() == next);
+    CHECK(contacts.image.size() == next);
+  }
+}
+
+TEST_CASE("pairs that stay keep their history, new ones and padding start from zero") {
+  const Table table;
+  Contacts contacts = two_laws();
+  rebuild(contacts, table, some_pairs(0.3, 0));
+  std::size_t carried = 0, fresh = 0;
+  for (unsigned seed = 1; seed < 30; ++seed) {
+    mark_all(contacts);
+    const auto before = positions(contacts);
+    // From no pairs at all to nearly all of them.
+    rebuild(contacts, table, some_pairs(seed % 5 * 0.24, seed));
+    each_pair(contacts, [&](const Key& key, PairGroup& group, std::size_t p) {
+      const bool was = before.count(key);
+      ++(was ? carried : fresh);
+      for (std::uint32_t k = 0; k < group.history_width; ++k)
+        REQUIRE(group.history.column<double>(k)[p - group.begin] == (was ? mark(key, k) : 0));
+    });
+    for (PairGroup& group : contacts.groups())
+      for (std::uint32_t k = 0; k < group.history_width; ++k)
+        for (std::size_t i = group.end - group.begin; i < group.padded_size(); ++i)
+          REQUIRE(group.history.column<double>(k)[i] == 0);
+  }
+  CHECK(carried > 1000);
+  CHECK(fresh > 1000);
+}
+
+TEST_CASE("when a law keeps more or less than before, the columns that both know are carried") {
+  const Table table;
+  Contacts contacts = two_laws();
+  const Pairs pairs = some_pairs(0.3, 4);
+  rebuild(contacts, table, pairs);
+  mark_all(contacts);
+  std::uint32_t least = width[0];
+  for (const std::uint32_t columns : {5u, 1u, 4u, 0u, 2u}) {
+    for (PairGroup& group : contacts.groups())
+      if (group.law == 0) group.history_width = columns;
+    rebuild(contacts, table, pairs);
+    least = std::min(least, columns);
+    each_pair(contacts, [&](const Key& key, PairGroup& group, std::size_t p) {
+      for (std::uint32_t k = 0; k < group.history_width; ++k)
+        REQUIRE(group.history.column<double>(k)[p - group.begin] ==
+                (group.law == 1 || k < least ? mark(key, k) : 0));
+    });
+  }
+}
+
+TEST_CASE("pairs of materials and walls feel their own law") {
+  // Two materials, a law for each combination, told apart by its stiffness; overlaps of a tenth in clean
+  // pairs.
+  const double radius = 1, overlap = 0.125, stiffness[] = {1000, 2000, 4000};
+  std::vector<scree::Body> all;
+  for (int pair = 0; pair < 3; ++pair)
+    for (int side = 0; side < 2; ++side) {
+      all.push_back(scree::test::body(2 * pair + side, radius, 1, {{10.0 * pair, side * (2 - overlap), 8}}));
+      all.back().material = std::uint32_t(side ? pair > 0 : pair > 1);
+    }
+  for (std::uint32_t material = 0; material < 2; ++material) {
+    all.push_back(scree::test::body(6 + material, radius, 1, {{10.0 * material, 20, 1 - overlap}}));
+    all.back().material = material;
+  }
+  scree::Scene s =
+      scree::test::scene(3, 1e-4, all, {{"normal_stiffness", {stiffness[0]}}, {"normal_damping", {0}}});
+  s.materials = {"soft", "hard"};
+  s.law_of = {0, 1, 1, 2};
+  for (const int k : {1, 2}) {
+    s.laws.push_back({"law" + std::to_string(k), s.laws[0].parameters});
+    s.laws.back().parameters.set("normal_stiffness", {stiffness[k]});
+  }
+  scree::test::add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
+  s.boundaries.back().material = 1;
+  const scree::Simulation simulation(s);
+
+  // 2 − overlap and 1 − overlap are exact, the overlap of a pair is off by the rounding of one root.
+  const auto force = simulation.particles().force();
+  for (std::size_t pair = 0; pair < 3; ++pair) {
+    CHECK(force[1][2 * pair] == Approx(-stiffness[pair] * overlap).epsilon(1e-14));
+    CHECK(force[1][2 * pair + 1] == -force[1][2 * pair]);
+  }
+  CHECK(force[2][6] == stiffness[1] * overlap);
+  CHECK(force[2][7] == stiffness[2] * overlap);
+  CHECK(simulation.contact_list().size() == 5);
+}

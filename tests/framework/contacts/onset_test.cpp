@@ -1,0 +1,112 @@
+#include "contacts/onset.hpp"
+
+#include "contacts/kernel/kinematics.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::kernel;
+
+namespace {
+
+constexpr double step = 1e-4;
+
+// Pairs that close at 1 m/s (or open, at −1) with overlaps of `ways` times what they go in a step, and slide
+// at 1 m/s, with forces that begin and end as t to these powers.
+std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& ways, double closing,
+                                            double touching = 0, double parting = 0) {
+  auto w = std::make_unique<BlockColumns<double>>();
+  const std::vector<double> radius_sums(block_size, 1.0);
+  for (std::uint32_t i = 0; i < block_size; ++i) {
+    for (int k = 0; k < 3; ++k)
+      w->input[SCREE_NORMAL + k][i] = w->separation[k][i] = w->velocity[k][i] = w->mid_velocity[k][i] = 0;
+    w->input[SCREE_NORMAL][i] = w->separation[0][i] = w->distance[i] = 1;
+    w->velocity[0][i] = -closing;
+    w->mid_velocity[1][i] = 1;
+    w->input[SCREE_OVERLAP][i] = i < ways.size() ? ways[i] * step : -1;
+  }
+  if (resolve_motion<3, false, false, true>(true, radius_sums.data(), step, block_size, *w) > 0)
+    resolve_onsets<3, false, false, true>(true, radius_sums.data(), step, OnsetWeights::of_power(touching),
+                                          OnsetWeights::of_power(parting), block_size, *w);
+  else  // what a block without such pairs is given
+    std::fill_n(w->input[SCREE_ONSET_WEIGHT], block_size, 1.0);
+  return w;
+}
+
+// Share of the step that a pair slid for; sliding turns the normal, by half a way, which takes 2.5e-9 off.
+double touched(const BlockColumns<double>& w, std::uint32_t pair) {
+  return w.input[SCREE_TANGENTIAL_INCREMENT + 1][pair] / step;
+}
+
+}  // namespace
+
+TEST_CASE("the weights of a dashpot around first touch add up to the time of touching") {
+  // Touch at a fraction of a step, then one step further each time. The sum of weights must be the number of
+  // steps from the touch to half a step after the last evaluation.
+  for (const double fraction : {0.01, 0.3, 0.5, 0.99}) {
+    const auto w = pairs({fraction, fraction + 1, fraction + 2, fraction + 3, fraction + 4}, 1);
+    double sum = 0;
+    for (int n = 0; n < 5; ++n) sum += w->input[SCREE_ONSET_WEIGHT][n];
+    CHECK(sum == Approx(fraction + 4 + 0.5));
+    CHECK(touched(*w, 0) == Approx(fraction));
+    CHECK(touched(*w, 1) == Approx(1));
+  }
+}
+
+TEST_CASE("Hurwitz' zeta function: known values and the recurrence in its second argument") {
+  // Riemann's zeta function at 0 and −1, its value at −1/2, and Bernoulli polynomials.
+  CHECK(hurwitz_zeta(0, 1) == Approx(-0.5).epsilon(1e-14));
+  CHECK(hurwitz_zeta(-1, 1) == Approx(-1.0 / 12).epsilon(1e-12));
+  CHECK(hurwitz_zeta(-0.5, 1) == Approx(-0.2078862249773545).epsilon(1e-12));
+  for (const double a : {0.01, 0.4, 1.0, 1.7}) {
+    CHECK(hurwitz_zeta(0, a) == Approx(0.5 - a).margin(1e-13));
+    CHECK(hurwitz_zeta(-1, a) == Approx(-(a * a - a + 1.0 / 6) / 2).margin(1e-12));
+    for (const double z : {-0.25, -0.5, -0.75})
+      CHECK(hurwitz_zeta(z, a) == Approx(std::pow(a, -z) + hurwitz_zeta(z, a + 1)).margin(1e-12));
+  }
+}
+
+TEST_CASE("weighted samples of t^p add up to its integral wherever in a step it begins") {
+  for (const double power : {0.0, 0.25, 0.5, 0.75})
+    for (const bool parts : {false, true})
+      for (const double fraction : {0.001, 0.1, 0.37, 0.5, 0.8, 0.999}) {
+        constexpr int samples = 40;
+        std::vector<double> ways;
+        for (int n = 0; n < samples; ++n) ways.push_back(fraction + n);
+        const auto w = parts ? pairs(ways, -1, 1, power) : pairs(ways, 1, power, 1);
+        double sum = 0;
+        for (int n = 0; n < samples; ++n)
+          sum += w->input[SCREE_ONSET_WEIGHT][n] * std::pow(fraction + n, power);
+        // Integral up to half a step after the last sample; the midpoint rule ends with p/24 x^(p−1) there.
+        const double end = fraction + samples - 0.5, integral = std::pow(end, power + 1) / (power + 1);
+        INFO("power " << power << ", fraction " << fraction << (parts ? ", parting" : ", touching"));
+        // The fit of the first weight, 1e-3 of its sample.
+        CHECK(sum == Approx(integral - power / 24 * std::pow(end, power - 1)).margin(1.1e-3));
+      }
+}
+
+TEST_CASE("weights are continuous, and 1 where a force is") {
+  const double near = 1e-9;
+  for (const double power : {0.0, 0.25, 0.5, 0.75})
+    for (const double s : {1.0, 2.0}) {
+      const auto w = pairs({s - near, s + near}, 1, power);
+      CHECK(w->input[SCREE_ONSET_WEIGHT][0] == Approx(w->input[SCREE_ONSET_WEIGHT][1]).margin(1.1e-3));
+    }
+  const auto smooth = pairs({0.01, 0.5, 1.5}, 1, 1);
+  for (int k = 0; k < 3; ++k) CHECK(smooth->input[SCREE_ONSET_WEIGHT][k] == Approx(1).margin(1e-15));
+}
+
+TEST_CASE("pairs that part have touched all the step, and those long in contact are not weighted") {
+  const auto parting = pairs({0.5, 3}, -1);
+  CHECK(touched(*parting, 0) == Approx(1));
+  CHECK(parting->input[SCREE_ONSET_WEIGHT][0] == Approx(0.75));
+  CHECK(parting->input[SCREE_ONSET_WEIGHT][1] == 1);
+  const auto resting = pairs({5, 7}, 1);
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    CHECK(resting->input[SCREE_ONSET_WEIGHT][k] == 1);
+    CHECK(touched(*resting, k) == Approx(1));
+  }
+}

@@ -1,0 +1,130 @@
+#include <cmath>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/plugin/program.hpp>
+
+using scree::Program;
+
+namespace {
+
+const double pi = std::acos(-1.0);
+constexpr double epsilon = 2.220446049250313e-16;
+
+// Opaque to the compiler, which would else see how short the data is and warn of the kinds that it does not
+// hold.
+[[gnu::noipa]] Program program(const std::vector<double>& data) {
+  return Program({data.data(), data.size()});
+}
+
+// Central difference. Its error is step²/6 times the third derivative, plus 2 roundings of the value over 2
+// steps.
+void check_rate(const Program& p, double time, double third_derivative, double size) {
+  const double step = 1e-5;
+  const double slope = (p(time + step) - p(time - step)) / (2 * step);
+  const double allowed = step * step / 6 * third_derivative + 8 * epsilon * size / step;
+  INFO("t = " << time);
+  CHECK(std::abs(p.rate(time) - slope) <= allowed);
+}
+
+}  // namespace
+
+TEST_CASE("a program that is not given says so") {
+  CHECK_FALSE(Program().given());
+  const std::vector<double> data = {0, 3.5};
+  CHECK(program(data).given());
+}
+
+TEST_CASE("a constant has its value and no rate at any time") {
+  const std::vector<double> data = {0, 3.5};
+  for (const double t : {-1.0, 0.0, 1e9}) {
+    CHECK(program(data)(t) == 3.5);
+    CHECK(program(data).rate(t) == 0);
+  }
+}
+
+TEST_CASE("a sine is mean + amplitude sin(2 pi f t + phase)") {
+  const double mean = 2, amplitude = 0.5, frequency = 3, phase = 0.7;
+  const std::vector<double> data = {1, mean, amplitude, frequency, phase};
+  const Program p = program(data);
+  // Quarter periods counted from phase zero: mean, crest, mean, trough. The argument has 3 roundings of its
+  // size.
+  const double start = -phase / (2 * pi * frequency);
+  const double expected[] = {mean, mean + amplitude, mean, mean - amplitude};
+  for (int k = 0; k < 8; ++k) {
+    const double t = start + 0.25 * k / frequency;
+    CHECK(std::abs(p(t) - expected[k % 4]) <= 4 * epsilon * (mean + amplitude * 20));
+  }
+  const double omega = 2 * pi * frequency;
+  for (const double t : {-0.3, 0.0, 0.123, 0.9})
+    check_rate(p, t, amplitude * omega * omega * omega, mean + 20 * amplitude);
+}
+
+TEST_CASE("a cycle starts at `from`, is at `to` after half a period and back after one") {
+  const double from = 100, to = 120, period = 0.4;
+  const std::vector<double> data = {2, from, to, period};
+  const Program p = program(data);
+  CHECK(p(0) == from);
+  CHECK(p.rate(0) == 0);
+  // cos near its extremes loses no more than the rounding of 1 − cos.
+  CHECK(std::abs(p(period / 2) - to) <= 4 * epsilon * to);
+  CHECK(std::abs(p(period) - from) <= 4 * epsilon * to);
+  CHECK(std::abs(p(period / 4) - 0.5 * (from + to)) <= 8 * epsilon * to);
+  const double omega = 2 * pi / period;
+  for (const double t : {0.0, 0.05, 0.13, 0.3})
+    check_rate(p, t, 0.5 * (to - from) * omega * omega * omega, to);
+}
+
+TEST_CASE("a ramp is linear for its duration and constant outside") {
+  const double from = -1, to = 4, duration = 2;
+  const std::vector<double> data = {3, from, to, duration};
+  const Program p = program(data);
+  CHECK(p(-1) == from);
+  CHECK(p(0) == from);
+  CHECK(p(0.5) == 0.25);  // halves and quarters are exact
+  CHECK(p(1) == 1.5);
+  CHECK(p(2) == to);
+  CHECK(p(17) == to);
+  for (const double t : {0.3, 1.0, 1.7}) check_rate(p, t, 0, 5);
+  // At corners the rate is the one from the right.
+  CHECK(p.rate(-0.1) == 0);
+  CHECK(p.rate(0) == 2.5);
+  CHECK(p.rate(2) == 0);
+}
+
+TEST_CASE("a table interpolates between its points and is constant outside") {
+  const std::vector<double> data = {4, 1, 10, 2, 30, 4, 20, 8, 20};
+  const Program p = program(data);
+  CHECK(p(0) == 10);
+  CHECK(p(1) == 10);
+  CHECK(p(1.25) == 15);
+  CHECK(p(2) == 30);
+  CHECK(p(3) == 25);
+  CHECK(p(4) == 20);
+  CHECK(p(6) == 20);
+  CHECK(p(8) == 20);
+  CHECK(p(100) == 20);
+  for (const double t : {0.5, 1.5, 3.1, 5.0, 9.0}) check_rate(p, t, 0, 30);
+  CHECK(p.rate(1) == 20);
+  CHECK(p.rate(2) == -5);
+  CHECK(p.rate(4) == 0);
+  CHECK(p.rate(8) == 0);
+}
+
+TEST_CASE("a table of one point is a constant") {
+  const std::vector<double> data = {4, 1, 10};
+  for (const double t : {0.0, 1.0, 2.0}) {
+    CHECK(program(data)(t) == 10);
+    CHECK(program(data).rate(t) == 0);
+  }
+}
+
+TEST_CASE("a table that jumps takes the later value at the jump") {
+  const std::vector<double> data = {4, 0, 1, 1, 1, 1, 5, 2, 5};
+  const Program p = program(data);
+  CHECK(p(0.999) == 1);
+  CHECK(p(1) == 5);
+  CHECK(p.rate(1) == 0);
+  CHECK(p(1.5) == 5);
+}

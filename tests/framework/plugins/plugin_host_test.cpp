@@ -1,0 +1,228 @@
+#include "instruction_level.hpp"
+#include "scenes.hpp"
+
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/plugin_host.hpp>
+
+namespace fs = std::filesystem;
+using scree::Error;
+using scree::PluginHost;
+
+namespace {
+
+constexpr const char* law = "linear_spring_dashpot";
+
+// A directory of plug-ins that goes with the test.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "scree_plugins_XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
+    path_ = name;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  void copy(const std::string& from, const std::string& to) const {
+    fs::create_directories((path_ / to).parent_path());
+    fs::copy_file(fs::path(SCREE_TEST_PLUGINS) / from, path_ / to);
+  }
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories((path_ / file).parent_path());
+    std::ofstream(path_ / file) << text;
+  }
+
+ private:
+  fs::path path_;
+};
+
+fs::path library_of(const scree_plugin& plugin) {
+  Dl_info info = {};
+  REQUIRE(dladdr(&plugin, &info) != 0);
+  return info.dli_fname;
+}
+
+std::string refusal(PluginHost& host, const std::string& name, scree_kind kind) {
+  try {
+    host.find(name, kind);
+  } catch (const Error& error) {
+    CHECK(error.status() == scree::ExitStatus::bad_input);
+    return error.what();
+  }
+  return "not refused";
+}
+
+}  // namespace
+
+TEST_CASE("plug-ins are found by name and kind, and loaded once") {
+  PluginHost host({SCREE_TEST_PLUGINS});
+  const scree_plugin& plugin = host.find(law, SCREE_CONTACT_LAW);
+  CHECK(std::string(plugin.name) == law);
+  CHECK(plugin.kind == SCREE_CONTACT_LAW);
+  CHECK(&host.find(law, SCREE_CONTACT_LAW) == &plugin);
+  // A box is a boundary and may be a probe as well.
+  CHECK(host.find("box", SCREE_BOUNDARY).kind == SCREE_BOUNDARY);
+  CHECK_THAT(host.names(SCREE_CONTACT_LAW), Catch::VectorContains(std::string(law)));
+  CHECK(host.locate(law, SCREE_CONTACT_LAW) ==
+        fs::path(SCREE_TEST_PLUGINS) / "contact" / (std::string(law) + ".so"));
+  CHECK(host.locate(law, SCREE_BOUNDARY).empty());
+}
+
+TEST_CASE("an unknown name is refused with the nearest known one") {
+  PluginHost host({SCREE_TEST_PLUGINS});
+  CHECK_THAT(refusal(host, "linear_spring_dashpod", SCREE_CONTACT_LAW),
+             Catch::Contains("no contact law plug-in 'linear_spring_dashpod'") &&
+                 Catch::Contains("did you mean 'linear_spring_dashpot'?") &&
+                 Catch::Contains(SCREE_TEST_PLUGINS));
+  CHECK_THAT(refusal(host, "Gravity", SCREE_BODY_FORCE), Catch::Contains("did you mean 'gravity'?"));
+  CHECK_THAT(refusal(host, "xyz", SCREE_BODY_FORCE),
+             Catch::Contains("there are: ") && Catch::Contains("gravity"));
+  CHECK_THAT(refusal(host, "gravity", SCREE_CONTACT_LAW), Catch::Contains("'gravity' is a body force"));
+  CHECK_THAT(refusal(host, "", SCREE_CONTACT_LAW), Catch::Contains("no contact law plug-in ''"));
+  PluginHost nowhere({});
+  CHECK_THAT(refusal(nowhere, law, SCREE_CONTACT_LAW), Catch::Contains("in any directory"));
+  CHECK(nowhere.names(SCREE_CONTACT_LAW).empty());
+}
+
+TEST_CASE("a name leads nowhere outside of the directories") {
+  const Folder outside;
+  outside.copy("body_force/gravity.so", "trusted/body_force/gravity.so");
+  outside.copy("body_force/gravity.so", "evil.so");
+  outside.copy("body_force/gravity.so", "trusted/evil.so");
+  PluginHost host({outside.path() / "trusted"});
+  CHECK_NOTHROW(host.find("gravity", SCREE_BODY_FORCE));
+  for (const std::string& name :
+       {std::string("../evil"), std::string("../../evil"), (outside.path() / "evil").string(),
+        std::string("./gravity"), std::string("../body_force/gravity"), std::string("gravity.so"),
+        std::string("."), std::string("gravity\0x", 9)}) {
+    INFO(name);
+    CHECK(host.locate(name, SCREE_BODY_FORCE).empty());
+    CHECK_THAT(refusal(host, name, SCREE_BODY_FORCE), Catch::Contains("no body force plug-in"));
+  }
+}
+
+TEST_CASE("the first directory that holds a name wins") {
+  const Folder first, second;
+  second.copy("body_force/gravity.so", "body_force/gravity.so");
+  second.copy("body_force/background_damping.so", "body_force/background_damping.so");
+  first.copy("body_force/gravity.so", "body_force/gravity.so");
+  PluginHost host({first.path(), second.path()});
+  CHECK(library_of(host.find("gravity", SCREE_BODY_FORCE)) == first.path() / "body_force/gravity.so");
+  CHECK(library_of(host.find("background_damping", SCREE_BODY_FORCE)) ==
+        second.path() / "body_force/background_damping.so");
+  CHECK(host.names(SCREE_BODY_FORCE) == std::vector<std::string>{"background_damping", "gravity"});
+}
+
+TEST_CASE("the best build that the processor runs is taken, or the one that the user names") {
+  const Folder folder;
+  const std::string file = std::string(law) + ".so", base = "contact/" + file;
+  folder.copy(base, base);
+  const auto loaded = [&](const char* level) {
+    const scree::test::InstructionLevel chosen(level);
+    PluginHost host({folder.path()});
+    return fs::relative(library_of(host.find(law, SCREE_CONTACT_LAW)), folder.path()).string();
+  };
+  CHECK(loaded(nullptr) == base);
+  CHECK(loaded("x86-64-v3") == base);  // not there: the baseline serves
+#if defined(__x86_64__)
+  const bool v3 = __builtin_cpu_supports("x86-64-v3"), v4 = __builtin_cpu_supports("x86-64-v4");
+  const std::string at_v3 = "contact/x86-64-v3/" + file, at_v4 = "contact/x86-64-v4/" + file;
+  folder.copy(at_v3, at_v3);
+  CHECK(loaded(nullptr) == (v3 ? at_v3 : base));
+  folder.copy(at_v4, at_v4);
+  CHECK(loaded(nullptr) == (v4 ? at_v4 : v3 ? at_v3 : base));
+  CHECK(loaded("") == (v4 ? at_v4 : v3 ? at_v3 : base));
+  CHECK(loaded("baseline") == base);
+  if (v3) CHECK(loaded("x86-64-v3") == at_v3);
+#endif
+}
+
+TEST_CASE("libraries that cannot be used are refused with the reason, and stop no other") {
+  const Folder folder;
+  folder.copy("body_force/gravity.so", "body_force/gravity.so");
+  folder.copy("body_force/gravity.so", "body_force/other_name.so");
+  folder.copy("body_force/gravity.so", "contact/gravity.so");
+  folder.write("body_force/text.so", "no library");
+  folder.write("body_force/notes.txt", "no plug-in at all");
+  PluginHost host({folder.path(), SCREE_TEST_BROKEN_PLUGINS});
+
+  CHECK_THAT(refusal(host, "text", SCREE_BODY_FORCE),
+             Catch::Contains("text.so: not a usable plug-in library"));
+  CHECK_THAT(refusal(host, "other_name", SCREE_BODY_FORCE),
+             Catch::Contains("holds a plug-in named 'gravity'"));
+  CHECK_THAT(refusal(host, "gravity", SCREE_CONTACT_LAW),
+             Catch::Contains("holds a body force, not a contact law") && Catch::Contains("folder body"));
+  CHECK_THAT(refusal(host, "no_query", SCREE_BODY_FORCE),
+             Catch::Contains("lacks the symbol scree_plugin_query"));
+  CHECK_THAT(refusal(host, "no_manifest", SCREE_BODY_FORCE), Catch::Contains("returned no manifest"));
+  CHECK_THAT(refusal(host, "old_version", SCREE_BODY_FORCE),
+             Catch::Contains("interface version " + std::to_string(SCREE_ABI_VERSION + 1) +
+                             ", this program has " + std::to_string(SCREE_ABI_VERSION)));
+  CHECK_THAT(refusal(host, "needs_features", SCREE_BODY_FORCE), Catch::Contains("needs features 0x8"));
+  // A second try is refused again, for the same reason.
+  CHECK_THAT(refusal(host, "no_query", SCREE_BODY_FORCE), Catch::Contains("lacks the symbol"));
+
+  std::vector<PluginHost::Broken> broken;
+  const auto plugins = host.load_all(broken);
+  REQUIRE(plugins.size() == 1);
+  CHECK(std::string(plugins[0]->name) == "gravity");
+  std::vector<std::string> names;
+  for (const auto& b : broken) {
+    names.push_back(b.path.stem());
+    CHECK_FALSE(b.reason.empty());
+  }
+  CHECK_THAT(names, Catch::UnorderedEquals(std::vector<std::string>{"gravity", "other_name", "text",
+                                                                    "no_query", "no_manifest", "old_version",
+                                                                    "needs_features"}));
+}
+
+TEST_CASE("a plug-in's own refusal is passed on with its name") {
+  const scree::Parameters wrong = scree::test::parameters(
+      law, SCREE_CONTACT_LAW,
+      {{"normal_stiffness", {1}}, {"normal_damping", {0}}, {"static_friction", {0.5}}});
+  const double nowhere[3] = {};
+  try {
+    const scree::ConfiguredLaw configured(wrong, 3, nowhere, nowhere);
+    FAIL("not refused");
+  } catch (const Error& error) {
+    CHECK_THAT(error.what(), Catch::StartsWith(std::string(law) + ": friction needs tangential_stiffness"));
+  }
+}
+
+TEST_CASE("a library that was cut off is refused, wherever the cut is") {
+  const Folder folder;
+  folder.copy("body_force/gravity.so", "body_force/gravity.so");
+  const fs::path library = folder.path() / "body_force" / "gravity.so";
+  const auto whole = fs::file_size(library);
+  for (const double share : {0.001, 0.1, 0.5, 0.9, 0.999}) {
+    fs::resize_file(library, std::uintmax_t(double(whole) * share));
+    PluginHost host({folder.path()});
+    INFO(share << " of the file");
+    CHECK_THAT(refusal(host, "gravity", SCREE_BODY_FORCE), Catch::Contains("rebuild it"));
+  }
+}
+
+TEST_CASE("a name too long for a file is no plug-in") {
+  PluginHost host({SCREE_TEST_PLUGINS});
+  CHECK_THAT(refusal(host, std::string(5000, 'x'), SCREE_BODY_FORCE),
+             Catch::Contains("no body force plug-in"));
+}
+
+TEST_CASE("an instruction level that the processor does not run is refused, not tried") {
+  setenv("SCREE_LEVEL", "x86-64-v9", 1);
+  PluginHost host({SCREE_TEST_PLUGINS});
+  const std::string line = refusal(host, law, SCREE_CONTACT_LAW);
+  unsetenv("SCREE_LEVEL");
+  CHECK_THAT(line, Catch::StartsWith("SCREE_LEVEL=x86-64-v9: ") && Catch::Contains("baseline"));
+}

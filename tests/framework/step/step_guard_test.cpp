@@ -1,0 +1,139 @@
+#include "scenes.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include <scree/energy.hpp>
+#include <scree/step_guard.hpp>
+
+// Limits against closed forms; that steps beyond them blow up and below do not is shown by
+// integrator_choice_test.cpp for one contact and by the last case for a lattice.
+
+using scree::Body;
+using scree::Scene;
+using scree::shortest_limit;
+using scree::Simulation;
+using scree::test::Values;
+
+namespace {
+
+constexpr double mass = 2, stiffness = 1e4, radius = 1;
+
+Values law(double damping = 0) { return {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}}; }
+
+Body ball(int id, double x, double y = 0) { return scree::test::body(id, radius, mass, {{x, y, 0}}); }
+
+// Layers of a triangular lattice of discs, periodic, pressed together, with a speed like a rounding error.
+Scene lattice(double share_of_limit) {
+  std::vector<Body> bodies;
+  const int per_row = 6, rows = 6;
+  const double spacing = 1.99 * radius, height = spacing * std::sqrt(3.0) / 2;
+  for (int i = 0; i < per_row * rows; ++i) {
+    const int row = i / per_row;
+    bodies.push_back(scree::test::body(i + 1, radius, mass,
+                                       {{spacing * (i % per_row + 0.5 * (row % 2)), height * row, 0}},
+                                       {{1e-9 * ((i * 7) % 5 - 2), 1e-9 * ((i * 3) % 7 - 3), 0}}, {}, 2));
+  }
+  // Strong dashpots: damping ratio 3.
+  Scene s = scree::test::scene(2, 1e-6, bodies, law(2 * 3 * std::sqrt(stiffness * mass / 2)));
+  scree::test::add_boundary(
+      s, "periodic", {{"axes", {3}}, {"lower", {0, 0, 0}}, {"upper", {spacing * per_row, height * rows, 0}}});
+  s.step = share_of_limit * shortest_limit(Simulation(s)).longest_step;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a lone pair may take the step at which it is stable, with and without a dashpot") {
+  for (const double damping : {0.0, 50.0, 1000.0}) {
+    const Simulation s(scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law(damping)));
+    const double g = damping / (mass / 2), square = stiffness / (mass / 2);
+    CHECK(shortest_limit(s).longest_step == Approx(2 / (std::sqrt(g * g + square) + g)));
+  }
+}
+
+TEST_CASE("where several contacts may hold a body, four times their stiffness and damping count") {
+  const double damping = 300;
+  const Simulation s(scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3), ball(3, 6)}, law(damping)));
+  const double g = 4 * damping / (mass / 2), square = 4 * stiffness / (mass / 2);
+  CHECK(shortest_limit(s).longest_step == Approx(2 / (std::sqrt(g * g + square) + g)));
+}
+
+TEST_CASE("one body on a wall is judged by its own mass") {
+  Scene scene = scree::test::scene(3, 1e-6, {ball(1, 0, 3)}, law());
+  scree::test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
+  CHECK(shortest_limit(Simulation(scene)).longest_step == Approx(2 / std::sqrt(stiffness / mass)));
+}
+
+TEST_CASE("the integrator's own stability counts") {
+  for (const scree::IntegrationTraits& traits : scree::integrations()) {
+    Scene scene = scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law());
+    scene.integration = traits.integration;
+    CHECK(shortest_limit(Simulation(scene)).longest_step ==
+          Approx(traits.stable_step * 2 / std::sqrt(stiffness / (mass / 2))));
+  }
+}
+
+TEST_CASE("drag, fast bodies, light and viscous walls bound the step and are named") {
+  Scene drag = scree::test::scene(3, 1e-6, {ball(1, 0)}, law());
+  scree::test::add_body_force(drag, "background_damping", {{"translational", {1e6}}});
+  CHECK(shortest_limit(Simulation(drag)).longest_step == Approx(mass / 1e6));
+  CHECK_THAT(shortest_limit(Simulation(drag)).cause, Catch::Contains("drag"));
+
+  Scene fast = scree::test::scene(3, 1e-9, {ball(1, 0), ball(2, 3)}, law());
+  fast.bodies[0].velocity = {{-1e5, 0, 0}};
+  // Against the mean velocity of both.
+  CHECK(shortest_limit(Simulation(fast)).longest_step == Approx(0.1 * radius / 0.5e5));
+
+  const auto box = [](double wall_mass, double viscosity) {
+    Scene s = scree::test::scene(3, 1e-9, {ball(1, 0)}, law());
+    scree::test::add_boundary(s, "box",
+                              {{"stress", {0, 1}}, {"mass", {wall_mass}}, {"viscosity", {viscosity}}});
+    return shortest_limit(Simulation(s));
+  };
+  const double light = 1e-6;
+  CHECK(box(light, 0).longest_step == Approx(2 / std::sqrt(stiffness * (1 / mass + 1 / light))));
+  CHECK_THAT(box(light, 0).cause, Catch::Contains("wall 'box."));
+  CHECK(box(1, 1e7).longest_step == Approx(1e-7));
+  CHECK_THAT(box(1, 1e7).cause, Catch::Contains("viscosity"));
+}
+
+TEST_CASE("a cloud is judged alike however fast it flies as a whole, but not against walls") {
+  const auto limit = [](double boost, bool wall) {
+    Scene s = scree::test::scene(3, 1e-9, {ball(1, 0), ball(2, 3)}, law());
+    for (Body& body : s.bodies) body.velocity[0] += boost;
+    if (wall) scree::test::add_boundary(s, "plane", {{"point", {-1, 0, 0}}, {"normal", {1, 0, 0}}});
+    return shortest_limit(Simulation(s)).longest_step;
+  };
+  CHECK(limit(1e4, false) == Approx(limit(0, false)));
+  CHECK(limit(1e5, true) == Approx(0.1 * radius / 1e5));
+  Scene flying = scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law());
+  for (Body& body : flying.bodies) body.velocity[0] = 1e4;
+  Simulation simulation(flying);
+  CHECK_NOTHROW(scree::test::run(simulation, 10));
+}
+
+TEST_CASE("a strongly damped lattice stays at rest at the longest step, and explodes at three times that") {
+  const auto energy_after = [](double share) {
+    Simulation s(lattice(share));
+    scree::test::run(s, 400);
+    return scree::kinetic_energy(s.energy());
+  };
+  // It starts with speeds of 1e-9 m/s, and a residual pressure of 1 % of a radius that it cannot follow.
+  CHECK(energy_after(1) < 1e-15);
+  CHECK_THROWS_WITH(energy_after(3), Catch::Contains("overlap is "));
+}
+
+TEST_CASE("a moving wall that nothing is near to yet is judged by the law of its own material") {
+  Scene s = scree::test::scene(3, 1e-9, {ball(1, 0)}, law());
+  s.materials = {"grain", "wall"};
+  s.law_of = {0, 1, 1, 0};
+  s.laws.push_back({"stiff", s.laws[0].parameters});
+  s.laws[1].parameters.set("normal_stiffness", {100 * stiffness});
+  const double light = 1e-6;
+  scree::test::add_boundary(s, "box", {{"gap", {5}}, {"stress", {0, 1}}, {"mass", {light}}});
+  s.boundaries.back().material = 1;
+  CHECK(shortest_limit(Simulation(s)).longest_step ==
+        Approx(2 / std::sqrt(100 * stiffness * (1 / mass + 1 / light))));
+}
