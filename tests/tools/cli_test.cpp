@@ -100,6 +100,7 @@ TEST_CASE("describe refuses what it cannot make sense of") {
           "see scree describe --help");
 }
 
+#if SCREE_TEST_PICTURES
 TEST_CASE("render draws the snapshots of a run anew") {
   const Workspace w(std::string(discs) + "[snapshot]\nevery = 1e-4\n");
   REQUIRE(w.run().status == 0);
@@ -110,6 +111,7 @@ TEST_CASE("render draws the snapshots of a run anew") {
   const Workspace empty;
   check_refused(empty, empty.scree("render ."), ".: holds no particles_*.vtp; ", "([snapshot] every = <s>)");
 }
+#endif
 
 TEST_CASE("output that cannot be written is not passed off as success") {
   const Outcome full = Workspace().shell("scree describe > /dev/full");

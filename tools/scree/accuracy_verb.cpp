@@ -10,6 +10,7 @@
 
 #include <scree/accuracy/report.hpp>
 #include <scree/accuracy/study.hpp>
+#include <scree/snapshot/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -55,6 +56,11 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
   const auto out = arguments.out.empty() ? run::RunDirectory::default_for(arguments.scenario, kind)
                                          : std::filesystem::path(arguments.out);
   const run::RunDirectory directory(out, arguments.overwrite, kind);
+  // The table is worth having without them.
+  if (!snapshot::has_pictures())
+    report(
+        fmt::format("{}, so the study has no charts; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
+        ExitStatus::success);
   ProgressBar bar(arguments.quiet);
   const accuracy::Study study = [&] {
     // Cleared also where an error leaves, so that its line stands alone.

@@ -36,11 +36,11 @@ std::vector<fs::path> frames_of(const fs::path& source) {
 }
 
 ExitStatus render(const RenderArguments& arguments) {
+  const auto backend = snapshot::load_backend();
   const std::vector<fs::path> frames = frames_of(arguments.source);
   const fs::path base = fs::is_directory(arguments.source) ? fs::path(arguments.source) / "images"
                                                            : fs::path(arguments.source).parent_path();
   const fs::path out = arguments.out.empty() ? base : fs::path(arguments.out);
-  const auto backend = snapshot::load_backend();
   for (const fs::path& frame : frames) {
     const std::string number = frame.stem().string().substr(std::string("particles_").size());
     const fs::path picture = out / fmt::format("frame_{}.png", number);

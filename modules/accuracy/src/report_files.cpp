@@ -85,6 +85,7 @@ void write_report(const Study& study, const std::string& title, const run::RunDi
   files.create();
   files.write_file("accuracy.csv", csv_report(study));
   files.write_file("accuracy.json", json_report(study));
+  if (!snapshot::has_pictures()) return;
   constexpr std::size_t most_charts = 6;
   draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt),
        files.charts() / "worst_error.png");

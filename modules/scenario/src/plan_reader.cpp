@@ -13,6 +13,7 @@
 #include <scree/probes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/scene_checks.hpp>
+#include <scree/snapshot/load_backend.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree::scenario {
@@ -109,6 +110,16 @@ void check_audit(const document::Table& root, const Plan& plan) {
       if (e.quantity == name) refuse(fmt::format("the [[expect]] of '{}'", name));
 }
 
+// Told before anything is computed or written.
+void check_pictures(const Table& root, const Plan& plan) {
+  if (snapshot::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
+  throw root.error(
+      plan.snapshot.any() ? "snapshot" : "chart",
+      fmt::format("{}, and the scene asks for them", snapshot::no_pictures),
+      fmt::format("leave [snapshot] and [[chart]] out (--set 'snapshot={{}}' --set 'chart=[]'), or {}",
+                  snapshot::no_pictures_cure));
+}
+
 // Bodies carry spins from the start if a later stage turns them.
 bool turns_later(const std::vector<Stage>& stages, int dimension) {
   for (const Stage& stage : stages)
@@ -147,6 +158,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
   plan.scene.pair_forces = looks_at_pair_forces(plan);
   check_audit(root, plan);
+  check_pictures(root, plan);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
   return plan;

@@ -28,6 +28,8 @@ std::filesystem::path find_library() {
 }
 
 std::shared_ptr<SnapshotBackend> load_once() {
+  // A library may still lie there from a build with pictures.
+  if (!has_pictures()) throw Error(fmt::format("{}; {}", no_pictures, no_pictures_cure));
   const std::filesystem::path library = find_library();
   // Never unloaded: VTK and Mesa leave thread-local data and exit handlers behind.
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -45,6 +47,8 @@ std::shared_ptr<SnapshotBackend> load_once() {
 }
 
 }  // namespace
+
+bool has_pictures() { return SCREE_PICTURES; }
 
 std::shared_ptr<SnapshotBackend> load_backend() {
   static const std::shared_ptr<SnapshotBackend> backend = load_once();

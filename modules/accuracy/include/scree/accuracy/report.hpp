@@ -16,8 +16,8 @@ std::string text_report(const Study& study);
 std::string csv_report(const Study& study);
 
 // Writes accuracy.csv, accuracy.json and charts/<quantity>.png (error against wall time with the Pareto
-// front), of the worst error and of up to six quantities, into the directory of a study. Throws Error
-// (failure) where it cannot.
+// front), of the worst error and of up to six quantities, into the directory of a study; no charts where the
+// program was built without pictures. Throws Error (failure) where it cannot.
 void write_report(const Study& study, const std::string& title, const run::RunDirectory& directory);
 
 }  // namespace scree::accuracy

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include <scree/snapshot/backend.hpp>
 
 namespace scree::snapshot {
+
+// False where the program was built with the CMake option SCREE_PICTURES=OFF. Then load_backend throws.
+bool has_pictures();
+
+inline constexpr std::string_view no_pictures = "this scree was built without pictures (SCREE_PICTURES=OFF)";
+inline constexpr std::string_view no_pictures_cure = "build it with VTK (preset release)";
 
 // Loads libscree_snapshot_vtk.so, and VTK with it, from the build or install tree of the running program;
 // once, and for as long as the program runs. Throws scree::Error where it is missing, broken or of another

@@ -1,0 +1,41 @@
+#include "program.hpp"
+
+#if !SCREE_TEST_PICTURES
+
+using namespace scree::test;
+
+namespace {
+
+const std::string snapshots = "[snapshot]\nevery = 1e-4\n";
+const std::string chart = "[[chart]]\nname = 'work'\nprobe = 'energy'\ny = 'work'\n";
+const std::string reason = "this scree was built without pictures (SCREE_PICTURES=OFF)";
+const std::string cure = "build it with VTK (preset release)";
+
+}  // namespace
+
+TEST_CASE("a scene that asks for pictures is refused where there are none, with the way to run it") {
+  for (const std::string& tables : {snapshots, chart, snapshots + chart}) {
+    const Workspace w(discs + tables);
+    for (const char* call : {"run scene.toml --out out", "check scene.toml"})
+      check_refused(w, w.scree(call), "scene.toml:27:1: " + reason + ", and the scene asks for them; ",
+                    " (--set 'snapshot={}' --set 'chart=[]'), or " + cure);
+  }
+}
+
+TEST_CASE("a scene that asks for pictures runs without them when told to leave them out") {
+  const Workspace w(discs + snapshots + chart);
+  CHECK(w.run("--set snapshot={} --set chart=[]").status == 0);
+  CHECK(w.has("out/series/energy.csv"));
+  CHECK_FALSE(w.has("out/snapshots"));
+  CHECK_FALSE(w.has("out/charts"));
+}
+
+TEST_CASE("render and accuracy say that there are no pictures") {
+  const Workspace w;
+  check_refused(w, w.scree("render ."), reason + "; ", cure);
+  const Outcome study = w.scree("accuracy scene.toml --out study --count 2 --coarsest 1");
+  CHECK(study.status == 0);
+  CHECK(study.err == "scree: " + reason + ", so the study has no charts; " + cure + "\n");
+}
+
+#endif
