@@ -3,17 +3,33 @@
 
 scree_packages=(
   g++ cmake ninja-build
-  libcli11-dev libfmt-dev libosmesa6-dev libtomlplusplus-dev libvtk9-dev
+  libcli11-dev libfmt-dev libtomlplusplus-dev
   nlohmann-json3-dev catch2
 )
+# Not for the preset no-pictures.
+picture_packages=(libosmesa6-dev libvtk9-dev)
 
 say() { printf 'scree: %s\n' "$*" >&2; }
 
+is_installed() { [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
+
+# missing_packages <preset>
 missing_packages() {
-  local package
-  for package in "${scree_packages[@]}"; do
-    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+  local package packages=("${scree_packages[@]}")
+  [[ $1 == no-pictures ]] || packages+=("${picture_packages[@]}")
+  for package in "${packages[@]}"; do
+    is_installed "$package" || echo "$package"
   done
+}
+
+# refuse_conflict <missing packages...>: python3-paraview conflicts with python3-vtk9, which libvtk9-dev needs; apt would
+# say so in many lines and name no cure.
+refuse_conflict() {
+  [[ " $* " == *" libvtk9-dev "* ]] && is_installed python3-paraview || return 0
+  say "libvtk9-dev, which draws pictures, cannot be installed beside the package python3-paraview;" \
+    "remove that with apt-get remove python3-paraview (ParaView itself stays, without its Python)," \
+    "or go on without pictures: tools/run --without-pictures SCENARIO, tools/test --preset no-pictures"
+  exit 2
 }
 
 # Asks once, unless --yes was given or there is no terminal to ask at.
@@ -24,10 +40,12 @@ confirm() {
   [[ -z $answer || $answer == [Yy]* ]]
 }
 
+# install_missing <preset>
 install_missing() {
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$1")
   ((${#missing[@]})) || return 0
+  refuse_conflict "${missing[@]}"
   say "these Debian packages are missing: ${missing[*]}"
   local by_hand="apt-get install --no-install-recommends ${missing[*]}"
   local root=()
@@ -59,7 +77,7 @@ install_missing() {
 build_scree() {
   local preset=$1 target=${2:-all} build="$scree_root/build/$1"
   if [[ ! -f $build/build.ninja ]]; then
-    install_missing
+    install_missing "$preset"
     say "configuring ($preset)"
     (cd "$scree_root" && cmake --preset "$preset" >"$scree_root/build-$preset.log" 2>&1) ||
       { tail -n 20 "$scree_root/build-$preset.log" >&2; say "configuring failed"; exit 1; }

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# setup_test.sh <root of the source>: what tools/setup.sh says where python3-paraview keeps libvtk9-dev out.
+set -u
+source "$1/tools/setup.sh"
+
+# In place of dpkg: the packages that are there.
+installed=""
+is_installed() { [[ " $installed " == *" $1 "* ]]; }
+
+failures=0
+# check <what> <expected exit status> <pattern of what is said> <call...>
+check() {
+  local said status
+  said=$("${@:4}" 2>&1)
+  status=$?
+  # shellcheck disable=SC2053  # a pattern
+  [[ $status == "$2" && $said == $3 ]] && return
+  printf '%s: status %s, said: %s\n' "$1" "$status" "$said"
+  failures=1
+}
+
+installed="${scree_packages[*]} python3-paraview"
+check "ParaView's Python is in the way" 2 \
+  "scree: *python3-paraview;*apt-get remove python3-paraview*--without-pictures*" install_missing release
+check "nothing is missing without pictures" 0 "" install_missing no-pictures
+installed+=" libosmesa6-dev libvtk9-dev"
+check "nothing is missing where VTK is there" 0 "" install_missing release
+installed=${scree_packages[*]}
+check "VTK is missing and nothing is in its way" 0 "" refuse_conflict libosmesa6-dev libvtk9-dev
+check "the packages for pictures are asked for" 0 $'libosmesa6-dev\nlibvtk9-dev' missing_packages release
+exit $failures
