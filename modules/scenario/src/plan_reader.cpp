@@ -111,7 +111,7 @@ void check_audit(const document::Table& root, const Plan& plan) {
 }
 
 // Told before anything is computed or written.
-void check_pictures(const Table& root, const Plan& plan) {
+void check_pictures(const document::Table& root, const Plan& plan) {
   if (snapshot::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
   throw root.error(
       plan.snapshot.any() ? "snapshot" : "chart",
