@@ -31,11 +31,12 @@ typedef struct scree_boundary_energy { /* running totals since the start of the 
 typedef struct scree_boundary_step {
   uint32_t struct_size;
   uint32_t dimension;
-  double time;             /* (s) at the start of the step, since the parameters in force were set */
-  double step;             /* (s) */
-  const scree_load* loads; /* plane_count; at `begin_step` those at the start, at `finish_step` at the end of the step */
-  scree_plane* planes;     /* plane_count */
-  double* state;           /* state_width doubles kept by the host: saved, restored and hashed by it */
+  double time; /* (s) at the start of the step, since the parameters in force were set */
+  double step; /* (s) */
+  const scree_load*
+      loads; /* plane_count; at `begin_step` those at the start, at `finish_step` at the end of the step */
+  scree_plane* planes; /* plane_count */
+  double* state;       /* state_width doubles kept by the host: saved, restored and hashed by it */
   scree_boundary_energy* energy;
 } scree_boundary_step;
 
@@ -49,8 +50,8 @@ typedef struct scree_boundary_instance {
   const double* plane_masses; /* (optional) plane_count masses (kg), 0 for planes that forces do not move; in
                                  the plug-in's storage */
   double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
-  uint32_t still;      /* nonzero: no plane moves, so that steps call neither `begin_step` nor `finish_step`; `finish_step` is called
-                          with step 0 before and after parameters change that */
+  uint32_t still;      /* nonzero: no plane moves, so that steps call neither `begin_step` nor `finish_step`;
+                          `finish_step` is called      with step 0 before and after parameters change that */
 } scree_boundary_instance;
 
 typedef struct scree_boundary {
@@ -60,7 +61,8 @@ typedef struct scree_boundary {
   void (*start)(const void* storage,
                 const scree_boundary_step* step); /* once: state and planes at the start */
   void (*begin_step)(const void* storage, const scree_boundary_step* step); /* planes from t to t + step */
-  void (*finish_step)(const void* storage, const scree_boundary_step* step);  /* end-of-step velocities, energies */
+  void (*finish_step)(const void* storage,
+                      const scree_boundary_step* step); /* end-of-step velocities, energies */
 } scree_boundary;
 
 #ifdef __cplusplus
