@@ -82,33 +82,26 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
 
 }  // namespace
 
-void add_accuracy_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb = app.add_subcommand(
-      "accuracy", "Speed against error of a scenario, over steps, integrators, precisions");
+void add_accuracy_verb(CommandLine& line) {
+  Verb verb = line.verb("accuracy", "Speed against error of a scenario, over steps, integrators, precisions");
   auto a = std::make_shared<AccuracyArguments>();
-  verb->add_option("scenario", a->scenario, "Scenario file (TOML); compared is what its [[expect]]s name")
-      ->required();
-  verb->add_option("--out", a->out, "Directory of the study; default runs/<scenario>-accuracy")
-      ->type_name("DIR");
-  verb->add_option("--tolerance", a->tolerance,
-                   "Relative error that the cheapest setting must meet (default 1e-3)")
-      ->check(positive_and_finite);
-  verb->add_option("--coarsest", a->coarsest, "Longest step, in steps of the scenario (default 4)")
-      ->check(positive_and_finite);
-  verb->add_option("--count", a->count, "Number of steps, each half of the one before (default 6)")
-      ->check(CLI::Range(2, 20));
-  verb->add_option("--integrator", a->integrators, "Only this one, repeatable; default all")
-      ->check(CLI::IsMember(integrator_names()))
-      ->allow_extra_args(false);
-  verb->add_option("--set", a->overrides, "Change a value of the scenario")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  verb->add_flag("--overwrite", a->overwrite, "Replace the study that the directory holds");
-  verb->add_flag("--quiet", a->quiet, "No progress and no table, only the verdict");
-  add_plugin_options(*verb, a->plugins);
-  verb->footer(
+  verb.option("scenario", a->scenario, "Scenario file (TOML); compared is what its [[expect]]s name")
+      .required();
+  verb.option("--out", a->out, "Directory of the study; default runs/<scenario>-accuracy").shown_as("DIR");
+  verb.option("--tolerance", a->tolerance,
+              "Relative error that the cheapest setting must meet (default 1e-3)")
+      .above_zero();
+  verb.option("--coarsest", a->coarsest, "Longest step, in steps of the scenario (default 4)").above_zero();
+  verb.option("--count", a->count, "Number of steps, each half of the one before (default 6)").between(2, 20);
+  verb.option("--integrator", a->integrators, "Only this one, repeatable; default all")
+      .one_of(integrator_names());
+  verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
+  verb.flag("--overwrite", a->overwrite, "Replace the study that the directory holds");
+  verb.flag("--quiet", a->quiet, "No progress and no table, only the verdict");
+  add_plugin_options(verb, a->plugins);
+  verb.footer(
       "Example: scree accuracy scenarios/david2005/quickstart.toml --tolerance 1e-3 --out runs/accuracy");
-  verb->callback([a, &status] { status = study_scenario(*a); });
+  verb.action([a] { return study_scenario(*a); });
 }
 
 }  // namespace scree::tool

@@ -99,7 +99,7 @@ Table table_at(const std::filesystem::path& path) {
     if (!text.empty() && text.substr(0, text.find('\n')) != csv_header())
       throw Error(
           fmt::format("{}: has other columns than this version writes; give a new --csv", path.string()));
-    if (!text.empty()) t.before = text.back() == '\n' ? "" : "\n";
+    if (!text.empty()) t.before = text.back() == '\n' ? std::string() : "\n";
   }
   t.file.open(path, std::ios::app);
   if (!t.file)
@@ -154,32 +154,26 @@ std::string footer() {
 
 }  // namespace
 
-void add_bench_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb = app.add_subcommand("bench", "Time steps of a scene, and where the time goes");
+void add_bench_verb(CommandLine& line) {
+  Verb verb = line.verb("bench", "Time steps of a scene, and where the time goes");
   auto a = std::make_shared<BenchArguments>();
   BenchOptions& o = a->options;
-  verb->add_option("scene", a->scene, "Name of a scene (see below), or a scenario file")->required();
-  verb->add_option("--threads", o.threads, "Threads (default 1)")->check(CLI::Range(1u, 1024u));
-  verb->add_option("--repeats", o.repeats, "Repeats, of which the median counts (default 5)")
-      ->check(CLI::Range(1u, 1000u));
-  verb->add_option(
-          "--start", o.start,
-          "Time in the scene to begin at, s: with one repeat that does not count (default: its start)")
-      ->check(positive_and_finite);
-  CLI::Option* seconds =
-      verb->add_option("--seconds", o.seconds, "About how long a repeat takes, s (default 0.5)")
-          ->check(positive_and_finite);
-  verb->add_option("--steps", o.steps, "Steps of a repeat, instead of --seconds")
-      ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1'000'000'000'000)))
-      ->excludes(seconds);
-  verb->add_option("--csv", a->csv, "File that a row is added to, with a header if it is new")
-      ->type_name("FILE");
-  verb->add_option("--set", a->overrides, "Change a value of the scene")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_plugin_options(*verb, a->plugins);
-  verb->footer(footer);
-  verb->callback([a, &status] { status = bench(*a); });
+  verb.option("scene", a->scene, "Name of a scene (see below), or a scenario file").required();
+  verb.option("--threads", o.threads, "Threads (default 1)").between(1, 1024);
+  verb.option("--repeats", o.repeats, "Repeats, of which the median counts (default 5)").between(1, 1000);
+  verb.option("--start", o.start,
+              "Time in the scene to begin at, s: with one repeat that does not count (default: its start)")
+      .above_zero();
+  const Option seconds =
+      verb.option("--seconds", o.seconds, "About how long a repeat takes, s (default 0.5)").above_zero();
+  verb.option("--steps", o.steps, "Steps of a repeat, instead of --seconds")
+      .between(1, 1e12)
+      .excludes(seconds);
+  verb.option("--csv", a->csv, "File that a row is added to, with a header if it is new").shown_as("FILE");
+  verb.option("--set", a->overrides, "Change a value of the scene").shown_as("KEY=VALUE");
+  add_plugin_options(verb, a->plugins);
+  verb.footer(footer);
+  verb.action([a] { return bench(*a); });
 }
 
 }  // namespace scree::tool

@@ -82,20 +82,18 @@ ExitStatus run_campaign(const CampaignArguments& a) {
 
 }  // namespace
 
-void add_campaign_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb =
-      app.add_subcommand("campaign", "Run a scenario for many parameters and seeds, side by side");
+void add_campaign_verb(CommandLine& line) {
+  Verb verb = line.verb("campaign", "Run a scenario for many parameters and seeds, side by side");
   auto a = std::make_shared<CampaignArguments>();
-  verb->add_option("file", a->file, "Campaign file (TOML): a scenario, seeds, lists of values")->required();
-  verb->add_option("--out", a->out, "Directory of the campaign; default campaigns/<file>")->type_name("DIR");
-  verb->add_option("--jobs", a->jobs, "Runs side by side (default: processors over threads)")
-      ->check(CLI::Range(1u, 512u));
-  verb->add_option("--threads", a->threads, "Threads of each run (default 1)")->check(CLI::Range(1u, 1024u));
-  verb->add_flag("--list", a->list, "Tell the runs and what is there of each; run nothing");
-  verb->add_flag("--overwrite", a->overwrite, "Run again also what has finished");
-  verb->add_flag("--quiet", a->quiet, "No progress, only the summary");
-  add_plugin_options(*verb, a->plugins);
-  verb->footer(
+  verb.option("file", a->file, "Campaign file (TOML): a scenario, seeds, lists of values").required();
+  verb.option("--out", a->out, "Directory of the campaign; default campaigns/<file>").shown_as("DIR");
+  verb.option("--jobs", a->jobs, "Runs side by side (default: processors over threads)").between(1, 512);
+  verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
+  verb.flag("--list", a->list, "Tell the runs and what is there of each; run nothing");
+  verb.flag("--overwrite", a->overwrite, "Run again also what has finished");
+  verb.flag("--quiet", a->quiet, "No progress, only the summary");
+  add_plugin_options(verb, a->plugins);
+  verb.footer(
       "What has finished is not run again: the same call goes on after Ctrl-C, a failure, or new values in "
       "the\n"
       "file. A campaign file:\n"
@@ -111,7 +109,7 @@ void add_campaign_verb(CLI::App& app, ExitStatus& status) {
       "  name = \"soft\"\n"
       "  set.contact.normal_stiffness = 1000\n"
       "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2");
-  verb->callback([a, &status] { status = run_campaign(*a); });
+  verb.action([a] { return run_campaign(*a); });
 }
 
 }  // namespace scree::tool

@@ -49,17 +49,15 @@ ExitStatus check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb = app.add_subcommand("check", "Validate a scenario without running it");
+void add_check_verb(CommandLine& line) {
+  Verb verb = line.verb("check", "Validate a scenario without running it");
   auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("scenario", arguments->scenario, "Scenario file (TOML)")->required();
-  verb->add_option("--set", arguments->overrides, "Change a value of the scenario")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_plugin_options(*verb, arguments->plugins);
-  verb->footer(
+  verb.option("scenario", arguments->scenario, "Scenario file (TOML)").required();
+  verb.option("--set", arguments->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
+  add_plugin_options(verb, arguments->plugins);
+  verb.footer(
       "Example: scree check scenarios/david2005/quickstart.toml --set particles.lattice.count=[10,10,10]");
-  verb->callback([arguments, &status] { status = check(*arguments); });
+  verb.action([arguments] { return check(*arguments); });
 }
 
 }  // namespace scree::tool

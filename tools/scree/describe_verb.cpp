@@ -172,24 +172,21 @@ ExitStatus describe(const DescribeArguments& arguments) {
 
 }  // namespace
 
-void add_describe_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb =
-      app.add_subcommand("describe", "List plug-ins, or tell one's equations, parameters and closed forms");
+void add_describe_verb(CommandLine& line) {
+  Verb verb = line.verb("describe", "List plug-ins, or tell one's equations, parameters and closed forms");
   auto a = std::make_shared<DescribeArguments>();
-  verb->add_option("name", a->name,
-                   "Plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
-  verb->add_option("values", a->values, "Parameters as KEY=VALUE, for the closed forms")
-      ->type_name("KEY=VALUE");
-  verb->add_option("--dimension", a->dimension, "2 or 3 (default 3)")->check(CLI::Range(2, 3));
-  verb->add_option("--radius", a->radius, "Radius of the bodies, m (default 0.005)")
-      ->check(positive_and_finite);
-  verb->add_option("--density", a->density, "Density, kg/m^3 (default 2000)")->check(positive_and_finite);
-  verb->add_option("--speed", a->speed, "Impact speed, m/s (default 1)")->check(positive_and_finite);
-  add_plugin_options(*verb, a->plugins);
-  verb->footer(
+  verb.option("name", a->name,
+              "Plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
+  verb.option("values", a->values, "Parameters as KEY=VALUE, for the closed forms").shown_as("KEY=VALUE");
+  verb.option("--dimension", a->dimension, "2 or 3 (default 3)").between(2, 3);
+  verb.option("--radius", a->radius, "Radius of the bodies, m (default 0.005)").above_zero();
+  verb.option("--density", a->density, "Density, kg/m^3 (default 2000)").above_zero();
+  verb.option("--speed", a->speed, "Impact speed, m/s (default 1)").above_zero();
+  add_plugin_options(verb, a->plugins);
+  verb.footer(
       "Example: scree describe linear_spring_dashpot normal_stiffness=5000 normal_damping=0.05 --radius "
       "0.005");
-  verb->callback([a, &status] { status = describe(*a); });
+  verb.action([a] { return describe(*a); });
 }
 
 }  // namespace scree::tool

@@ -1,6 +1,5 @@
 #include "verbs.hpp"
 
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -20,12 +19,10 @@ ExitStatus report(std::string_view line, ExitStatus status) {
   return status;
 }
 
-void add_plugin_options(CLI::App& verb, PluginOptions& options) {
-  verb.add_option(
-          "--plugins", options.directories,
-          "Directory with plug-ins of your own, <DIR>/<kind>/<name>.so; also SCREE_PLUGIN_PATH=DIR:DIR")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+void add_plugin_options(Verb& verb, PluginOptions& options) {
+  verb.option("--plugins", options.directories,
+              "Directory with plug-ins of your own, <DIR>/<kind>/<name>.so; also SCREE_PLUGIN_PATH=DIR:DIR")
+      .shown_as("DIR");
 }
 
 PluginHost make_host(const PluginOptions& options) {
@@ -55,12 +52,6 @@ void on_interrupt(int signal) {
 
 }  // namespace
 
-std::string positive_and_finite(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is no number above 0";
-}
-
 const std::atomic<bool>& watch_for_interrupt() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -76,52 +67,24 @@ constexpr const char* footer =
     "Exit status: 0 done, 1 an expectation was not met, 2 bad input (nothing written), 3 the run blew up\n"
     "(what it wrote is kept), 130 interrupted (the same).";
 
-// A verb that does not exist deserves a better answer than "unexpected argument".
-void check_verb_name(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> verbs;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    verbs.push_back(verb->get_name());
-  if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return;
-  throw Error(fmt::format("no verb '{}'; {}", argv[1], document::name_cure(argv[1], verbs)));
-}
-
 // Output that did not reach its file must not pass for success.
 ExitStatus flushed(ExitStatus status) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return status;
   throw Error("standard output cannot be written; free disk space or send it elsewhere", ExitStatus::failure);
 }
 
-ExitStatus run_verb(CLI::App& app, int argc, char** argv) {
-  ExitStatus status = ExitStatus::success;
-  add_run_verb(app, status);
-  add_check_verb(app, status);
-  add_describe_verb(app, status);
-  add_render_verb(app, status);
-  add_accuracy_verb(app, status);
-  add_campaign_verb(app, status);
-  add_bench_verb(app, status);
-  const bool verb_given = argc > 1 && argv[1][0] != '-';
-  try {
-    check_verb_name(app, argc, argv);
-    app.parse(argc, argv);
-  } catch (const CLI::Success& done) {
-    app.exit(done);
-  } catch (const CLI::ParseError& error) {
-    throw Error(
-        fmt::format("{}; see scree {}--help", error.what(), verb_given ? std::string(argv[1]) + " " : ""));
-  }
-  return flushed(status);
-}
-
 ExitStatus main_of(int argc, char** argv) {
-  CLI::App app("scree: a discrete-element laboratory for granular matter", "scree");
-  app.footer(footer);
-  app.set_version_flag("--version", "scree " SCREE_VERSION);
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
   try {
-    return run_verb(app, argc, argv);
+    CommandLine line("scree: a discrete-element laboratory for granular matter", "scree " SCREE_VERSION,
+                     footer);
+    add_run_verb(line);
+    add_check_verb(line);
+    add_describe_verb(line);
+    add_render_verb(line);
+    add_accuracy_verb(line);
+    add_campaign_verb(line);
+    add_bench_verb(line);
+    return flushed(line.run(argc, argv));
   } catch (const Error& error) {
     return report(error.what(), error.status());
   } catch (const std::bad_alloc&) {

@@ -52,25 +52,21 @@ ExitStatus render(const RenderArguments& arguments) {
 
 }  // namespace
 
-void add_render_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb = app.add_subcommand("render", "Draw the snapshots of a run anew, without a display");
+void add_render_verb(CommandLine& line) {
+  Verb verb = line.verb("render", "Draw the snapshots of a run anew, without a display");
   auto a = std::make_shared<RenderArguments>();
   const std::vector<std::string> fields(snapshot::color_fields.begin(), snapshot::color_fields.end());
   const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
-  verb->add_option("source", a->source, "Run directory, or one particles_*.vtp file")
-      ->required()
-      ->check(CLI::ExistingPath);
-  verb->add_option("--out", a->out, "Directory for the pictures; default the run's images/")
-      ->type_name("DIR");
-  verb->add_option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
-      ->check(CLI::IsMember(fields));
-  verb->add_option("--view", a->options.view, "Direction of view (default iso, in 2D z)")
-      ->check(CLI::IsMember(views));
-  verb->add_flag("--contacts", a->options.show_contacts, "Draw the contact network");
-  verb->add_option("--width", a->options.width, "Pixels (default 1200)")->check(CLI::Range(200, 8000));
-  verb->add_option("--height", a->options.height, "Pixels (default 900)")->check(CLI::Range(200, 8000));
-  verb->footer("Example: scree render runs/first --color-by speed --contacts");
-  verb->callback([a, &status] { status = render(*a); });
+  verb.option("source", a->source, "Run directory, or one particles_*.vtp file").required().existing_path();
+  verb.option("--out", a->out, "Directory for the pictures; default the run's images/").shown_as("DIR");
+  verb.option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
+      .one_of(fields);
+  verb.option("--view", a->options.view, "Direction of view (default iso, in 2D z)").one_of(views);
+  verb.flag("--contacts", a->options.show_contacts, "Draw the contact network");
+  verb.option("--width", a->options.width, "Pixels (default 1200)").between(200, 8000);
+  verb.option("--height", a->options.height, "Pixels (default 900)").between(200, 8000);
+  verb.footer("Example: scree render runs/first --color-by speed --contacts");
+  verb.action([a] { return render(*a); });
 }
 
 }  // namespace scree::tool

@@ -132,27 +132,25 @@ ExitStatus run_scenario(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run_verb(CLI::App& app, ExitStatus& status) {
-  CLI::App* verb = app.add_subcommand("run", "Run a scenario");
+void add_run_verb(CommandLine& line) {
+  Verb verb = line.verb("run", "Run a scenario");
   auto arguments = std::make_shared<RunArguments>();
-  verb->add_option("scenario", arguments->scenario, "Scenario file (TOML)")->required();
-  verb->add_option("--out", arguments->out,
-                   "Directory of the run; default runs/<scenario>, numbered if it exists")
-      ->type_name("DIR");
-  verb->add_option("--set", arguments->overrides,
-                   "Change a value of the scenario, for example --set contact.static_friction=0.2")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  verb->add_option("--threads", arguments->threads,
-                   "Threads; the results have the same bits for any number (default 1)")
-      ->check(CLI::Range(1u, 1024u));
-  verb->add_flag("--overwrite", arguments->overwrite, "Replace the run that the directory holds");
-  verb->add_flag("--quiet", arguments->quiet, "No progress, only where the results are");
-  add_plugin_options(*verb, arguments->plugins);
-  verb->footer(
+  verb.option("scenario", arguments->scenario, "Scenario file (TOML)").required();
+  verb.option("--out", arguments->out, "Directory of the run; default runs/<scenario>, numbered if it exists")
+      .shown_as("DIR");
+  verb.option("--set", arguments->overrides,
+              "Change a value of the scenario, for example --set contact.static_friction=0.2")
+      .shown_as("KEY=VALUE");
+  verb.option("--threads", arguments->threads,
+              "Threads; the results have the same bits for any number (default 1)")
+      .between(1, 1024);
+  verb.flag("--overwrite", arguments->overwrite, "Replace the run that the directory holds");
+  verb.flag("--quiet", arguments->quiet, "No progress, only where the results are");
+  add_plugin_options(verb, arguments->plugins);
+  verb.footer(
       "Example: scree run scenarios/david2005/quickstart.toml --out runs/first --set "
       "contact.static_friction=0.2");
-  verb->callback([arguments, &status] { status = run_scenario(*arguments); });
+  verb.action([arguments] { return run_scenario(*arguments); });
 }
 
 }  // namespace scree::tool

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "command_line.hpp"
+
 #include <atomic>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include <scree/error.hpp>
 #include <scree/plugin_host.hpp>
@@ -22,21 +22,18 @@ struct PluginOptions {
 };
 
 // Adds --plugins DIR.
-void add_plugin_options(CLI::App& verb, PluginOptions& options);
+void add_plugin_options(Verb& verb, PluginOptions& options);
 // Directories of --plugins, then of SCREE_PLUGIN_PATH, then of the build or install tree.
 PluginHost make_host(const PluginOptions& options);
 
-// A check for options; CLI::PositiveNumber takes infinity.
-std::string positive_and_finite(const std::string& word);
-
-// Each adds its verb; the callback sets `status`.
-void add_run_verb(CLI::App& app, ExitStatus& status);
-void add_check_verb(CLI::App& app, ExitStatus& status);
-void add_describe_verb(CLI::App& app, ExitStatus& status);
-void add_render_verb(CLI::App& app, ExitStatus& status);
-void add_accuracy_verb(CLI::App& app, ExitStatus& status);
-void add_campaign_verb(CLI::App& app, ExitStatus& status);
-void add_bench_verb(CLI::App& app, ExitStatus& status);
+// Each adds its verb.
+void add_run_verb(CommandLine& line);
+void add_check_verb(CommandLine& line);
+void add_describe_verb(CommandLine& line);
+void add_render_verb(CommandLine& line);
+void add_accuracy_verb(CommandLine& line);
+void add_campaign_verb(CommandLine& line);
+void add_bench_verb(CommandLine& line);
 
 // Set by the first Ctrl-C, or the end of a batch job, from now on: what runs saves what it has and ends. A
 // second one ends the program at once.

@@ -1,0 +1,123 @@
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <type_traits>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <scree/document/message.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+// CLI::PositiveNumber takes infinity.
+std::string positive_and_finite(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is no number above 0";
+}
+
+}  // namespace
+
+Option& Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option& Option::shown_as(const std::string& type) {
+  option_->type_name(type);
+  return *this;
+}
+
+Option& Option::one_of(const std::vector<std::string>& words) {
+  option_->check(CLI::IsMember(words));
+  return *this;
+}
+
+Option& Option::existing_path() {
+  option_->check(CLI::ExistingPath);
+  return *this;
+}
+
+Option& Option::above_zero() {
+  option_->check(positive_and_finite);
+  return *this;
+}
+
+Option& Option::between(double least, double most) {
+  const auto check = [&](auto value) {
+    using Number = typename decltype(value)::type;  // the help names it
+    if constexpr (std::is_arithmetic_v<Number>) option_->check(CLI::Range(Number(least), Number(most)));
+  };
+  std::visit(check, value_);
+  return *this;
+}
+
+Option& Option::excludes(const Option& other) {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option Verb::option(const std::string& name, Destination value, const std::string& help) {
+  CLI::Option* option =
+      std::visit([&](auto destination) { return verb_->add_option(name, destination.get(), help); }, value);
+  // Else --set a=1 scene.toml would take the scene for a second value.
+  if (name.starts_with('-')) option->allow_extra_args(false);
+  return Option(option, value);
+}
+
+void Verb::flag(const std::string& name, bool& value, const std::string& help) {
+  verb_->add_flag(name, value, help);
+}
+
+void Verb::footer(const std::string& text) { verb_->footer(text); }
+
+void Verb::footer(const std::function<std::string()>& text) { verb_->footer(text); }
+
+void Verb::action(const std::function<ExitStatus()>& action) {
+  verb_->callback([action, &status = status_] { status = action(); });
+}
+
+CommandLine::CommandLine(const std::string& description, const std::string& version,
+                         const std::string& footer)
+    : app_(std::make_unique<CLI::App>(description, "scree")) {
+  app_->footer(footer);
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(1);
+  app_->get_formatter()->column_width(34);
+}
+
+CommandLine::~CommandLine() = default;
+
+Verb CommandLine::verb(const std::string& name, const std::string& help) {
+  return Verb(app_->add_subcommand(name, help), status_);
+}
+
+// A verb that does not exist deserves a better answer than "unexpected argument".
+void CommandLine::check_verb_name(const std::string& name) const {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app_->get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
+  if (std::find(verbs.begin(), verbs.end(), name) != verbs.end()) return;
+  throw Error(fmt::format("no verb '{}'; {}", name, document::name_cure(name, verbs)));
+}
+
+ExitStatus CommandLine::run(int argc, char** argv) {
+  const bool verb_given = argc > 1 && argv[1][0] != '-';
+  if (verb_given) check_verb_name(argv[1]);
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    app_->exit(done);
+  } catch (const CLI::ParseError& error) {
+    throw Error(
+        fmt::format("{}; see scree {}--help", error.what(), verb_given ? std::string(argv[1]) + " " : ""));
+  }
+  return status_;
+}
+
+}  // namespace scree::tool
