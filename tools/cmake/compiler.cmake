@@ -19,6 +19,11 @@ if(SCREE_ASSERTIONS)
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g -D_GLIBCXX_ASSERTIONS")
 endif()
 
+# For what spends its time in libraries and plug-ins, as the program and the tests do: at -O3 they take a third longer to
+# compile and run no faster. Results have the same bits at every level.
+add_library(scree_quick_to_compile INTERFACE)
+target_compile_options(scree_quick_to_compile INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+
 if(SCREE_SANITIZE)
   add_compile_options(-fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SCREE_SANITIZE})
