@@ -34,4 +34,6 @@ endif()
 find_program(SCREE_CCACHE ccache)
 if(SCREE_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${SCREE_CCACHE})
+  # Without leave to be sloppy it caches nothing that includes them.
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
