@@ -9,7 +9,7 @@
 namespace scree::document {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -31,7 +31,7 @@ std::string key_text(std::string_view key) {
   const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
-  return bare ? std::string(key) : quoted(key);
+  return bare ? std::string(key) : quoted_text(key);
 }
 
 std::string inline_table_text(const Node& table) {
@@ -61,7 +61,7 @@ std::string value_text(const Node& node) {
     case NodeKind::array:
       return array_text(node);
     case NodeKind::string:
-      return quoted(node.text);
+      return quoted_text(node.text);
     case NodeKind::integer:
       return std::to_string(node.integer);
     case NodeKind::number:
