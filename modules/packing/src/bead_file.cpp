@@ -24,7 +24,7 @@ Header read_header(TextReader& reader) {
   if (!reader.next_words()) reader.fail(1, "the file is empty", "begin with a line 'N L H'");
   const auto& words = reader.words();
   if (words.size() != 3) {
-    reader.fail(1, fmt::format("{} words where 'N L H' belongs", words.size()),
+    reader.fail(1, fmt::format("{} words instead of 'N L H'", words.size()),
                 "give number of beads, period and height");
   }
   return {reader.positive_integer(words[0], "number of beads"), reader.positive_number(words[1], "period"),
@@ -35,7 +35,7 @@ Body read_bead(TextReader& reader) {
   constexpr BodyField columns[] = {BodyField::x, BodyField::y, BodyField::z, BodyField::radius};
   const auto& words = reader.words();
   if (words.size() != 4) {
-    reader.fail(1, fmt::format("{} words where 'x y z radius' belongs", words.size()), "give four numbers");
+    reader.fail(1, fmt::format("{} words instead of 'x y z radius'", words.size()), "give four numbers");
   }
   Body body;
   for (std::size_t k = 0; k < 4; ++k) set_field(body, columns[k], words[k], reader);
@@ -52,11 +52,11 @@ Packing parse_beads(std::string_view text, const std::string& name, const Import
   packing.periodic = options.periodic.value_or(std::array{true, false, true});
   while (reader.next_words()) {
     packing.bodies.push_back(read_bead(reader));
-    packing.bodies.back().id = static_cast<std::int64_t>(packing.bodies.size());
+    packing.bodies.back().id = std::int64_t(packing.bodies.size());
   }
-  const auto found = static_cast<std::int64_t>(packing.bodies.size());
+  const auto found = std::int64_t(packing.bodies.size());
   if (found != header.count) {
-    reader.fail(1, fmt::format("{} beads announced, {} found", header.count, found),
+    reader.fail(1, fmt::format("the first line gives {} beads, the file has {}", header.count, found),
                 "complete the file or correct its first line");
   }
   return checked_import(std::move(packing), name);

@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 15> names = {"id",     "material", "x",  
                                                     "radius", "diameter", "density", "mass", "vx",
                                                     "vy",     "vz",       "wx",      "wy",   "wz"};
 
-std::string_view name_of(BodyField field) { return names[static_cast<std::size_t>(field)]; }
+std::string_view name_of(BodyField field) { return names[std::size_t(field)]; }
 
 }  // namespace
 

@@ -9,19 +9,19 @@
 
 namespace scree::packing {
 
-// What a column of a file can say about a body.
+// Properties of a body that a file column can hold.
 enum class BodyField { id, material, x, y, z, radius, diameter, density, mass, vx, vy, vz, wx, wy, wz };
 
-// Checks the token against the field's range and stores it. Errors name the place and the field.
+// Checks the token against the range of the field and stores it. Errors name the position and the field.
 void set_field(Body& body, BodyField field, const Token& token, const TextReader& reader);
 
 // Component of position, velocity or spin; nullptr for the other fields.
 double* field_component(Body& body, BodyField field);
 
-// Fails at the token if the field must vanish in two dimensions and does not.
+// Fails at the token if the field must be 0 in two dimensions and is not.
 void require_planar(Body& body, BodyField field, const Token& token, const TextReader& reader);
 
-// Which ids a file has used, and where.
+// Ids that a file has used, with the line of each.
 class IdRegister {
  public:
   // Fails at the token if the id was used before.

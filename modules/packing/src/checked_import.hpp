@@ -6,7 +6,7 @@
 
 namespace scree::packing {
 
-// The packing, after check(); its errors then begin with the name of the file.
+// Returns the packing after check(); prefixes errors with the name of the file.
 Packing checked_import(Packing packing, const std::string& name);
 
 }  // namespace scree::packing

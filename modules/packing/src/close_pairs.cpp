@@ -33,13 +33,13 @@ void ClosePairs::build_grid(int size_class) {
     members.push_back(i);
     grid.largest_radius = std::max(grid.largest_radius, radius);
   }
-  constexpr double most_cells = 1e9;
+  constexpr double max_cells = 1e9;
   for (int k = 0; k < 3; ++k) {
     const double length = periodic_length(k);
     grid.cell[k] = 2.0 * grid.largest_radius;
     if (length == 0.0) continue;
-    grid.cells[k] = static_cast<std::int64_t>(std::clamp(std::floor(length / grid.cell[k]), 1.0, most_cells));
-    grid.cell[k] = length / static_cast<double>(grid.cells[k]);
+    grid.cells[k] = std::int64_t(std::clamp(std::floor(length / grid.cell[k]), 1.0, max_cells));
+    grid.cell[k] = length / double(grid.cells[k]);
   }
   grid.mask = std::bit_ceil(2 * members.size()) - 1;
   grid.first.assign(grid.mask + 1, -1);
@@ -48,7 +48,7 @@ void ClosePairs::build_grid(int size_class) {
     const std::int64_t z = packing_.dimension == 3 ? cell_index(grid, x[2], 2) : 0;
     std::int64_t& first = grid.first[bucket(grid, cell_index(grid, x[0], 0), cell_index(grid, x[1], 1), z)];
     next_[i] = first;
-    first = static_cast<std::int64_t>(i);
+    first = std::int64_t(i);
   }
   grids_.push_back(std::move(grid));
 }
@@ -56,11 +56,10 @@ void ClosePairs::build_grid(int size_class) {
 std::int64_t ClosePairs::cell_index(const Grid& grid, double x, int axis) const {
   constexpr double farthest = 0x1p52;
   const double length = periodic_length(axis);
-  if (length == 0.0)
-    return static_cast<std::int64_t>(std::floor(std::clamp(x / grid.cell[axis], -farthest, farthest)));
-  const double turns = (x - packing_.bounds->lower[axis]) / length;
-  const double share = turns - std::floor(turns);
-  const auto index = static_cast<std::int64_t>(share * static_cast<double>(grid.cells[axis]));
+  if (length == 0.0) return std::int64_t(std::floor(std::clamp(x / grid.cell[axis], -farthest, farthest)));
+  const double periods = (x - packing_.bounds->lower[axis]) / length;
+  const double fraction = periods - std::floor(periods);
+  const auto index = std::int64_t(fraction * double(grid.cells[axis]));
   return std::min(index, grid.cells[axis] - 1);
 }
 
@@ -74,10 +73,10 @@ ClosePairs::Span ClosePairs::neighbours(const Grid& grid, double x, int axis) co
 }
 
 std::size_t ClosePairs::bucket(const Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
-  std::uint64_t hash = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15;
-  hash = (std::rotl(hash, 31) ^ static_cast<std::uint64_t>(y)) * 0xbf58476d1ce4e5b9;
-  hash = (std::rotl(hash, 31) ^ static_cast<std::uint64_t>(z)) * 0x94d049bb133111eb;
-  return static_cast<std::size_t>(hash >> 32) & grid.mask;
+  std::uint64_t hash = std::uint64_t(x) * 0x9e3779b97f4a7c15;
+  hash = (std::rotl(hash, 31) ^ std::uint64_t(y)) * 0xbf58476d1ce4e5b9;
+  hash = (std::rotl(hash, 31) ^ std::uint64_t(z)) * 0x94d049bb133111eb;
+  return std::size_t(hash >> 32) & grid.mask;
 }
 
 double ClosePairs::distance(std::size_t i, std::size_t j) const {

@@ -9,22 +9,21 @@
 
 namespace scree::packing {
 
-// Two bodies whose surfaces interpenetrate, by index in the packing; first == second: a body and its own
-// image.
+// Two overlapping bodies, by index in the packing; first == second: a body and its own periodic image.
 struct ClosePair {
   std::size_t first;
   std::size_t second;
-  double distance;  // (m) between the centres, nearest periodic images
+  double distance;  // (m) between the centres of the nearest periodic images
 };
 
-// Finds interpenetrating pairs. Bodies are sorted into classes whose radii differ by less than a factor of 2,
-// each with a grid of its own cell size, so that small bodies among large ones do not crowd the cells.
+// Finds overlapping pairs. Bodies are sorted into size classes with radii within a factor of 2, each with its
+// own grid and cell size, so that small bodies among large ones do not overfill the cells.
 class ClosePairs {
  public:
   // The packing must outlive this and pass check().
   explicit ClosePairs(const Packing& packing);
 
-  // Calls visit(pair) for every pair at least once (a pair in cells that share a bucket comes twice).
+  // Calls visit(pair) at least once per pair; twice if the cells of the pair share a hash bucket.
   // Stops when visit returns false.
   template <class Visit>
   void for_each(Visit visit) const {
@@ -41,11 +40,11 @@ class ClosePairs {
     int size_class = 0;
     double largest_radius = 0.0;          // (m)
     std::array<double, 3> cell{};         // (m) edge, at least twice the largest radius
-    std::array<std::int64_t, 3> cells{};  // along a periodic axis; 0: unlimited
-    std::vector<std::int64_t> first;      // body of each bucket, -1: none
-    std::size_t mask = 0;                 // number of buckets less 1
+    std::array<std::int64_t, 3> cells{};  // number along a periodic axis; 0: unlimited
+    std::vector<std::int64_t> first;      // first body of each bucket; -1: none
+    std::size_t mask = 0;                 // number of buckets - 1
   };
-  // Cells next to a body along one axis.
+  // Indices of the cells next to a body along one axis.
   struct Span {
     std::array<std::int64_t, 3> index;
     int count;
@@ -89,14 +88,15 @@ class ClosePairs {
     return true;
   }
 
-  // Bodies of the same class meet in both orders; one of them is enough.
+  // A pair of the same class is found from both bodies; only the one with i < j is reported.
   template <class Visit>
   bool visit_bucket(std::size_t i, bool same_class, std::int64_t entry, Visit& visit) const {
-    for (; entry >= 0; entry = next_[static_cast<std::size_t>(entry)]) {
-      const auto j = static_cast<std::size_t>(entry);
+    for (; entry >= 0; entry = next_[std::size_t(entry)]) {
+      const auto j = std::size_t(entry);
       if (j == i || (same_class && j < i)) continue;
-      const double gap = distance(i, j);
-      if (gap < packing_.bodies[i].radius + packing_.bodies[j].radius && !visit(ClosePair{i, j, gap}))
+      const double separation = distance(i, j);
+      if (separation < packing_.bodies[i].radius + packing_.bodies[j].radius &&
+          !visit(ClosePair{i, j, separation}))
         return false;
     }
     return true;
@@ -105,7 +105,7 @@ class ClosePairs {
   const Packing& packing_;
   double smallest_radius_;  // (m)
   std::vector<Grid> grids_;
-  std::vector<std::int64_t> next_;  // body after each in its bucket, -1: none
+  std::vector<std::int64_t> next_;  // next body in the same bucket; -1: none
 };
 
 }  // namespace scree::packing

@@ -20,7 +20,7 @@ namespace {
 
 struct ColumnName {
   std::string_view name;
-  std::string_view unit;  // empty: a pure number or a text
+  std::string_view unit;  // empty: dimensionless or text
   BodyField field;
 };
 
@@ -42,7 +42,7 @@ constexpr std::array columns = {
     ColumnName{"wz", "rad/s", BodyField::wz},
 };
 
-// What the comment lines before the header say.
+// Values from the comment lines before the header.
 struct Preamble {
   std::optional<int> dimension;
   std::optional<std::array<bool, 3>> periodic;
@@ -85,7 +85,7 @@ std::vector<Token> words_after(const TextReader& reader, std::size_t begin) {
   return words;
 }
 
-// Other comments are the author's own business.
+// Other comments are ignored.
 void read_comment(Preamble& preamble, const TextReader& reader) {
   const std::size_t hash = reader.line().find('#');
   const std::size_t colon = reader.line().find(':');
@@ -182,7 +182,7 @@ class BodyRows {
     const std::vector<Token>& cells = reader.cells();
     if (cells.size() != fields_.size()) {
       reader.fail(1, fmt::format("{} cells under {} columns", cells.size(), fields_.size()),
-                  "give one cell for each column; a comma is no decimal point");
+                  "give one cell for each column; decimal commas are not supported");
     }
     Body body;
     body.id = row;
@@ -225,13 +225,13 @@ Packing parse_csv(std::string_view text, const std::string& name, const ImportOp
   TextReader reader(text, name);
   Preamble preamble;
   std::vector<BodyField> fields = read_header(preamble, reader);
-  const int columns_show = has(fields, BodyField::z) ? 3 : 2;
-  const int dimension = options.dimension.value_or(preamble.dimension.value_or(columns_show));
+  const int dimension_of_columns = has(fields, BodyField::z) ? 3 : 2;
+  const int dimension = options.dimension.value_or(preamble.dimension.value_or(dimension_of_columns));
   Packing packing = begin_packing(preamble, options, dimension, reader);
   BodyRows rows(std::move(fields), dimension);
   while (reader.next()) {
     if (is_comment(reader)) continue;
-    packing.bodies.push_back(rows.read(reader, static_cast<std::int64_t>(packing.bodies.size()) + 1));
+    packing.bodies.push_back(rows.read(reader, std::int64_t(packing.bodies.size()) + 1));
   }
   if (packing.bodies.empty()) reader.fail(1, "no body follows the header", "add a line for each body");
   return checked_import(std::move(packing), name);

@@ -16,7 +16,7 @@ namespace scree::packing {
 
 namespace {
 
-// Columns that only some packings need.
+// Columns that are written only if some body needs them.
 struct Optional {
   bool material;
   bool density;
@@ -65,8 +65,8 @@ void require_plain(const Body& body) {
                                         std::isspace(static_cast<unsigned char>(name.back())));
   if (plain && !padded) return;
   throw Error(
-      fmt::format("packing: body {}: material {} does not fit into a CSV cell; rename it without commas, "
-                  "quotes, line ends and outer blanks",
+      fmt::format("packing: body {}: material {} cannot be written as a CSV cell; rename it without "
+                  "commas, quotes, line breaks and leading or trailing blanks",
                   body.id, quote_token(name)));
 }
 

@@ -25,8 +25,8 @@ bool begins_with_number(std::string_view word) {
   return !word.empty() && std::string_view("+-.0123456789").find(word[0]) != std::string_view::npos;
 }
 
-// A data file announces its atoms within the header, which is short.
-bool announces_atoms(TextReader& reader) {
+// The header of a data file is short and contains a line "<number> atoms".
+bool has_atom_count(TextReader& reader) {
   constexpr int header_lines = 100;
   for (int k = 0; k < header_lines && reader.next_words(); ++k) {
     const auto& words = reader.words();
@@ -53,7 +53,7 @@ Packing parse(std::string_view text, const std::string& name, FileFormat format,
 
 FileFormat file_format(std::string_view name) {
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names[k] == name) return static_cast<FileFormat>(k);
+    if (names[k] == name) return FileFormat(k);
   }
   throw Error(
       fmt::format("packing: unknown file format {}; {}", quote_token(name), suggest_name(name, names)));
@@ -62,12 +62,13 @@ FileFormat file_format(std::string_view name) {
 FileFormat detect_format(std::string_view text, std::string_view name) {
   TextReader reader(text, std::string(name));
   if (text.starts_with("ITEM:")) return FileFormat::lammps_dump;
-  if (announces_atoms(reader)) return FileFormat::lammps_data;
+  if (has_atom_count(reader)) return FileFormat::lammps_data;
   reader.seek({});
   if (!reader.next_words()) reader.fail(1, "the file is empty", "give a packing");
   if (reader.line().find(',') != std::string_view::npos) return FileFormat::csv;
   if (reader.words().size() == 3 && begins_with_number(reader.words()[0].text)) return FileFormat::beads;
-  reader.fail(1, "the format of the file cannot be told", fmt::format("name it: {}", fmt::join(names, ", ")));
+  reader.fail(1, "the format of the file is not recognised",
+              fmt::format("name it: {}", fmt::join(names, ", ")));
 }
 
 Packing read_packing(const std::filesystem::path& path, const ImportOptions& options) {

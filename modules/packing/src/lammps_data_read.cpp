@@ -22,12 +22,12 @@ namespace scree::packing {
 
 namespace {
 
-// Sections that say nothing about the bodies' state.
+// Sections without information on the state of the bodies.
 constexpr std::string_view skipped_sections[] = {"Masses",           "Pair Coeffs",      "PairIJ Coeffs",
                                                  "Bond Coeffs",      "Angle Coeffs",     "Dihedral Coeffs",
                                                  "Improper Coeffs",  "BondBond Coeffs",  "BondAngle Coeffs",
                                                  "Atom Type Labels", "Bond Type Labels", "Angle Type Labels"};
-// Sections that change what the bodies are or what holds them together.
+// Sections that define other shapes or bonds.
 constexpr std::string_view refused_sections[] = {"Bonds",      "Angles", "Dihedrals", "Impropers",
                                                  "Ellipsoids", "Lines",  "Triangles", "Bodies"};
 constexpr std::string_view refused_counts[] = {"bonds",      "angles", "dihedrals", "impropers",
@@ -40,7 +40,7 @@ bool contains(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Words from the given one on, joined by single blanks: the keyword of a header line or section.
+// Words from index `first` on, joined by single blanks: the keyword of a header line or section.
 std::string joined(const std::vector<Token>& words, std::size_t first) {
   std::string result;
   for (std::size_t k = first; k < words.size(); ++k) {
@@ -88,18 +88,20 @@ class DataReader {
   TextReader reader_;
   const ImportOptions& options_;
   Packing packing_;
-  std::optional<std::int64_t> announced_;
+  std::optional<std::int64_t> expected_;
   bool has_atoms_ = false;
   std::unordered_map<std::int64_t, std::size_t> index_of_;
 };
 
-// The first line is a title. True if a section follows, which is then the current line.
+// Reads up to the first section; the first line of the file is a title. Returns true if there is a section;
+// its keyword is then the current line.
 bool DataReader::read_header() {
   while (reader_.next_words()) {
     const auto& words = reader_.words();
     if (read_header_line(words)) continue;
-    if (!announced_) {
-      reader_.fail(1, fmt::format("the header announces no atoms before {}", quote_token(joined(words, 0))),
+    if (!expected_) {
+      reader_.fail(1,
+                   fmt::format("the header has no number of atoms before {}", quote_token(joined(words, 0))),
                    "add a line such as '100 atoms' above the sections");
     }
     return true;
@@ -111,7 +113,7 @@ bool DataReader::read_header_line(const std::vector<Token>& words) {
   const std::string keyword = joined(words, 1);
   const std::string two_values = joined(words, 2);
   if (keyword == "atoms") {
-    announced_ = reader_.positive_integer(words[0], "number of atoms");
+    expected_ = reader_.positive_integer(words[0], "number of atoms");
   } else if (two_values == "xlo xhi") {
     read_extent(words, 0);
   } else if (two_values == "ylo yhi") {
@@ -137,7 +139,7 @@ void DataReader::read_extent(const std::vector<Token>& words, int axis) {
   box.upper[axis] = reader_.number(words[1], words[3].text);
   if (box.lower[axis] < box.upper[axis]) return;
   reader_.fail(words[0].column, fmt::format("{} is not below {}", words[2].text, words[3].text),
-               "correct the box; the lower bound comes first");
+               "correct the box: the lower bound comes first");
 }
 
 void DataReader::require_upright_box(const std::vector<Token>& words) {
@@ -146,13 +148,13 @@ void DataReader::require_upright_box(const std::vector<Token>& words) {
   if (!upright) reader_.fail(1, "the box is tilted", "give a packing in an axis-parallel box");
 }
 
-// No number begins with a letter, as every section keyword does.
+// Every section keyword begins with a capital letter; no number does.
 bool DataReader::at_section() const {
   const Token content = reader_.trimmed(0, reader_.line().size());
   return !content.text.empty() && content.text[0] >= 'A' && content.text[0] <= 'Z';
 }
 
-// True if another section follows.
+// Returns true if another section follows.
 bool DataReader::read_section() {
   const std::string keyword = joined(reader_.words(), 0);
   if (keyword == "Atoms") return read_atoms();
@@ -181,23 +183,23 @@ bool DataReader::read_atoms() {
   has_atoms_ = true;
   require_sphere_style(reader_.line());
   constexpr std::size_t shortest_line = 14;  // bytes of "1 1 1 1 0 0 0\n"
-  packing_.bodies.reserve(std::min(static_cast<std::size_t>(*announced_), reader_.size() / shortest_line));
+  packing_.bodies.reserve(std::min(std::size_t(*expected_), reader_.size() / shortest_line));
   bool more = false;
   while (!more && reader_.next_words()) {
     more = at_section();
     if (!more) read_atom(reader_.words());
   }
-  require_count(static_cast<std::int64_t>(packing_.bodies.size()), "Atoms");
+  require_count(std::int64_t(packing_.bodies.size()), "Atoms");
   return more;
 }
 
 void DataReader::read_atom(const std::vector<Token>& words) {
   constexpr BodyField fields[] = {BodyField::diameter, BodyField::density, BodyField::x, BodyField::y,
                                   BodyField::z};
-  refuse_surplus(static_cast<std::int64_t>(packing_.bodies.size()), "Atoms");
+  refuse_surplus(std::int64_t(packing_.bodies.size()), "Atoms");
   if (words.size() != 7 && words.size() != 10) {
     reader_.fail(
-        1, fmt::format("{} words where 'id type diameter density x y z [ix iy iz]' belongs", words.size()),
+        1, fmt::format("{} words instead of 'id type diameter density x y z [ix iy iz]'", words.size()),
         "write the file with atom_style sphere or granular");
   }
   Body body;
@@ -233,7 +235,7 @@ void DataReader::read_velocity(const std::vector<Token>& words) {
   constexpr BodyField fields[] = {BodyField::vx, BodyField::vy, BodyField::vz,
                                   BodyField::wx, BodyField::wy, BodyField::wz};
   if (words.size() != 7) {
-    reader_.fail(1, fmt::format("{} words where 'id vx vy vz wx wy wz' belongs", words.size()),
+    reader_.fail(1, fmt::format("{} words instead of 'id vx vy vz wx wy wz'", words.size()),
                  "write the file with atom_style sphere or granular");
   }
   const std::int64_t id = reader_.integer(words[0], "id");
@@ -258,15 +260,16 @@ void DataReader::store(Body& body, BodyField field, const Token& token) {
 }
 
 void DataReader::require_count(std::int64_t found, std::string_view section) {
-  if (found == *announced_) return;
-  reader_.fail(1, fmt::format("section {} ends after {} of {} lines", section, found, *announced_),
+  if (found == *expected_) return;
+  reader_.fail(1, fmt::format("section {} ends after {} of {} lines", section, found, *expected_),
                "complete the file, or correct the number of atoms in its header");
 }
 
 void DataReader::refuse_surplus(std::int64_t found, std::string_view section) {
-  if (found < *announced_) return;
-  reader_.fail(1, fmt::format("section {} has more than the announced {} lines", section, *announced_),
-               "correct the number of atoms in the header");
+  if (found < *expected_) return;
+  reader_.fail(
+      1, fmt::format("section {} has more than the {} lines that the header gives", section, *expected_),
+      "correct the number of atoms in the header");
 }
 
 }  // namespace

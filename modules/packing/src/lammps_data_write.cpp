@@ -18,11 +18,12 @@ double density_of(const Body& body, const ExportOptions& options) {
   double density = sphere_density(body);
   if (std::isnan(density)) density = options.density;
   if (std::isfinite(density) && density > 0.0) return density;
-  throw Error(fmt::format("packing: body {} has no density; give one for the export, such as the material's",
-                          body.id));
+  throw Error(fmt::format(
+      "packing: body {} has no density; give one for the export, such as that of its material", body.id));
 }
 
-// The peers take an atom in a box only below its upper bound, and in two dimensions only a box around z = 0.
+// LAMMPS and LIGGGHTS accept an atom only below the upper bound of the box, and in two dimensions only a box
+// around z = 0.
 Bounds export_box(const Packing& packing) {
   Bounds box = packing.bounds ? *packing.bounds : enclosing_bounds(packing);
   if (packing.dimension == 2 && !(box.lower[2] < 0.0 && box.upper[2] > 0.0)) {

@@ -10,8 +10,7 @@ namespace scree::packing {
 namespace {
 
 std::uint64_t distance(std::int64_t a, std::int64_t b) {
-  return a > b ? static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)
-               : static_cast<std::uint64_t>(b) - static_cast<std::uint64_t>(a);
+  return a > b ? std::uint64_t(a) - std::uint64_t(b) : std::uint64_t(b) - std::uint64_t(a);
 }
 
 void require_si(TextReader& reader) {
@@ -24,16 +23,15 @@ void require_si(TextReader& reader) {
 
 }  // namespace
 
-// Units and time stand before the timestep, so a frame begins with the first item after another frame's
-// atoms.
+// Units and time precede the timestep, so a frame begins with the first item after the atoms of the previous
+// frame.
 std::vector<DumpFrame> find_frames(TextReader& reader) {
   std::vector<DumpFrame> frames;
   bool complete = true;
   while (reader.next()) {
     const bool item = reader.line().starts_with("ITEM:");
     if (reader.line_number() == 1 && !item) {
-      reader.fail(1, "this is no text dump, it does not begin with 'ITEM:'",
-                  "give the output of dump custom");
+      reader.fail(1, "not a text dump: it does not begin with 'ITEM:'", "give the output of dump custom");
     }
     if (!item) continue;
     if (complete) frames.push_back({reader.position(), 0});

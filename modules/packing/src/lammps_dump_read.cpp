@@ -22,7 +22,7 @@ namespace {
 
 enum class Scale { none, box };
 
-// How a column of that name reaches a body; the first of several for the same field wins.
+// Maps a column name to a field of a body; of several columns for the same field the first is used.
 struct DumpColumn {
   std::string_view name;
   BodyField field;
@@ -51,7 +51,7 @@ struct Source {
   std::size_t column;
 };
 
-// Fields of which a body needs one only: both sizes, and both ways to its mass.
+// True for alternative fields of one quantity: radius or diameter; mass or density.
 bool same_quantity(BodyField a, BodyField b) {
   const auto size = [](BodyField f) { return f == BodyField::radius || f == BodyField::diameter; };
   const auto mass = [](BodyField f) { return f == BodyField::mass || f == BodyField::density; };
@@ -93,24 +93,24 @@ class FrameReader {
   void read_atoms();
   void require_columns(const std::vector<Source>& sources);
   Body read_body(const std::vector<Source>& sources);
-  void place(Body& body, const Source& source);
+  void place_in_box(Body& body, const Source& source);
   [[noreturn]] void fail_truncated();
 
   TextReader& reader_;
   const ImportOptions& options_;
   Packing packing_;
-  std::optional<std::int64_t> announced_;
+  std::optional<std::int64_t> expected_;
   IdRegister ids_;
 };
 
 void FrameReader::fail_truncated() {
-  reader_.fail(1,
-               fmt::format("the frame is cut off after {} of {} atoms", packing_.bodies.size(),
-                           announced_.value_or(0)),
-               "complete the file, or choose an earlier timestep");
+  reader_.fail(
+      1,
+      fmt::format("the frame is cut off after {} of {} atoms", packing_.bodies.size(), expected_.value_or(0)),
+      "complete the file, or choose an earlier timestep");
 }
 
-// True after the atoms, the last item of a frame.
+// Returns true after the atoms, the last item of a frame.
 bool FrameReader::read_item() {
   const std::string_view line = reader_.line();
   if (line.starts_with("ITEM: ATOMS")) {
@@ -122,7 +122,7 @@ bool FrameReader::read_item() {
   } else if (line.starts_with("ITEM: TIME")) {
     packing_.time = reader_.number(value_line(), "time");
   } else if (line.starts_with("ITEM: NUMBER OF ATOMS")) {
-    announced_ = reader_.positive_integer(value_line(), "number of atoms");
+    expected_ = reader_.positive_integer(value_line(), "number of atoms");
   } else if (line.starts_with("ITEM: BOX BOUNDS")) {
     read_box();
   } else {
@@ -152,7 +152,7 @@ void FrameReader::read_box() {
     if (!reader_.next()) fail_truncated();
     const auto& words = reader_.words();
     if (words.size() != 2) {
-      reader_.fail(1, fmt::format("{} words where the two bounds of {} belong", words.size(), "xyz"[k]),
+      reader_.fail(1, fmt::format("{} words instead of the two bounds of {}", words.size(), "xyz"[k]),
                    "give a packing in an axis-parallel box");
     }
     packing_.bounds->lower[k] = reader_.number(words[0], "lower bound");
@@ -170,12 +170,12 @@ void FrameReader::require_columns(const std::vector<Source>& sources) {
     return std::any_of(sources.begin(), sources.end(),
                        [&](const Source& source) { return same_quantity(source.field, field); });
   };
-  if (!announced_ || !packing_.bounds) {
+  if (!expected_ || !packing_.bounds) {
     reader_.fail(1, "the number of atoms or the box is missing before the atoms",
                  "give the output of dump custom");
   }
   if (!has(BodyField::x) || !has(BodyField::y) || (packing_.dimension == 3 && !has(BodyField::z))) {
-    reader_.fail(1, "there is no position", "write the dump with columns x y z, or xs ys zs, or xu yu zu");
+    reader_.fail(1, "there are no positions", "write the dump with columns x y z, or xs ys zs, or xu yu zu");
   }
   if (!has(BodyField::radius)) {
     reader_.fail(1, "there is neither a column radius nor diameter",
@@ -188,7 +188,7 @@ void FrameReader::read_atoms() {
   names.erase(names.begin(), names.begin() + std::min<std::ptrdiff_t>(2, std::ssize(names)));
   const std::vector<Source> sources = choose_sources(names);
   require_columns(sources);
-  const auto count = static_cast<std::size_t>(*announced_);
+  const auto count = std::size_t(*expected_);
   constexpr std::size_t shortest_line = 8;  // bytes of "0 0 0 1\n"
   packing_.bodies.reserve(std::min(count, reader_.size() / shortest_line));
   for (std::size_t k = 0; k < count; ++k) {
@@ -201,7 +201,7 @@ void FrameReader::read_atoms() {
   }
   while (reader_.next() && !reader_.line().starts_with("ITEM:")) {
     if (reader_.words().empty()) continue;
-    reader_.fail(1, fmt::format("there are more than the announced {} atoms", count),
+    reader_.fail(1, fmt::format("there are more than the {} atoms that the frame header gives", count),
                  "correct the number of atoms");
   }
 }
@@ -209,7 +209,7 @@ void FrameReader::read_atoms() {
 Body FrameReader::read_body(const std::vector<Source>& sources) {
   const std::vector<Token>& words = reader_.words();
   Body body;
-  body.id = static_cast<std::int64_t>(packing_.bodies.size()) + 1;
+  body.id = std::int64_t(packing_.bodies.size()) + 1;
   Token id = words[0];
   for (const Source& source : sources) {
     const Token& token = words[source.column];
@@ -218,7 +218,7 @@ Body FrameReader::read_body(const std::vector<Source>& sources) {
       continue;
     }
     set_field(body, source.field, token, reader_);
-    place(body, source);
+    place_in_box(body, source);
     if (packing_.dimension == 2) require_planar(body, source.field, token, reader_);
     if (source.field == BodyField::id) id = token;
   }
@@ -226,9 +226,9 @@ Body FrameReader::read_body(const std::vector<Source>& sources) {
   return body;
 }
 
-void FrameReader::place(Body& body, const Source& source) {
+void FrameReader::place_in_box(Body& body, const Source& source) {
   if (source.field < BodyField::x || source.field > BodyField::z) return;
-  const int axis = static_cast<int>(source.field) - static_cast<int>(BodyField::x);
+  const int axis = int(source.field) - int(BodyField::x);
   const double lower = packing_.bounds->lower[axis];
   const double length = packing_.bounds->upper[axis] - lower;
   double& x = body.position[axis];

@@ -16,14 +16,14 @@ namespace scree::packing {
 
 namespace {
 
-// Whether the value becomes a column. A dump has no empty cells, so all bodies have it or none.
+// Whether the value becomes a column. A dump has no empty cells, so either all bodies have the value or none.
 bool is_column(const Packing& packing, double Body::*value, std::string_view name) {
   const auto given = std::count_if(packing.bodies.begin(), packing.bodies.end(),
                                    [&](const Body& body) { return !std::isnan(body.*value); });
   if (given == 0) return false;
   if (given == std::ssize(packing.bodies)) return true;
   throw Error(
-      fmt::format("packing: {} of {} bodies have a {}, which a dump cannot say; give it for all or none, or "
+      fmt::format("packing: {} of {} bodies have a {}, but a dump needs it for all or none; complete it, or "
                   "write CSV",
                   given, packing.bodies.size(), name));
 }

@@ -26,20 +26,20 @@ void require_length(double value, std::string_view what) {
   throw Error(fmt::format("lattice: {} {} is negative or not finite; give 0 or more", what, value));
 }
 
-// Counts whose product passes the limit would overflow before it is formed.
+// Number of sites. Each factor is checked against the limit first, as the product could overflow.
 std::int64_t require_count(const SiteCount& count, LatticeKind kind) {
   std::int64_t product = 1;
   for (int k = 0; k < 3; ++k) {
     if (count[k] < 1) {
       throw Error(fmt::format("lattice: {} sites along {}; give at least 1", count[k], "xyz"[k]));
     }
-    if (count[k] > largest_lattice / product) {
-      throw Error(fmt::format("lattice: more than {} sites; give smaller counts", largest_lattice));
+    if (count[k] > max_lattice_sites / product) {
+      throw Error(fmt::format("lattice: more than {} sites; give smaller counts", max_lattice_sites));
     }
     product *= count[k];
   }
   if (lattice_dimension(kind) == 2 && count[2] != 1) {
-    throw Error(fmt::format("lattice: {} has {} sites along z; it lies in the plane, give 1",
+    throw Error(fmt::format("lattice: {} has {} sites along z; it is two-dimensional, give 1",
                             lattice_name(kind), count[2]));
   }
   return product;
@@ -50,8 +50,8 @@ SiteCount resolve_count(const LatticeOptions& options) {
     throw Error("lattice: give either the counts along the axes or the total number of bodies");
   }
   if (options.count) return *options.count;
-  if (*options.total < 1 || *options.total > largest_lattice) {
-    throw Error(fmt::format("lattice: total of {} bodies; give 1 to {}", *options.total, largest_lattice));
+  if (*options.total < 1 || *options.total > max_lattice_sites) {
+    throw Error(fmt::format("lattice: total of {} bodies; give 1 to {}", *options.total, max_lattice_sites));
   }
   return nearest_count(options.kind, *options.total, options.periodic);
 }
@@ -61,7 +61,7 @@ void require_closure(const LatticeOptions& options, const SiteCount& count) {
   for (int k = 0; k < 3; ++k) {
     if (!options.periodic[k]) continue;
     if (k >= lattice_dimension(options.kind)) {
-      throw Error(fmt::format("lattice: {} cannot be periodic along {}; it lies in the plane",
+      throw Error(fmt::format("lattice: {} cannot be periodic along {}; it is two-dimensional",
                               lattice_name(options.kind), "xyz"[k]));
     }
     if (staggered[k] && count[k] % 2 != 0) {
@@ -79,8 +79,8 @@ double resolve_spacing(const LatticeOptions& options, double largest_radius) {
                           *options.spacing));
 }
 
-// Along open axes the outer bodies stay inside whatever their displacement; along periodic ones the half step
-// on either side is the same.
+// Along open axes the margin keeps the outer bodies inside for any displacement; along periodic axes it is
+// half a lattice step on either side.
 struct Box {
   Bounds bounds;
   Vec3 first_site;  // (m)
@@ -95,8 +95,8 @@ Box resolve_box(const LatticeOptions& options, const SiteCount& count, double sp
     const double margin = options.periodic[k]
                               ? 0.5 * step[k] * spacing
                               : std::max(0.5 * spacing, largest_radius + options.displacement);
-    const double length = options.periodic[k] ? static_cast<double>(count[k]) * step[k] * spacing
-                                              : extent[k] * spacing + 2.0 * margin;
+    const double length =
+        options.periodic[k] ? double(count[k]) * step[k] * spacing : extent[k] * spacing + 2.0 * margin;
     box.bounds.lower[k] = options.centred ? options.origin[k] - 0.5 * length : options.origin[k];
     box.bounds.upper[k] = box.bounds.lower[k] + length;
     box.first_site[k] = box.bounds.lower[k] + margin;
@@ -107,7 +107,7 @@ Box resolve_box(const LatticeOptions& options, const SiteCount& count, double sp
 void place_bodies(Packing& packing, const LatticeOptions& options, const SiteCount& count, const Box& box,
                   double spacing, const std::vector<double>& radii, Random& random) {
   for (std::size_t n = 0; n < radii.size(); ++n) {
-    const auto site = static_cast<std::int64_t>(n);
+    const auto site = std::int64_t(n);
     const SiteCount index = {site % count[0], site / count[0] % count[1], site / count[0] / count[1]};
     Body body;
     body.id = options.first_id + site;
@@ -121,7 +121,7 @@ void place_bodies(Packing& packing, const LatticeOptions& options, const SiteCou
   }
 }
 
-// Depth that the rounding of the coordinates may feign. (m)
+// Overlap (m) that rounding of the coordinates can produce.
 double rounding_depth(const Bounds& bounds) {
   double farthest = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -130,7 +130,7 @@ double rounding_depth(const Bounds& bounds) {
   return 16.0 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
-// Least number of six significant digits that is not below the value, its rounding apart.
+// Rounds up to six significant digits; a value that is such a number within rounding error is kept.
 double rounded_up(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
   return std::ceil(value / unit * (1.0 - 4.0 * std::numeric_limits<double>::epsilon())) * unit;
@@ -145,15 +145,16 @@ double rounded_up(double value) {
                   std::min(a.id, b.id), std::max(a.id, b.id), depth, rounded_up(sufficient_spacing)));
 }
 
-// Without displacement every distance grows with the spacing, so the worst ratio of needed to actual distance
-// tells the least spacing. With displacement, or with overlaps beyond measure, the spacing that always does.
+// Without displacement every distance is proportional to the spacing, so the largest ratio of required to
+// actual distance gives the minimum spacing. With displacement, or after too many overlaps, the message gives
+// the spacing that is always sufficient.
 void refuse_overlap(const Packing& packing, double spacing, double displacement, double largest_radius) {
-  constexpr std::size_t most_per_body = 1000;
+  constexpr std::size_t max_per_body = 1000;
   const double tolerance = rounding_depth(*packing.bounds);
   double worst_ratio = 1.0;
   std::optional<ClosePair> deepest;
   double deepest_depth = tolerance;
-  std::size_t left = most_per_body * packing.bodies.size();
+  std::size_t left = max_per_body * packing.bodies.size();
   ClosePairs(packing).for_each([&](const ClosePair& pair) {
     const double needed = packing.bodies[pair.first].radius + packing.bodies[pair.second].radius;
     worst_ratio = std::max(worst_ratio, needed / pair.distance);
@@ -173,12 +174,12 @@ void refuse_overlap(const Packing& packing, double spacing, double displacement,
 
 LatticeKind lattice_kind(std::string_view name) {
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names[k] == name) return static_cast<LatticeKind>(k);
+    if (names[k] == name) return LatticeKind(k);
   }
   throw Error(fmt::format("lattice: unknown kind {}; {}", quote_token(name), suggest_name(name, names)));
 }
 
-std::string_view lattice_name(LatticeKind kind) { return names[static_cast<std::size_t>(kind)]; }
+std::string_view lattice_name(LatticeKind kind) { return names[std::size_t(kind)]; }
 
 int lattice_dimension(LatticeKind kind) {
   return kind == LatticeKind::square || kind == LatticeKind::triangular ? 2 : 3;
@@ -190,7 +191,7 @@ Packing fill_lattice(const LatticeOptions& options, const RadiusDistribution& di
   const SiteCount count = resolve_count(options);
   const std::int64_t sites = require_count(count, options.kind);
   require_closure(options, count);
-  const auto bodies = static_cast<std::size_t>(options.total.value_or(sites));
+  const auto bodies = std::size_t(options.total.value_or(sites));
   const std::vector<double> radii = draw_radii(distribution, bodies, random);
   const double largest_radius = *std::max_element(radii.begin(), radii.end());
   const double spacing = resolve_spacing(options, largest_radius);

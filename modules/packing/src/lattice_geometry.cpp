@@ -31,7 +31,7 @@ Vec3 lattice_step(LatticeKind kind) {
 
 Vec3 lattice_site(LatticeKind kind, const SiteCount& index) {
   Vec3 site = lattice_step(kind);
-  for (int axis = 0; axis < 3; ++axis) site[axis] *= static_cast<double>(index[axis]);
+  for (int axis = 0; axis < 3; ++axis) site[axis] *= double(index[axis]);
   const auto [i, j, k] = index;
   if (kind == LatticeKind::triangular) site[0] += half_if_odd(j);
   if (kind == LatticeKind::hexagonal_close) {
@@ -65,7 +65,7 @@ SiteCount nearest_count(LatticeKind kind, std::int64_t total, const std::array<b
   const int dimension = lattice_dimension(kind);
   const Vec3 step = lattice_step(kind);
   const auto staggered = staggered_axes(kind);
-  double volume = static_cast<double>(total);
+  double volume = double(total);
   for (int k = 0; k < dimension; ++k) volume *= step[k];
   const double edge = dimension == 3 ? std::cbrt(volume) : std::sqrt(volume);
   SiteCount count = {1, 1, 1};

@@ -12,11 +12,11 @@ namespace scree::packing {
 
 namespace {
 
-// Canonical positive number within range; none for any other name.
+// The name as a type number; empty unless it is a positive integer up to the maximum, without leading zeros.
 std::optional<std::int64_t> as_type(const std::string& name) {
   std::int64_t value = 0;
   std::from_chars(name.data(), name.data() + name.size(), value);
-  const bool canonical = value > 0 && value <= largest_type && fmt::to_string(value) == name;
+  const bool canonical = value > 0 && value <= max_type && fmt::to_string(value) == name;
   return canonical ? std::optional(value) : std::nullopt;
 }
 
@@ -35,11 +35,12 @@ std::string material_of_type(const Token& token, const std::vector<std::string>&
                              const TextReader& reader) {
   const std::int64_t type = reader.positive_integer(token, "type");
   if (materials.empty()) return fmt::to_string(type);
-  if (type > static_cast<std::int64_t>(materials.size())) {
-    reader.fail(token.column, fmt::format("type {} has no material, {} are named", type, materials.size()),
+  if (type > std::int64_t(materials.size())) {
+    reader.fail(token.column,
+                fmt::format("type {} has no material: the list has only {}", type, materials.size()),
                 "name a material for every type of the file");
   }
-  return materials[static_cast<std::size_t>(type - 1)];
+  return materials[std::size_t(type - 1)];
 }
 
 MaterialTypes::MaterialTypes(const Packing& packing, const std::vector<std::string>& materials) {
@@ -55,10 +56,10 @@ MaterialTypes::MaterialTypes(const Packing& packing, const std::vector<std::stri
     return;
   }
   for (const std::string& name : materials.empty() ? used : materials) {
-    type_of_.emplace(name, static_cast<std::int64_t>(type_of_.size()) + 1);
+    type_of_.emplace(name, std::int64_t(type_of_.size()) + 1);
   }
   if (!materials.empty()) type_of_.emplace("", 1);
-  count_ = static_cast<std::int64_t>(materials.empty() ? used.size() : materials.size());
+  count_ = std::int64_t(materials.empty() ? used.size() : materials.size());
   for (const std::string& name : used) {
     if (type_of_.contains(name)) continue;
     throw Error(fmt::format("packing: material {} has no type number; add it to the listed materials",

@@ -10,17 +10,17 @@
 
 namespace scree::packing {
 
-// Highest type number that a data file may use: the peers allocate tables of its square.
-inline constexpr std::int64_t largest_type = 10'000;
+// Maximum type number in a data file: LAMMPS and LIGGGHTS allocate tables of its square.
+inline constexpr std::int64_t max_type = 10'000;
 
-// Material of a type number: its name in the list, or without a list the number as text.
+// Material of a type number: its name in the list, or the number as text if the list is empty.
 std::string material_of_type(const Token& type, const std::vector<std::string>& materials,
                              const TextReader& reader);
 
 // Type numbers for the materials of a packing; see ExportOptions::materials for the rule.
 class MaterialTypes {
  public:
-  // Throws Error if a body's material is not in a list that is given.
+  // Throws Error if `materials` is not empty and lacks the material of a body.
   MaterialTypes(const Packing& packing, const std::vector<std::string>& materials);
   std::int64_t type(const Body& body) const { return type_of_.at(body.material); }
   std::int64_t count() const { return count_; }

@@ -6,8 +6,7 @@
 
 namespace scree::packing {
 
-// Cure for an unknown name: the known name with the fewest letters to change, or, if none is near, all of
-// them.
+// Hint for an unknown name: the nearest known name, or all known names if none is near.
 std::string suggest_name(std::string_view unknown, std::span<const std::string_view> known);
 
 }  // namespace scree::packing

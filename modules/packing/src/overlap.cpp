@@ -9,9 +9,9 @@ namespace scree::packing {
 
 std::optional<Overlap> find_overlap(const Packing& packing, double tolerance) {
   check(packing);
-  constexpr std::size_t most_per_body = 1000;
+  constexpr std::size_t max_per_body = 1000;
   std::optional<Overlap> deepest;
-  std::size_t left = most_per_body * packing.bodies.size();
+  std::size_t left = max_per_body * packing.bodies.size();
   ClosePairs(packing).for_each([&](const ClosePair& pair) {
     const Body& a = packing.bodies[pair.first];
     const Body& b = packing.bodies[pair.second];

@@ -31,8 +31,8 @@ void check_body(const Body& body, int dimension) {
          "give a radius above 0");
   }
   if (!unset_or_positive(body.density))
-    fail(body, "the density is not positive", "give one above 0, or none");
-  if (!unset_or_positive(body.mass)) fail(body, "the mass is not positive", "give one above 0, or none");
+    fail(body, "the density is not positive", "give a density above 0, or none");
+  if (!unset_or_positive(body.mass)) fail(body, "the mass is not positive", "give a mass above 0, or none");
   if (!std::isnan(body.density) && !std::isnan(body.mass)) {
     fail(body, "density and mass are both given", "give one of them");
   }
@@ -67,18 +67,18 @@ void check_box(const Packing& packing) {
 
 void check(const Packing& packing) {
   if (packing.dimension != 2 && packing.dimension != 3) {
-    throw Error(fmt::format("packing: {} dimensions; there can be 2 or 3", packing.dimension));
+    throw Error(fmt::format("packing: {} dimensions are not supported; give 2 or 3", packing.dimension));
   }
   if (packing.bodies.empty()) throw Error("packing: there are no bodies; add at least one");
   if (packing.dimension == 2 && packing.periodic[2]) {
-    throw Error("packing: z is periodic in two dimensions; leave x and y");
+    throw Error("packing: z is periodic in two dimensions; keep only x and y");
   }
   if (!std::isfinite(packing.time)) throw Error("packing: the time is not finite; give a number of seconds");
   check_box(packing);
   std::unordered_set<std::int64_t> ids;
   for (const Body& body : packing.bodies) {
     check_body(body, packing.dimension);
-    if (!ids.insert(body.id).second) fail(body, "the id is used twice", "number the bodies differently");
+    if (!ids.insert(body.id).second) fail(body, "the id is used twice", "give every body its own id");
   }
 }
 

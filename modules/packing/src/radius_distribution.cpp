@@ -29,8 +29,8 @@ void require_range(double minimum, double maximum) {
       fmt::format("radius distribution: minimum {} m exceeds maximum {} m; swap them", minimum, maximum));
 }
 
-// Share of a normal distribution in [minimum, maximum], computed in the tail where both bounds lie on one
-// side.
+// Fraction of a normal distribution in [minimum, maximum]. If both bounds lie below the mean they are
+// mirrored, as erfc is accurate in the upper tail.
 double acceptance(const NormalRadius& d) {
   const double scale = 1.0 / (d.standard_deviation * std::numbers::sqrt2);
   double low = (d.minimum - d.mean) * scale;
@@ -57,10 +57,10 @@ void check_distribution(const NormalRadius& d) {
                     d.standard_deviation));
   }
   const double share = acceptance(d);
-  if (share < least_acceptance) {
+  if (share < min_acceptance) {
     throw Error(
-        fmt::format("radius distribution: only a share of {:.2g} of the normal distribution lies from "
-                    "minimum {} m to maximum {} m; widen the range or move the mean into it",
+        fmt::format("radius distribution: only a fraction of {:.2g} of the normal distribution lies between "
+                    "minimum {} m and maximum {} m; widen the range or move the mean into it",
                     share, d.minimum, d.maximum));
   }
 }
@@ -73,8 +73,9 @@ void check_distribution(const BidisperseRadius& d) {
                             d.small_radius, d.large_radius));
   }
   if (!(d.large_fraction >= 0.0 && d.large_fraction <= 1.0)) {
-    throw Error(fmt::format("radius distribution: fraction {} of large bodies is not a share; give 0 to 1",
-                            d.large_fraction));
+    throw Error(
+        fmt::format("radius distribution: fraction {} of large bodies is not between 0 and 1; give 0 to 1",
+                    d.large_fraction));
   }
 }
 
@@ -122,7 +123,7 @@ double draw_one(const ListedRadius& d, std::size_t index, Random& random) {
   std::size_t chosen = 0;
   for (std::size_t k = 0; k < d.radii.size(); ++k) {
     if (d.weights[k] == 0.0) continue;
-    chosen = k;  // the last one with weight also takes what rounding leaves over
+    chosen = k;  // the last radius with weight also absorbs the rounding error
     if (left < d.weights[k]) break;
     left -= d.weights[k];
   }
@@ -168,7 +169,7 @@ std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size
   if (list && list->weights.empty() && list->radii.size() != count) {
     throw Error(
         fmt::format("radius distribution: the list has {} radii for {} bodies; give one for each, or "
-                    "weights to draw by",
+                    "weights to draw them at random",
                     list->radii.size(), count));
   }
   std::vector<double> radii(count);

@@ -17,7 +17,7 @@ std::uint64_t splitmix64(std::uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-// Natural logarithm of a positive normal number; the library's differs between platforms in the last bit.
+// Natural logarithm of a positive normal number; std::log differs between platforms in the last bit.
 // With x = m·2^e, 1/√2 <= m < √2 and s = (m - 1)/(m + 1), |s| < 0.172: ln m = 2·(s + s³/3 + s⁵/5 + ...).
 double logarithm(double x) {
   constexpr double ln_2 = 0.693147180559945309417;
@@ -53,13 +53,13 @@ std::uint64_t Random::bits() {
   return result;
 }
 
-double Random::uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+double Random::uniform() { return double(bits() >> 11) * 0x1p-53; }
 
 double Random::uniform(double minimum, double maximum) {
-  return std::min(minimum + (maximum - minimum) * uniform(), maximum);  // rounding may pass the maximum
+  return std::min(minimum + (maximum - minimum) * uniform(), maximum);  // rounding may exceed the maximum
 }
 
-// Polar method (Marsaglia & Bray 1964). Its second deviate is dropped, so that the state is the whole state.
+// Polar method (Marsaglia & Bray 1964). Its second deviate is discarded, so state() is the complete state.
 double Random::normal() {
   while (true) {
     const double u = 2.0 * uniform() - 1.0;

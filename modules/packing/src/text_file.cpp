@@ -39,13 +39,13 @@ std::string read_text(const std::filesystem::path& path) {
   try {
     text.resize(size);
   } catch (const std::bad_alloc&) {
-    fail(path, "does not fit into memory", "cut it to the part that is needed");
+    fail(path, "does not fit into memory", "reduce it to the part that is needed");
   } catch (const std::length_error&) {
-    fail(path, "does not fit into memory", "cut it to the part that is needed");
+    fail(path, "does not fit into memory", "reduce it to the part that is needed");
   }
-  stream.read(text.data(), static_cast<std::streamsize>(size));
-  if (stream.gcount() != static_cast<std::streamsize>(size)) {
-    fail(path, "cannot be read to its end", "check the disk, and that nothing is writing the file");
+  stream.read(text.data(), std::streamsize(size));
+  if (stream.gcount() != std::streamsize(size)) {
+    fail(path, "cannot be read to its end", "check the disk, and that no program is writing the file");
   }
   refuse_compressed(path, text);
   return text;
@@ -54,7 +54,7 @@ std::string read_text(const std::filesystem::path& path) {
 void write_text(const std::filesystem::path& path, std::string_view text) {
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   if (!stream) fail(path, "cannot be opened for writing", "check that its folder exists and is writable");
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.write(text.data(), std::streamsize(text.size()));
   stream.close();
   if (!stream) fail(path, "could not be written in full", "check the space on the disk");
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f\r";
 
-// from_chars takes no plus sign, though other programs write one.
+// std::from_chars rejects a plus sign, which other programs write.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;
@@ -25,9 +25,9 @@ std::string_view without_plus(std::string_view text) {
 }  // namespace
 
 std::string quote_token(std::string_view text) {
-  constexpr std::size_t longest = 40;
+  constexpr std::size_t max_length = 40;
   std::string result = "'";
-  for (const char c : text.substr(0, longest)) {
+  for (const char c : text.substr(0, max_length)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 0x20 && byte < 0x7f) {
       result += c;
@@ -35,7 +35,7 @@ std::string quote_token(std::string_view text) {
       result += fmt::format("\\x{:02x}", byte);
     }
   }
-  return result + (text.size() > longest ? "...'" : "'");
+  return result + (text.size() > max_length ? "...'" : "'");
 }
 
 TextReader::TextReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
@@ -44,7 +44,7 @@ TextReader::TextReader(std::string_view text, std::string name) : text_(text), n
   if (nul != std::string_view::npos) {
     while (next() && next_start_ <= nul) {
     }
-    fail(nul - line_start_ + 1, "not a text file, it holds a zero byte", "give an uncompressed text file");
+    fail(nul - line_start_ + 1, "not a text file: it contains a zero byte", "give an uncompressed text file");
   }
   if (text.starts_with(byte_order_mark)) next_start_ = byte_order_mark.size();
 }
@@ -111,7 +111,7 @@ double TextReader::number(const Token& token, std::string_view what) const {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::result_out_of_range) {
-    fail(token.column, fmt::format("{} {} is beyond the range of a double", what, quote_token(token.text)),
+    fail(token.column, fmt::format("{} {} is outside the range of a double", what, quote_token(token.text)),
          "check the unit and the exponent");
   }
   if (error != std::errc() || end != text.data() + text.size()) {
@@ -139,7 +139,7 @@ std::int64_t TextReader::integer(const Token& token, std::string_view what) cons
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::result_out_of_range) {
-    fail(token.column, fmt::format("{} {} is beyond 64 bits", what, quote_token(token.text)),
+    fail(token.column, fmt::format("{} {} does not fit into 64 bits", what, quote_token(token.text)),
          "write a smaller integer");
   }
   if (error != std::errc() || end != text.data() + text.size()) {

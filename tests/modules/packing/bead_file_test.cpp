@@ -29,18 +29,18 @@ TEST_CASE("a bead list is periodic along x and z between walls at y = 0 and y = 
   CHECK(packing.bodies[1].radius == 3e-4);
 }
 
-TEST_CASE("bead list errors name the place and the cure", "[packing]") {
+TEST_CASE("bead list errors name the position and the cure", "[packing]") {
   CHECK_THAT(refusal(""), Contains("the file is empty; "));
-  CHECK_THAT(refusal("2 1\n"), StartsWith("b.txt:1:1: 2 words where 'N L H' belongs; "));
+  CHECK_THAT(refusal("2 1\n"), StartsWith("b.txt:1:1: 2 words instead of 'N L H'; "));
   CHECK_THAT(refusal("-2 1 1\n"), StartsWith("b.txt:1:1: number of beads '-2'"));
   CHECK_THAT(refusal("1 0 1\n"), StartsWith("b.txt:1:3: period '0' is not positive; "));
   CHECK_THAT(refusal("1 1 1\n0 0 0\n"), StartsWith("b.txt:2:1: 3 words"));
   CHECK_THAT(refusal("1 1 1\n0 0 0 -1\n"), StartsWith("b.txt:2:7: radius '-1'"));
-  CHECK_THAT(refusal("2 1 1\n0 0 0 1\n"), Contains("2 beads announced, 1 found; "));
-  CHECK_THAT(refusal("1000000000000000000 1 1\n0 0 0 1\n"), Contains("1000000000000000000 beads announced"));
+  CHECK_THAT(refusal("2 1 1\n0 0 0 1\n"), Contains("the first line gives 2 beads, the file has 1; "));
+  CHECK_THAT(refusal("1000000000000000000 1 1\n0 0 0 1\n"), Contains("the first line gives 1000000000000000000 beads"));
 }
 
-TEST_CASE("the format of a file shows in its first lines", "[packing]") {
+TEST_CASE("the format of a file is detected from its first lines", "[packing]") {
   CHECK(detect_format("ITEM: TIMESTEP\n0\n", "a") == FileFormat::lammps_dump);
   CHECK(detect_format("title\n\n 3 atoms\n", "a") == FileFormat::lammps_data);
   CHECK(detect_format("# note\nx,y,radius\n", "a") == FileFormat::csv);

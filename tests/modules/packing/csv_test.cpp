@@ -71,7 +71,7 @@ TEST_CASE("absent CSV columns take their defaults", "[packing]") {
   CHECK(parse_csv("x,y,z,radius\n1,2,0,3\n", "a.csv", {.dimension = 2}).dimension == 2);
 }
 
-TEST_CASE("CSV errors name the place and the cure", "[packing]") {
+TEST_CASE("CSV errors name the position and the cure", "[packing]") {
   CHECK_THAT(refusal("x,y,radios\n"),
              StartsWith("a.csv:1:5: unknown column 'radios'; did you mean 'radius'?"));
   CHECK_THAT(refusal("x,y,radius [mm]\n"),
@@ -89,19 +89,19 @@ TEST_CASE("CSV errors name the place and the cure", "[packing]") {
   CHECK_THAT(refusal("x,y,radius\n1,,1\n"), StartsWith("a.csv:2:3: y '' is not a number; "));
   CHECK_THAT(refusal("x,y,radius\n1,2,nan\n"), StartsWith("a.csv:2:5: radius 'nan' is not finite; "));
   CHECK_THAT(refusal("x,y,radius\n1,2,-1\n"), StartsWith("a.csv:2:5: radius '-1' is not positive; "));
-  CHECK_THAT(refusal("x,y,radius\n1,1e999,1\n"), StartsWith("a.csv:2:3: ") && Contains("beyond the range"));
+  CHECK_THAT(refusal("x,y,radius\n1,1e999,1\n"), StartsWith("a.csv:2:3: ") && Contains("outside the range"));
   CHECK_THAT(refusal("id,x,y,radius\n1,0,0,1\n1,3,3,1\n"),
              StartsWith("a.csv:3:1: id 1 was used before, in line 2; "));
   CHECK_THAT(refusal("id,x,y,radius\n0,0,0,1\n"), StartsWith("a.csv:2:1: id '0' is not positive; "));
   CHECK_THAT(refusal("id,x,y,radius\n1.5,0,0,1\n"), Contains("'1.5' is not an integer; "));
-  CHECK_THAT(refusal("id,x,y,radius\n99999999999999999999,0,0,1\n"), Contains("beyond 64 bits; "));
+  CHECK_THAT(refusal("id,x,y,radius\n99999999999999999999,0,0,1\n"), Contains("does not fit into 64 bits; "));
   CHECK_THAT(refusal("x,y,radius,mass,density\n0,0,1,1,1\n"), Contains("density and mass are both given; "));
   CHECK_THAT(refusal("x,y,z,radius\n0,0,1,1\n", {.dimension = 2}), StartsWith("a.csv:2:5: z '1' is not 0"));
   CHECK_THAT(refusal(std::string("x,y,radius\n1,2\0,1\n", 18)), StartsWith("a.csv:2:4: not a text file"));
   CHECK_THAT(refusal("\x89PNG\x1a\xff\n"), StartsWith("a.csv:1:1: unknown column '\\x89PNG\\x1a\\xff'; "));
 }
 
-TEST_CASE("what the comments of a CSV file say is checked", "[packing]") {
+TEST_CASE("values in the comments of a CSV file are checked", "[packing]") {
   const std::string rest = "x,y,z,radius\n1,2,0,3\n";
   CHECK(parse_csv("# time [s]: 2.5\n# note: whatever\n" + rest, "a.csv").time == 2.5);
   CHECK_THAT(refusal("# periodic: x w\n" + rest), StartsWith("a.csv:1:15: 'w' is not an axis; "));

@@ -22,7 +22,7 @@ std::string refusal(const std::string& text, const ImportOptions& options = {}) 
   return error_of([&] { parse_lammps_data(text, "d", options); });
 }
 
-// A data file does not say these.
+// A data file does not contain these.
 ImportOptions options_like(const Packing& packing) {
   return {.dimension = packing.dimension, .periodic = packing.periodic};
 }
@@ -60,10 +60,11 @@ TEST_CASE("materials become types and types materials", "[packing]") {
              Contains("material 'steel' has no type number; "));
   options.materials = {"glass"};
   CHECK_THAT(error_of([&] { parse_lammps_data(text, "d", options); }),
-             Contains("type 2 has no material, 1 are named; "));
+             Contains("type 2 has no material: the list has only 1; "));
 }
 
-TEST_CASE("a body without density takes that of the export, one with a mass that of a sphere", "[packing]") {
+TEST_CASE("an exported body without density gets that of the options, one with a mass that of a sphere",
+          "[packing]") {
   Packing packing = awkward_packing(3, 3);
   packing.bodies[0].density = unset;
   packing.bodies[1].density = unset;
@@ -75,7 +76,7 @@ TEST_CASE("a body without density takes that of the export, one with a mass that
   CHECK(read.bodies[1].density == Approx(3.0 / (3.14159265358979 / 6.0)).epsilon(1e-12));
 }
 
-TEST_CASE("a body that the peers would lose is not exported", "[packing]") {
+TEST_CASE("a body that LAMMPS or LIGGGHTS would lose is not exported", "[packing]") {
   Packing packing = awkward_packing(3, 3);
   packing.bodies[1].position = {{0.0, packing.bounds->upper[1], 0.0}};
   CHECK_THAT(error_of([&] { format_lammps_data(packing); }),
@@ -107,12 +108,12 @@ TEST_CASE("data files of LAMMPS and LIGGGHTS are read in their variants", "[pack
   CHECK(packing.bounds->upper == scree::Vec3{{1.0, 2.0, 0.5}});
 }
 
-TEST_CASE("data file errors name the place and the cure", "[packing]") {
+TEST_CASE("data file errors name the position and the cure", "[packing]") {
   CHECK(refusal(header + atoms).empty());
   CHECK_THAT(refusal(""), Contains("the file is empty; "));
   CHECK_THAT(refusal("title\n"), Contains("no section Atoms; "));
   CHECK_THAT(refusal("title\n\nAtoms\n\n"),
-             StartsWith("d:3:1: the header announces no atoms before 'Atoms'; "));
+             StartsWith("d:3:1: the header has no number of atoms before 'Atoms'; "));
   CHECK_THAT(refusal(header), Contains("no section Atoms; "));
   CHECK_THAT(refusal("t\n1e18 atoms\n"), StartsWith("d:2:1: number of atoms '1e18' is not an integer; "));
   CHECK_THAT(refusal("t\n-4 atoms\n"), StartsWith("d:2:1: number of atoms '-4' is not positive; "));
@@ -120,7 +121,7 @@ TEST_CASE("data file errors name the place and the cure", "[packing]") {
              StartsWith("d:7:1: section Atoms ends after 2 of 1"));
   CHECK_THAT(refusal("t\n3 atoms\n" + atoms), StartsWith("d:7:1: section Atoms ends after 2 of 3 lines; "));
   CHECK_THAT(refusal("t\n1 atoms\n" + atoms),
-             StartsWith("d:7:1: section Atoms has more than the announced 1 lines; "));
+             StartsWith("d:7:1: section Atoms has more than the 1 lines that the header gives; "));
   CHECK_THAT(refusal("t\n1 0 xlo xhi\n"), StartsWith("d:2:1: xlo is not below xhi; "));
   CHECK_THAT(refusal("t\n0 a xlo xhi\n"), StartsWith("d:2:3: xhi 'a' is not a number; "));
   CHECK_THAT(refusal("t\n0 0.1 0 xy xz yz\n"), StartsWith("d:2:1: the box is tilted; "));

@@ -58,14 +58,14 @@ TEST_CASE("dump columns come in any order among others", "[packing]") {
   CHECK(packing.bounds->upper == Vec3{{3.0, 2.0, 10.0}});
 }
 
-TEST_CASE("scaled coordinates are shares of the box", "[packing]") {
+TEST_CASE("scaled coordinates are fractions of the box", "[packing]") {
   const Packing packing = parse(frame("0", "id xs ys zs diameter", "1 0.25 0.5 0.75 1\n2 0 0 0 1\n"));
   CHECK(packing.bodies[0].position == Vec3{{0.0, 1.0, 7.5}});
   CHECK(packing.bodies[0].radius == 0.5);
   CHECK(packing.bodies[1].position == Vec3{{-1.0, 0.0, 0.0}});
 }
 
-TEST_CASE("unwrapped coordinates return into the box along periodic axes", "[packing]") {
+TEST_CASE("unwrapped coordinates are wrapped into the box along periodic axes", "[packing]") {
   const Packing packing = parse(frame("0", "id xu yu zu radius", "1 11.5 2.5 -0.5 1\n2 3 1 0 1\n"));
   CHECK(packing.bodies[0].position == Vec3{{-0.5, 2.5, 9.5}});
   CHECK(packing.bodies[1].position == Vec3{{3.0, 1.0, 0.0}});
@@ -74,7 +74,7 @@ TEST_CASE("unwrapped coordinates return into the box along periodic axes", "[pac
   CHECK(parse(frame("0", "xu x y z radius", "9 1 1 1 1\n9 2 1 1 1\n")).bodies[1].position[0] == 2.0);
 }
 
-TEST_CASE("of several frames the last or the wanted one is read", "[packing]") {
+TEST_CASE("the last frame of a dump, or that of a given timestep, is read", "[packing]") {
   const std::string text = frame("0", "x y z radius", "1 1 1 1\n2 1 1 1\n") +
                            frame("100", "x y z radius", "1.5 1 1 1\n2 1 1 1\n") +
                            frame("200", "x y z radius", "2.5 1 1 1\n2 1 1 1\n");
@@ -88,7 +88,7 @@ TEST_CASE("of several frames the last or the wanted one is read", "[packing]") {
   CHECK(parse(cut, {.timestep = 100}).bodies[0].position[0] == 1.5);
 }
 
-TEST_CASE("units and time stand before the timestep of their frame", "[packing]") {
+TEST_CASE("units and time precede the timestep of their frame", "[packing]") {
   const std::string columns = "x y z radius";
   const std::string rows = "1 1 1 1\n2 1 1 1\n";
   const std::string text = "ITEM: UNITS\nsi\nITEM: TIME\n0\n" + frame("0", columns, rows) +
@@ -99,7 +99,7 @@ TEST_CASE("units and time stand before the timestep of their frame", "[packing]"
              StartsWith("d:2:1: ") && Contains("'lj'"));
 }
 
-TEST_CASE("a plane dump needs no z", "[packing]") {
+TEST_CASE("a two-dimensional dump needs no z", "[packing]") {
   const Packing packing = parse(frame("0", "x y radius", "1 1 1\n2 1 1\n"), {.dimension = 2});
   CHECK(packing.dimension == 2);
   CHECK(packing.periodic == std::array{true, false, false});
@@ -107,7 +107,7 @@ TEST_CASE("a plane dump needs no z", "[packing]") {
              StartsWith("d:10:5: z '1' is not 0"));
 }
 
-TEST_CASE("a dump cannot say that some bodies only have a density", "[packing]") {
+TEST_CASE("a dump is refused if only some bodies have a density", "[packing]") {
   Packing packing = awkward_packing(3);
   packing.bodies[3].density = unset;
   CHECK_THAT(error_of([&] { format_lammps_dump(packing); }), Contains("49 of 50 bodies have a density"));
@@ -115,20 +115,20 @@ TEST_CASE("a dump cannot say that some bodies only have a density", "[packing]")
   CHECK(same_bits(parse(format_lammps_dump(packing)), packing));
 }
 
-TEST_CASE("dump errors name the place and the cure", "[packing]") {
+TEST_CASE("dump errors name the position and the cure", "[packing]") {
   const std::string columns = "id x y z radius";
   const std::string rows = "1 1 1 1 1\n2 2 1 1 1\n";
   CHECK(refusal(frame("0", columns, rows)).empty());
   CHECK_THAT(refusal(""), Contains("the dump is empty; "));
-  CHECK_THAT(refusal("hello\n"), StartsWith("d:1:1: this is no text dump"));
+  CHECK_THAT(refusal("hello\n"), StartsWith("d:1:1: not a text dump"));
   CHECK_THAT(refusal("ITEM: TIMESTEP\n"), Contains("cut off"));
   CHECK_THAT(refusal(frame("x", columns, rows)), StartsWith("d:2:1: timestep 'x' is not an integer; "));
   CHECK_THAT(refusal(frame("0", columns, rows, "-1")), StartsWith("d:4:1: number of atoms '-1'"));
   CHECK_THAT(refusal(frame("0", columns, rows, "1000000000000000000")), Contains("cut off after 2 of 1000"));
   CHECK_THAT(refusal(frame("0", columns, rows, "3")), Contains("cut off after 2 of 3 atoms; "));
   CHECK_THAT(refusal(frame("0", columns, rows, "1")),
-             StartsWith("d:11:1: there are more than the announced 1 atoms; "));
-  CHECK_THAT(refusal(frame("0", "id y z radius", rows)), StartsWith("d:9:1: there is no position; "));
+             StartsWith("d:11:1: there are more than the 1 atoms that the frame header gives; "));
+  CHECK_THAT(refusal(frame("0", "id y z radius", rows)), StartsWith("d:9:1: there are no positions; "));
   CHECK_THAT(refusal(frame("0", "id x y z mass", rows)), Contains("neither a column radius nor diameter; "));
   CHECK_THAT(refusal(frame("0", columns, "1 1 1 1\n2 2 1 1 1\n")),
              StartsWith("d:10:1: 4 words under 5 columns; "));

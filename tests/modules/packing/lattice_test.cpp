@@ -66,7 +66,7 @@ int coordination(LatticeKind kind) {
   }
 }
 
-// Share of space that touching equal spheres (discs) fill.
+// Packing fraction of touching equal spheres (discs).
 double closed_form_fraction(LatticeKind kind) {
   const double pi = std::numbers::pi;
   switch (kind) {
@@ -92,7 +92,7 @@ TEST_CASE("a lattice has the counted sites, numbered from 1, at the spacing", "[
     REQUIRE(packing.bodies.size() == (lattice_dimension(kind) == 3 ? 60 : 20));
     CHECK(packing.dimension == lattice_dimension(kind));
     CHECK(packing.bodies.front().id == 1);
-    CHECK(packing.bodies.back().id == static_cast<std::int64_t>(packing.bodies.size()));
+    CHECK(packing.bodies.back().id == std::int64_t(packing.bodies.size()));
     CHECK(packing.bodies.back().material == "glass");
     // Coordinates below 4 m are rounded a few times each.
     CHECK(std::abs(nearest_distance(packing) - 0.7) < 1e-14);
@@ -108,7 +108,7 @@ TEST_CASE("a periodic lattice of touching spheres has its closed-form density an
     const bool spatial = packing.dimension == 3;
     const double box = length[0] * length[1] * (spatial ? length[2] : 1.0);
     const double body = spatial ? std::numbers::pi / 6.0 : std::numbers::pi / 4.0;
-    const double fraction = static_cast<double>(packing.bodies.size()) * body / box;
+    const double fraction = double(packing.bodies.size()) * body / box;
     CHECK(std::abs(fraction - closed_form_fraction(kind)) < 1e-14);
     for (std::size_t i = 0; i < packing.bodies.size(); ++i) {
       int touching = 0;
@@ -153,7 +153,7 @@ TEST_CASE("automatic spacing leaves room for the largest radius, the gap and the
   }
 }
 
-TEST_CASE("displacements reach their amplitude and no farther", "[packing]") {
+TEST_CASE("displacements reach their amplitude and do not exceed it", "[packing]") {
   LatticeOptions options = options_of(LatticeKind::simple_cubic, 10, 10, 10);
   options.spacing = 2.0;
   const Packing still = fill(options, ConstantRadius{0.5});
@@ -174,7 +174,7 @@ TEST_CASE("a total fills the smallest near-cubic box", "[packing]") {
     options.kind = kind;
     options.total = total;
     const Packing packing = fill(options, ConstantRadius{0.5});
-    CHECK(static_cast<std::int64_t>(packing.bodies.size()) == total);
+    CHECK(std::int64_t(packing.bodies.size()) == total);
     CHECK_FALSE(find_overlap(packing, 1e-13));
     const Vec3 length = packing.bounds->upper - packing.bounds->lower;
     const double shortest =
@@ -188,7 +188,7 @@ TEST_CASE("a total fills the smallest near-cubic box", "[packing]") {
   CHECK(packing.bounds->upper == Vec3{{7.0, 7.0, 7.0}});
 }
 
-TEST_CASE("an overlapping lattice is refused, and the spacing it asks for does", "[packing]") {
+TEST_CASE("an overlapping lattice is refused, and the spacing in the message suffices", "[packing]") {
   LatticeOptions options = options_of(LatticeKind::face_centred_cubic, 4, 4, 4);
   options.spacing = 0.9;
   const std::string message = refusal(options, ConstantRadius{0.5});
@@ -197,10 +197,10 @@ TEST_CASE("an overlapping lattice is refused, and the spacing it asks for does",
   CHECK(refusal(options, ConstantRadius{0.5}).empty());
 }
 
-TEST_CASE("the least spacing depends on which bodies are neighbours", "[packing]") {
+TEST_CASE("the minimum spacing depends on which bodies are neighbours", "[packing]") {
   LatticeOptions options = options_of(LatticeKind::square, 4, 1, 1);
   options.spacing = 1.0;
-  // Large bodies are two sites apart: 0.9 + 0.3 = 1.2 between neighbours, 1.8/2 = 0.9 between the large.
+  // Large bodies are two sites apart: 0.9 + 0.3 = 1.2 between neighbours, 1.8/2 = 0.9 between large ones.
   const ListedRadius radii{{0.9, 0.3, 0.9, 0.3}, {}};
   const std::string message = refusal(options, radii);
   CHECK_THAT(message, Contains("overlap by 0.2 m") && Contains("at least 1.2 m"));
@@ -210,7 +210,7 @@ TEST_CASE("the least spacing depends on which bodies are neighbours", "[packing]
   CHECK_FALSE(refusal(options, radii).empty());
 }
 
-TEST_CASE("with displacement the refused lattice asks for what always does", "[packing]") {
+TEST_CASE("with displacement the message gives a spacing that always suffices", "[packing]") {
   LatticeOptions options = options_of(LatticeKind::simple_cubic, 5, 5, 5);
   options.spacing = 1.05;
   options.displacement = 0.2;
@@ -227,7 +227,7 @@ TEST_CASE("the same seed fills the same lattice", "[packing]") {
   CHECK_FALSE(same_bits(fill(options, radii, 4), fill(options, radii, 5)));
 }
 
-TEST_CASE("senseless lattices are refused with a cure", "[packing]") {
+TEST_CASE("invalid lattices are refused with a cure", "[packing]") {
   LatticeOptions options;
   CHECK_THAT(refusal(options), Contains("either the counts along the axes or the total"));
   options.total = 0;

@@ -27,7 +27,7 @@ std::vector<Sample> samples() {
           {parse_beads, "2 1 1\n0.1 0.1 0.1 0.1\n0.5 0.5 0.5 0.1\n"}};
 }
 
-// Either a packing that keeps the rules, or one line that begins with the file's name and ends with a cure.
+// Either a valid packing, or a one-line message that begins with the file name and ends with a cure.
 bool parses_or_explains(const Sample& sample, const std::string& text) {
   Packing packing;
   const std::string error = error_of([&] { packing = sample.parse(text, "file", {}); });
@@ -38,7 +38,7 @@ bool parses_or_explains(const Sample& sample, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a file cut off anywhere is explained, or is complete", "[packing]") {
+TEST_CASE("a file cut off anywhere is refused with a message, or is complete", "[packing]") {
   for (const Sample& sample : samples()) {
     for (std::size_t length = 0; length <= sample.text.size(); ++length) {
       INFO(sample.text.substr(0, length));
@@ -47,7 +47,7 @@ TEST_CASE("a file cut off anywhere is explained, or is complete", "[packing]") {
   }
 }
 
-TEST_CASE("a file with any byte damaged is explained, or still makes sense", "[packing]") {
+TEST_CASE("a file with any byte damaged is refused with a message, or is still valid", "[packing]") {
   Random random(11);
   for (const Sample& sample : samples()) {
     for (int round = 0; round < 5000; ++round) {
@@ -64,7 +64,7 @@ TEST_CASE("a file with any byte damaged is explained, or still makes sense", "[p
   }
 }
 
-TEST_CASE("random bytes are explained", "[packing]") {
+TEST_CASE("random bytes are refused with a message", "[packing]") {
   Random random(12);
   for (const Sample& sample : samples()) {
     for (int round = 0; round < 1000; ++round) {

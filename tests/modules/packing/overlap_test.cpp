@@ -14,7 +14,7 @@ using scree::Vec3;
 
 namespace {
 
-// Every pair and every image within one period.
+// Brute force over every pair and every image within one period.
 double deepest_by_brute_force(const Packing& packing) {
   double deepest = 0.0;
   std::array<int, 3> images{};
@@ -70,7 +70,7 @@ Packing two(double distance) {
 
 }  // namespace
 
-TEST_CASE("two bodies overlap by the sum of their radii less their distance", "[packing]") {
+TEST_CASE("two bodies overlap by the sum of their radii minus their distance", "[packing]") {
   const auto overlap = find_overlap(two(1.75));
   REQUIRE(overlap);
   CHECK(overlap->first == 3);
@@ -111,17 +111,16 @@ TEST_CASE("the search finds the same deepest overlap as all pairs do", "[packing
   }
 }
 
-TEST_CASE("far from the origin and with bodies in one place the search still ends", "[packing]") {
+TEST_CASE("the search ends far from the origin and with coincident bodies", "[packing]") {
   Packing packing = two(1e300);
   CHECK_FALSE(find_overlap(packing));
   packing = two(0.0);
   packing.bodies.resize(20'000, packing.bodies[0]);
-  for (std::size_t k = 0; k < packing.bodies.size(); ++k)
-    packing.bodies[k].id = static_cast<std::int64_t>(k) + 1;
+  for (std::size_t k = 0; k < packing.bodies.size(); ++k) packing.bodies[k].id = std::int64_t(k) + 1;
   CHECK(find_overlap(packing)->depth == 2.0);
 }
 
-TEST_CASE("a packing that breaks the rules is refused by body and field", "[packing]") {
+TEST_CASE("an invalid packing is refused with body and field", "[packing]") {
   const auto refusal = [](const Packing& packing) { return error_of([&] { check(packing); }); };
   Packing packing = two(3.0);
   CHECK(refusal(packing).empty());

@@ -11,7 +11,7 @@
 
 namespace scree::packing {
 
-// What the Error says that the call throws; empty if it throws none.
+// Message of the Error that the call throws; empty if it throws none.
 template <class Call>
 std::string error_of(Call call) {
   try {
@@ -62,9 +62,9 @@ inline Packing awkward_packing(int dimension, std::size_t count = 50) {
   packing.time = 1.0 / 3.0;
   for (std::size_t k = 0; k < count; ++k) {
     Body body;
-    body.id = static_cast<std::int64_t>(3 * (count - k));
+    body.id = std::int64_t(3 * (count - k));
     body.material = k % 3 == 0 ? '2' : '1';
-    body.radius = std::ldexp(1.0 + random.uniform(), -static_cast<int>(k) - 3);
+    body.radius = std::ldexp(1.0 + random.uniform(), -int(k) - 3);
     body.density = 2500.0 + random.uniform();
     for (int axis = 0; axis < dimension; ++axis) {
       body.position[axis] = random.uniform(-1.0, 1.0);

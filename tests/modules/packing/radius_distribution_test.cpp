@@ -18,10 +18,10 @@ namespace {
 constexpr std::size_t count = 100'000;
 
 double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-double standard_error(double variance) { return std::sqrt(variance / static_cast<double>(count)); }
+double standard_error(double variance) { return std::sqrt(variance / double(count)); }
 
 double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
 double share_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
@@ -37,7 +37,7 @@ TEST_CASE("constant radii are all the same", "[packing]") {
   CHECK(draw_radii(ConstantRadius{0.3}, 3, random) == std::vector<double>{0.3, 0.3, 0.3});
 }
 
-TEST_CASE("uniform radii keep their range and mean", "[packing]") {
+TEST_CASE("uniform radii have the given range and mean", "[packing]") {
   Random random(1);
   const auto radii = draw_radii(UniformRadius{1.0, 3.0}, count, random);
   CHECK(*std::min_element(radii.begin(), radii.end()) >= 1.0);
@@ -58,7 +58,7 @@ TEST_CASE("normal radii beyond the range are drawn again, not clipped", "[packin
   Random random(1);
   const auto radii = draw_radii(d, count, random);
   const double bound = 5.0 * standard_error(variance);
-  REQUIRE(std::abs(redrawn - clipped) > 2.0 * bound);  // the sample can tell the two apart
+  REQUIRE(std::abs(redrawn - clipped) > 2.0 * bound);  // the sample distinguishes the two
   CHECK(std::abs(mean_of(radii) - redrawn) < bound);
   CHECK(*std::min_element(radii.begin(), radii.end()) >= d.minimum);
   CHECK(std::count(radii.begin(), radii.end(), d.minimum) == 0);
@@ -68,14 +68,13 @@ TEST_CASE("bidisperse radii have the number fraction of large ones", "[packing]"
   Random random(1);
   const auto radii = draw_radii(BidisperseRadius{1.0, 2.0, 0.2}, count, random);
   const auto large = std::count(radii.begin(), radii.end(), 2.0);
-  CHECK(large + std::count(radii.begin(), radii.end(), 1.0) == static_cast<std::ptrdiff_t>(count));
-  CHECK(std::abs(static_cast<double>(large) / static_cast<double>(count) - 0.2) <
-        5.0 * standard_error(0.2 * 0.8));
+  CHECK(large + std::count(radii.begin(), radii.end(), 1.0) == std::ptrdiff_t(count));
+  CHECK(std::abs(double(large) / double(count) - 0.2) < 5.0 * standard_error(0.2 * 0.8));
   CHECK(draw_radii(BidisperseRadius{1.0, 2.0, 0.0}, 2, random) == std::vector<double>{1.0, 1.0});
   CHECK(draw_radii(BidisperseRadius{1.0, 2.0, 1.0}, 2, random) == std::vector<double>{2.0, 2.0});
 }
 
-TEST_CASE("a list is handed out in order or drawn by weight", "[packing]") {
+TEST_CASE("listed radii are used in order or drawn by weight", "[packing]") {
   Random random(1);
   CHECK(draw_radii(ListedRadius{{3.0, 1.0, 2.0}, {}}, 3, random) == std::vector<double>{3.0, 1.0, 2.0});
   CHECK_THAT(error_of([&] {
@@ -84,8 +83,7 @@ TEST_CASE("a list is handed out in order or drawn by weight", "[packing]") {
              Contains("2 radii for 3 bodies"));
   const auto radii = draw_radii(ListedRadius{{1.0, 2.0, 3.0}, {1.0, 0.0, 3.0}}, count, random);
   CHECK(std::count(radii.begin(), radii.end(), 2.0) == 0);
-  const double share =
-      static_cast<double>(std::count(radii.begin(), radii.end(), 3.0)) / static_cast<double>(count);
+  const double share = double(std::count(radii.begin(), radii.end(), 3.0)) / double(count);
   CHECK(std::abs(share - 0.75) < 5.0 * standard_error(0.75 * 0.25));
 }
 
@@ -99,14 +97,14 @@ TEST_CASE("the same seed draws the same radii, another seed others", "[packing]"
   CHECK(radii != draw_radii(d, 20, third));
 }
 
-TEST_CASE("the range of a distribution is what can occur", "[packing]") {
+TEST_CASE("the range of a distribution is that of the possible radii", "[packing]") {
   CHECK(smallest_radius(BidisperseRadius{1.0, 2.0, 0.5}) == 1.0);
   CHECK(largest_radius(BidisperseRadius{1.0, 2.0, 0.0}) == 1.0);
   CHECK(largest_radius(ListedRadius{{1.0, 3.0, 2.0}, {}}) == 3.0);
   CHECK(smallest_radius(NormalRadius{1.0, 0.1, 0.9, 1.2}) == 0.9);
 }
 
-TEST_CASE("senseless distributions are refused with a cure", "[packing]") {
+TEST_CASE("invalid distributions are refused with a cure", "[packing]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK_THAT(refusal(ConstantRadius{0.0}), Contains("radius 0 m is not positive") && Contains("; give"));
@@ -124,7 +122,7 @@ TEST_CASE("senseless distributions are refused with a cure", "[packing]") {
   CHECK_THAT(refusal(ListedRadius{{1.0}, {0.0}}), Contains("add up to 0"));
 }
 
-TEST_CASE("a range that almost no deviate meets is refused, in either tail", "[packing]") {
+TEST_CASE("a range with almost no deviates is refused in either tail", "[packing]") {
   // The share beyond 4 standard deviations is 3.2e-5, beyond 3 it is 1.35e-3.
   CHECK_THAT(refusal(NormalRadius{1.0, 0.1, 1.4, 2.0}), Contains("3.2e-05") && Contains("widen the range"));
   CHECK_THAT(refusal(NormalRadius{1.0, 0.1, 0.1, 0.6}), Contains("3.2e-05"));

@@ -21,7 +21,7 @@ TEST_CASE("seed 0 expands to the published outputs of splitmix64", "[packing]") 
   CHECK(random.state()[1] == 0x6e789e6aa1b965f4u);
 }
 
-// From the definitions of generator and polar method, evaluated apart from this library.
+// Evaluated from the definitions of generator and polar method, independently of this library.
 TEST_CASE("a seed gives the same bits everywhere", "[packing]") {
   Random uniform(42);
   CHECK(uniform.uniform() == 0x1.a0ec9a9e88ecdp-1);

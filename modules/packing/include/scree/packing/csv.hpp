@@ -9,18 +9,18 @@
 
 namespace scree::packing {
 
-// Comma-separated values. The header names the columns, in any order, with the SI unit in brackets if wanted:
+// Comma-separated values. The header names the columns, in any order, each optionally with its SI unit:
 // id, material, x [m], y [m], z [m], radius [m] or diameter [m], density [kg/m3], mass [kg],
 // vx [m/s], vy, vz, wx [rad/s], wy, wz. Required are x, y and the size. Without z the packing has two
 // dimensions; ids default to 1, 2, ..., other absent columns and empty cells to the defaults of Body. Comment
 // lines before the header may carry "# dimension: 3", "# time [s]: 0", "# lower [m]: 0 0 0",
-// "# upper [m]: 1 1 1", "# periodic: x z". Uses dimension and periodic of the options.
+// "# upper [m]: 1 1 1", "# periodic: x z". Of the options only `dimension` and `periodic` are used.
 // Errors: "name:line:column: what is wrong; what to do".
 Packing read_csv(const std::filesystem::path& path, const ImportOptions& options = {});
 Packing parse_csv(std::string_view text, const std::string& name, const ImportOptions& options = {});
 
-// Each number in the shortest form that reads back the same bits. Throws Error where check(packing) would, or
-// if the file cannot be written.
+// Each number in the shortest decimal form that reads back to the same bits. Throws Error if check(packing)
+// does, or if the file cannot be written.
 void write_csv(const Packing& packing, const std::filesystem::path& path);
 std::string format_csv(const Packing& packing);
 

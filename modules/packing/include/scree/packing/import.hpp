@@ -10,14 +10,14 @@ namespace scree::packing {
 
 enum class FileFormat { csv, beads, lammps_data, lammps_dump };
 
-// Format of that name ("csv", "beads", "lammps_data", "lammps_dump"). An unknown name throws Error with the
+// Format by name ("csv", "beads", "lammps_data", "lammps_dump"). Throws Error for an unknown name, with the
 // nearest known one.
 FileFormat file_format(std::string_view name);
 
-// Format that the first lines of a file show. Throws Error if they show none.
+// Format recognised from the first lines of a file. Throws Error if none fits.
 FileFormat detect_format(std::string_view text, std::string_view name);
 
-// Packing from a file of any of the formats; without a format it is detected.
+// Reads a packing from a file of any of these formats; the first overload detects the format.
 Packing read_packing(const std::filesystem::path& path, const ImportOptions& options = {});
 Packing read_packing(const std::filesystem::path& path, FileFormat format, const ImportOptions& options = {});
 

@@ -7,16 +7,16 @@
 
 namespace scree::packing {
 
-// Two bodies that interpenetrate, or one that meets its own periodic image (then both ids are the same).
+// Two overlapping bodies, or a body that overlaps its own periodic image (then both ids are equal).
 struct Overlap {
   std::int64_t first = 0;   // id
   std::int64_t second = 0;  // id
   double depth = 0.0;       // (m) sum of the radii minus the distance of the centres, positive
 };
 
-// Deepest overlap that exceeds the tolerance (m), nearest periodic images included; none if there is none.
-// Time is proportional to bodies times size classes. Where bodies pile up without measure the search stops
-// after 1000 overlaps per body and returns the deepest so far. Throws Error where check(packing) would.
+// Deepest overlap above the tolerance (m), nearest periodic images included; empty if there is none.
+// Time is proportional to bodies times size classes. The search stops after 1000 overlaps per body and
+// returns the deepest so far. Throws Error if check(packing) does.
 std::optional<Overlap> find_overlap(const Packing& packing, double tolerance = 0.0);
 
 }  // namespace scree::packing

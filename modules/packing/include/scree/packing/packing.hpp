@@ -11,16 +11,16 @@
 
 namespace scree::packing {
 
-// "Not given": the value that a body leaves to its material.
+// "Not given": the value of the body's material applies.
 inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
-// One sphere (or disc). Plain data; check() below says what is allowed.
+// One sphere (or disc). check() below enforces the ranges.
 struct Body {
   std::int64_t id = 0;     // positive, unique in its packing
-  std::string material;    // name, or type number of a foreign file; empty: the scene's only material
+  std::string material;    // name, or type number from a LAMMPS file; empty: the only material of the scene
   double radius = 0.0;     // (m) positive
-  double density = unset;  // (kg/m³) positive, or unset: the material's
-  double mass = unset;     // (kg) positive, or unset: from the density. Not together with density
+  double density = unset;  // (kg/m³) positive, or unset: that of the material
+  double mass = unset;     // (kg) positive, or unset: from the density. Not allowed together with density
   Vec3 position{};         // (m) in two dimensions z = 0
   Vec3 velocity{};         // (m/s) in two dimensions vz = 0
   Vec3 spin{};             // (rad/s) in two dimensions only z may differ from 0
@@ -32,22 +32,23 @@ struct Bounds {
   Vec3 upper{};  // (m) at least lower
 };
 
-// Bodies and the box they came in.
+// Bodies and their box.
 struct Packing {
   int dimension = 3;  // 2 or 3
   std::vector<Body> bodies;
-  std::optional<Bounds> bounds;    // absent: the source named no box
+  std::optional<Bounds> bounds;    // absent: the source has no box
   std::array<bool, 3> periodic{};  // along x, y, z; a periodic axis needs bounds of positive length
-  double time = 0.0;               // (s) at which the bodies were recorded
+  double time = 0.0;               // (s) of the recorded state
 };
 
-// Throws Error naming the body and the field unless the packing keeps the rules above and holds a body.
+// Throws Error naming the body and the field unless the packing obeys the rules above and has a body.
 void check(const Packing& packing);
 
-// Box around all bodies, surface included. (m) The packing must hold a body.
+// Bounding box of all bodies, including their surfaces (m). The packing must have a body.
 Bounds enclosing_bounds(const Packing& packing);
 
-// Density that gives a sphere of this body's radius its mass. (kg/m³) unset if the body has neither.
+// Density (kg/m³) of a sphere with the radius and mass of this body; unset if it has neither mass nor
+// density.
 double sphere_density(const Body& body);
 
 }  // namespace scree::packing

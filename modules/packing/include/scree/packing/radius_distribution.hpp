@@ -8,7 +8,7 @@
 
 namespace scree::packing {
 
-// Every body the same.
+// The same radius for every body.
 struct ConstantRadius {
   double radius = 0.0;  // (m)
 };
@@ -19,7 +19,7 @@ struct UniformRadius {
   double maximum = 0.0;  // (m)
 };
 
-// Normal, restricted to [minimum, maximum] by drawing again; never clipped to a bound.
+// Normal, restricted to [minimum, maximum] by redrawing values outside; values are never clipped.
 struct NormalRadius {
   double mean = 0.0;                // (m) of the unrestricted normal distribution
   double standard_deviation = 0.0;  // (m) of the unrestricted normal distribution
@@ -31,29 +31,29 @@ struct NormalRadius {
 struct BidisperseRadius {
   double small_radius = 0.0;    // (m)
   double large_radius = 0.0;    // (m) at least small_radius
-  double large_fraction = 0.0;  // probability of the large one, 0 to 1, by number
+  double large_fraction = 0.0;  // probability of the large radius, 0 to 1, by number
 };
 
-// Explicit sizes: without weights the k-th body gets the k-th radius; with weights each body draws one.
+// Explicit radii: without weights the k-th body gets the k-th radius; with weights each body draws one.
 struct ListedRadius {
   std::vector<double> radii;    // (m)
-  std::vector<double> weights;  // by number, not negative, sum positive; empty or one for each radius
+  std::vector<double> weights;  // by number, not negative, positive sum; empty or one per radius
 };
 
 using RadiusDistribution =
     std::variant<ConstantRadius, UniformRadius, NormalRadius, BidisperseRadius, ListedRadius>;
 
-// Least share of normal deviates that must fall in [minimum, maximum].
-inline constexpr double least_acceptance = 1e-3;
+// Minimum fraction of normal deviates that must lie in [minimum, maximum].
+inline constexpr double min_acceptance = 1e-3;
 
-// Throws Error unless radii are positive and finite, ranges ordered, fractions and weights sensible.
+// Throws Error unless radii are positive and finite, ranges ordered, fractions and weights valid.
 void check(const RadiusDistribution& distribution);
 
-// Smallest and largest radius that can occur. (m)
+// Smallest and largest possible radius (m).
 double smallest_radius(const RadiusDistribution& distribution);
 double largest_radius(const RadiusDistribution& distribution);
 
-// Radii of that many bodies. (m) Checks first; a list without weights must have exactly that length.
+// Draws `count` radii (m). Throws Error if check() does, or if a list without weights has another length.
 std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size_t count, Random& random);
 
 }  // namespace scree::packing

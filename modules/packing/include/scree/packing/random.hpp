@@ -8,11 +8,11 @@
 namespace scree::packing {
 
 // xoshiro256++ generator (Blackman & Vigna 2021), seeded with splitmix64.
-// Uses only integer operations, + - * / and sqrt, so that a seed gives the same bits on every platform.
+// Uses only integer operations, + - * / and sqrt, so a seed gives the same bits on every platform.
 class Random {
  public:
   explicit Random(std::uint64_t seed);
-  // Continues from a saved state. Not all words may be zero.
+  // Continues from a saved state, which must have a non-zero word.
   explicit Random(const std::array<std::uint64_t, 4>& state) : state_(state) {}
 
   const std::array<std::uint64_t, 4>& state() const { return state_; }
@@ -25,7 +25,7 @@ class Random {
   double uniform(double minimum, double maximum);
   // Normal with mean 0 and standard deviation 1.
   double normal();
-  // Uniform in the ball (dimension 3) or the disc (dimension 2, z = 0) of that radius about the origin.
+  // Uniform in a ball (dimension 3) or disc (dimension 2, z = 0) of this radius about the origin.
   Vec3 in_ball(double radius, int dimension);
 
  private:
