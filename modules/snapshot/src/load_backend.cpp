@@ -22,13 +22,13 @@ std::filesystem::path find_library() {
   for (const auto& directory : candidates)
     if (std::filesystem::exists(directory / library_name)) return directory / library_name;
   throw Error(
-      fmt::format("{}/{}: not found, so there are no snapshots, pictures or charts; build the target "
-                  "scree_snapshot_vtk or switch them off",
+      fmt::format("{}/{}: not found; it is required for snapshots, images and charts: build the target "
+                  "scree_snapshot_vtk, or leave them out",
                   candidates[0].string(), library_name));
 }
 
 std::shared_ptr<SnapshotBackend> load_once() {
-  // A library may still lie there from a build with pictures.
+  // A library from an earlier build with pictures may still be there.
   if (!has_pictures()) throw Error(fmt::format("{}; {}", no_pictures, no_pictures_cure));
   const std::filesystem::path library = find_library();
   // Never unloaded: VTK and Mesa leave thread-local data and exit handlers behind.
@@ -40,9 +40,9 @@ std::shared_ptr<SnapshotBackend> load_once() {
   SnapshotBackend* backend = create ? create(backend_version) : nullptr;
   if (!backend)
     throw Error(
-        fmt::format("{}: is of another version than this program; rebuild the target scree_snapshot_vtk",
+        fmt::format("{}: has another version than this program; rebuild the target scree_snapshot_vtk",
                     library.string()));
-  // Never destroyed: Mesa stops its threads when a program exits, and a context may not outlive them.
+  // Never destroyed: Mesa stops its threads at program exit, and a context must not be used after that.
   return std::shared_ptr<SnapshotBackend>(backend, [](SnapshotBackend*) {});
 }
 

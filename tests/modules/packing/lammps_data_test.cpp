@@ -137,7 +137,7 @@ TEST_CASE("data file errors name the position and the cure", "[packing]") {
 TEST_CASE("errors within a section of a data file name the word", "[packing]") {
   const auto atom = [](const std::string& line) { return refusal("t\n1 atoms\n\nAtoms\n\n" + line + "\n"); };
   CHECK(atom("1 1 0.5 2500 0 0 0").empty());
-  CHECK_THAT(atom("1 1 0.5 2500 0 0"), StartsWith("d:6:1: 6 words where"));
+  CHECK_THAT(atom("1 1 0.5 2500 0 0"), StartsWith("d:6:1: 6 words instead of"));
   CHECK_THAT(atom("1 1 -0.5 2500 0 0 0"), StartsWith("d:6:5: diameter '-0.5' is not positive; "));
   CHECK_THAT(atom("1 1 0 2500 0 0 0"), StartsWith("d:6:5: diameter '0' is not positive; "));
   CHECK_THAT(atom("1 1 5e-324 2500 0 0 0"), StartsWith("d:6:5: half the diameter is 0"));
@@ -155,7 +155,7 @@ TEST_CASE("errors within a section of a data file name the word", "[packing]") {
   const std::string velocities = header + atoms + "\nVelocities\n\n";
   CHECK_THAT(refusal(velocities + "1 0 0 0 0 0 0\n"),
              Contains("section Velocities ends after 1 of 2 lines; "));
-  CHECK_THAT(refusal(velocities + "1 0 0 0\n"), StartsWith("d:16:1: 4 words where"));
+  CHECK_THAT(refusal(velocities + "1 0 0 0\n"), StartsWith("d:16:1: 4 words instead of"));
   CHECK_THAT(refusal(velocities + "3 0 0 0 0 0 0\n"), StartsWith("d:16:1: there is no atom 3; "));
   CHECK_THAT(refusal(velocities + "1 0 0 0 0 0 0\n1 0 0 0 0 0 0\n"),
              Contains("id 1 was used before, in line 16; "));

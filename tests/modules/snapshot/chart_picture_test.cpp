@@ -9,7 +9,7 @@ using Catch::Contains;
 
 namespace {
 
-// Columns of the plot area that hold a colour like the given one, and its lowest and highest row from the
+// Columns of the plot area with a colour similar to the given one, and its lowest and highest row from the
 // top.
 struct Trace {
   int columns = 0;
@@ -81,7 +81,7 @@ TEST_CASE("a power law is straight between logarithmic axes", "[snapshot]") {
   CHECK(different < 600);
 }
 
-TEST_CASE("constant, single and huge values get an axis", "[snapshot]") {
+TEST_CASE("constant, single and huge values have a valid axis", "[snapshot]") {
   const Trace level = trace(draw(spec_of({0, 1}, {7, 7})), 255, 0, 0);
   CHECK(level.columns > 800);
   CHECK(level.first_row == level.last_row);
@@ -90,7 +90,7 @@ TEST_CASE("constant, single and huge values get an axis", "[snapshot]") {
   CHECK(trace(draw(spec_of({1e9, 1e9 + 1}, {-1e200, 1e200})), 255, 0, 0).columns > 800);
 }
 
-TEST_CASE("dashes and markers leave gaps that a line does not", "[snapshot]") {
+TEST_CASE("dashes and markers leave gaps, a solid line does not", "[snapshot]") {
   ChartSpec spec = spec_of({0, 1}, {0, 1});
   const int solid = trace(draw(spec), 255, 0, 0).columns;
   spec.series[0].line = LineStyle::dashed;
@@ -103,7 +103,7 @@ TEST_CASE("dashes and markers leave gaps that a line does not", "[snapshot]") {
   CHECK(markers > 5);
 }
 
-TEST_CASE("the legend stands where the curves are not", "[snapshot]") {
+TEST_CASE("the legend is placed where there are no curves", "[snapshot]") {
   ChartSpec spec = spec_of({0, 1}, {0, 1});
   const Picture alone = draw(spec);
   spec.series.push_back({"two", {0, 1}, {0, 0.9}, std::array<double, 3>{0, 0, 1}, LineStyle::solid, false});
@@ -124,7 +124,7 @@ TEST_CASE("series that cannot be drawn are refused by name", "[snapshot]") {
   CHECK_THAT(refusal(spec), Contains("y[0] = 0 has no logarithm"));
 }
 
-TEST_CASE("a file that is no picture is refused", "[snapshot]") {
+TEST_CASE("a file that is not a picture is refused", "[snapshot]") {
   const ScratchDirectory directory;
   std::ofstream(directory / "text.png") << "not a picture";
   CHECK_THAT(error_of([&] { backend().read_png(directory / "text.png"); }), Contains("text.png"));

@@ -16,19 +16,19 @@ struct Entry {
   bool operator==(const Entry&) const = default;
 };
 
-// The value of an attribute at or after `place`, which moves behind it.
-std::string attribute(const std::string& text, const std::string& name, std::size_t& place) {
-  const std::size_t begin = text.find(name + "=\"", place) + name.size() + 2;
-  place = text.find('"', begin);
-  return text.substr(begin, place - begin);
+// Value of the next attribute at or after `position`, which is set behind it.
+std::string attribute(const std::string& text, const std::string& name, std::size_t& position) {
+  const std::size_t begin = text.find(name + "=\"", position) + name.size() + 2;
+  position = text.find('"', begin);
+  return text.substr(begin, position - begin);
 }
 
 std::vector<Entry> entries(const std::filesystem::path& pvd_file) {
   const std::string text = read_text(pvd_file);
   std::vector<Entry> found;
-  for (std::size_t place = 0; (place = text.find("<DataSet ", place)) != std::string::npos;) {
-    const double time = std::stod(attribute(text, "timestep", place));
-    found.push_back({time, attribute(text, "file", place)});
+  for (std::size_t position = 0; (position = text.find("<DataSet ", position)) != std::string::npos;) {
+    const double time = std::stod(attribute(text, "timestep", position));
+    found.push_back({time, attribute(text, "file", position)});
   }
   return found;
 }
@@ -64,7 +64,7 @@ TEST_CASE("a resumed run continues the index and replaces frames it repeats", "[
   Frame frame = sample_frame();
   for (std::uint64_t step : {2, 3}) {
     frame.step = step;
-    frame.time = 0.1 * static_cast<double>(step);
+    frame.time = 0.1 * double(step);
     resumed->write_frame(frame, directory.path());
   }
   const auto listed = entries(directory / "particles.pvd");

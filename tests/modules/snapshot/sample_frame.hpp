@@ -12,13 +12,13 @@
 
 namespace scree::snapshot {
 
-// One backend for all tests, as in a run.
+// One backend for all tests, as in a run of the program.
 inline SnapshotBackend& backend() {
   static const std::shared_ptr<SnapshotBackend> shared = load_backend();
   return *shared;
 }
 
-// An empty directory that goes away with the test.
+// An empty directory, removed after the test.
 class ScratchDirectory {
  public:
   ScratchDirectory() {
@@ -44,7 +44,7 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// The message of the scree::Error that an action throws; empty where it throws none.
+// Message of the scree::Error that an action throws; empty if it throws none.
 template <class Action>
 std::string error_of(Action action) {
   try {
@@ -55,7 +55,7 @@ std::string error_of(Action action) {
   return {};
 }
 
-// Values without short decimals, so that a loss of bits shows.
+// Values without short decimal form, so that lost bits are detected.
 inline Frame sample_frame() {
   Frame frame;
   frame.time = 0.1 + 0.2;

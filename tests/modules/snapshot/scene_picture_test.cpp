@@ -12,7 +12,7 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-// Hues of the ends of the colour map, whether in light or in shade.
+// Hues of the ends of the colour map, lit or in shade.
 bool is_yellow(const Rgb& c) { return c[0] > 30 && c[0] >= c[1] && c[1] > 2 * c[2]; }
 bool is_violet(const Rgb& c) { return c[2] > 15 && c[2] >= c[0] && c[0] > 2 * c[1]; }
 
@@ -65,8 +65,8 @@ RenderOptions by_speed(const std::string& view) {
   return options;
 }
 
-// Both particles are where and as large as they should be. right, up: from the violet to the yellow one in
-// the unit box as the view has it. A sphere's dark rim does not count as coloured.
+// Checks position and size of both particles. right, up: offset from the violet to the yellow one in the view
+// of the unit box. The dark rim of a sphere does not count as coloured.
 void check_pair(const Picture& picture, double right, double up) {
   const Blob violet = find_blob(picture, is_violet), yellow = find_blob(picture, is_yellow);
   REQUIRE(violet.pixels > 1000);
@@ -82,11 +82,11 @@ void check_pair(const Picture& picture, double right, double up) {
 
 }  // namespace
 
-TEST_CASE("discs appear in their colours at their places", "[snapshot]") {
+TEST_CASE("discs appear with their colours and positions", "[snapshot]") {
   check_pair(draw(pair({0.2, 0.3, 0}, {0.7, 0.7, 0}, 2), by_speed("")), 0.5, 0.4);
 }
 
-TEST_CASE("spheres appear in their colours at their places from every side", "[snapshot]") {
+TEST_CASE("spheres appear with their colours and positions in every view", "[snapshot]") {
   const Frame frame = pair({0.2, 0.3, 0.4}, {0.7, 0.7, 0.6}, 3);
   check_pair(draw(frame, by_speed("x")), 0.4, 0.2);
   check_pair(draw(frame, by_speed("y")), 0.5, 0.2);
@@ -99,7 +99,7 @@ TEST_CASE("the nearer sphere hides the farther one", "[snapshot]") {
   CHECK(find_blob(picture, is_yellow).pixels == 0);
 }
 
-TEST_CASE("walls show without hiding the spheres", "[snapshot]") {
+TEST_CASE("walls are visible without hiding the spheres", "[snapshot]") {
   Frame frame = pair({0.2, 0.3, 0.4}, {0.7, 0.8, 0.6}, 3);
   for (int k = 0; k < 3; ++k)
     for (double side : {0.0, 1.0}) {
@@ -156,7 +156,7 @@ TEST_CASE("pictures that cannot be drawn are refused", "[snapshot]") {
   options.color_by = "sped";
   CHECK_THAT(refusal(frame, options), Contains("\"sped\"") && Contains("speed"));
   options.color_by = "spin";
-  CHECK_THAT(refusal(frame, options), Contains("carries no spin"));
+  CHECK_THAT(refusal(frame, options), Contains("has no spin"));
   CHECK_THAT(refusal(frame, by_speed("top")), Contains("\"top\"") && Contains("iso"));
   options = {};
   options.color_range = {2, 1};

@@ -49,7 +49,7 @@ TEST_CASE("a frame comes back from its files with the same bits", "[snapshot]") 
   CHECK(std::signbit(back.force[0]));
 }
 
-TEST_CASE("columns that a scene does not carry stay away", "[snapshot]") {
+TEST_CASE("columns that a scene lacks are omitted from the file", "[snapshot]") {
   const ScratchDirectory directory;
   Frame frame = sample_frame();
   frame.dimension = 2;
@@ -76,7 +76,7 @@ TEST_CASE("a frame without its contacts file has no contacts", "[snapshot]") {
   CHECK(back.particle_count() == 7);
 }
 
-TEST_CASE("files carry the names of the arrays and binary data", "[snapshot]") {
+TEST_CASE("files contain the names of the arrays and binary data", "[snapshot]") {
   const ScratchDirectory directory;
   backend().write_frame(sample_frame(), directory.path());
   const std::string particles = read_text(directory / particles_file);
@@ -90,7 +90,7 @@ TEST_CASE("files carry the names of the arrays and binary data", "[snapshot]") {
   CHECK_THAT(contacts, Contains("NumberOfLines=\"4\""));
 }
 
-TEST_CASE("files that are no frames are refused by name", "[snapshot]") {
+TEST_CASE("files that are not frames are refused by name", "[snapshot]") {
   const ScratchDirectory directory;
   const auto refusal = [&](const std::string& name) {
     return error_of([&] { backend().read_frame(directory / name); });
@@ -104,7 +104,7 @@ TEST_CASE("files that are no frames are refused by name", "[snapshot]") {
   CHECK_THAT(refusal("particles_cut.vtp"), Contains("particles_cut.vtp") && Contains("damaged"));
 }
 
-TEST_CASE("a frame with uneven columns is refused and leaves no file", "[snapshot]") {
+TEST_CASE("a frame with columns of different length is refused and leaves no file", "[snapshot]") {
   const ScratchDirectory directory;
   Frame frame = sample_frame();
   frame.velocity.pop_back();

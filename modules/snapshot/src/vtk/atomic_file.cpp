@@ -29,13 +29,13 @@ void create_directories_of(const std::filesystem::path& file) {
   if (error) fail(file, error.value());
 }
 
-// 0 or the error number of the first call that failed.
+// Returns 0, or the error number of the first failed call.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
+    bytes.remove_prefix(std::size_t(written));
   }
   return 0;
 }

@@ -5,8 +5,8 @@
 
 namespace scree::snapshot {
 
-// Writes the bytes under a temporary name in the same directory, then renames: the file is there whole or not
-// at all. Creates missing directories. Throws scree::Error.
+// Writes the bytes to a temporary file in the same directory and renames it, so the file is never incomplete.
+// Creates missing directories. Throws scree::Error.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace scree::snapshot

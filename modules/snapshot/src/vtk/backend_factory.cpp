@@ -51,7 +51,7 @@ class VtkBackend final : public SnapshotBackend {
 }  // namespace
 }  // namespace scree::snapshot
 
-// Null where the program was built against another version of the interface.
+// Returns null if the program was built against another version of the interface.
 extern "C" __attribute__((visibility("default"))) scree::snapshot::SnapshotBackend*
 scree_create_snapshot_backend(int version) {
   return version == scree::snapshot::backend_version ? new scree::snapshot::VtkBackend : nullptr;

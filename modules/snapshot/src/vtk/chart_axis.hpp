@@ -6,17 +6,16 @@ class vtkAxis;
 
 namespace scree::snapshot {
 
-// Maps data to 0..1 along an axis. VTK draws in single precision; on this scale that loses nothing that can
-// be seen.
+// Maps data to 0..1 along an axis. VTK draws in single precision; in this range the rounding is invisible.
 class ChartScale {
  public:
-  // Ends finite and, if logarithmic, > 0; pad: free share at both ends.
+  // lower and upper: finite, > 0 if logarithmic; pad: margin at both ends, as a fraction of the range.
   ChartScale(double lower, double upper, bool logarithmic, double pad);
 
-  double place(double value) const;
-  Ticks ticks(int wanted) const;
+  double position(double value) const;
+  Ticks ticks(int target) const;
 
-  // Gives a VTK axis these marks. font: height of the labels in drawn pixels.
+  // Sets the ticks of a VTK axis. font: height of the labels in drawn pixels.
   void apply(vtkAxis* axis, const Ticks& ticks, double font) const;
 
  private:

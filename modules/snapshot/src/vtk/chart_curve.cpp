@@ -8,13 +8,14 @@
 namespace scree::snapshot {
 namespace {
 
-// Blue, vermilion, green, purple, orange, sky blue, black: told apart by colour-blind readers and in grey.
+// Blue, vermilion, green, purple, orange, sky blue, black: distinguishable for colour-blind readers and in
+// grey.
 constexpr std::array<double, 3> color_cycle[] = {{0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45},
                                                  {0.80, 0.47, 0.65}, {0.90, 0.62, 0.00}, {0.34, 0.71, 0.91},
                                                  {0.00, 0.00, 0.00}};
 constexpr int marker_cycle[] = {vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE, vtkPlotPoints::DIAMOND};
 
-// Walks along a curve and keeps what lies on dashes.
+// Splits a curve into its dashes.
 class Dasher {
  public:
   Dasher(double on, double off) : on_(on), period_(on + off) {}
@@ -27,13 +28,13 @@ class Dasher {
       const double step = std::min(length - done, (drawn ? on_ : period_) - phase_);
       if (drawn)
         for (double at : {done, done + step}) {
-          pieces_.push_back(static_cast<float>(std::lerp(x0, x1, at / length)));
-          pieces_.push_back(static_cast<float>(std::lerp(y0, y1, at / length)));
+          pieces_.push_back(float(std::lerp(x0, x1, at / length)));
+          pieces_.push_back(float(std::lerp(y0, y1, at / length)));
         }
       done += step;
       phase_ += step;
       if (phase_ >= period_ * (1 - 1e-9)) phase_ = 0;
-      if (step <= 1e-9 * period_) phase_ = drawn ? on_ : 0;  // rounding must not stop the walk
+      if (step <= 1e-9 * period_) phase_ = drawn ? on_ : 0;  // rounding must not cause an endless loop
     }
   }
 
@@ -48,7 +49,7 @@ class Dasher {
 
 }  // namespace
 
-CurveLook CurveLook::of(const ChartSeries& series, std::size_t index, double font) {
+CurveStyle CurveStyle::of(const ChartSeries& series, std::size_t index, double font) {
   const LineStyle line = series.x.size() > 1 ? series.line : LineStyle::none;
   const bool markers = series.markers || line == LineStyle::none;
   return {series.color.value_or(color_cycle[index % std::size(color_cycle)]), line,

@@ -7,19 +7,19 @@
 
 namespace scree::snapshot {
 
-// How series number `index` looks; the legend shows the same.
-struct CurveLook {
+// Style of series number `index`, in the plot and in the legend.
+struct CurveStyle {
   std::array<double, 3> color;
   LineStyle line;
   int marker;          // of vtkPlotPoints
   double line_width;   // (drawn pixels)
   double marker_size;  // (drawn pixels)
 
-  static CurveLook of(const ChartSeries& series, std::size_t index, double font);
+  static CurveStyle of(const ChartSeries& series, std::size_t index, double font);
 };
 
-// The drawn pieces of a line as pairs of ends (x, y, x, y in drawn pixels), dashes and dots cut to the font's
-// size.
+// The drawn pieces of a line as pairs of end points (x, y, x, y in drawn pixels); dashes and dots scale with
+// the font.
 std::vector<float> line_pieces(const std::vector<double>& x, const std::vector<double>& y, LineStyle style,
                                double font);
 

@@ -33,29 +33,28 @@ void ChartLabels::paint_legend(vtkContext2D* painter, const Box& box) const {
   painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
   painter->GetPen()->SetColorF(0.6, 0.6, 0.6);
   painter->GetPen()->SetOpacityF(1);
-  painter->GetPen()->SetWidth(static_cast<float>(layout->font / 20));
+  painter->GetPen()->SetWidth(float(layout->font / 20));
   painter->GetBrush()->SetColor(255, 255, 255, 255);
-  painter->DrawRect(static_cast<float>(box.left), static_cast<float>(box.bottom),
-                    static_cast<float>(box.width), static_cast<float>(box.height));
+  painter->DrawRect(float(box.left), float(box.bottom), float(box.width), float(box.height));
   for (std::size_t row = 0; row < spec->series.size(); ++row) paint_legend_row(painter, box, row);
 }
 
 void ChartLabels::paint_legend_row(vtkContext2D* painter, const Box& box, std::size_t row) const {
   const double font = layout->font;
   const ChartSeries& series = spec->series[row];
-  const CurveLook look = CurveLook::of(series, row, font);
-  const double rows_above = static_cast<double>(row) + 0.5;
+  const CurveStyle style = CurveStyle::of(series, row, font);
+  const double rows_above = double(row) + 0.5;
   const double y = box.bottom + box.height - (legend_pad / 2 + legend_line * rows_above) * font;
   const double left = box.left + legend_pad * font, right = left + legend_sample * font;
-  std::vector<float> pieces = line_pieces({left, right}, {y, y}, look.line, font);
-  painter->GetPen()->SetColorF(look.color[0], look.color[1], look.color[2]);
-  painter->GetBrush()->SetColorF(look.color[0], look.color[1], look.color[2], 1);
-  painter->GetPen()->SetWidth(static_cast<float>(look.line_width));
-  if (!pieces.empty()) painter->DrawLines(pieces.data(), static_cast<int>(pieces.size() / 2));
-  if (look.marker != vtkPlotPoints::NONE) {
-    float middle[] = {static_cast<float>((left + right) / 2), static_cast<float>(y)};
-    painter->GetPen()->SetWidth(static_cast<float>(look.marker_size));
-    painter->DrawMarkers(look.marker, false, middle, 1);
+  std::vector<float> pieces = line_pieces({left, right}, {y, y}, style.line, font);
+  painter->GetPen()->SetColorF(style.color[0], style.color[1], style.color[2]);
+  painter->GetBrush()->SetColorF(style.color[0], style.color[1], style.color[2], 1);
+  painter->GetPen()->SetWidth(float(style.line_width));
+  if (!pieces.empty()) painter->DrawLines(pieces.data(), int(pieces.size() / 2));
+  if (style.marker != vtkPlotPoints::NONE) {
+    float middle[] = {float((left + right) / 2), float(y)};
+    painter->GetPen()->SetWidth(float(style.marker_size));
+    painter->DrawMarkers(style.marker, false, middle, 1);
   }
   draw_text(painter, right + legend_pad * font, y, series.name, {font},
             box.left + box.width - right - legend_pad * font);

@@ -6,7 +6,7 @@
 
 namespace scree::snapshot {
 
-// The writing around a chart: title, axis labels, legend.
+// Text of a chart: title, axis labels, legend.
 class ChartLabels : public vtkContextItem {
  public:
   static ChartLabels* New();

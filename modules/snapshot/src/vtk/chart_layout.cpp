@@ -29,16 +29,16 @@ double widest(const std::vector<std::string>& lines, double font) {
   return width;
 }
 
-// As many marks as stand side by side with some air between.
+// As many ticks as fit side by side with some space between their labels.
 Ticks fitting_ticks(const ChartScale& scale, double room, double font) {
-  for (int wanted = 8; wanted > 2; --wanted) {
-    Ticks ticks = scale.ticks(wanted);
-    if (static_cast<double>(ticks.at.size()) * (widest(ticks.labels, font) + 1.2 * font) < room) return ticks;
+  for (int target = 8; target > 2; --target) {
+    Ticks ticks = scale.ticks(target);
+    if (double(ticks.values.size()) * (widest(ticks.labels, font) + 1.2 * font) < room) return ticks;
   }
   return scale.ticks(2);
 }
 
-// Breaks a text between words, so that lines are not longer than room where that is possible.
+// Wraps a text at blanks into lines no longer than `room` if possible.
 std::vector<std::string> wrapped(const std::string& text, const TextStyle& style, double room) {
   std::vector<std::string> lines;
   std::size_t start = 0;
@@ -59,10 +59,10 @@ Box legend_size(const ChartSpec& spec, double font) {
   std::vector<std::string> names;
   for (const ChartSeries& series : spec.series) names.push_back(series.name);
   return {0, 0, widest(names, font) + (legend_sample + 3 * legend_pad) * font,
-          (legend_line * static_cast<double>(names.size()) + legend_pad) * font};
+          (legend_line * double(names.size()) + legend_pad) * font};
 }
 
-// Which corner boxes of the plot the curves enter; sizes and places as shares of the plot.
+// Records which corners of the plot the curves pass through; sizes and positions as fractions of the plot.
 class CornerUse {
  public:
   CornerUse(double box_width, double box_height) : box_width_(box_width), box_height_(box_height) {}
@@ -76,10 +76,10 @@ class CornerUse {
   }
 
   void mark_curve(const ChartSeries& series, const ChartScale& scale_x, const ChartScale& scale_y) {
-    double x0 = scale_x.place(series.x[0]), y0 = scale_y.place(series.y[0]);
+    double x0 = scale_x.position(series.x[0]), y0 = scale_y.position(series.y[0]);
     for (std::size_t k = 0; k < series.x.size(); ++k) {
-      const double x1 = scale_x.place(series.x[k]), y1 = scale_y.place(series.y[k]);
-      const int pieces = 1 + static_cast<int>(100 * std::hypot(x1 - x0, y1 - y0));
+      const double x1 = scale_x.position(series.x[k]), y1 = scale_y.position(series.y[k]);
+      const int pieces = 1 + int(100 * std::hypot(x1 - x0, y1 - y0));
       for (int piece = 1; piece <= pieces; ++piece)
         mark(std::lerp(x0, x1, 1.0 * piece / pieces), std::lerp(y0, y1, 1.0 * piece / pieces));
       x0 = x1;
@@ -90,7 +90,7 @@ class CornerUse {
   std::optional<std::size_t> first_free() const {
     const auto free = std::find(used_.begin(), used_.end(), false);
     if (free == used_.end()) return std::nullopt;
-    return static_cast<std::size_t>(free - used_.begin());
+    return std::size_t(free - used_.begin());
   }
 
   static bool is_right(std::size_t corner) { return corner % 2 == 0; }
@@ -142,7 +142,7 @@ ChartLayout ChartLayout::of(const ChartSpec& spec) {
   layout.y_ticks = layout.y.ticks(7);
   const double left = 3.2 * font + widest(layout.y_ticks.labels, font);
   const double bottom = 4.0 * font;
-  const double top = (1.2 + 1.6 * static_cast<double>(layout.title_lines.size())) * font;
+  const double top = (1.2 + 1.6 * double(layout.title_lines.size())) * font;
   layout.x_ticks = fitting_ticks(layout.x, layout.width - left - font, font);
   const double right = std::max(font, 0.5 * font + widest(layout.x_ticks.labels, font) / 2);
   layout.plot = {left, bottom, layout.width - left - right, layout.height - bottom - top};

@@ -18,7 +18,7 @@ struct Box {
   double height;
 };
 
-// Where everything of a chart goes.
+// Positions of all parts of a chart.
 struct ChartLayout {
   double width;   // (drawn pixels) of the whole picture
   double height;  // (drawn pixels)
@@ -30,14 +30,14 @@ struct ChartLayout {
   Ticks y_ticks;
   Box plot;
   std::optional<Box>
-      legend;  // from two series on: in a corner without curves or, where there is none, beside the plot
+      legend;  // with two or more series: in a corner without curves, or beside the plot if there is none
 
   static ChartLayout of(const ChartSpec& spec);
 };
 
-// The legend's rows.
+// Rows of the legend.
 inline constexpr double legend_line = 1.5;    // (fonts) from row to row
-inline constexpr double legend_sample = 2.4;  // (fonts) length of the piece of curve
+inline constexpr double legend_sample = 2.4;  // (fonts) length of the sample line
 inline constexpr double legend_pad = 0.6;     // (fonts) around and between
 
 }  // namespace scree::snapshot

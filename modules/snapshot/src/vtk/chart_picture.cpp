@@ -28,11 +28,11 @@ void check_column(const ChartSeries& series, const std::vector<double>& values, 
                   bool logarithmic) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (!std::isfinite(values[k]))
-      throw Error(fmt::format("chart: series \"{}\": {}[{}] is not finite; leave such points out",
-                              series.name, axis, k));
+      throw Error(
+          fmt::format("chart: series \"{}\": {}[{}] is not finite; omit such points", series.name, axis, k));
     if (logarithmic && values[k] <= 0)
       throw Error(
-          fmt::format("chart: series \"{}\": {}[{}] = {} has no logarithm; leave it out or use a linear axis",
+          fmt::format("chart: series \"{}\": {}[{}] = {} has no logarithm; omit it or use a linear axis",
                       series.name, axis, k, values[k]));
   }
 }
@@ -44,7 +44,7 @@ void check(const ChartSpec& spec) {
   for (const ChartSeries& series : spec.series) {
     if (series.x.empty() || series.x.size() != series.y.size())
       throw Error(
-          fmt::format("chart: series \"{}\" has {} x and {} y values; give as many of each, one or more",
+          fmt::format("chart: series \"{}\" has {} x and {} y values; give equal numbers, at least one",
                       series.name, series.x.size(), series.y.size()));
     check_column(series, series.x, "x", spec.log_x);
     check_column(series, series.y, "y", spec.log_y);
@@ -66,41 +66,41 @@ void append(vtkTable* table, double x, double y) {
   vtkDoubleArray::SafeDownCast(table->GetColumn(1))->InsertNextValue(y);
 }
 
-// Adds a plot whose points, places in 0..1, are pairs of line ends or markers.
-void add_plot(vtkChartXY* chart, vtkTable* table, const CurveLook& look, int marker) {
+// Adds a plot; the points, in 0..1, are markers or pairs of line ends.
+void add_plot(vtkChartXY* chart, vtkTable* table, const CurveStyle& style, int marker) {
   const bool line = marker == vtkPlotPoints::NONE;
   auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(line ? vtkChart::LINE : vtkChart::POINTS));
   plot->SetInputData(table, 0, 1);
-  plot->GetPen()->SetColorF(look.color[0], look.color[1], look.color[2]);
-  plot->GetBrush()->SetColorF(look.color[0], look.color[1], look.color[2]);
-  plot->SetWidth(static_cast<float>(look.line_width));
+  plot->GetPen()->SetColorF(style.color[0], style.color[1], style.color[2]);
+  plot->GetBrush()->SetColorF(style.color[0], style.color[1], style.color[2]);
+  plot->SetWidth(float(style.line_width));
   plot->SetMarkerStyle(marker);
-  plot->SetMarkerSize(static_cast<float>(look.marker_size));
+  plot->SetMarkerSize(float(style.marker_size));
   if (auto* plot_line = vtkPlotLine::SafeDownCast(plot)) plot_line->SetPolyLine(false);
 }
 
-void add_series(vtkChartXY* chart, const ChartSeries& series, const CurveLook& look,
+void add_series(vtkChartXY* chart, const ChartSeries& series, const CurveStyle& style,
                 const ChartLayout& layout) {
   std::vector<double> x, y;  // (drawn pixels) within the plot
   for (std::size_t k = 0; k < series.x.size(); ++k) {
-    x.push_back(layout.x.place(series.x[k]) * layout.plot.width);
-    y.push_back(layout.y.place(series.y[k]) * layout.plot.height);
+    x.push_back(layout.x.position(series.x[k]) * layout.plot.width);
+    y.push_back(layout.y.position(series.y[k]) * layout.plot.height);
   }
-  const std::vector<float> pieces = line_pieces(x, y, look.line, layout.font);
+  const std::vector<float> pieces = line_pieces(x, y, style.line, layout.font);
   vtkNew<vtkTable> ends = empty_table(), points = empty_table();
   for (std::size_t k = 0; k < pieces.size(); k += 2)
     append(ends, pieces[k] / layout.plot.width, pieces[k + 1] / layout.plot.height);
   for (std::size_t k = 0; k < x.size(); ++k)
     append(points, x[k] / layout.plot.width, y[k] / layout.plot.height);
-  if (!pieces.empty()) add_plot(chart, ends, look, vtkPlotPoints::NONE);
-  if (look.marker != vtkPlotPoints::NONE) add_plot(chart, points, look, look.marker);
+  if (!pieces.empty()) add_plot(chart, ends, style, vtkPlotPoints::NONE);
+  if (style.marker != vtkPlotPoints::NONE) add_plot(chart, points, style, style.marker);
 }
 
 void set_axes(vtkChartXY* chart, const ChartLayout& layout) {
   chart->SetAutoAxes(false);
   layout.x.apply(chart->GetAxis(vtkAxis::BOTTOM), layout.x_ticks, layout.font);
   layout.y.apply(chart->GetAxis(vtkAxis::LEFT), layout.y_ticks, layout.font);
-  for (int side : {vtkAxis::TOP, vtkAxis::RIGHT}) {  // these close the frame
+  for (int side : {vtkAxis::TOP, vtkAxis::RIGHT}) {  // complete the frame
     vtkAxis* axis = chart->GetAxis(side);
     layout.x.apply(axis, {}, layout.font);
     axis->SetVisible(true);
@@ -118,10 +118,10 @@ Picture chart_picture(OffscreenContext& context, const ChartSpec& spec) {
   vtkNew<vtkChartXY> chart;
   set_axes(chart, layout);
   for (std::size_t k = 0; k < spec.series.size(); ++k)
-    add_series(chart, spec.series[k], CurveLook::of(spec.series[k], k, layout.font), layout);
+    add_series(chart, spec.series[k], CurveStyle::of(spec.series[k], k, layout.font), layout);
   chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  chart->SetSize(vtkRectf(static_cast<float>(layout.plot.left), static_cast<float>(layout.plot.bottom),
-                          static_cast<float>(layout.plot.width), static_cast<float>(layout.plot.height)));
+  chart->SetSize(vtkRectf(float(layout.plot.left), float(layout.plot.bottom), float(layout.plot.width),
+                          float(layout.plot.height)));
   vtkNew<ChartLabels> labels;
   labels->spec = &spec;
   labels->layout = &layout;

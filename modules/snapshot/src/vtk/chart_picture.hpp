@@ -6,7 +6,8 @@
 
 namespace scree::snapshot {
 
-// Throws scree::Error where a series is empty, uneven, not finite, or not > 0 on a logarithmic axis.
+// Throws scree::Error if a series is empty, has x and y of different length, is not finite, or is not > 0 on
+// a logarithmic axis.
 Picture chart_picture(OffscreenContext& context, const ChartSpec& spec);
 
 }  // namespace scree::snapshot

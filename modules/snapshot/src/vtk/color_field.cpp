@@ -36,8 +36,8 @@ RawField raw_field(const Frame& frame, const std::string& name) {
   if (name == "coordination")
     return {"contacts", "", {frame.coordination.begin(), frame.coordination.end()}, true};
   if (name == "id") return {"id", "", {frame.id.begin(), frame.id.end()}, true};
-  throw Error(fmt::format("color_by: there is no field \"{}\"; choose one of {}", name,
-                          fmt::join(color_fields, ", ")));
+  throw Error(
+      fmt::format("color_by: unknown field \"{}\"; choose one of {}", name, fmt::join(color_fields, ", ")));
 }
 
 Range value_range(const RawField& field) {
@@ -52,7 +52,7 @@ Range value_range(const RawField& field) {
 
 Range given_range(const std::array<double, 2>& range) {
   if (std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]) return {range[0], range[1]};
-  throw Error(fmt::format("color_range: [{}, {}] is no range; give a lower and a greater upper value",
+  throw Error(fmt::format("color_range: [{}, {}] is not a range; give a lower and a greater upper value",
                           range[0], range[1]));
 }
 
@@ -65,11 +65,10 @@ std::array<std::uint8_t, 3> viridis(double t) {
                                            {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
   if (std::isnan(t)) return {160, 160, 160};
   const double place = std::clamp(t, 0.0, 1.0) * (knots - 1);
-  const int knot = std::min(static_cast<int>(place), knots - 2);
+  const int knot = std::min(int(place), knots - 2);
   std::array<std::uint8_t, 3> color;
   for (int k = 0; k < 3; ++k)
-    color[k] =
-        static_cast<std::uint8_t>(std::lround(std::lerp(map[knot][k], map[knot + 1][k], place - knot)));
+    color[k] = std::uint8_t(std::lround(std::lerp(map[knot][k], map[knot + 1][k], place - knot)));
   return color;
 }
 
@@ -89,7 +88,7 @@ ScaledUnit scaled_unit(double largest, const std::string& unit) {
 ColorField color_field(const Frame& frame, const RenderOptions& options) {
   RawField raw = raw_field(frame, options.color_by);
   if (raw.values.size() != frame.particle_count())
-    throw Error(fmt::format("color_by: this scene carries no {}; choose another of {}", options.color_by,
+    throw Error(fmt::format("color_by: this scene has no {}; choose another of {}", options.color_by,
                             fmt::join(color_fields, ", ")));
   const Range range = options.color_range ? given_range(*options.color_range) : value_range(raw);
   const ScaledUnit unit = scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);

@@ -13,14 +13,14 @@ namespace scree::snapshot {
 // Colour of the viridis map, perceptually uniform; t in 0..1, clamped; grey for NaN.
 std::array<std::uint8_t, 3> viridis(double t);
 
-// A number with an SI prefix that makes it readable, for example {1e3, "mm"}.
+// A unit with a suitable SI prefix, for example {1e3, "mm"}.
 struct ScaledUnit {
-  double factor;  // by which to multiply SI values
+  double factor;  // multiplies values in SI units
   std::string symbol;
 };
 ScaledUnit scaled_unit(double largest, const std::string& unit);
 
-// One number per particle and how it is coloured.
+// One value per particle and its colour map.
 struct ColorField {
   std::string title;  // with the unit of values, lower and upper
   std::vector<double> values;
@@ -33,7 +33,7 @@ struct ColorField {
   }
 };
 
-// Throws scree::Error for an unknown field or one that the frame does not carry.
+// Throws scree::Error for an unknown field or one that is absent from the frame.
 ColorField color_field(const Frame& frame, const RenderOptions& options);
 
 }  // namespace scree::snapshot

@@ -33,14 +33,13 @@ double largest_normal_force(const Frame& frame) {
 }
 
 double mean_radius(const Frame& frame) {
-  return std::accumulate(frame.radius.begin(), frame.radius.end(), 0.0) /
-         static_cast<double>(frame.radius.size());
+  return std::accumulate(frame.radius.begin(), frame.radius.end(), 0.0) / double(frame.radius.size());
 }
 
-// Radius of a bar (m): a share of the mean particle, and never so thin that it vanishes.
+// Radius of a bar (m): a fraction of the mean particle radius, with a visible minimum.
 double bar_radius(double force, double largest_force, double mean) {
-  const double share = largest_force > 0 ? std::abs(force) / largest_force : 0;
-  return mean * std::max(0.015, 0.18 * share);
+  const double fraction = largest_force > 0 ? std::abs(force) / largest_force : 0;
+  return mean * std::max(0.015, 0.18 * fraction);
 }
 
 vtkNew<vtkPolyData> contact_lines(const Frame& frame) {
@@ -90,8 +89,8 @@ void add_contacts(vtkRenderer* renderer, const Frame& frame) {
   actor->SetMapper(mapper);
   if (frame.dimension == 2) {
     actor->GetProperty()->LightingOff();
-    actor->SetPosition(0, 0,
-                       1.5 * *std::max_element(frame.radius.begin(), frame.radius.end()));  // above the discs
+    actor->SetPosition(
+        0, 0, 1.5 * *std::max_element(frame.radius.begin(), frame.radius.end()));  // in front of the discs
   }
   renderer->AddActor(actor);
 }
@@ -101,7 +100,7 @@ std::string contact_note(const Frame& frame) {
   const double largest = largest_normal_force(frame);
   const ScaledUnit unit = scaled_unit(largest, "N");
   const bool any_slides = std::count(frame.contact_sliding.begin(), frame.contact_sliding.end(), 0) !=
-                          static_cast<std::ptrdiff_t>(frame.contact_sliding.size());
+                          std::ptrdiff_t(frame.contact_sliding.size());
   return fmt::format("bars: contacts, width proportional to normal force, widest {:.3g} {}{}",
                      largest * unit.factor, unit.symbol, any_slides ? "; red: sliding" : "");
 }

@@ -8,10 +8,10 @@ class vtkRenderer;
 
 namespace scree::snapshot {
 
-// Adds the contacts as bars whose width is proportional to the normal force; sliding ones in red.
+// Adds the contacts as bars with a width proportional to the normal force; sliding contacts are red.
 void add_contacts(vtkRenderer* renderer, const Frame& frame);
 
-// What the bars mean, for the caption.
+// Explanation of the bars, for the caption.
 std::string contact_note(const Frame& frame);
 
 }  // namespace scree::snapshot

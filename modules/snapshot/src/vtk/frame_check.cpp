@@ -10,17 +10,17 @@ namespace scree::snapshot {
 namespace {
 
 template <class T>
-void check_length(const char* name, const std::vector<T>& column, std::size_t wanted, bool may_be_empty) {
-  if (column.size() == wanted || (may_be_empty && column.empty())) return;
+void check_length(const char* name, const std::vector<T>& column, std::size_t expected, bool may_be_empty) {
+  if (column.size() == expected || (may_be_empty && column.empty())) return;
   throw Error(fmt::format("frame: column {} has {} values instead of {}; fill every column of the frame",
-                          name, column.size(), wanted));
+                          name, column.size(), expected));
 }
 
 void check_finite(const char* name, const std::vector<double>& column, std::size_t width) {
   for (std::size_t k = 0; k < column.size(); ++k)
     if (!std::isfinite(column[k]))
       throw Error(
-          fmt::format("frame: {} of item {} is not finite, so it cannot be drawn; draw an earlier frame",
+          fmt::format("frame: {} of item {} is not finite, so the frame cannot be drawn; draw an earlier one",
                       name, k / width));
 }
 

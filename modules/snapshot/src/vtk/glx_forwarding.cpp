@@ -1,6 +1,5 @@
-// The GLEW that VTK links asks GLX for its entry points. Defined in this library, these come before libGL's
-// in the library's own search order and lead to OSMesa; a host program that loads the library does not see
-// them.
+// VTK's GLEW looks up OpenGL entry points through GLX. The GLX functions defined here precede those of libGL
+// in the search order of this library and forward to OSMesa; they are not visible to the host program.
 
 #include <cstring>
 

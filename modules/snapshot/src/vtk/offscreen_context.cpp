@@ -15,23 +15,21 @@
 namespace scree::snapshot {
 namespace {
 
-// The picture whose pixels are the averages of scale x scale pixels; rows from the bottom become rows from
-// the top.
+// Averages blocks of scale x scale pixels and flips the rows, from bottom-up to top-down.
 Picture average_down(const std::uint8_t* rgb, int width, int height, int scale) {
-  Picture picture{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * height)};
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width) * scale;
-  std::vector<int> sums(3 * static_cast<std::size_t>(width));
+  Picture picture{width, height, std::vector<std::uint8_t>(3 * std::size_t(width) * height)};
+  const std::size_t row_bytes = 3 * std::size_t(width) * scale;
+  std::vector<int> sums(3 * std::size_t(width));
   for (int y = 0; y < height; ++y) {
     std::fill(sums.begin(), sums.end(), 0);
     for (int sub_row = 0; sub_row < scale; ++sub_row) {
-      const std::uint8_t* row = rgb + (static_cast<std::size_t>(y) * scale + sub_row) * row_bytes;
+      const std::uint8_t* row = rgb + (std::size_t(y) * scale + sub_row) * row_bytes;
       for (int x = 0; x < width; ++x)
         for (int k = 0; k < 3 * scale; ++k) sums[3 * x + k % 3] += row[3 * scale * x + k];
     }
-    std::uint8_t* out = picture.rgb.data() + 3 * static_cast<std::size_t>(height - 1 - y) * width;
-    const int share = scale * scale;
-    for (std::size_t k = 0; k < sums.size(); ++k)
-      out[k] = static_cast<std::uint8_t>((sums[k] + share / 2) / share);
+    std::uint8_t* out = picture.rgb.data() + 3 * std::size_t(height - 1 - y) * width;
+    const int pixels = scale * scale;
+    for (std::size_t k = 0; k < sums.size(); ++k) out[k] = std::uint8_t((sums[k] + pixels / 2) / pixels);
   }
   return picture;
 }
@@ -42,13 +40,13 @@ int supersampling(int width, int height) { return std::max(width, height) <= 400
 
 void check_size(int width, int height) {
   if (std::min(width, height) < 200 || std::max(width, height) > 8000)
-    throw Error(fmt::format("picture: size {} x {} is out of range; choose 200 to 8000 pixels a side", width,
-                            height));
+    throw Error(fmt::format("picture: size {} x {} is out of range; choose 200 to 8000 pixels per side",
+                            width, height));
 }
 
 struct OffscreenContext::Window {
   OSMesaContext context;
-  // VTK draws into frame buffers of its own; OSMesa only wants some memory to call its window.
+  // VTK draws into its own frame buffers; OSMesa only requires some memory as its window.
   std::array<std::uint8_t, 4 * 16 * 16> surface{};
   vtkNew<vtkGenericOpenGLRenderWindow> vtk;
 
@@ -62,7 +60,7 @@ struct OffscreenContext::Window {
     vtk->SetIsCurrent(true);
     vtk->SetSupportsOpenGL(1);
     vtk->SetMultiSamples(0);
-    vtk->SetDPI(72);  // font sizes are pixels
+    vtk->SetDPI(72);  // makes font sizes pixels
   }
 
   ~Window() {
@@ -85,7 +83,7 @@ struct OffscreenContext::Window {
                               2,
                               0};
     OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
-    if (!context) throw Error("OSMesa: offers no OpenGL 3.2 core profile; install a newer libosmesa6");
+    if (!context) throw Error("OSMesa: no OpenGL 3.2 core profile available; install a newer libosmesa6");
     return context;
   }
 
@@ -104,9 +102,9 @@ Picture OffscreenContext::draw(int width, int height, const std::vector<vtkRende
   vtkGenericOpenGLRenderWindow* vtk = window_->vtk;
   const int scale = supersampling(width, height);
   vtk->SetSize(width * scale, height * scale);
-  vtk->SetNumberOfLayers(static_cast<int>(renderers.size()));
+  vtk->SetNumberOfLayers(int(renderers.size()));
   for (std::size_t layer = 0; layer < renderers.size(); ++layer) {
-    renderers[layer]->SetLayer(static_cast<int>(layer));
+    renderers[layer]->SetLayer(int(layer));
     vtk->AddRenderer(renderers[layer]);
   }
   vtk->Render();

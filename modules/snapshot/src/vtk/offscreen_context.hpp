@@ -9,13 +9,13 @@ class vtkRenderer;
 
 namespace scree::snapshot {
 
-// Pixels drawn per pixel of the picture, along each side: the average of 2 x 2 smooths edges and text.
+// Pixels drawn per pixel of the picture, along each side; averaging 2 x 2 pixels smooths edges and text.
 int supersampling(int width, int height);
 
-// Throws scree::Error unless both sides are within 200 to 8000 pixels.
+// Throws scree::Error unless both sides are 200 to 8000 pixels long.
 void check_size(int width, int height);
 
-// A software OpenGL context without a display, made at the first picture and kept.
+// A software OpenGL context without a display, created for the first picture and reused.
 class OffscreenContext {
  public:
   OffscreenContext();
@@ -23,8 +23,8 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  // What the renderers show, the later above the earlier, at supersampling times the size and averaged down
-  // to it.
+  // Draws the renderers, later ones on top, at `supersampling` times the size, and averages down to that
+  // size.
   Picture draw(int width, int height, const std::vector<vtkRenderer*>& renderers);
 
  private:

@@ -18,12 +18,11 @@ namespace {
 void set_pen(vtkContext2D* painter, double width) {
   painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
   painter->GetPen()->SetColorF(0.1, 0.1, 0.1);
-  painter->GetPen()->SetWidth(static_cast<float>(width));
+  painter->GetPen()->SetWidth(float(width));
 }
 
 void draw_line(vtkContext2D* painter, double x0, double y0, double x1, double y1) {
-  painter->DrawLine(static_cast<float>(x0), static_cast<float>(y0), static_cast<float>(x1),
-                    static_cast<float>(y1));
+  painter->DrawLine(float(x0), float(y0), float(x1), float(y1));
 }
 
 }  // namespace
@@ -62,15 +61,16 @@ void Panel::paint_color_bar(vtkContext2D* painter) const {
   for (int band = 0; band < bands; ++band) {
     const auto color = viridis((band + 0.5) / bands);
     painter->GetBrush()->SetColor(color[0], color[1], color[2], 255);
-    painter->DrawRect(static_cast<float>(left), static_cast<float>(bottom + (top - bottom) * band / bands),
-                      static_cast<float>(width), static_cast<float>((top - bottom) / bands + 1));
+    painter->DrawRect(float(left), float(bottom + (top - bottom) * band / bands), float(width),
+                      float((top - bottom) / bands + 1));
   }
   set_pen(painter, 1.2 * layout.pixel_scale);
   draw_text(painter, layout.scene_width() + 0.4 * font, top + 1.3 * font, field->title, {font},
             layout.side() - 0.8 * font);
   const Ticks ticks = linear_ticks(field->lower, field->upper, 8, field->whole_numbers);
-  for (std::size_t k = 0; k < ticks.at.size(); ++k) {
-    const double y = bottom + (top - bottom) * (ticks.at[k] - field->lower) / (field->upper - field->lower);
+  for (std::size_t k = 0; k < ticks.values.size(); ++k) {
+    const double y =
+        bottom + (top - bottom) * (ticks.values[k] - field->lower) / (field->upper - field->lower);
     draw_line(painter, left + width, y, left + width + 0.3 * font, y);
     draw_text(painter, left + width + 0.6 * font, y, ticks.labels[k], {font}, layout.side() - 3.2 * font);
   }
@@ -82,7 +82,7 @@ void Panel::paint_triad(vtkContext2D* painter) const {
   const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
     const double dx = axes.right[k], dy = axes.up[k], shown = std::hypot(dx, dy);
-    if (shown < 0.05) continue;  // towards the eye
+    if (shown < 0.05) continue;  // points towards the viewer
     const double tip_x = x + length * dx, tip_y = y + length * dy;
     const double ux = dx / shown, uy = dy / shown, head = 0.45 * font;
     set_pen(painter, 1.6 * layout.pixel_scale);

@@ -9,8 +9,8 @@
 
 namespace scree::snapshot {
 
-// Division of a picture, in drawn pixels from the lower left: caption on top, note below, colour bar and
-// triad on the right, scene in what is left.
+// Layout of a picture, in drawn pixels from the lower left: caption on top, note below, colour bar and axes
+// triad on the right, scene in the remaining area.
 struct SceneLayout {
   int width;
   int height;
@@ -25,7 +25,7 @@ struct SceneLayout {
   double scene_height() const { return height - caption() - note(); }
 };
 
-// All that is written and drawn around the scene.
+// Text, colour bar and triad around the scene.
 class Panel : public vtkContextItem {
  public:
   static Panel* New();
@@ -38,7 +38,7 @@ class Panel : public vtkContextItem {
   std::string title;
   std::string time;
   std::string note;
-  const ColorField* field = nullptr;  // null: no particles, no bar
+  const ColorField* field = nullptr;  // null: no particles, so no colour bar
 
  private:
   void paint_caption(vtkContext2D* painter) const;

@@ -1,5 +1,7 @@
 #include "particle_actors.hpp"
 
+#include "flat_actor.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +15,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -21,7 +22,7 @@
 namespace scree::snapshot {
 namespace {
 
-// Corner k of the polygon that stands for a disc; lifted towards the eye (m) for what must stay visible.
+// Inserts the corners of the polygon that approximates a disc; `lift` (m): height towards the viewer.
 void insert_circle(vtkPoints* points, const Frame& frame, std::size_t disc, int corners, double lift) {
   for (int k = 0; k < corners; ++k) {
     const double angle = 2 * std::numbers::pi * k / corners;
@@ -30,30 +31,21 @@ void insert_circle(vtkPoints* points, const Frame& frame, std::size_t disc, int 
   }
 }
 
-vtkProperty* add_flat(vtkRenderer* renderer, vtkPolyData* data) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  renderer->AddActor(actor);
-  return actor->GetProperty();
-}
-
 }  // namespace
 
 void add_spheres(vtkRenderer* renderer, const Frame& frame, const ColorField& field,
                  const std::vector<std::size_t>& particles, double scale) {
   vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> vertices;  // the mapper draws nothing without cells
-  vtkNew<vtkFloatArray> radii;    // it reads this column as float, whatever its type
+  vtkNew<vtkCellArray> vertices;  // required: the mapper draws only points with cells
+  vtkNew<vtkFloatArray>
+      radii;  // float, because the mapper reads this column as float without checking its type
   radii->SetName("radius");
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   for (std::size_t particle : particles) {
     const vtkIdType point = points->InsertNextPoint(frame.position.data() + 3 * particle);
     vertices->InsertNextCell(1, &point);
-    radii->InsertNextValue(static_cast<float>(scale * frame.radius[particle]));
+    radii->InsertNextValue(float(scale * frame.radius[particle]));
     colors->InsertNextTypedTuple(field.color(particle).data());
   }
   vtkNew<vtkPolyData> data;
@@ -81,11 +73,10 @@ void add_discs(vtkRenderer* renderer, const Frame& frame, const ColorField& fiel
   colors->SetNumberOfComponents(3);
   for (std::size_t disc = 0; disc < frame.particle_count(); ++disc) {
     colors->InsertNextTypedTuple(field.color(disc).data());
-    // Seen from above, height only decides what covers what: discs in their order, then rims.
-    insert_circle(fill_points, frame, disc, corners,
-                  largest * static_cast<double>(disc) / static_cast<double>(frame.particle_count()));
+    // Viewed from above, the height only sets the drawing order: discs by number, then rims.
+    insert_circle(fill_points, frame, disc, corners, largest * double(disc) / double(frame.particle_count()));
     insert_circle(rim_points, frame, disc, corners, 1.1 * largest);
-    const vtkIdType first = static_cast<vtkIdType>(disc) * corners;
+    const vtkIdType first = vtkIdType(disc) * corners;
     fills->InsertNextCell(corners);
     rims->InsertNextCell(corners + 1);
     for (int k = 0; k < corners; ++k) fills->InsertCellPoint(first + k);
@@ -97,10 +88,10 @@ void add_discs(vtkRenderer* renderer, const Frame& frame, const ColorField& fiel
   fill_data->GetCellData()->SetScalars(colors);
   rim_data->SetPoints(rim_points);
   rim_data->SetLines(rims);
-  add_flat(renderer, fill_data);
-  vtkProperty* rim = add_flat(renderer, rim_data);
+  add_flat_actor(renderer, fill_data);
+  vtkProperty* rim = add_flat_actor(renderer, rim_data);
   rim->SetColor(0.1, 0.1, 0.1);
-  rim->SetLineWidth(static_cast<float>((frame.particle_count() <= 2000 ? 1.25 : 0.6) * pixel_scale));
+  rim->SetLineWidth(float((frame.particle_count() <= 2000 ? 1.25 : 0.6) * pixel_scale));
 }
 
 }  // namespace scree::snapshot

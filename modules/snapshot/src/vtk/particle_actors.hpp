@@ -8,7 +8,7 @@ class vtkRenderer;
 
 namespace scree::snapshot {
 
-// Adds exact spheres for the particles of the given numbers, at `scale` times their radius.
+// Adds exact (ray-cast) spheres for the particles with the given indices, at `scale` times their radius.
 void add_spheres(vtkRenderer* renderer, const Frame& frame, const ColorField& field,
                  const std::vector<std::size_t>& particles, double scale);
 

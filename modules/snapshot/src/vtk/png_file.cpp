@@ -20,7 +20,7 @@ void write_png(const Picture& picture, const std::filesystem::path& file) {
   vtkNew<vtkImageData> image;
   image->SetDimensions(picture.width, picture.height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(picture.width);
+  const std::size_t row_bytes = 3 * std::size_t(picture.width);
   for (int row = 0; row < picture.height; ++row)  // VTK counts rows from the bottom
     std::copy_n(picture.rgb.data() + row * row_bytes, row_bytes,
                 static_cast<std::uint8_t*>(image->GetScalarPointer(0, picture.height - 1 - row, 0)));
@@ -30,8 +30,8 @@ void write_png(const Picture& picture, const std::filesystem::path& file) {
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  write_atomically(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                          static_cast<std::size_t>(bytes->GetNumberOfValues())});
+  write_atomically(
+      file, {reinterpret_cast<const char*>(bytes->GetPointer(0)), std::size_t(bytes->GetNumberOfValues())});
 }
 
 Picture read_png(const std::filesystem::path& file) {
@@ -46,10 +46,10 @@ Picture read_png(const std::filesystem::path& file) {
   const int components = image->GetNumberOfScalarComponents();
   if (!readable || messages.has_errors() || components < 3 || image->GetScalarType() != VTK_UNSIGNED_CHAR)
     throw Error(
-        fmt::format("{}: is not a colour PNG file with 8 bits a channel; check the path", file.string()));
+        fmt::format("{}: is not a colour PNG file with 8 bits per channel; check the path", file.string()));
   const int* size = image->GetDimensions();
   Picture picture{size[0], size[1], {}};
-  picture.rgb.reserve(3 * static_cast<std::size_t>(picture.width) * picture.height);
+  picture.rgb.reserve(3 * std::size_t(picture.width) * picture.height);
   for (int row = 0; row < picture.height; ++row)
     for (int x = 0; x < picture.width; ++x) {
       const auto* pixel =

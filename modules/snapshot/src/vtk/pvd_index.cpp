@@ -26,7 +26,7 @@ vtkSmartPointer<vtkXMLDataElement> read_collection(const std::filesystem::path& 
   vtkXMLDataElement* collection = is_collection ? root->FindNestedElementWithName("Collection") : nullptr;
   if (!collection)
     throw Error(
-        fmt::format("{}: is not a ParaView collection; move it away to begin a new one", pvd_file.string()));
+        fmt::format("{}: is not a ParaView collection; move it away to start a new one", pvd_file.string()));
   return collection;
 }
 

@@ -7,19 +7,19 @@
 
 namespace scree::snapshot {
 
-// A ParaView collection: which file holds which time.
+// A ParaView collection (.pvd): the file and the time of each frame.
 class PvdIndex {
  public:
-  // The entries of the collection whose files still exist; empty where there is no such file.
+  // Reads the entries whose files still exist; empty if there is no such collection.
   explicit PvdIndex(std::filesystem::path pvd_file);
 
-  // Adds a file, given by its name in the collection's directory, or gives it a new time (s).
+  // Adds a file, by its name in the directory of the collection, or updates its time (s).
   void put(const std::string& file_name, double time);
 
-  // Time of a file (s), where it is listed.
+  // Time of a file (s); empty if it is not listed.
   std::optional<double> time_of(const std::string& file_name) const;
 
-  // Writes the collection in order of time, then of name.
+  // Writes the collection, sorted by time, then by name.
   void save();
 
  private:

@@ -28,7 +28,7 @@ SceneBox particle_box(const Frame& frame) {
   return box;
 }
 
-// A wall beyond the box, such as a raised lid, is reached by growing the box along the wall's main axis.
+// Grows the box to a wall outside it, such as a raised lid, along the axis nearest to the normal of the wall.
 void grow_to_wall(SceneBox& box, const Wall& wall, double reach) {
   double gap = reach;
   for (const Point& corner : box.corners())
@@ -96,7 +96,7 @@ SceneBox scene_box(const Frame& frame) {
 ViewAxes view_axes(const std::string& view, int dimension) {
   if (!view.empty() && std::find(view_names.begin(), view_names.end(), view) == view_names.end())
     throw Error(
-        fmt::format("view: there is no view \"{}\"; choose one of {}", view, fmt::join(view_names, ", ")));
+        fmt::format("view: unknown view \"{}\"; choose one of {}", view, fmt::join(view_names, ", ")));
   if (dimension == 2 || view == "z") return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   if (view == "x") return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
   if (view == "y") return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};

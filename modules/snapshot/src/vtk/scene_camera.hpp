@@ -16,7 +16,7 @@ Point cross(const Point& a, const Point& b);
 Point normalised(const Point& a);
 Point moved(const Point& from, double distance, const Point& direction);
 
-// The part of space that a picture shows (m).
+// Region that a picture shows (m).
 struct SceneBox {
   Point lower;
   Point upper;
@@ -26,10 +26,10 @@ struct SceneBox {
   std::array<Point, 8> corners() const;
 };
 
-// The frame's box or, where it has none, that of its particles; grown so that near-by walls are within.
+// The box of the frame, or of its particles if it has none, enlarged to include near-by walls.
 SceneBox scene_box(const Frame& frame);
 
-// Unit vectors of the picture: to the right, up, and towards the eye.
+// Unit vectors of the picture: right, up, and towards the viewer.
 struct ViewAxes {
   Point right;
   Point up;
@@ -43,13 +43,13 @@ ViewAxes view_axes(const std::string& view, int dimension);
 struct SceneCamera {
   ViewAxes axes;
   Point center;        // (m) in the middle of the panel
-  double half_height;  // (m) from there to the panel's upper edge
-  double distance;     // (m) of the eye
+  double half_height;  // (m) from the centre to the upper edge of the panel
+  double distance;     // (m) of the camera from the centre
 
   // aspect: width / height of the panel.
   static SceneCamera fitting(const SceneBox& box, const ViewAxes& axes, double aspect);
 
-  // Sets the renderer's camera and lights.
+  // Sets camera and lights of the renderer.
   void apply(vtkRenderer* renderer) const;
 };
 

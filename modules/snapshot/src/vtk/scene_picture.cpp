@@ -21,7 +21,7 @@
 namespace scree::snapshot {
 namespace {
 
-// Whole spheres would hide the contacts between them.
+// Spheres of full size would hide the contacts between them.
 constexpr double sphere_scale_among_contacts = 0.4;
 
 bool shrinks_spheres(const Frame& frame, const RenderOptions& options) {
@@ -57,8 +57,8 @@ void add_particles(vtkRenderer* renderer, const Frame& frame, const RenderOption
   std::iota(particles.begin(), particles.end(), std::size_t{0});
   if (shrinks_spheres(frame, options))
     return add_spheres(renderer, frame, field, particles, sphere_scale_among_contacts);
-  particles = visible_spheres(frame, camera, static_cast<int>(std::lround(layout.scene_width())),
-                              static_cast<int>(std::lround(layout.scene_height())));
+  particles = visible_spheres(frame, camera, int(std::lround(layout.scene_width())),
+                              int(std::lround(layout.scene_height())));
   add_spheres(renderer, frame, field, particles, 1);
 }
 
@@ -83,12 +83,12 @@ Picture scene_picture(OffscreenContext& context, const Frame& frame, const Rende
   if (options.show_walls) add_walls(scene, frame, box, axes, layout.pixel_scale);
   camera.apply(scene);
 
-  vtkNew<vtkRenderer> paper;  // the scene's own background fills its panel only
-  paper->SetBackground(1, 1, 1);
+  vtkNew<vtkRenderer> background;  // white behind the parts outside the panel of the scene
+  background->SetBackground(1, 1, 1);
   vtkNew<Panel> panel = make_panel(frame, options, layout, axes);
   if (frame.particle_count() > 0) panel->field = &field;
   add_panel(overlay, panel);
-  return context.draw(options.width, options.height, {paper, scene, overlay});
+  return context.draw(options.width, options.height, {background, scene, overlay});
 }
 
 }  // namespace scree::snapshot

@@ -7,7 +7,7 @@
 
 namespace scree::snapshot {
 
-// Throws scree::Error where an option or the frame cannot be drawn.
+// Draws a frame. Throws scree::Error for invalid options or a frame that cannot be drawn.
 Picture scene_picture(OffscreenContext& context, const Frame& frame, const RenderOptions& options);
 
 }  // namespace scree::snapshot

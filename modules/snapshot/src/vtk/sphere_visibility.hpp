@@ -6,8 +6,8 @@
 
 namespace scree::snapshot {
 
-// Numbers of the particles that show in at least one pixel; in a dense packing few do, and only these need
-// drawing. width, height: of the panel in drawn pixels.
+// Indices of the particles visible in at least one pixel; in a dense packing these are few, and drawing only
+// them saves time. width, height: of the panel in drawn pixels.
 std::vector<std::size_t> visible_spheres(const Frame& frame, const SceneCamera& camera, int width,
                                          int height);
 

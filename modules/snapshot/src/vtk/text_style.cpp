@@ -29,7 +29,7 @@ FontFiles find_font() {
   return {};
 }
 
-// The style, smaller, down to two thirds, where the line would be longer than room.
+// The style, reduced to not less than two thirds of its size if the line is longer than `room`.
 TextStyle fitted(const std::string& line, const TextStyle& style, double room) {
   const double width = text_width(line, style);
   TextStyle smaller = style;
@@ -37,12 +37,12 @@ TextStyle fitted(const std::string& line, const TextStyle& style, double room) {
   return smaller;
 }
 
-// The line without its end where it would be longer than room.
+// The line, shortened with an ellipsis if it is longer than `room`.
 std::string cut(std::string line, const TextStyle& style, double room) {
   const std::string ellipsis = "...";
   while (line.size() > ellipsis.size() && text_width(line, style) > 1.02 * room) {
     std::size_t end = line.size() - ellipsis.size() - 1;
-    while (end > 0 && (line[end] & 0xC0) == 0x80) --end;  // not within a UTF-8 character
+    while (end > 0 && (line[end] & 0xC0) == 0x80) --end;  // do not split a UTF-8 character
     line = line.substr(0, end) + ellipsis;
   }
   return line;
@@ -61,14 +61,14 @@ void TextStyle::apply_font(vtkTextProperty* property) const {
     property->SetBold(false);
   }
   property->SetColor(0.1, 0.1, 0.1);
-  property->SetFontSize(static_cast<int>(std::lround(size)));
+  property->SetFontSize(int(std::lround(size)));
 }
 
 double text_width(const std::string& line, const TextStyle& style) {
   vtkNew<vtkTextProperty> property;
   style.apply_font(property);
   int box[4] = {0, 0, 0, 0};
-  const int dots_per_inch = 72;  // so that font sizes are pixels
+  const int dots_per_inch = 72;  // makes font sizes pixels
   vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(line), box, dots_per_inch);
   return box[1] - box[0] + 1;
 }
@@ -85,7 +85,7 @@ void draw_text(vtkContext2D* painter, double x, double y, const std::string& lin
                              : style.align == Align::center ? VTK_TEXT_CENTERED
                                                             : VTK_TEXT_RIGHT);
   painter->ApplyTextProp(property);
-  painter->DrawString(static_cast<float>(x), static_cast<float>(y), cut(line, smaller, room).c_str());
+  painter->DrawString(float(x), float(y), cut(line, smaller, room).c_str());
 }
 
 }  // namespace scree::snapshot

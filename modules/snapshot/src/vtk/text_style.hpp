@@ -9,22 +9,22 @@ namespace scree::snapshot {
 
 enum class Align { left, center, right };
 
-// Of text whose anchor is half-way up its height.
+// Style of a line of text; the anchor is at half its height.
 struct TextStyle {
   double size;  // (drawn pixels)
   Align align = Align::left;
   bool bold = false;
   bool upwards = false;
 
-  // Colour, size and font: a common sans-serif one of the system or, where there is none, VTK's own.
+  // Sets colour, size and font: a common sans-serif font of the system, or VTK's own if there is none.
   void apply_font(vtkTextProperty* property) const;
 };
 
-// Length of one line (drawn pixels).
+// Width of one line (drawn pixels).
 double text_width(const std::string& line, const TextStyle& style);
 
-// Writes one line at its anchor; smaller, down to two thirds, and then cut, where it would be longer than
-// room. All in drawn pixels.
+// Draws one line at its anchor; a line longer than `room` is reduced to not less than two thirds of its size,
+// then cut. All lengths in drawn pixels.
 void draw_text(vtkContext2D* painter, double x, double y, const std::string& line, const TextStyle& style,
                double room);
 

@@ -8,7 +8,7 @@
 namespace scree::snapshot {
 namespace {
 
-int decade_of(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
+int decade_of(double value) { return int(std::floor(std::log10(value) + 1e-9)); }
 
 double nice_step(double raw) {
   const double power = std::pow(10.0, decade_of(raw));
@@ -17,7 +17,7 @@ double nice_step(double raw) {
   return 10 * power;
 }
 
-// One exponent for the whole axis: 0.5e-5, 1.0e-5; plain decimals where they are short.
+// One exponent for the whole axis: 0.5e-5, 1.0e-5; plain decimals if they are short.
 std::string label(double value, double step, double largest) {
   const int exponent = decade_of(largest);
   if (std::abs(value) < step / 2) return "0";
@@ -39,7 +39,7 @@ Ticks decades(double lower, double upper, int stride, const std::vector<double>&
     for (double mantissa : mantissas) {
       const double value = mantissa * std::pow(10.0, decade);
       if (value < lower * (1 - slack) || value > upper * (1 + slack)) continue;
-      ticks.at.push_back(value);
+      ticks.values.push_back(value);
       ticks.labels.push_back(logarithmic_label(mantissa, decade));
     }
   }
@@ -48,29 +48,29 @@ Ticks decades(double lower, double upper, int stride, const std::vector<double>&
 
 }  // namespace
 
-Ticks linear_ticks(double lower, double upper, int wanted, bool whole_numbers) {
-  double step = nice_step((upper - lower) / wanted);
+Ticks linear_ticks(double lower, double upper, int target, bool whole_numbers) {
+  double step = nice_step((upper - lower) / target);
   if (whole_numbers) step = std::max(1.0, step);
   const double largest = std::max(std::abs(lower), std::abs(upper));
   Ticks ticks;
   for (double k = std::ceil(lower / step - 1e-6); k <= upper / step + 1e-6; ++k) {
-    ticks.at.push_back(k * step);
+    ticks.values.push_back(k * step);
     ticks.labels.push_back(label(k * step, step, largest));
   }
   return ticks;
 }
 
-Ticks logarithmic_ticks(double lower, double upper, int wanted) {
+Ticks logarithmic_ticks(double lower, double upper, int target) {
   const double span = std::log10(upper / lower);
-  if (span < 0.7) return linear_ticks(lower, upper, wanted);
+  if (span < 0.7) return linear_ticks(lower, upper, target);
   if (span < 3) return decades(lower, upper, 1, {1, 2, 5});
-  return decades(lower, upper, std::max(1, static_cast<int>(std::ceil(span / (1.5 * wanted)))), {1});
+  return decades(lower, upper, std::max(1, int(std::ceil(span / (1.5 * target)))), {1});
 }
 
-Range padded(double lower, double upper, double share) {
+Range padded(double lower, double upper, double fraction) {
   const double size = std::max(std::abs(lower), std::abs(upper));
   const bool equal = upper - lower <= 1e-12 * size;
-  const double room = !equal ? share * (upper - lower) : size > 0 ? 0.1 * size : 1.0;
+  const double room = !equal ? fraction * (upper - lower) : size > 0 ? 0.1 * size : 1.0;
   return {lower - room, upper + room};
 }
 

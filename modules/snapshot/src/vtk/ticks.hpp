@@ -5,25 +5,23 @@
 
 namespace scree::snapshot {
 
-// Marks of an axis with their labels, all within the range asked for.
+// Ticks of an axis with their labels, all within the given range.
 struct Ticks {
-  std::vector<double> at;
+  std::vector<double> values;
   std::vector<std::string> labels;
 };
 
-// About `wanted` marks at multiples of 1, 2 or 5 times a power of ten; whole numbers only, if asked.
-Ticks linear_ticks(double lower, double upper, int wanted, bool whole_numbers = false);
+// About `target` ticks at multiples of 1, 2 or 5 times a power of ten; optionally whole numbers only.
+Ticks linear_ticks(double lower, double upper, int target, bool whole_numbers = false);
 
-// Marks of a logarithmic axis: whole decades or, where they are few, also 2 and 5 of each. Range and marks >
-// 0.
-Ticks logarithmic_ticks(double lower, double upper, int wanted);
+// Ticks of a logarithmic axis: decades, with 2 and 5 of each decade if they are few. All values must be > 0.
+Ticks logarithmic_ticks(double lower, double upper, int target);
 
-// The range with room for marks on both sides: a share of its length, or of the value where all values are
-// equal.
+// The range with a margin on both sides: a fraction of its length, or of the value if all values are equal.
 struct Range {
   double lower;
   double upper;
 };
-Range padded(double lower, double upper, double share);
+Range padded(double lower, double upper, double fraction);
 
 }  // namespace scree::snapshot

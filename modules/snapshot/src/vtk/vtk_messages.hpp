@@ -8,7 +8,7 @@
 
 namespace scree::snapshot {
 
-// While it lives, VTK's messages are collected here instead of being printed on the terminal.
+// Collects the messages of VTK during its lifetime, instead of printing them to the terminal.
 class VtkMessages {
  public:
   VtkMessages();

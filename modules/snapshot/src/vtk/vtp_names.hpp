@@ -1,6 +1,6 @@
 #pragma once
 
-// Names of the arrays in the .vtp files; writer and reader agree here.
+// Names of the arrays in the .vtp files, shared by writer and reader.
 namespace scree::snapshot::vtp {
 
 inline constexpr const char* id = "id";
@@ -16,7 +16,7 @@ inline constexpr const char* tangential_force = "tangential_force";
 inline constexpr const char* overlap = "overlap";
 inline constexpr const char* sliding = "sliding";
 
-inline constexpr const char* time = "TimeValue";  // the name that ParaView looks for
+inline constexpr const char* time = "TimeValue";  // the name that ParaView expects
 inline constexpr const char* step = "step";
 inline constexpr const char* dimension = "dimension";
 inline constexpr const char* title = "title";

@@ -37,18 +37,18 @@ vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file) {
   return reader->GetOutput();
 }
 
-// The values of an array, component by component; empty where the file has no such array.
+// Values of an array, component by component; empty if the file has no such array.
 template <class T>
 std::vector<T> column(vtkFieldData* fields, const char* name) {
   vtkDataArray* array = fields->GetArray(name);
   if (!array) return {};
-  std::vector<T> values(static_cast<std::size_t>(array->GetNumberOfValues()));
+  std::vector<T> values(std::size_t(array->GetNumberOfValues()));
   const int components = array->GetNumberOfComponents();
   for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k)
     if constexpr (std::is_floating_point_v<T>)
-      values[k] = array->GetComponent(k / components, static_cast<int>(k % components));
-    else  // by way of the variant: a double does not hold every 64-bit integer
-      values[k] = static_cast<T>(array->GetVariantValue(k).ToTypeInt64());
+      values[k] = array->GetComponent(k / components, int(k % components));
+    else  // via the variant: a double cannot represent every 64-bit integer
+      values[k] = T(array->GetVariantValue(k).ToTypeInt64());
   return values;
 }
 
@@ -65,7 +65,7 @@ std::array<double, 3> triple(const std::vector<double>& values, std::size_t inde
 }
 
 std::vector<double> coordinates(vtkPolyData* data) {
-  std::vector<double> values(static_cast<std::size_t>(3 * data->GetNumberOfPoints()));
+  std::vector<double> values(std::size_t(3 * data->GetNumberOfPoints()));
   for (vtkIdType k = 0; k < data->GetNumberOfPoints(); ++k) data->GetPoint(k, values.data() + 3 * k);
   return values;
 }
@@ -130,7 +130,7 @@ Frame read_vtp(const std::filesystem::path& particles_file) {
   read_scene(particles->GetFieldData(), frame);
   frame.time = read_time(particles->GetFieldData(), particles_file);
   if (frame.position.size() != 3 * frame.radius.size() || frame.id.size() != frame.radius.size())
-    reject(particles_file, "has no radius or no id of each particle");
+    reject(particles_file, "has no radius or no id for each particle");
   if (!name.starts_with(prefix)) return frame;
   const auto contacts_file = particles_file.parent_path() / ("contacts" + name.substr(prefix.size()));
   if (std::filesystem::exists(contacts_file)) read_contacts(read_poly_data(contacts_file), frame);

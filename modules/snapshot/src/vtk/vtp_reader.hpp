@@ -6,7 +6,7 @@
 
 namespace scree::snapshot {
 
-// Frame of a particles .vtp file and of the contacts file beside it, if any. Throws scree::Error.
+// Reads a particles .vtp file and the contacts file in the same directory, if any. Throws scree::Error.
 Frame read_vtp(const std::filesystem::path& particles_file);
 
 }  // namespace scree::snapshot

@@ -27,12 +27,12 @@ void add_column(vtkFieldData* fields, const char* name, const std::vector<T>& va
   vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  array->SetNumberOfTuples(vtkIdType(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   fields->AddArray(array);
 }
 
-// A column that the scene does not carry is left out of the file.
+// A column that the scene lacks is omitted from the file.
 template <class Array, class T>
 void add_carried_column(vtkFieldData* fields, const char* name, const std::vector<T>& values,
                         int components = 1) {
@@ -71,12 +71,12 @@ void add_scene(vtkFieldData* fields, const Frame& frame) {
   if (!frame.walls.empty()) add_walls(fields, frame.walls);
 }
 
-// Cells of `size` consecutive points each.
+// Cells of `size` consecutive points.
 vtkNew<vtkCellArray> consecutive_cells(vtkIdType cells, vtkIdType size) {
   vtkNew<vtkCellArray> array;
   array->AllocateExact(cells, cells * size);
   for (vtkIdType cell = 0; cell < cells; ++cell) {
-    array->InsertNextCell(static_cast<int>(size));
+    array->InsertNextCell(int(size));
     for (vtkIdType k = 0; k < size; ++k) array->InsertCellPoint(cell * size + k);
   }
   return array;
@@ -100,7 +100,7 @@ std::string particles_vtp(const Frame& frame) {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(frame.particle_count()));
+  points->SetNumberOfPoints(vtkIdType(frame.particle_count()));
   std::copy(frame.position.begin(), frame.position.end(), static_cast<double*>(points->GetVoidPointer(0)));
   data->SetPoints(points);
   data->SetVerts(consecutive_cells(points->GetNumberOfPoints(), 1));
@@ -117,7 +117,7 @@ std::string particles_vtp(const Frame& frame) {
 }
 
 std::string contacts_vtp(const Frame& frame) {
-  const vtkIdType contacts = static_cast<vtkIdType>(frame.contact_count());
+  const vtkIdType contacts = vtkIdType(frame.contact_count());
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -15,14 +15,14 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& norma
     const double height_b = dot(normal, b) - offset;
     if (height_a >= 0) kept.push_back(a);
     if ((height_a < 0) == (height_b < 0)) continue;
-    const double share = height_a / (height_a - height_b);
+    const double fraction = height_a / (height_a - height_b);
     kept.push_back(
-        {std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share), std::lerp(a[2], b[2], share)});
+        {std::lerp(a[0], b[0], fraction), std::lerp(a[1], b[1], fraction), std::lerp(a[2], b[2], fraction)});
   }
   return kept;
 }
 
-// The plane's part about the box, larger than the box.
+// Part of the plane around the box, larger than the box.
 std::vector<Point> wide_patch(const Wall& wall, const SceneBox& box, int dimension) {
   const Point center = box.center();
   const double height = dot(wall.normal, moved(center, -1, wall.point));
@@ -42,7 +42,7 @@ std::vector<Point> wide_patch(const Wall& wall, const SceneBox& box, int dimensi
 }  // namespace
 
 std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const SceneBox& box) {
-  // Walls that coincide with a face of the box, or with each other, are within.
+  // The slack keeps walls that coincide with a face of the box or with each other.
   const double slack = 1e-6 * box.diagonal();
   std::vector<Point> outline = wide_patch(frame.walls[index], box, frame.dimension);
   for (int k = 0; k < frame.dimension; ++k) {

@@ -6,9 +6,8 @@
 
 namespace scree::snapshot {
 
-// Corners of the part of wall number `index` that bounds the scene: within the box and on the inner side of
-// the other walls. A polygon in 3D, the two ends of a line (possibly repeated) in 2D, empty where nothing is
-// left.
+// Corners of the part of wall number `index` that lies within the box and on the inner side of the other
+// walls: a polygon in 3D, the two ends of a line (possibly repeated) in 2D, empty if no part does.
 std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const SceneBox& box);
 
 }  // namespace scree::snapshot

@@ -9,23 +9,23 @@ namespace scree::snapshot {
 
 enum class LineStyle { solid, dashed, dotted, none };
 
-// One curve, drawn in the order of its points, so that loops stay loops.
+// One curve. Points are connected in the given order, not sorted by x.
 struct ChartSeries {
   std::string name;       // for the legend
   std::vector<double> x;  // finite, one or more, > 0 on a logarithmic axis
-  std::vector<double> y;  // as many as x
+  std::vector<double> y;  // same length as x
   std::optional<std::array<double, 3>>
       color{};  // red, green, blue in 0..1; absent: next of a colour-blind-safe cycle
   LineStyle line = LineStyle::solid;
   bool markers = false;
 };
 
-// A diagram of curves over common axes.
+// A chart: curves with common axes.
 struct ChartSpec {
   std::string title;
   std::string x_label;  // with the unit, for example "time (s)"
   std::string y_label;
-  std::vector<ChartSeries> series;  // one or more; a legend appears from two on
+  std::vector<ChartSeries> series;  // at least one; with two or more the chart has a legend
   bool log_x = false;
   bool log_y = false;
   int width = 1200;  // (pixels) 200 to 8000

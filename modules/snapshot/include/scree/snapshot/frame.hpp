@@ -7,16 +7,16 @@
 
 namespace scree::snapshot {
 
-// A flat wall; the material is on the side its normal points to.
+// A flat wall; the particles are on the side to which the normal points.
 struct Wall {
   std::string name;
   std::array<double, 3> point{};   // (m) any point of the plane
-  std::array<double, 3> normal{};  // unit, into the material
+  std::array<double, 3> normal{};  // unit vector, towards the particles
 };
 
-// The state of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0.
-// id, radius and position always have N entries; another particle column is whole or, where the scene
-// does not carry it, empty. Contact columns have C entries each.
+// State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0.
+// id, radius and position always have N entries; the other particle columns have N entries, or none if the
+// scene lacks the quantity. Contact columns have C entries each.
 struct Frame {
   double time = 0;  // (s)
   std::uint64_t step = 0;
@@ -27,12 +27,12 @@ struct Frame {
   std::vector<double> radius;    // (m)
   std::vector<double> position;  // (m) (3N)
   std::vector<std::int32_t> material;
-  std::vector<std::int32_t> coordination;  // contacts of the particle
+  std::vector<std::int32_t> coordination;  // number of contacts of the particle
   std::vector<double> velocity;            // (m/s) (3N)
   std::vector<double> spin;                // (rad/s) (3N)
   std::vector<double> force;               // (N) (3N) resultant
 
-  // A contact is the line between two centres, or between a centre and its foot on a wall.
+  // A contact is a line between two centres, or between a centre and its projection onto a wall.
   std::vector<double> contact_from;              // (m) (3C)
   std::vector<double> contact_to;                // (m) (3C)
   std::vector<double> contact_normal_force;      // (N)
@@ -41,9 +41,9 @@ struct Frame {
   std::vector<std::uint8_t> contact_sliding;     // 0 or 1
 
   std::vector<Wall> walls;
-  std::array<double, 3> lower{};  // (m) corner of the scene; it fixes the camera, so that frames compare.
+  std::array<double, 3> lower{};  // (m) corner of the scene; fixes the camera for all frames.
   std::array<double, 3>
-      upper{};  // (m) opposite corner; where upper does not exceed lower: fitted to the particles
+      upper{};  // (m) opposite corner; if upper <= lower the camera is fitted to the particles
 
   std::size_t particle_count() const { return radius.size(); }
   std::size_t contact_count() const { return contact_normal_force.size(); }

@@ -7,14 +7,14 @@
 
 namespace scree::snapshot {
 
-// False where the program was built with the CMake option SCREE_PICTURES=OFF. Then load_backend throws.
+// False if the program was built with the CMake option SCREE_PICTURES=OFF; load_backend then throws.
 bool has_pictures();
 
 inline constexpr std::string_view no_pictures = "this scree was built without pictures (SCREE_PICTURES=OFF)";
 inline constexpr std::string_view no_pictures_cure = "build it with VTK (preset release)";
 
-// Loads libscree_snapshot_vtk.so, and VTK with it, from the build or install tree of the running program;
-// once, and for as long as the program runs. Throws scree::Error where it is missing, broken or of another
+// Loads libscree_snapshot_vtk.so, and with it VTK, from the build or install tree of the running program. The
+// library is loaded once and never unloaded. Throws scree::Error if it is missing, broken or of another
 // version.
 std::shared_ptr<SnapshotBackend> load_backend();
 

@@ -11,15 +11,15 @@ inline constexpr std::array<std::string_view, 6> color_fields = {"radius",      
                                                                  "coordination", "force", "id"};
 inline constexpr std::array<std::string_view, 4> view_names = {"iso", "x", "y", "z"};
 
-// How a frame is drawn.
+// Options for drawing a frame.
 struct RenderOptions {
   int width = 1200;                 // (pixels) 200 to 8000
   int height = 900;                 // (pixels) 200 to 8000
-  std::string color_by = "radius";  // one of color_fields; vectors by their magnitude
-  std::string view;                 // one of view_names; empty: iso in 3D. In 2D always z, from above
-  bool show_contacts = false;       // as bars; in 3D the spheres shrink, so that the bars are seen
+  std::string color_by = "radius";  // one of color_fields; vectors are shown by magnitude
+  std::string view;                 // one of view_names; empty: iso. In 2D always z
+  bool show_contacts = false;  // as bars; in 3D the spheres are drawn smaller so that the bars are visible
   bool show_walls = true;
-  std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range of this frame
+  std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range in this frame
 };
 
 }  // namespace scree::snapshot
