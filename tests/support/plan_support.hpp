@@ -12,13 +12,13 @@
 
 namespace scree::test {
 
-// A plan read from a file scene.toml in a folder of its own.
+// Reads a plan from a file scene.toml in a temporary folder.
 inline scenario::Plan plan_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const TemporaryFolder folder;
   return scenario::read_plan(folder.write("scene.toml", text), overrides, host());
 }
 
-// What is said of a scene, without the folder that the test made; "no error" if nothing.
+// Error message for a scene, without the path of the temporary folder; "no error" if there is none.
 inline std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const TemporaryFolder folder;
   const auto file = folder.write("scene.toml", text);

@@ -4,7 +4,7 @@
 
 using scree::test::Workspace;
 
-TEST_CASE("accuracy tells the cheapest setting and writes table, summary and charts") {
+TEST_CASE("accuracy tells the cheapest setting and writes table, summary and charts", "[tools]") {
   const Workspace w;
   const auto outcome = w.scree("accuracy scene.toml --out study --count 3 --coarsest 1 --tolerance 1e-2");
   INFO(outcome.err);
@@ -18,7 +18,7 @@ TEST_CASE("accuracy tells the cheapest setting and writes table, summary and cha
   CHECK(w.scree("accuracy scene.toml --out study").status == 2);  // holds a study already
 }
 
-TEST_CASE("accuracy refuses what makes no sense and writes nothing") {
+TEST_CASE("accuracy refuses what makes no sense and writes nothing", "[tools]") {
   const Workspace w;
   for (const std::string options : {"--tolerance 0", "--count 1", "--coarsest -1", "--integrator euler"}) {
     INFO(options);

@@ -20,7 +20,7 @@ void refused_options(const std::string& options, const std::string& begin, const
 
 }  // namespace
 
-TEST_CASE("a key, type or value that is wrong is told with its place and a cure") {
+TEST_CASE("a key, type or value that is wrong is told with its place and a cure", "[tools]") {
   refused("radius = 0.01", "radius = 0.01\nrandom_velocty = 1",
           "scene.toml:16:1: unknown key 'random_velocty' in [particles]; did you mean 'random_velocity'? ",
           "random_velocity, velocity, file, radius, lattice");
@@ -38,13 +38,13 @@ TEST_CASE("a key, type or value that is wrong is told with its place and a cure"
   refused("[3, 3]", "[30000, 30000]", "scene.toml:14:38: 9e+08 bodies need about ", "");
 }
 
-TEST_CASE("a mass of zero is refused") {
+TEST_CASE("a mass of zero is refused", "[tools]") {
   const Workspace w(
       with(discs, "[[boundary]]", "[[particle]]\nradius = 1\nmass = 0\nposition = [5, 5]\n[[boundary]]"));
   check_refused(w, w.run(), "scene.toml:19:8: particle.mass = 0 kg is zero; ", "give a mass above 0");
 }
 
-TEST_CASE("a file that is no scene is refused") {
+TEST_CASE("a file that is no scene is refused", "[tools]") {
   for (const auto& [text, begin, end] :
        {std::array{"", "scene.toml:1:1: the file holds no key; ",
                    "write a scene: [scene], [time], [particles], ..."},
@@ -61,13 +61,13 @@ TEST_CASE("a file that is no scene is refused") {
   check_refused(w, w.scree("run scen.toml --out out"),
                 "scen.toml: cannot be read (No such file or directory); ", "did you mean 'scene.toml'?");
   refused("[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n", "",
-          "scene.toml:1:1: no [[contact]] says how 'grain' and 'grain' touch; ",
+          "scene.toml:1:1: no [[contact]] applies to 'grain' and 'grain'; ",
           "add a [[contact]] with plugin = \"hertz_mindlin\" or \"linear_spring_dashpot\"");
   refused("[time]\nstep = 1e-5\nduration = 1e-4\n", "", "scene.toml:1:1: the file has no 'time'; ",
           "add a table [time]");
 }
 
-TEST_CASE("options that make no sense are told in one line") {
+TEST_CASE("options that make no sense are told in one line", "[tools]") {
   refused_options("--threads 0", "--threads: ", "; see scree run --help");
   refused_options("--threads many", "--threads: ", "; see scree run --help");
   refused_options("--frobnicate", "The following argument was not expected: --frobnicate",
@@ -85,7 +85,7 @@ TEST_CASE("options that make no sense are told in one line") {
   check_refused(w, w.scree(""), "A subcommand is required; ", "see scree --help");
 }
 
-TEST_CASE("output that cannot be written is refused before the run") {
+TEST_CASE("output that cannot be written is refused before the run", "[tools]") {
   const Workspace w;
   w.write("file", "mine");
   check_refused(w, w.scree("run scene.toml --out file"), "file: exists and is no directory; ",
@@ -102,7 +102,7 @@ TEST_CASE("output that cannot be written is refused before the run") {
   CHECK(w.text("mine/letter.txt") == "dear");
 }
 
-TEST_CASE("a run that is there stays unless it may be replaced") {
+TEST_CASE("a run that is there stays unless it may be replaced", "[tools]") {
   const Workspace w;
   REQUIRE(w.run("--set scene.seed=1").status == 0);
   const std::string before = w.text("out/run.json");
@@ -117,7 +117,7 @@ TEST_CASE("a run that is there stays unless it may be replaced") {
 }
 
 // A limit on the size of files stands for a full disk; a block has 512 bytes.
-TEST_CASE("a disk that takes not even the first file leaves nothing behind") {
+TEST_CASE("a disk that takes not even the first file leaves nothing behind", "[tools]") {
   const Workspace w;
   const Outcome full = w.shell("trap '' XFSZ; ulimit -f 2; scree run scene.toml --out out/deep");
   CHECK(full.status == 1);
@@ -125,7 +125,7 @@ TEST_CASE("a disk that takes not even the first file leaves nothing behind") {
   CHECK_FALSE(w.has("out"));
 }
 
-TEST_CASE("a disk that fills up stops the run and keeps what was written") {
+TEST_CASE("a disk that fills up stops the run and keeps what was written", "[tools]") {
   const Workspace w;
   const Outcome full = w.shell(
       "trap '' XFSZ; ulimit -f 16; scree run scene.toml --out out "

@@ -18,29 +18,29 @@ std::string library(const std::string& name) { return broken + "/contact/" + nam
 
 }  // namespace
 
-TEST_CASE("a plug-in that is not there is refused with the nearest name") {
+TEST_CASE("a plug-in that is not there is refused with the nearest name", "[tools]") {
   refused("linear_spring_dashpt", "no contact law plug-in 'linear_spring_dashpt' in " + broken + "/contact, ",
           "; did you mean 'linear_spring_dashpot'?");
   refused("gravity", "no contact law plug-in 'gravity' in ", "");
 }
 
-TEST_CASE("a plug-in of another interface version is refused by name") {
+TEST_CASE("a plug-in of another interface version is refused by name", "[tools]") {
   refused("other_version",
           library("other_version") + "plug-in interface version " + std::to_string(SCREE_ABI_VERSION + 41) +
               ", this program has " + std::to_string(SCREE_ABI_VERSION) + "; ",
           "rebuild it against this version");
 }
 
-TEST_CASE("a library without the query symbol is refused by name") {
+TEST_CASE("a library without the query symbol is refused by name", "[tools]") {
   refused("no_query", library("no_query") + "lacks the symbol scree_plugin_query; ",
           "export the plug-in with one of the SCREE_*_PLUGIN macros");
 }
 
-TEST_CASE("a text that poses as a library is refused by name") {
+TEST_CASE("a text that poses as a library is refused by name", "[tools]") {
   refused("text", library("text") + "not a usable plug-in library (", "); rebuild it");
 }
 
-TEST_CASE("broken libraries hinder neither the others nor their list") {
+TEST_CASE("broken libraries hinder neither the others nor their list", "[tools]") {
   const Workspace w;
   CHECK(w.run(options).status == 0);
   const Outcome list = w.scree("describe " + options);
@@ -50,7 +50,7 @@ TEST_CASE("broken libraries hinder neither the others nor their list") {
   CHECK(list.out.find("  linear_spring_dashpot ") != std::string::npos);
 }
 
-TEST_CASE("plug-ins are found through the environment too") {
+TEST_CASE("plug-ins are found through the environment too", "[tools]") {
   const Workspace w(with(discs, "linear_spring_dashpot", "no_query"));
   const Outcome outcome =
       w.shell("SCREE_PLUGIN_PATH='" + broken + "'; export SCREE_PLUGIN_PATH; scree check scene.toml");

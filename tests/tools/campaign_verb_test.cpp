@@ -40,7 +40,7 @@ const std::string two_by_two = "seeds = [1, 2]\n[set]\ntime.duration = [1e-4, 2e
 
 }  // namespace
 
-TEST_CASE("a campaign runs every point and collects what they came to") {
+TEST_CASE("a campaign runs every point and collects what they came to", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   const Outcome outcome = w.scree(call + "--jobs 2");
   INFO(outcome.err);
@@ -60,14 +60,14 @@ TEST_CASE("a campaign runs every point and collects what they came to") {
   CHECK(nlohmann::json::parse(w.text("out/campaign.json"))["runs"].size() == 4);
 }
 
-TEST_CASE("a run of a campaign has the bits of the same run by hand") {
+TEST_CASE("a run of a campaign has the bits of the same run by hand", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   REQUIRE(w.scree(call).status == 0);
   REQUIRE(w.scree("run scene.toml --out hand --set time.duration=2e-4 --set scene.seed=2").status == 0);
   CHECK(w.record("hand")["state_hash"] == w.record("out/duration=0.0002,seed=2")["state_hash"]);
 }
 
-TEST_CASE("what has finished is not run again, a changed value reruns what it changes") {
+TEST_CASE("what has finished is not run again, a changed value reruns what it changes", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   REQUIRE(w.scree(call).status == 0);
   const auto wall = [&](const std::string& run) { return w.record("out/" + run)["wall_s"].get<double>(); };
@@ -95,7 +95,7 @@ TEST_CASE("what has finished is not run again, a changed value reruns what it ch
   CHECK(contains(w.scree(call + "--overwrite").out, "\n4 finished\n"));
 }
 
-TEST_CASE("a run that fails does not stop the others and is told with its reason") {
+TEST_CASE("a run that fails does not stop the others and is told with its reason", "[tools]") {
   const CampaignWorkspace w(
       "[set]\n\"time.step_guard\" = false\ntime.duration = 0.1\nparticles.random_velocity = [50, 0.1]\n");
   const Outcome outcome = w.scree(call + "--jobs 1");
@@ -107,7 +107,7 @@ TEST_CASE("a run that fails does not stop the others and is told with its reason
   CHECK(contains(w.scree(call + "--list").out, "failed       random_velocity=50: contact of particle "));
 }
 
-TEST_CASE("an expectation that is not met everywhere is told and gives status 1") {
+TEST_CASE("an expectation that is not met everywhere is told and gives status 1", "[tools]") {
   const CampaignWorkspace w(
       two_by_two,
       std::string(discs) + "[[expect]]\nrequirement = 'Short'\nquantity = 'steps'\nat_most = 10\n");
@@ -117,7 +117,7 @@ TEST_CASE("an expectation that is not met everywhere is told and gives status 1"
   CHECK(column(w.text("out/table.csv"), 4) == Cells{"1", "1", "0", "0"});
 }
 
-TEST_CASE("nothing is written when any run is refused") {
+TEST_CASE("nothing is written when any run is refused", "[tools]") {
   const CampaignWorkspace w("[set]\ncontact.normal_stiffness = [1e4, 0]\n");
   check_refused(w, w.scree(call), "campaign.toml:4:34: in run 'normal_stiffness=0' --set ",
                 "give a number above 0 (N/m)");
@@ -126,7 +126,7 @@ TEST_CASE("nothing is written when any run is refused") {
   check_refused(w, w.scree(call + "--jobs 0"), "--jobs: ", "see scree campaign --help");
 }
 
-TEST_CASE("Ctrl-C lets the runs save, writes the table so far, and the same call goes on") {
+TEST_CASE("Ctrl-C lets the runs save, writes the table so far, and the same call goes on", "[tools]") {
   const std::string rest = "[set]\ntime.duration = [1e-4, 5000, 6000]\n";
   const CampaignWorkspace w(rest);
   const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
@@ -150,7 +150,7 @@ TEST_CASE("Ctrl-C lets the runs save, writes the table so far, and the same call
         "finished     duration=0.0001\ninterrupted  duration=5000\nmissing      duration=6000\n");
 }
 
-TEST_CASE("runs end when their campaign is killed") {
+TEST_CASE("runs end when their campaign is killed", "[tools]") {
   const CampaignWorkspace w("[set]\ntime.duration = [5000]\n");
   const Outcome outcome =
       w.shell("'" SCREE_TEST_PROGRAM
@@ -162,14 +162,14 @@ TEST_CASE("runs end when their campaign is killed") {
   CHECK(outcome.out.ends_with("interrupted  duration=5000\n"));
 }
 
-TEST_CASE("without --out a campaign has a directory of its own and goes on in it") {
+TEST_CASE("without --out a campaign has a directory of its own and goes on in it", "[tools]") {
   const CampaignWorkspace w("");
   CHECK(contains(w.scree("campaign campaign.toml").out, "results in campaigns/campaign: "));
   CHECK(w.record("campaigns/campaign/run")["status"] == "finished");
   CHECK(contains(w.scree("campaign campaign.toml").out, "1 finished (1 of them before)\n"));
 }
 
-TEST_CASE("a directory that holds something else is left alone") {
+TEST_CASE("a directory that holds something else is left alone", "[tools]") {
   const CampaignWorkspace w("");
   REQUIRE(w.run().status == 0);
   const Outcome outcome = w.scree(call + "--overwrite");
@@ -178,7 +178,7 @@ TEST_CASE("a directory that holds something else is left alone") {
   CHECK(w.record()["status"] == "finished");
 }
 
-TEST_CASE("files that stand where a run is to go are left alone") {
+TEST_CASE("files that stand where a run is to go are left alone", "[tools]") {
   const CampaignWorkspace w("");
   REQUIRE(w.scree(call).status == 0);
   std::filesystem::remove(w / "out/run/run.json");

@@ -10,7 +10,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("the help of each verb shows an example and every option") {
+TEST_CASE("the help of each verb shows an example and every option", "[tools]") {
   const Workspace w;
   for (const char* verb : {"run", "check", "describe", "render", "campaign"}) {
     const Outcome help = w.scree(std::string(verb) + " --help");
@@ -24,7 +24,7 @@ TEST_CASE("the help of each verb shows an example and every option") {
   CHECK(w.scree("--version").out.starts_with("scree 0."));
 }
 
-TEST_CASE("check tells what a scene is and writes nothing") {
+TEST_CASE("check tells what a scene is and writes nothing", "[tools]") {
   const Workspace w(with(discs, "[scene]", "[scene]\ntitle = 'Nine discs'"));
   const Outcome good = w.scree("check scene.toml --set time.duration=0.5");
   CHECK(good.status == 0);
@@ -33,7 +33,7 @@ TEST_CASE("check tells what a scene is and writes nothing") {
   CHECK_FALSE(w.has("runs"));
 }
 
-TEST_CASE("check finds what run would") {
+TEST_CASE("check finds what run would", "[tools]") {
   const Workspace w;
   check_refused(w, w.scree("check scene.toml --set time.step=-1"),
                 "--set time.step=-1: ", "give a step above 0");
@@ -46,7 +46,7 @@ TEST_CASE("check finds what run would") {
                 "unless they say otherwise");
 }
 
-TEST_CASE("describe lists all plug-ins by kind") {
+TEST_CASE("describe lists all plug-ins by kind", "[tools]") {
   const Outcome list = Workspace().scree("describe");
   CHECK(list.status == 0);
   for (const char* part :
@@ -56,7 +56,7 @@ TEST_CASE("describe lists all plug-ins by kind") {
   CHECK_FALSE(contains(list.out, "cannot be used"));
 }
 
-TEST_CASE("describe tells equations, parameters and closed forms") {
+TEST_CASE("describe tells equations, parameters and closed forms", "[tools]") {
   const Workspace w;
   const Outcome law = w.scree("describe linear_spring_dashpot");
   for (const char* part :
@@ -71,7 +71,7 @@ TEST_CASE("describe tells equations, parameters and closed forms") {
   CHECK(contains(forms.out, "\n  restitution      1  "));
 }
 
-TEST_CASE("describe shows all plug-ins of a name, or the one of a kind") {
+TEST_CASE("describe shows all plug-ins of a name, or the one of a kind", "[tools]") {
   const Workspace w;
   const Outcome both = w.scree("describe box"), one = w.scree("describe probe/box");
   CHECK(both.out.starts_with("box, boundary: "));
@@ -80,7 +80,7 @@ TEST_CASE("describe shows all plug-ins of a name, or the one of a kind") {
   CHECK_FALSE(contains(one.out, "boundary: "));
 }
 
-TEST_CASE("describe refuses what it cannot make sense of") {
+TEST_CASE("describe refuses what it cannot make sense of", "[tools]") {
   const Workspace w;
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
     check_refused(w, w.scree("describe " + arguments), begin, end);
@@ -101,7 +101,7 @@ TEST_CASE("describe refuses what it cannot make sense of") {
 }
 
 #if SCREE_TEST_PICTURES
-TEST_CASE("render draws the snapshots of a run anew") {
+TEST_CASE("render draws the snapshots of a run anew", "[tools]") {
   const Workspace w(std::string(discs) + "[snapshot]\nevery = 1e-4\n");
   REQUIRE(w.run().status == 0);
   const Outcome drawn = w.scree("render out --out pictures --color-by speed --width 300 --height 200");
@@ -113,7 +113,7 @@ TEST_CASE("render draws the snapshots of a run anew") {
 }
 #endif
 
-TEST_CASE("output that cannot be written is not passed off as success") {
+TEST_CASE("output that cannot be written is not passed off as success", "[tools]") {
   const Outcome full = Workspace().shell("scree describe > /dev/full");
   CHECK(full.status == 1);
   CHECK(full.err == "scree: standard output cannot be written; free disk space or send it elsewhere\n");

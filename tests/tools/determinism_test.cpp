@@ -6,7 +6,8 @@
 
 using scree::test::Workspace;
 
-TEST_CASE("the 16 discs end with the same bits for any number of threads and every instruction level") {
+TEST_CASE("the 16 discs end with the same bits for any number of threads and every instruction level",
+          "[tools]") {
   const Workspace w;
   std::set<std::string> hashes;
   for (const std::string threads : {"1", "2", "4"})

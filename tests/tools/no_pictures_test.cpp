@@ -13,16 +13,17 @@ const std::string cure = "build it with VTK (preset release)";
 
 }  // namespace
 
-TEST_CASE("a scene that asks for pictures is refused where there are none, with the way to run it") {
+TEST_CASE("a scene that asks for pictures is refused where there are none, with the way to run it",
+          "[tools]") {
   for (const std::string& tables : {snapshots, chart, snapshots + chart}) {
     const Workspace w(discs + tables);
     for (const char* call : {"run scene.toml --out out", "check scene.toml"})
-      check_refused(w, w.scree(call), "scene.toml:27:1: " + reason + ", and the scene asks for them; ",
+      check_refused(w, w.scree(call), "scene.toml:27:1: " + reason + ", but the scene requests them; ",
                     " (--set 'snapshot={}' --set 'chart=[]'), or " + cure);
   }
 }
 
-TEST_CASE("a scene that asks for pictures runs without them when told to leave them out") {
+TEST_CASE("a scene that asks for pictures runs without them when told to leave them out", "[tools]") {
   const Workspace w(discs + snapshots + chart);
   CHECK(w.run("--set snapshot={} --set chart=[]").status == 0);
   CHECK(w.has("out/series/energy.csv"));
@@ -30,7 +31,7 @@ TEST_CASE("a scene that asks for pictures runs without them when told to leave t
   CHECK_FALSE(w.has("out/charts"));
 }
 
-TEST_CASE("render and accuracy say that there are no pictures") {
+TEST_CASE("render and accuracy say that there are no pictures", "[tools]") {
   const Workspace w;
   check_refused(w, w.scree("render ."), reason + "; ", cure);
   const Outcome study = w.scree("accuracy scene.toml --out study --count 2 --coarsest 1");

@@ -19,7 +19,7 @@ std::string expectation(const std::string& bound) {
 
 }  // namespace
 
-TEST_CASE("a run writes the series of each probe with names and units") {
+TEST_CASE("a run writes the series of each probe with names and units", "[tools]") {
   const Workspace w(std::string(discs) + "[[probe]]\nname = 'walls'\nplugin = 'box'\nevery = 5e-5\n");
   const Outcome outcome = w.run();
   CHECK(outcome.status == 0);
@@ -38,7 +38,7 @@ TEST_CASE("a run writes the series of each probe with names and units") {
   CHECK(std::stod(walls[3]) == Approx(1e-4));
 }
 
-TEST_CASE("the record of a run says what it was and how it went") {
+TEST_CASE("the record of a run says what it was and how it went", "[tools]") {
   const Workspace w(expectation("at_most = 10"));
   CHECK(w.run("--set scene.seed=3").status == 0);
   const nlohmann::json record = w.record();
@@ -63,7 +63,7 @@ TEST_CASE("the record of a run says what it was and how it went") {
   CHECK(record["expect"][0]["met"] == true);
 }
 
-TEST_CASE("the program says what the scene carries, once") {
+TEST_CASE("the program says what the scene carries, once", "[tools]") {
   const Workspace w;
   const Outcome outcome = w.run();
   CHECK(outcome.out.starts_with("9 bodies in 2D, 18 degrees of freedom; "));
@@ -74,7 +74,7 @@ TEST_CASE("the program says what the scene carries, once") {
   CHECK(quiet.out.starts_with("results in out\n"));
 }
 
-TEST_CASE("the state has the same bits for any number of threads, and others for another seed") {
+TEST_CASE("the state has the same bits for any number of threads, and others for another seed", "[tools]") {
   const Workspace w(with(discs, "duration = 1e-4", "duration = 0.05"));
   const auto hash = [&](const std::string& options) {
     REQUIRE(w.run("--overwrite " + options).status == 0);
@@ -86,7 +86,7 @@ TEST_CASE("the state has the same bits for any number of threads, and others for
   CHECK(hash("--set scene.seed=9") != one);
 }
 
-TEST_CASE("an expectation that is not met gives status 1 and keeps the run") {
+TEST_CASE("an expectation that is not met gives status 1 and keeps the run", "[tools]") {
   const Workspace w(expectation("reference = 11\ntolerance = 0.5"));
   const Outcome outcome = w.run();
   CHECK(outcome.status == 1);
@@ -96,7 +96,8 @@ TEST_CASE("an expectation that is not met gives status 1 and keeps the run") {
   CHECK(w.record()["expect"][0]["met"] == false);
 }
 
-TEST_CASE("a run that blows up tells particle, contact, time and advice, and keeps what it wrote") {
+TEST_CASE("a run that blows up tells particle, contact, time and advice, and keeps what it wrote",
+          "[tools]") {
   const Workspace w(with(discs, "duration = 1e-4", "duration = 0.1"));
   const auto check = [&](const std::string& options, const std::vector<std::string>& parts) {
     const Outcome outcome = w.run("--overwrite --quiet " + options);
@@ -116,14 +117,14 @@ TEST_CASE("a run that blows up tells particle, contact, time and advice, and kee
         {"particle ", " at t = ", "; use a "});
 }
 
-TEST_CASE("bodies that start beyond the limit of speed are bad input") {
+TEST_CASE("bodies that start beyond the limit of speed are bad input", "[tools]") {
   const Workspace w{std::string(discs)};
   const Outcome outcome = w.run("--set limits.speed=1e-3");
   CHECK(outcome.status == 2);
   CHECK(outcome.err.find("scene.toml:13:1: particle 1 moves at ") != std::string::npos);
 }
 
-TEST_CASE("Ctrl-C saves the run and gives status 130") {
+TEST_CASE("Ctrl-C saves the run and gives status 130", "[tools]") {
   const Workspace w(with(discs, "duration = 1e-4", "duration = 5000"));
   for (const char* signal : {"INT", "TERM"}) {
     const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
@@ -140,7 +141,7 @@ TEST_CASE("Ctrl-C saves the run and gives status 130") {
   }
 }
 
-TEST_CASE("without --out runs are numbered") {
+TEST_CASE("without --out runs are numbered", "[tools]") {
   const Workspace w;
   for (const char* directory : {"runs/scene", "runs/scene-2", "runs/scene-3"}) {
     const Outcome outcome = w.scree("run scene.toml");
@@ -150,7 +151,7 @@ TEST_CASE("without --out runs are numbered") {
   }
 }
 
-TEST_CASE("a run without pictures loads no VTK, one with a chart does") {
+TEST_CASE("a run without pictures loads no VTK, one with a chart does", "[tools]") {
   const Workspace w;
   const auto loads_vtk = [&](const std::string& options) {
     const Outcome outcome = w.shell(

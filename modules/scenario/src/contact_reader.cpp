@@ -18,14 +18,14 @@ constexpr std::uint32_t no_law = ~0u;
 void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
   const std::vector<std::string> names = t.strings("between");
   if (names.size() != 2)
-    throw t.error("between", fmt::format("names {} materials", names.size()),
-                  "name two, such as [\"bead\", \"wall\"]");
+    throw t.error("between", fmt::format("'between' has {} materials", names.size()),
+                  "give two, such as [\"bead\", \"wall\"]");
   const std::size_t a = find_name(t, "between", "material", names[0], scene.materials, 0);
   const std::size_t b = find_name(t, "between", "material", names[1], scene.materials, 1);
   const std::size_t n = scene.materials.size();
   if (scene.law_of[a * n + b] != no_law)
     throw t.error("between",
-                  fmt::format("'{}' and '{}' have a [[contact]] already", files::one_line(names[0]),
+                  fmt::format("'{}' and '{}' already have a [[contact]]", files::one_line(names[0]),
                               files::one_line(names[1])),
                   "keep one of them");
   scene.law_of[a * n + b] = scene.law_of[b * n + a] = law;
@@ -37,7 +37,7 @@ void check_pairs(const document::Table& root, const PluginHost& host, const Scen
   const std::size_t pair = std::size_t(open - scene.law_of.begin()), n = scene.materials.size();
   throw root.error(
       "contact",
-      fmt::format("no [[contact]] says how '{}' and '{}' touch", files::one_line(scene.materials[pair / n]),
+      fmt::format("no [[contact]] applies to '{}' and '{}'", files::one_line(scene.materials[pair / n]),
                   files::one_line(scene.materials[pair % n])),
       fmt::format("add a [[contact]] with plugin = \"{}\"",
                   fmt::join(host.names(SCREE_CONTACT_LAW), "\" or \"")));
@@ -55,8 +55,7 @@ void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, 
     if (t.has("between"))
       assign_pair(t, law, scene);
     else if (for_the_rest)
-      throw t.error("a second [[contact]] says nothing of the materials that it is for",
-                    "add between = [\"a\", \"b\"]");
+      throw t.error("a second [[contact]] has no materials", "add between = [\"a\", \"b\"]");
     else
       for_the_rest = law;
   }

@@ -4,7 +4,7 @@
 
 namespace scree::scenario {
 
-// The [[contact]] laws, and which of them each pair of materials follows. The scene must hold its materials.
+// Reads the [[contact]] laws and assigns one to each pair of materials. The scene must have its materials.
 void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, Instances& instances);
 
 }  // namespace scree::scenario

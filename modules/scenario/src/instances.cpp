@@ -19,8 +19,8 @@ scree_boundary_instance configured_boundary(const Parameters& parameters, const 
   return ConfiguredBoundary(parameters, scene.dimension, lower, upper).instance();
 }
 
-// Lets the plug-in refuse its parameters now, where the place in the file is known.
-void try_out(const Stage::Change& instance, const Scene& scene) {
+// Configures the plug-in once, so that it can reject its parameters while the position in the file is known.
+void check_instance(const Stage::Change& instance, const Scene& scene) {
   switch (instance.kind) {
     case SCREE_CONTACT_LAW:
       turns_bodies(instance.parameters, scene.dimension);
@@ -36,7 +36,7 @@ void try_out(const Stage::Change& instance, const Scene& scene) {
   }
 }
 
-// The walls and periodic axes of a simulation are laid out once.
+// Walls and periodic axes are set up once per simulation and cannot change later.
 bool same_layout(const scree_boundary_instance& a, const scree_boundary_instance& b) {
   const auto same_axis = [&](int k) {
     return a.periodic[k] == b.periodic[k] &&
@@ -55,7 +55,7 @@ const Stage::Change& read_instance(const document::Table& table, scree_kind kind
   check_complete(table, parameters);
   const std::string name = instances.names.add_or_number(table, parameters.plugin().name);
   const Stage::Change& added = instances.all.emplace_back(Stage::Change{kind, name, parameters});
-  placed(table, "plugin", [&] { try_out(added, scene); });
+  placed(table, "plugin", [&] { check_instance(added, scene); });
   return added;
 }
 
@@ -63,10 +63,10 @@ Stage::Change changed_instance(const document::Table& table, const Stage::Change
   Stage::Change changed = old;
   read_parameters(table, scene.dimension, changed.parameters);
   check_complete(table, changed.parameters);
-  placed(table, "", [&] { try_out(changed, scene); });
+  placed(table, "", [&] { check_instance(changed, scene); });
   if (old.kind == SCREE_BOUNDARY && !same_layout(configured_boundary(old.parameters, scene),
                                                  configured_boundary(changed.parameters, scene)))
-    throw table.error("a stage cannot change how many walls there are or which axes are periodic",
+    throw table.error("a stage cannot change the number of walls or the periodic axes",
                       "keep these parameters for all stages");
   return changed;
 }

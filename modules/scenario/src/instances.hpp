@@ -12,19 +12,19 @@
 
 namespace scree::scenario {
 
-// The laws, boundaries and body forces of a scene by the names that stages refer to, with their parameters.
+// Laws, boundaries and body forces of a scene with their parameters, by the names used in stages.
 struct Instances {
   std::vector<Stage::Change> all;
   UniqueNames names{"law, boundary or force"};
 };
 
-// Reads one entry of [[contact]], [[boundary]] or [[body_force]], tries it out and adds it to the instances.
-// The scene must hold its bodies already. Throws Error at the key that is wrong.
+// Reads one entry of [[contact]], [[boundary]] or [[body_force]], checks it and adds it to the instances.
+// The scene must have its bodies already. Throws Error at the wrong key.
 const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
                                    const Scene& scene, Instances& instances);
 
-// An instance with the keys of `table` (what a stage sets) in the place of the old ones, tried out.
-// Throws Error at the key that is wrong.
+// The instance with the parameters of `table` (the changes of a stage) replaced, checked. Throws Error at the
+// wrong key.
 Stage::Change changed_instance(const document::Table& table, const Stage::Change& old, const Scene& scene);
 
 }  // namespace scree::scenario

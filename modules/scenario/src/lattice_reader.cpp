@@ -14,7 +14,7 @@ namespace scree::scenario {
 
 namespace {
 
-// (bytes) that a body takes from reading to running, with its neighbours and contacts.
+// Peak memory (bytes) per body from reading to running, including neighbours and contacts.
 constexpr double memory_per_body = 2000;
 
 packing::ListedRadius read_list(const document::Table& t) {
@@ -50,12 +50,12 @@ packing::RadiusDistribution read_radius(const document::Table& particles) {
   return distribution;
 }
 
-// Before anything is allocated, since a system out of memory ends a program without a word.
+// Checked before anything is allocated: a system without memory kills a program without a message.
 void check_memory(const document::Table& t, double bodies) {
   const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (bodies * memory_per_body > there)
     throw t.error("count",
-                  fmt::format("{:g} bodies need about {:.3g} GB of memory and this computer has {:.3g} GB",
+                  fmt::format("{:g} bodies need about {:.3g} GB of memory, but this computer has {:.3g} GB",
                               bodies, 1e-9 * bodies * memory_per_body, 1e-9 * there),
                   fmt::format("give at most {:.2g}", there / memory_per_body));
 }
@@ -67,8 +67,8 @@ std::array<std::int64_t, 3> read_count(const document::Table& t, int dimension) 
   double bodies = 1;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (numbers[k] != std::floor(numbers[k]))
-      throw t.error("count", k, fmt::format("count {:g} is no whole number of bodies", numbers[k]),
-                    "give numbers such as 7");
+      throw t.error("count", k, fmt::format("count {:g} is not a whole number", numbers[k]),
+                    "give whole numbers such as 7");
     bodies *= numbers[k];
   }
   check_memory(t, bodies);

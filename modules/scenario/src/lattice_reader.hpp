@@ -8,11 +8,11 @@
 
 namespace scree::scenario {
 
-// Bodies of [particles] with lattice and radius.
+// Reads the bodies of [particles] with lattice and radius.
 packing::Packing read_lattice_bodies(const document::Table& particles, int dimension,
                                      packing::Random& random);
 
-// As many numbers as there are dimensions; an absent one that is not required is 0.
+// Reads a vector of `dimension` numbers; 0 if it is absent and not required.
 Vec3 read_vector(const document::Table& table, std::string_view key, int dimension, bool required);
 
 }  // namespace scree::scenario

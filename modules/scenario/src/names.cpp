@@ -21,10 +21,10 @@ std::size_t find_name(const document::Table& table, std::string_view key, std::s
 
 void UniqueNames::add(const document::Table& table, const std::string& name) {
   if (name.empty())
-    throw table.error("name", fmt::format("the {} name is empty", what_), "give a word, such as \"first\"");
+    throw table.error("name", fmt::format("the {} name is empty", what_), "give a name, such as \"first\"");
   if (!taken_.insert(name).second)
-    throw table.error("name", fmt::format("the {} name '{}' is taken", what_, files::one_line(name)),
-                      "give each a name of its own");
+    throw table.error("name", fmt::format("the {} name '{}' is already in use", what_, files::one_line(name)),
+                      "give each a different name");
 }
 
 std::string UniqueNames::add_or_number(const document::Table& table, const std::string& fallback) {
@@ -38,8 +38,8 @@ void check_file_name(const document::Table& table, const std::string& name) {
   constexpr std::size_t longest = 100;
   const auto fit = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c >= 0x80; };
   if (name.empty() || name.size() > longest || !std::all_of(name.begin(), name.end(), fit))
-    throw table.error("name", fmt::format("'{}' cannot be the name of a file", files::one_line(name)),
-                      fmt::format("use letters, digits, '_' and '-', at most {}", longest));
+    throw table.error("name", fmt::format("'{}' cannot be used as a file name", files::one_line(name)),
+                      fmt::format("use at most {} letters, digits, '_' and '-'", longest));
 }
 
 }  // namespace scree::scenario

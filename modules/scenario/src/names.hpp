@@ -10,27 +10,27 @@
 
 namespace scree::scenario {
 
-// Index of a word among the names. Throws Error at the key, or at that element of the array under it:
+// Index of a word in the names. If it is not there, throws Error at the key, or at an element of its array:
 // "no <what> '<word>'; did you mean ...".
 std::size_t find_name(const document::Table& table, std::string_view key, std::string_view what,
                       const std::string& word, const std::vector<std::string>& names,
                       std::optional<std::size_t> element = std::nullopt);
 
-// Names that must all differ.
+// A set of names that must be different.
 class UniqueNames {
  public:
   explicit UniqueNames(std::string what) : what_(std::move(what)) {}
-  // Throws Error at `name` of the table if it is empty or taken.
+  // Adds a name. Throws Error at `name` of the table if it is empty or already in use.
   void add(const document::Table& table, const std::string& name);
-  // The `name` of the table or, where it gives none, the fallback, numbered from the second on; added.
+  // Adds and returns the `name` of the table or, without one, the fallback, with _2, _3, ... if it is in use.
   std::string add_or_number(const document::Table& table, const std::string& fallback);
 
  private:
-  std::string what_;  // they are of
+  std::string what_;  // kind of the named things, for messages
   std::set<std::string> taken_;
 };
 
-// Throws Error at `name` of the table unless it is fit for a file: letters, digits, '_' and '-'.
+// Throws Error at `name` of the table unless it is usable as a file name: letters, digits, '_' and '-'.
 void check_file_name(const document::Table& table, const std::string& name);
 
 }  // namespace scree::scenario

@@ -23,7 +23,7 @@ double read_interval(const document::Table& t, std::string_view key, double step
   const double every = t.number(key, document::Range::positive("s"));
   if (every < 0.999 * step)
     throw t.error(key, fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key, every, step),
-                  "raise it, or shorten time.step");
+                  "increase it, or decrease time.step");
   return every;
 }
 
@@ -43,7 +43,7 @@ ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::ve
 }
 
 struct Columns {
-  std::vector<std::string> names, units;  // time first
+  std::vector<std::string> names, units;  // the first column is time
 };
 
 Columns columns_of(const ProbePlan& probe, int dimension) {
@@ -81,10 +81,10 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& pro
   chart.x_label = label_of(columns, find_name(t, "x", "column", x, columns.names));
   const bool several = t.is_array("y");
   const std::vector<std::string> ys = several ? t.strings("y") : std::vector{t.string("y")};
-  if (ys.empty()) throw t.error("y", "names no column", "give one or more of the probe's columns");
+  if (ys.empty()) throw t.error("y", "'y' has no columns", "give one or more columns of the probe");
   for (std::size_t k = 0; k < ys.size(); ++k) {
     const std::size_t at = find_name(t, "y", "column", ys[k], columns.names, k);
-    // Several curves share the axis; the legend names them.
+    // With several curves the axis has only the unit; the legend has the names.
     chart.y_label = ys.size() == 1 ? label_of(columns, at) : columns.units[at];
     chart.curves.push_back({as_words(ys[k]), probe.name, x, ys[k]});
   }
@@ -109,10 +109,10 @@ Expectation read_expectation(const document::Table& t, const std::vector<std::st
   e.of_step = t.boolean("of_step", false);
   e.scale = t.optional_number("scale", document::Range::positive());
   if (e.reference.has_value() != e.tolerance.has_value())
-    throw t.error(e.reference ? "reference" : "tolerance", "reference and tolerance go together",
+    throw t.error(e.reference ? "reference" : "tolerance", "reference and tolerance must both be given",
                   "give both, or at_most / at_least");
   if (!e.reference && !e.at_most && !e.at_least)
-    throw t.error("quantity", "nothing is said of what the quantity must be",
+    throw t.error("quantity", "the quantity has no required value",
                   "give reference and tolerance, at_most, or at_least");
   return e;
 }

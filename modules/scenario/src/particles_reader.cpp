@@ -18,12 +18,12 @@ namespace scree::scenario {
 
 namespace {
 
-constexpr double largest_id = 1e15;  // below which numbers of a probe's list are exact
+constexpr double max_id = 1e15;  // ids are doubles in lists of probes, exact up to this number
 
 packing::Packing read_file(const document::Table& particles, int dimension,
                            const std::filesystem::path& folder, const std::vector<Material>& materials) {
   packing::ImportOptions options;
-  // A file may say that it is flat; that a spatial scene must not overlook.
+  // In a three-dimensional scene the file decides, so that a two-dimensional packing is detected below.
   if (dimension == 2) options.dimension = dimension;
   options.materials = names_of(materials);
   options.timestep = particles.optional_integer("timestep");
@@ -36,7 +36,7 @@ packing::Packing read_file(const document::Table& particles, int dimension,
   return read;
 }
 
-// Copies of a periodic packing side by side: so many along each axis, one period apart.
+// Repeats a periodic packing along each axis, one period apart.
 void repeat(const document::Table& particles, int dimension, packing::Packing& packing) {
   if (!particles.has("repeat")) return;
   const std::vector<double> times =
@@ -45,7 +45,7 @@ void repeat(const document::Table& particles, int dimension, packing::Packing& p
       particles.numbers("period", std::size_t(dimension), document::Range::positive("m"));
   for (const double n : times)
     if (n != std::floor(n))
-      throw particles.error("repeat", fmt::format("{:g} is no whole number", n),
+      throw particles.error("repeat", fmt::format("{:g} is not a whole number", n),
                             "give counts, such as [5, 1, 5]");
   for (int k = 0; k < dimension; ++k) {
     const std::size_t original = packing.bodies.size();
@@ -71,7 +71,7 @@ packing::Packing read_source(const document::Table& particles, int dimension, pa
 
 packing::Body read_inline(const document::Table& t, int dimension) {
   packing::Body body;
-  body.id = t.integer("id", 0, document::Range::between(1, largest_id));
+  body.id = t.integer("id", 0, document::Range::between(1, max_id));
   body.material = t.string("material", "");
   body.radius = t.number("radius", document::Range::positive("m"));
   if (const auto density = t.optional_number("density", document::Range::positive("kg/m^3")))
@@ -93,12 +93,13 @@ std::uint32_t material_index(const document::Table& t, const std::string& name,
   if (name.empty() && materials.size() == 1) return 0;
   const std::vector<std::string> names = names_of(materials);
   if (name.empty())
-    throw t.error("no material is given, and there are several",
+    throw t.error("no material is given, but the scene has several",
                   fmt::format("add material = \"{}\" or another", names[0]));
   return std::uint32_t(find_name(t, "material", "material", name, names));
 }
 
-// A body of the kernel; `t` describes it. Throws Error where its mass or inertia has no finite value above 0.
+// Adds material, mass and inertia to a body. Throws Error at `t` if mass or inertia is not positive and
+// finite.
 Body complete(const document::Table& t, const packing::Body& from, int dimension,
               const std::vector<Material>& materials) {
   Body body = {.id = from.id, .material = material_index(t, from.material, materials), .radius = from.radius};
@@ -113,14 +114,14 @@ Body complete(const document::Table& t, const packing::Body& from, int dimension
   if (!std::isnormal(body.mass) || !std::isnormal(body.inertia))
     throw t.error(
         "radius",
-        fmt::format("a radius of {:g} m with a density of {:g} kg/m^3 makes a body of {:g} kg and {:g} "
-                    "kg m^2, beyond what numbers hold",
+        fmt::format("a radius of {:g} m with a density of {:g} kg/m^3 gives a body of {:g} kg and {:g} "
+                    "kg m^2, outside the range of numbers",
                     r, density, body.mass, body.inertia),
-        "give radius (m) and density (kg/m^3) of a real grain");
+        "check the units of radius (m) and density (kg/m^3)");
   return body;
 }
 
-// Adds the [[particle]]s, whose ids must not be those of other bodies.
+// Adds the [[particle]]s; their ids must differ from those of other bodies.
 void add_inline(const document::Table& root, int dimension, const std::vector<Material>& materials,
                 std::vector<Body>& bodies) {
   std::set<std::int64_t> used;
@@ -129,11 +130,11 @@ void add_inline(const document::Table& root, int dimension, const std::vector<Ma
     bodies.push_back(complete(t, read_inline(t, dimension), dimension, materials));
     if (t.has("id") && !used.insert(bodies.back().id).second)
       throw t.error("id", fmt::format("two bodies have the id {}", bodies.back().id),
-                    "give each id once, or none");
+                    "give every body a different id, or no id");
   }
 }
 
-// Ids that were not given follow the largest that was.
+// Bodies without an id are numbered after the largest given id.
 void number_bodies(std::vector<Body>& bodies) {
   std::int64_t next = 1;
   for (const Body& body : bodies) next = std::max(next, body.id + 1);
@@ -141,11 +142,11 @@ void number_bodies(std::vector<Body>& bodies) {
     if (body.id <= 0) body.id = next++;
 }
 
-// Small scenes lie in the caches anyway and keep the order of the file.
-constexpr std::size_t least_bodies_to_sort = 1024;
+// Small scenes fit into the caches anyway and keep the order of the file.
+constexpr std::size_t min_bodies_to_sort = 1024;
 
 void sort_in_space(std::vector<Body>& bodies, int dimension) {
-  if (bodies.size() < least_bodies_to_sort) return;
+  if (bodies.size() < min_bodies_to_sort) return;
   std::vector<Body> sorted;
   for (const std::uint32_t i : spatial_order(bodies, dimension)) sorted.push_back(bodies[i]);
   bodies = std::move(sorted);
@@ -160,12 +161,14 @@ std::vector<Body> read_bodies(const document::Table& root, int dimension,
   packing::Random random(seed);
   if (const auto particles = root.optional_table("particles")) {
     const std::string material = particles->string("material", "");
-    const double agitation = particles->number("random_velocity", 0.0, document::Range::non_negative("m/s"));
+    const double velocity_deviation =
+        particles->number("random_velocity", 0.0, document::Range::non_negative("m/s"));
     const Vec3 velocity = read_vector(*particles, "velocity", dimension, false);
     for (packing::Body& from : read_source(*particles, dimension, random, folder, materials).bodies) {
       if (from.material.empty()) from.material = material;
       from.velocity += velocity;
-      for (int k = 0; k < dimension && agitation > 0; ++k) from.velocity[k] += agitation * random.normal();
+      for (int k = 0; k < dimension && velocity_deviation > 0; ++k)
+        from.velocity[k] += velocity_deviation * random.normal();
       bodies.push_back(complete(*particles, from, dimension, materials));
     }
   }

@@ -11,9 +11,9 @@
 
 namespace scree::scenario {
 
-// The bodies of [particles] (a lattice or a file) and of [[particle]], with mass and inertia: spheres in 3D
-// (I = 2mR²/5), discs of unit thickness in 2D (I = mR²/2). File names are relative to `folder`.
-// Throws Error where there is no body.
+// Reads the bodies of [particles] (a lattice or a file) and of [[particle]], with mass and inertia: spheres
+// in 3D (I = 2mR²/5), discs of unit thickness in 2D (I = mR²/2). File names are relative to `folder`. Throws
+// Error if there is no body.
 std::vector<Body> read_bodies(const document::Table& root, int dimension,
                               const std::vector<Material>& materials, std::uint64_t seed,
                               const std::filesystem::path& folder);

@@ -33,7 +33,7 @@ void read_header(const document::Table& root, Plan& plan) {
   scene.skin = root.table_or_empty("neighbours").number("skin", 0.0, document::Range::positive("m"));
 }
 
-void read_bodies_of(const document::Table& root, Plan& plan) {
+void read_materials_and_bodies(const document::Table& root, Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
@@ -51,7 +51,7 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
                                      : t.string("material", scene.materials[0]);
     const auto index = std::uint32_t(find_name(t, "material", "material", material, scene.materials));
     scene.boundaries.push_back({read.name, index, read.parameters});
-    // All so far together: each may be good and the sum not.
+    // Checks all boundaries so far together: each can be valid alone but not in combination.
     const bool periodic = placed(t, "plugin", [&] { return periodic_domain(scene).any_periodic(); });
     if (periodic && plan.periodic_place.empty()) plan.periodic_place = t.place("plugin");
   }
@@ -90,17 +90,17 @@ void read_time(const document::Table& root, Plan& plan) {
   const double fraction = step.number("fraction", document::Range::positive());
   const double contact = shortest_contact_time(scene, expected_speed(scene));
   if (!std::isfinite(contact))
-    throw step.error("fraction", "the scene has no pair of bodies whose contact time could be taken",
-                     "give time.step in s");
+    throw step.error("fraction", "the scene has no pair of bodies to compute a contact time from",
+                     "give time.step in seconds");
   scene.step = fraction * contact;
 }
 
-// Without an audit nothing is known of energies in springs and of what is lost.
+// Without the audit, elastic and dissipated energies are not computed.
 void check_audit(const document::Table& root, const Plan& plan) {
   if (plan.scene.audit) return;
-  const auto refuse = [&](const std::string& who) {
-    throw root.table("time").error("energy_audit", fmt::format("{} needs the energy books", who),
-                                   "set energy_audit = true, or leave that out");
+  const auto refuse = [&](const std::string& user) {
+    throw root.table("time").error("energy_audit", fmt::format("{} needs the energy audit", user),
+                                   "set energy_audit = true, or remove it");
   };
   for (const Stage& stage : plan.stages)
     if (stage.kinetic_over_elastic) refuse(fmt::format("the condition of stage '{}'", stage.name));
@@ -110,26 +110,26 @@ void check_audit(const document::Table& root, const Plan& plan) {
       if (e.quantity == name) refuse(fmt::format("the [[expect]] of '{}'", name));
 }
 
-// Told before anything is computed or written.
+// Refused here, before anything is computed or written.
 void check_pictures(const document::Table& root, const Plan& plan) {
   if (snapshot::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
   throw root.error(
       plan.snapshot.any() ? "snapshot" : "chart",
-      fmt::format("{}, and the scene asks for them", snapshot::no_pictures),
+      fmt::format("{}, but the scene requests them", snapshot::no_pictures),
       fmt::format("leave [snapshot] and [[chart]] out (--set 'snapshot={{}}' --set 'chart=[]'), or {}",
                   snapshot::no_pictures_cure));
 }
 
-// Bodies carry spins from the start if a later stage turns them.
-bool turns_later(const std::vector<Stage>& stages, int dimension) {
+// Whether a later stage makes bodies rotate: spins must then be stored from the start.
+bool rotates_later(const std::vector<Stage>& stages, int dimension) {
   for (const Stage& stage : stages)
     for (const Stage::Change& change : stage.changes)
       if (change.kind == SCREE_CONTACT_LAW && turns_bodies(change.parameters, dimension)) return true;
   return false;
 }
 
-// Whether anything looks at the forces of single contacts.
-bool looks_at_pair_forces(const Plan& plan) {
+// Whether snapshots or probes read the forces of single contacts.
+bool needs_pair_forces(const Plan& plan) {
   return plan.snapshot.any() || std::any_of(plan.probes.begin(), plan.probes.end(), [&](const ProbePlan& p) {
            return Probe(p.parameters, plan.scene.dimension).needs_contacts();
          });
@@ -144,19 +144,19 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   Plan plan;
   plan.source = path;
   read_header(root, plan);
-  read_bodies_of(root, plan);
+  read_materials_and_bodies(root, plan);
   Instances instances;
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   plan.stages = read_stages(root, plan.scene, instances);
-  plan.scene.spin = turns_later(plan.stages, plan.scene.dimension);
+  plan.scene.spin = rotates_later(plan.stages, plan.scene.dimension);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
-  plan.scene.pair_forces = looks_at_pair_forces(plan);
+  plan.scene.pair_forces = needs_pair_forces(plan);
   check_audit(root, plan);
   check_pictures(root, plan);
   document.refuse_unused();

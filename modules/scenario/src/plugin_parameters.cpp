@@ -6,35 +6,39 @@
 
 #include <fmt/format.h>
 
+#include <scree/plugin/program.hpp>
+
 namespace scree::scenario {
 
 namespace {
 
-// A program of time: a number, or a table whose keys tell its kind (see program.hpp of the framework).
+// A function of time: a number, or a table whose keys determine its kind (see program.hpp of the framework).
 std::vector<double> read_program(const document::Table& table, const scree_parameter& p) {
-  if (!table.is_table(p.key)) return {0, table.number(p.key)};
+  if (!table.is_table(p.key)) return {Program::constant, table.number(p.key)};
   const document::Table t = table.table(p.key);
   if (t.has("table")) {
-    std::vector<double> data = {4};
+    std::vector<double> data = {Program::table};
     double last = -std::numeric_limits<double>::infinity();
     for (const auto& row : t.rows("table", 2)) {
       if (row[0] <= last)
-        throw t.error("table", "the times do not increase", "sort the rows and give each time once");
+        throw t.error("table", "the times do not increase", "sort the rows, with every time only once");
       last = row[0];
       data.insert(data.end(), row.begin(), row.end());
     }
-    if (data.size() == 1) throw t.error("table", "has no rows", "give [[time, value], ...]");
+    if (data.size() == 1) throw t.error("table", "'table' has no rows", "give [[time, value], ...]");
     return data;
   }
   if (t.has("amplitude"))
-    return {1, t.number("mean", 0.0), t.number("amplitude"),
+    return {Program::sine, t.number("mean", 0.0), t.number("amplitude"),
             t.number("frequency_hz", document::Range::positive("Hz")),
             t.number("phase_deg", 0.0) * std::numbers::pi / 180};
   if (t.has("period"))
-    return {2, t.number("from"), t.number("to"), t.number("period", document::Range::positive("s"))};
+    return {Program::cycle, t.number("from"), t.number("to"),
+            t.number("period", document::Range::positive("s"))};
   if (t.has("duration"))
-    return {3, t.number("from"), t.number("to"), t.number("duration", document::Range::positive("s"))};
-  throw t.error(fmt::format("does not tell how '{}' goes with time", p.key),
+    return {Program::ramp, t.number("from"), t.number("to"),
+            t.number("duration", document::Range::positive("s"))};
+  throw t.error(fmt::format("'{}' is not a function of time", p.key),
                 "give a number, {from, to, period}, {from, to, duration}, {mean, amplitude, frequency_hz} or "
                 "{table = [[t, value], ...]}");
 }
@@ -65,7 +69,7 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
   return {table.number(p.key)};
 }
 
-// "problem; cure" as the framework words it.
+// text: "problem; cure" from the framework.
 [[noreturn]] void refuse(const document::Table& table, const std::string& key, const std::string& text) {
   const auto semicolon = text.find("; ");
   throw table.error(key, fmt::format("{} {}", key, text.substr(0, semicolon)),
@@ -77,7 +81,7 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host) {
   const std::string name = table.string("plugin");
   if (name.size() >= SCREE_MAX_NAME)
-    throw table.error("plugin", fmt::format("a plug-in's name has fewer than {} letters", SCREE_MAX_NAME),
+    throw table.error("plugin", fmt::format("the name of the plug-in has {} or more letters", SCREE_MAX_NAME),
                       "see scree describe for the names");
   return placed(table, "plugin", [&]() -> const scree_plugin& { return host.find(name, kind); });
 }

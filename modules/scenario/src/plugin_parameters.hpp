@@ -8,17 +8,17 @@
 
 namespace scree::scenario {
 
-// The plug-in that table's `plugin` key names, its refusal placed at that key.
+// Finds the plug-in named by the `plugin` key of the table. Throws Error at that key.
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host);
 
-// Takes the keys of a table that a plug-in declares over into parameters; other keys are left for the caller.
+// Copies the keys of a table that the plug-in declares to `parameters`; other keys are left for the caller.
 void read_parameters(const document::Table& table, int dimension, Parameters& parameters);
 
-// check_complete with the place of the table.
+// Throws Error at the table unless all required parameters are given.
 void check_complete(const document::Table& table, const Parameters& parameters);
 
-// Runs `work`, which knows nothing of the file, and puts the place of the key (or of the table, without such
-// a key) before what it throws.
+// Runs `work` and prefixes its Error with the position of the key in the file (of the table if it has no such
+// key).
 template <class Work>
 decltype(auto) placed(const document::Table& table, std::string_view key, const Work& work) {
   try {

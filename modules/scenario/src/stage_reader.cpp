@@ -8,17 +8,17 @@ namespace scree::scenario {
 
 namespace {
 
-// At a microsecond a step, which few scenes reach, this takes twelve days.
-constexpr double most_steps = 1e12;
+// At one microsecond per step, faster than almost any scene, this takes twelve days.
+constexpr double max_steps = 1e12;
 
 void check_steps(const document::Table& t, std::string_view key, double seconds, double step) {
   const double steps = seconds / step;
   if (steps < 0.999)
     throw t.error(key, fmt::format("{:g} s is shorter than the time step of {:g} s", seconds, step),
-                  "raise it, or shorten time.step");
-  if (steps > most_steps)
+                  "increase it, or decrease time.step");
+  if (steps > max_steps)
     throw t.error(key, fmt::format("{:g} s takes {:.3g} time steps of {:g} s", seconds, steps, step),
-                  fmt::format("give a shorter time or a longer step, for at most {:g} steps", most_steps));
+                  fmt::format("give a shorter time or a longer step, for at most {:g} steps", max_steps));
 }
 
 void read_condition(const document::Table& until, double step, Stage& stage) {
@@ -26,16 +26,16 @@ void read_condition(const document::Table& until, double step, Stage& stage) {
   stage.at_least = until.number("at_least", 0.0, document::Range::non_negative("s"));
   stage.at_most = read_steps(until, "at_most", step);
   if (stage.at_least >= *stage.at_most)
-    throw until.error("at_least",
-                      fmt::format("at_least = {:g} s leaves no time before at_most = {:g} s", stage.at_least,
-                                  *stage.at_most),
-                      "give a smaller at_least or a larger at_most");
+    throw until.error(
+        "at_least",
+        fmt::format("at_least = {:g} s is not below at_most = {:g} s", stage.at_least, *stage.at_most),
+        "give a smaller at_least or a larger at_most");
 }
 
 void read_end(const document::Table& t, double step, Stage& stage) {
   const int given = int(t.has("duration")) + int(t.has("cycles")) + int(t.has("until"));
   if (given != 1)
-    throw t.error(given ? "says more than once when it ends" : "does not say when it ends",
+    throw t.error(given ? "the stage has more than one end condition" : "the stage has no end condition",
                   "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6, "
                   "at_most = <s> }");
   if (t.has("duration")) stage.duration = read_steps(t, "duration", step);
@@ -81,7 +81,8 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     stages.push_back(std::move(stage));
   }
   if (!stages.empty() && time.has("duration"))
-    throw time.error("duration", "the run has both stages and a duration", "keep [[stage]] or time.duration");
+    throw time.error("duration", "both stages and time.duration are given",
+                     "keep [[stage]] or time.duration");
   if (stages.empty()) {
     Stage stage;
     stage.name = "run";

@@ -51,7 +51,8 @@ const Order& order_of(const Study& study, Integration integration) {
 
 }  // namespace
 
-TEST_CASE("a study finds the orders of the integrators from the closed form, and from extrapolation") {
+TEST_CASE("a study finds the orders of the integrators from the closed form, and from extrapolation",
+          "[accuracy]") {
   const Study by_form = study(closed_form_plan(), quick());
   REQUIRE(by_form.quantities.size() == 2);
   CHECK(by_form.quantities[0].closed_form);
@@ -67,7 +68,7 @@ TEST_CASE("a study finds the orders of the integrators from the closed form, and
   CHECK(by_limit.duration == Approx(0.128));
 }
 
-TEST_CASE("the cheapest setting meets the tolerance and no cheaper one does") {
+TEST_CASE("the cheapest setting meets the tolerance and no cheaper one does", "[accuracy]") {
   const Study result = study(closed_form_plan(), quick());
   const Outcome* best = cheapest(result);
   REQUIRE(best);
@@ -87,7 +88,7 @@ TEST_CASE("the cheapest setting meets the tolerance and no cheaper one does") {
             .starts_with("No setting comes within 1e-16; the nearest is "));
 }
 
-TEST_CASE("a step that the guard refuses is a row with its reason, not the end of the study") {
+TEST_CASE("a step that the guard refuses is a row with its reason, not the end of the study", "[accuracy]") {
   StudyOptions options = quick();
   options.coarsest = 64;  // ω h = 2.02
   options.count = 3;
@@ -99,7 +100,7 @@ TEST_CASE("a step that the guard refuses is a row with its reason, not the end o
   CHECK(result.outcomes[2].problem.empty());
 }
 
-TEST_CASE("a chaotic scene is cut at the time until which its reference holds") {
+TEST_CASE("a chaotic scene is cut at the time until which its reference holds", "[accuracy]") {
   // Nine hard discs in a box, for many collisions each: a rounding grows by several per collision.
   const std::string chaos = test::with(test::discs, "duration = 1e-4", "duration = 10");
   StudyOptions options = quick();
@@ -113,7 +114,7 @@ TEST_CASE("a chaotic scene is cut at the time until which its reference holds") 
   CHECK(text_report(result).find("trustworthy until t = ") != std::string::npos);
 }
 
-TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as charts") {
+TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as charts", "[accuracy]") {
   const TemporaryFolder folder;
   StudyOptions options = quick();
   options.integrations = {Integration::velocity_verlet};
@@ -136,7 +137,7 @@ TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as 
 #endif
 }
 
-TEST_CASE("a study that is stopped before it has a reference says so") {
+TEST_CASE("a study that is stopped before it has a reference says so", "[accuracy]") {
   const std::atomic<bool> stop = true;
   StudyOptions options = quick();
   options.stop = &stop;

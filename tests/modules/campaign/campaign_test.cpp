@@ -23,7 +23,7 @@ bool starts(const std::string& line, const std::string& with) {
 
 }  // namespace
 
-TEST_CASE("a campaign is the product of cases, lists and seeds, seeds fastest") {
+TEST_CASE("a campaign is the product of cases, lists and seeds, seeds fastest", "[campaign]") {
   const Campaign c = CampaignFolder(
                          "seeds = { first = 4, count = 2 }\n"
                          "[set]\n"
@@ -43,7 +43,7 @@ TEST_CASE("a campaign is the product of cases, lists and seeds, seeds fastest") 
   CHECK(c.title == "campaign");
 }
 
-TEST_CASE("a campaign without lists is one run") {
+TEST_CASE("a campaign without lists is one run", "[campaign]") {
   const Campaign c = CampaignFolder("title = 'One'\n").read();
   CHECK(names_of(c) == Texts{"run"});
   CHECK(c.points[0].overrides().empty());
@@ -51,7 +51,8 @@ TEST_CASE("a campaign without lists is one run") {
   CHECK(c.title == "One");
 }
 
-TEST_CASE("keys may be quoted, dotted or under headers; inline tables and inner lists are values") {
+TEST_CASE("keys may be quoted, dotted or under headers; inline tables and inner lists are values",
+          "[campaign]") {
   const Campaign c = CampaignFolder(
                          "[set]\n"
                          "particles.lattice.count = [[3, 3], [2, 3]]\n"
@@ -64,13 +65,13 @@ TEST_CASE("keys may be quoted, dotted or under headers; inline tables and inner 
         Texts{"boundary[0].gap=0.004", "particles.lattice.count=[3, 3]", "time.step={ fraction = 0.01 }"});
 }
 
-TEST_CASE("in a case a list is a value") {
+TEST_CASE("in a case a list is a value", "[campaign]") {
   const Campaign c =
       CampaignFolder("[[case]]\nname = 'small'\nset.particles.lattice.count = [2, 2]\n").read();
   CHECK(c.points[0].overrides() == Texts{"particles.lattice.count=[2, 2]"});
 }
 
-TEST_CASE("names of runs stay apart and stay the same when values are added") {
+TEST_CASE("names of runs stay apart and stay the same when values are added", "[campaign]") {
   const auto names = [](const std::string& set) { return names_of(CampaignFolder("[set]\n" + set).read()); };
   CHECK(names("a.gap = [1]\nb.gap = [2]\nb.seed = ['x/y']") == Texts{"a.gap=1,b.gap=2,b.seed=x_y"});
   const Texts alike = names("scene.title = ['a b', 'ab', 'a/b', '../../etc']");
@@ -86,7 +87,7 @@ TEST_CASE("names of runs stay apart and stay the same when values are added") {
   CHECK(before[0] == after[1]);
 }
 
-TEST_CASE("a mistake in a campaign is told with its place and cure") {
+TEST_CASE("a mistake in a campaign is told with its place and cure", "[campaign]") {
   starts(refusal("sead = 3\n"), "campaign.toml:3:1: unknown key 'sead' in [campaign]");
   starts(refusal("seeds = 3\n"),
          "campaign.toml:3:9: seeds is neither a list nor a table; give whole numbers");
@@ -108,13 +109,13 @@ TEST_CASE("a mistake in a campaign is told with its place and cure") {
          "campaign.toml:1:1: the campaign has more than 100000 runs; ");
 }
 
-TEST_CASE("a scenario that is not there is refused where it is named") {
+TEST_CASE("a scenario that is not there is refused where it is named", "[campaign]") {
   const test::TemporaryFolder folder;
   const auto file = folder.write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n");
   CHECK(test::message([&] { read_campaign(file); }).find(":2:12: ") != std::string::npos);
 }
 
-TEST_CASE("a run that would be refused is told at the value to blame") {
+TEST_CASE("a run that would be refused is told at the value to blame", "[campaign]") {
   starts(refusal("[set]\n\"contact.normal_stiffness\" = [1e4, -1]\n"),
          "campaign.toml:4:36: in run 'normal_stiffness=-1' --set contact.normal_stiffness=-1: ");
   starts(refusal("[set]\n\"contact.normal_stiffness\" = 1e14\n"),

@@ -32,7 +32,7 @@ Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path
 
 }  // namespace
 
-TEST_CASE("a run counts for the point whose resolved scenario it has, and no other") {
+TEST_CASE("a run counts for the point whose resolved scenario it has, and no other", "[campaign]") {
   const CampaignFolder folder("collect = ['energy.time.max']\n[set]\ntime.duration = [1e-4, 2e-4]\n");
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
@@ -48,7 +48,7 @@ TEST_CASE("a run counts for the point whose resolved scenario it has, and no oth
   CHECK(outcome_of(c, 1, out).numbers.empty());
 }
 
-TEST_CASE("a record that makes no sense counts as no run, one that broke off as interrupted") {
+TEST_CASE("a record that makes no sense counts as no run, one that broke off as interrupted", "[campaign]") {
   const CampaignFolder folder("");
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
@@ -66,7 +66,7 @@ TEST_CASE("a record that makes no sense counts as no run, one that broke off as 
   CHECK(state_with(record.substr(0, record.size() / 2)) == State::missing);
 }
 
-TEST_CASE("a file of bodies newer than the run makes it another run") {
+TEST_CASE("a file of bodies newer than the run makes it another run", "[campaign]") {
   const std::string scene =
       test::with(test::with(test::discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n",
                             "file = 'bodies.csv'\n"),
@@ -85,7 +85,7 @@ TEST_CASE("a file of bodies newer than the run makes it another run") {
   CHECK(outcome_of(c, 0, out).state == State::changed);
 }
 
-TEST_CASE("one campaign at a time uses a directory, and only its own") {
+TEST_CASE("one campaign at a time uses a directory, and only its own", "[campaign]") {
   const CampaignFolder folder("");
   const Campaign c = folder.read();
   const auto path = folder.folder() / "out";
@@ -111,7 +111,7 @@ TEST_CASE("one campaign at a time uses a directory, and only its own") {
   CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("holds files that are no campaign"));
 }
 
-TEST_CASE("runs of values that a campaign no longer has are told") {
+TEST_CASE("runs of values that a campaign no longer has are told", "[campaign]") {
   const CampaignFolder folder("[set]\ntime.duration = [1e-4, 2e-4]\n");
   const Campaign c = folder.read();
   CampaignDirectory directory(folder.folder() / "campaign", c, true);

@@ -25,7 +25,7 @@ std::vector<std::string> shell(const std::string& text) { return {"/bin/sh", "-c
 
 }  // namespace
 
-TEST_CASE("processes run side by side, write their logs and tell how they ended") {
+TEST_CASE("processes run side by side, write their logs and tell how they ended", "[campaign]") {
   const TemporaryFolder folder;
   ProcessPool pool;
   // Each waits for the other: one after the other they would never end.
@@ -46,7 +46,7 @@ TEST_CASE("processes run side by side, write their logs and tell how they ended"
   CHECK(text_of(folder / "4.txt").starts_with("scree: the program cannot be started; "));
 }
 
-TEST_CASE("a signal reaches every process of a pool, and those that run at its end are ended") {
+TEST_CASE("a signal reaches every process of a pool, and those that run at its end are ended", "[campaign]") {
   const TemporaryFolder folder;
   {
     ProcessPool pool;
@@ -60,7 +60,7 @@ TEST_CASE("a signal reaches every process of a pool, and those that run at its e
   CHECK(waitpid(-1, nullptr, WNOHANG) < 0);
 }
 
-TEST_CASE("a log that cannot be written is an error") {
+TEST_CASE("a log that cannot be written is an error", "[campaign]") {
   ProcessPool pool;
   CHECK_THROWS_WITH(pool.start(0, shell("true"), "/no/such/folder/log.txt"),
                     Catch::Contains("/no/such/folder/log.txt: cannot be written"));

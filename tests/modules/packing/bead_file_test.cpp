@@ -37,7 +37,8 @@ TEST_CASE("bead list errors name the position and the cure", "[packing]") {
   CHECK_THAT(refusal("1 1 1\n0 0 0\n"), StartsWith("b.txt:2:1: 3 words"));
   CHECK_THAT(refusal("1 1 1\n0 0 0 -1\n"), StartsWith("b.txt:2:7: radius '-1'"));
   CHECK_THAT(refusal("2 1 1\n0 0 0 1\n"), Contains("the first line gives 2 beads, the file has 1; "));
-  CHECK_THAT(refusal("1000000000000000000 1 1\n0 0 0 1\n"), Contains("the first line gives 1000000000000000000 beads"));
+  CHECK_THAT(refusal("1000000000000000000 1 1\n0 0 0 1\n"),
+             Contains("the first line gives 1000000000000000000 beads"));
 }
 
 TEST_CASE("the format of a file is detected from its first lines", "[packing]") {

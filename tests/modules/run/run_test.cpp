@@ -42,7 +42,7 @@ double value(const RunResult& result, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a run writes its series, its record and its last packing") {
+TEST_CASE("a run writes its series, its record and its last packing", "[run]") {
   const Bench bench;
   const RunResult result = bench.run();
   CHECK(value(result, "steps") == 10);
@@ -56,7 +56,7 @@ TEST_CASE("a run writes its series, its record and its last packing") {
   CHECK_FALSE(fs::exists(bench.options.out / "snapshots"));
 }
 
-TEST_CASE("the resolved scenario and the last packing of a run can be run again") {
+TEST_CASE("the resolved scenario and the last packing of a run can be run again", "[run]") {
   const Bench bench(discs, {"scene.seed=5"});
   const RunResult first = bench.run();
   RunOptions options;
@@ -72,7 +72,7 @@ TEST_CASE("the resolved scenario and the last packing of a run can be run again"
   CHECK(on.scene.bodies[0].velocity[0] != 0);
 }
 
-TEST_CASE("a probe samples in its stages only, and a row once") {
+TEST_CASE("a probe samples in its stages only, and a row once", "[run]") {
   const Bench bench(
       with(with(discs, "duration = 1e-4\n", ""), "every = 2e-5", "every = 2e-5\nstages = ['b', 'c']") +
       "[[stage]]\nname = 'a'\nduration = 1e-4\n[[stage]]\nname = 'b'\nduration = 1e-4\n"
@@ -87,7 +87,7 @@ TEST_CASE("a probe samples in its stages only, and a row once") {
   for (std::size_t k = 0; k < times.size(); ++k) CHECK(times[k] == Approx(1e-4 + 2e-5 * double(k)));
 }
 
-TEST_CASE("a run tells of its start once and keeps the same bits with more threads") {
+TEST_CASE("a run tells of its start once and keeps the same bits with more threads", "[run]") {
   Bench one, two;
   int starts = 0;
   one.options.on_start = [&](const Simulation& s) { starts += s.steps() == 0 ? 1 : 100; };
@@ -96,7 +96,7 @@ TEST_CASE("a run tells of its start once and keeps the same bits with more threa
   CHECK(starts == 1);
 }
 
-TEST_CASE("expectations are judged by their bounds") {
+TEST_CASE("expectations are judged by their bounds", "[run]") {
   const Bench bench(
       std::string(discs) +
       "[[expect]]\nrequirement = 'a'\nquantity = 'steps'\nreference = 10\ntolerance = 0\n"
@@ -111,7 +111,7 @@ TEST_CASE("expectations are judged by their bounds") {
   CHECK(verdicts[3].value == Approx(5e-5));
 }
 
-TEST_CASE("a run that is asked to stop saves what it has") {
+TEST_CASE("a run that is asked to stop saves what it has", "[run]") {
   Bench bench(discs, {"time.duration=1000"});
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
@@ -127,7 +127,7 @@ TEST_CASE("a run that is asked to stop saves what it has") {
   CHECK(fs::exists(bench.options.out / "final_packing.csv"));
 }
 
-TEST_CASE("a condition that does not come is a failure that keeps the run") {
+TEST_CASE("a condition that does not come is a failure that keeps the run", "[run]") {
   const Bench bench(with(discs, "duration = 1e-4\n", "") +
                     "[[stage]]\nname = 'rest'\nuntil = { kinetic_over_elastic = 1e-30, at_most = 1e-3 }\n");
   try {
@@ -141,7 +141,8 @@ TEST_CASE("a condition that does not come is a failure that keeps the run") {
   CHECK(lines_of(text_of(bench.options.out / "series/energy.csv")) > 10);
 }
 
-TEST_CASE("a step that contacts do not allow is refused before anything is written, unless it is forced") {
+TEST_CASE("a step that contacts do not allow is refused before anything is written, unless it is forced",
+          "[run]") {
   const std::string slow = with(discs, "every = 2e-5", "every = 1");
   const Bench bench(slow, {"time.step=1e-2", "time.duration=1", "particles.random_velocity=0.01"});
   try {
@@ -157,7 +158,7 @@ TEST_CASE("a step that contacts do not allow is refused before anything is writt
   CHECK_NOTHROW(set_up(plan_of(slow, {"time.step=1e-2", "time.duration=1", "time.step_guard=false"})));
 }
 
-TEST_CASE("a stage that makes contacts too stiff for the step is found before the run begins") {
+TEST_CASE("a stage that makes contacts too stiff for the step is found before the run begins", "[run]") {
   const Bench bench(with(discs, "duration = 1e-4\n", "") +
                     "[[stage]]\nname = 'soft'\nduration = 1e-4\n[[stage]]\nname = 'stiff'\n"
                     "duration = 1e-4\nset.linear_spring_dashpot.normal_stiffness = 1e14\n");
@@ -173,7 +174,7 @@ TEST_CASE("a stage that makes contacts too stiff for the step is found before th
   }
 }
 
-TEST_CASE("what only the whole scene shows is placed as well") {
+TEST_CASE("what only the whole scene shows is placed as well", "[run]") {
   const std::string head =
       with(discs,
            "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n"
@@ -201,7 +202,7 @@ TEST_CASE("what only the whole scene shows is placed as well") {
       "--set probe={plugin='box',every=1e-5}: probe box: the box probe needs walls"));
 }
 
-TEST_CASE("a run directory is never taken from somebody else") {
+TEST_CASE("a run directory is never taken from somebody else", "[run]") {
   const TemporaryFolder folder;
   const auto reason = [](const fs::path& path, bool overwrite) {
     return message([&] { RunDirectory(path, overwrite); });
@@ -223,7 +224,7 @@ TEST_CASE("a run directory is never taken from somebody else") {
   CHECK(reason(folder / "run", true) == "no error");
 }
 
-TEST_CASE("a directory that is given up leaves what was there before") {
+TEST_CASE("a directory that is given up leaves what was there before", "[run]") {
   const TemporaryFolder folder;
   fs::create_directories(folder / "there");
   const RunDirectory below(folder / "there/a/b", false), there(folder / "there", false);

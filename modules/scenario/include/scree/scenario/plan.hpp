@@ -18,14 +18,14 @@ struct ProbePlan {
   std::string name;
   Parameters parameters;
   double every = 0;                 // (s) between samples, rounded to whole steps when it runs
-  std::vector<std::string> stages;  // those in which it samples; all if empty
-  std::string place;                // in the file, for messages
+  std::vector<std::string> stages;  // stages in which it samples; all if empty
+  std::string place;                // file:line:column, for messages
 };
 
-// When files and pictures of the whole scene are made; absent means never.
+// Intervals between files and images of the whole scene; absent: none are written.
 struct SnapshotPlan {
   std::optional<double> every;        // (s) between .vtp files
-  std::optional<double> image_every;  // (s) between pictures
+  std::optional<double> image_every;  // (s) between images
   std::string color_by = "radius";
   std::string view;
   bool show_contacts = false;
@@ -33,7 +33,7 @@ struct SnapshotPlan {
   bool any() const { return every || image_every; }
 };
 
-// One curve of a chart, out of the series of a probe.
+// One curve of a chart, from the series of a probe.
 struct CurvePlan {
   std::string name;
   std::string probe, x, y;  // columns; x may be "time"
@@ -46,17 +46,17 @@ struct ChartPlan {
   bool log_x = false, log_y = false;
 };
 
-// What a run must have come to.
+// A required result of a run.
 struct Expectation {
-  std::string requirement;  // a sentence
+  std::string requirement;  // text for people
   std::string quantity;     // "energy_residual" or "<probe>.<column>.<last|first|min|max|mean>"
   std::optional<double> reference, tolerance;
   std::optional<double> at_most, at_least;
-  bool of_step = false;         // the reference holds for the step of the file alone
-  std::optional<double> scale;  // what an error is small against; |reference| if absent
+  bool of_step = false;         // the reference is valid only for the time step in the file
+  std::optional<double> scale;  // divisor for relative errors; |reference| if absent
 };
 
-// A scenario file, read and checked; good as long as the PluginHost it was read with.
+// A scenario file, read and checked. The PluginHost it was read with must outlive it.
 struct Plan {
   std::string title;
   std::filesystem::path source;
@@ -68,18 +68,18 @@ struct Plan {
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;
   std::string resolved_text;   // TOML with overrides
-  std::string bodies_place;    // in the file, for messages
+  std::string bodies_place;    // file:line:column, for messages
   std::string periodic_place;  // of the first periodic boundary; empty without one
   std::string step_place;
-  bool step_guard = true;  // refuse a step that is too long
+  bool step_guard = true;  // refuse a time step that is too long
 };
 
-// Everything that an expectation may ask for: the numbers of run.json, and "<probe>.<column>.<statistic>".
+// Names of all quantities for expectations: the numbers of run.json, and "<probe>.<column>.<statistic>".
 std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, int dimension);
-// "no quantity '<name>'; <cure>" unless it is one of them.
+// Returns "no quantity '<name>'; <cure>" unless the name is among `known`.
 std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known);
 
-// Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any mistake in it.
+// Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any error in it.
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                PluginHost& host);
 

@@ -19,7 +19,8 @@ std::string scene_with(const std::string& keys) {
 
 }  // namespace
 
-TEST_CASE("a packing is repeated along each axis, one period apart, with ids of its own") {
+TEST_CASE("a packing is repeated along each axis, one period apart, and the copies get new ids",
+          "[scenario]") {
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n8,0.5,1,0,0.2\n");
   const auto file = folder.write("scene.toml", scene_with("repeat = [3, 1, 2]\nperiod = [1, 2, 4]\n"));
@@ -33,11 +34,22 @@ TEST_CASE("a packing is repeated along each axis, one period apart, with ids of 
   CHECK(ids.size() == 12);
 }
 
-TEST_CASE("a repetition needs whole counts and a period") {
+TEST_CASE("a repetition needs whole counts and a period", "[scenario]") {
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
   for (const std::string keys : {"repeat = [1.5, 1, 1]\nperiod = [1, 1, 1]\n", "repeat = [2, 1, 1]\n",
                                  "repeat = [0, 1, 1]\nperiod = [1, 1, 1]\n"})
     CHECK_THROWS(
         scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host()));
+}
+
+TEST_CASE("a two-dimensional packing in a three-dimensional scene is refused", "[scenario]") {
+  const TemporaryFolder folder;
+  folder.write("flat.csv", "x [m],y [m],radius [m]\n0,0,0.01\n");
+  std::string text = scree::test::with(std::string(scree::test::discs), "dimension = 2\n", "dimension = 3\n");
+  text = scree::test::with(text, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n",
+                           "file = 'flat.csv'\n");
+  const auto file = folder.write("scene.toml", text);
+  CHECK_THAT(scree::test::message([&] { scree::scenario::read_plan(file, {}, scree::test::host()); }),
+             Catch::Contains("two dimensions") && Catch::Contains("scene.toml:14:"));
 }

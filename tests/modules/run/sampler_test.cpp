@@ -28,7 +28,7 @@ std::vector<double> sampled_times(const std::string& text, const std::vector<std
 
 }  // namespace
 
-TEST_CASE("samples are taken at the step nearest to each multiple, and at the end") {
+TEST_CASE("samples are taken at the step nearest to each multiple, and at the end", "[run]") {
   // 2.4 steps between samples: at steps 0, 2, 5, 7, 10; a rounded interval of 2 would drift.
   const std::vector<double> times = sampled_times(discs, {"probe.every=2.4e-5"});
   const std::vector<int> steps = {0, 2, 5, 7, 10};
@@ -36,7 +36,7 @@ TEST_CASE("samples are taken at the step nearest to each multiple, and at the en
   for (std::size_t k = 0; k < steps.size(); ++k) CHECK(times[k] == Approx(steps[k] * 1e-5).epsilon(1e-12));
 }
 
-TEST_CASE("a run ends with a sample even if none is due") {
+TEST_CASE("a run ends with a sample even if none is due", "[run]") {
   const std::vector<double> times = sampled_times(discs, {"probe.every=7e-5"});
   REQUIRE(times.size() == 3);
   CHECK(times.back() == Approx(1e-4));

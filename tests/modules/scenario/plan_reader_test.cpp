@@ -26,7 +26,7 @@ std::string set(const std::string& override_text) { return refusal(discs, {overr
 
 }  // namespace
 
-TEST_CASE("a plan holds what the file says") {
+TEST_CASE("a plan has the values of the file", "[scenario]") {
   const Plan plan = plan_of(with(discs, "dimension = 2", "dimension = 2\ntitle = 'discs'\nseed = 7"));
   CHECK(plan.title == "discs");
   CHECK(plan.seed == 7);
@@ -48,7 +48,7 @@ TEST_CASE("a plan holds what the file says") {
   CHECK_FALSE(plan.snapshot.any());
 }
 
-TEST_CASE("the same seed gives the same bodies, another gives others") {
+TEST_CASE("the same seed gives the same bodies, another seed different ones", "[scenario]") {
   const auto speed = [](const char* seed) {
     return plan_of(discs, {std::string("scene.seed=") + seed}).scene.bodies[0].velocity[0];
   };
@@ -56,7 +56,7 @@ TEST_CASE("the same seed gives the same bodies, another gives others") {
   CHECK(speed("3") != speed("4"));
 }
 
-TEST_CASE("each pair of materials follows the law that names it") {
+TEST_CASE("each pair of materials has the law with these materials", "[scenario]") {
   const Scene scene = plan_of(two_materials).scene;
   CHECK(scene.law_of == std::vector<std::uint32_t>{0, 1, 1, 0});
   CHECK(scene.bodies[1].mass == Approx(500 * std::numbers::pi * 4e-4));
@@ -64,14 +64,14 @@ TEST_CASE("each pair of materials follows the law that names it") {
   CHECK(scene.bodies[1].material == 1);
 }
 
-TEST_CASE("a step given as a fraction is one of the shortest contact") {
+TEST_CASE("a step given as a fraction is one of the shortest contact", "[scenario]") {
   const Plan plan = plan_of(with(two_materials, "step = 1e-5", "step = { fraction = 0.01 }"));
   const double m = 1000 * std::numbers::pi * 1e-4, other = 500 * std::numbers::pi * 4e-4;
   const double shortest = std::numbers::pi * std::sqrt(m * other / (m + other) / 1e5);
   CHECK(plan.scene.step == Approx(0.01 * shortest));
 }
 
-TEST_CASE("a list of radii is drawn by its weights") {
+TEST_CASE("a list of radii is drawn by its weights", "[scenario]") {
   const std::string list = "radius = { distribution = 'list', radii = [0.01, 0.004], weights = [0, 1] }";
   for (const Body& body : plan_of(with(discs, "radius = 0.01", list)).scene.bodies)
     CHECK(body.radius == 0.004);
@@ -79,7 +79,7 @@ TEST_CASE("a list of radii is drawn by its weights") {
         "scene.toml:15:68: particles.radius.weights has 1 element; give an array of 2 numbers");
 }
 
-TEST_CASE("nonsense values are refused where they stand") {
+TEST_CASE("invalid values are refused at their position", "[scenario]") {
   CHECK(refusal(with(discs, "radius = 0.01", "radius = -0.01")) ==
         "scene.toml:15:10: particles.radius = -0.01 m is negative; give a radius above 0");
   CHECK(refusal(with(discs, "density = 1000", "density = 0")) ==
@@ -92,11 +92,11 @@ TEST_CASE("nonsense values are refused where they stand") {
         "scene.toml:11:20: normal_stiffness = -1 is out of range; give a number above 0 (N/m)");
   CHECK(refusal(with(two_materials, "radius = 0.01", "radius = 0.01\nmass = 0")) ==
         "scene.toml:14:8: particle[0].mass = 0 kg is zero; give a mass above 0");
-  CHECK(set("particles.radius=1e-200").find("beyond what numbers hold; give radius (m) and density") !=
+  CHECK(set("particles.radius=1e-200").find("outside the range of numbers; check the units of radius") !=
         std::string::npos);
 }
 
-TEST_CASE("names that are not there are refused with the nearest") {
+TEST_CASE("unknown names are refused with the nearest known name", "[scenario]") {
   CHECK(
       refusal(with(discs, "normal_damping", "normal_dampin")) ==
       "scene.toml:10:10: linear_spring_dashpot: neither 'normal_damping' nor 'restitution' is given; add one "
@@ -112,26 +112,26 @@ TEST_CASE("names that are not there are refused with the nearest") {
   CHECK(set("contact.plugin=" + std::string(300, 'x')).ends_with("; see scree describe for the names"));
 }
 
-TEST_CASE("what is missing or given twice is told") {
+TEST_CASE("missing and duplicate entries are refused", "[scenario]") {
   CHECK(refusal("[scene]\ndimension = 2\n") ==
         "scene.toml:1:1: the scene has no [[material]]; add [[material]] with name and density (kg/m^3)");
   CHECK(refusal("[[material]]\nname = 'a'\ndensity = 1\n") ==
         "scene.toml:1:1: the scene has no bodies; add [particles] with lattice and radius, or [[particle]]");
   CHECK(refusal(with(discs, "step = 1e-5\n", "")).starts_with("scene.toml:3:1: [time] has no 'step'"));
   CHECK(refusal(with(two_materials, "between = ['a', 'b']\n", ""))
-            .ends_with(
-                ": a second [[contact]] says nothing of the materials that it is for; add between = [\"a\", "
-                "\"b\"]"));
+            .ends_with(": a second [[contact]] has no materials; add between = [\"a\", "
+                       "\"b\"]"));
   CHECK(refusal(with(two_materials, "name = 'hard'", "name = 'soft'")) ==
-        "scene.toml:27:8: the law, boundary or force name 'soft' is taken; give each a name of its own");
+        "scene.toml:27:8: the law, boundary or force name 'soft' is already in use; give each a different "
+        "name");
   CHECK(refusal(with(two_materials, "name = 'b'", "name = 'a'")) ==
-        "scene.toml:10:8: the material name 'a' is taken; give each a name of its own");
+        "scene.toml:10:8: the material name 'a' is already in use; give each a different name");
   CHECK(refusal(with(with(two_materials, "radius = 0.01", "radius = 0.01\nid = 3"), "radius = 0.02",
                      "radius = 0.02\nid = 3")) ==
-        "scene.toml:19:6: two bodies have the id 3; give each id once, or none");
+        "scene.toml:19:6: two bodies have the id 3; give every body a different id, or no id");
 }
 
-TEST_CASE("a lattice that cannot be is refused") {
+TEST_CASE("an impossible lattice is refused", "[scenario]") {
   const std::string close = refusal(with(discs, "gap = 0.1", "spacing = 0.01"));
   CHECK(close.starts_with("scene.toml:14:11: lattice: bodies "));
   CHECK(close.ends_with(" overlap by 0.01 m; give a spacing of at least 0.02 m"));
@@ -140,14 +140,14 @@ TEST_CASE("a lattice that cannot be is refused") {
             .starts_with("scene.toml:14:20: particles.lattice.kind = \"square\" is none of the choices"));
 }
 
-TEST_CASE("output that cannot be is refused") {
+TEST_CASE("impossible output is refused", "[scenario]") {
   CHECK(refusal(with(discs, "every = 2e-5", "every = 1e-9")) ==
-        "scene.toml:26:9: every = 1e-09 s is shorter than the time step of 1e-05 s; raise it, or shorten "
+        "scene.toml:26:9: every = 1e-09 s is shorter than the time step of 1e-05 s; increase it, or decrease "
         "time.step");
   CHECK(set("probe.name=a/b") ==
-        "--set probe.name=a/b: 'a/b' cannot be the name of a file; use letters, digits, '_' and '-', at most "
-        "100");
-  CHECK(set("chart={name='..',probe='energy',y='work'}").find("cannot be the name of a file") !=
+        "--set probe.name=a/b: 'a/b' cannot be used as a file name; use at most 100 letters, digits, '_' and "
+        "'-'");
+  CHECK(set("chart={name='..',probe='energy',y='work'}").find("cannot be used as a file name") !=
         std::string::npos);
   CHECK(
       set("chart={name='c',probe='energi',y='work'}").ends_with("no probe 'energi'; did you mean 'energy'?"));
@@ -155,6 +155,14 @@ TEST_CASE("output that cannot be is refused") {
   CHECK(set("expect={requirement='r',quantity='energy_residul',at_most=1}")
             .ends_with("no quantity 'energy_residul'; did you mean 'energy_residual'?"));
   CHECK(set("expect={requirement='r',quantity='energy.work.last',reference=1}")
-            .ends_with("reference and tolerance go together; give both, or at_most / at_least"));
-  CHECK(set("expect={requirement='r',quantity='steps'}").find("nothing is said") != std::string::npos);
+            .ends_with("reference and tolerance must both be given; give both, or at_most / at_least"));
+  CHECK(set("expect={requirement='r',quantity='steps'}").find("has no required value") != std::string::npos);
 }
+
+#if SCREE_TEST_PICTURES
+TEST_CASE("the y label of a chart is the unit of several curves, or the name of a single one", "[scenario]") {
+  const std::string chart = "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = ";
+  CHECK(plan_of(discs + chart + "['work', 'residual']\n").charts[0].y_label == "J");
+  CHECK(plan_of(discs + chart + "'work'\n").charts[0].y_label == "work (J)");
+}
+#endif

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-// Scenes with several of a kind.
+// Scenes with several materials.
 
 using namespace scree;
 using namespace scree::scenario;
@@ -23,7 +23,7 @@ std::string with_materials_named(std::string text) {
 
 }  // namespace
 
-TEST_CASE("two laws of the same plug-in are numbered unless they are named") {
+TEST_CASE("two laws of the same plug-in are numbered unless they are named", "[scenario]") {
   const Plan plan = plan_of(with_materials_named(two_materials) + second_law);
   REQUIRE(plan.scene.laws.size() == 2);
   CHECK(plan.scene.laws[0].name == "linear_spring_dashpot");
@@ -31,28 +31,9 @@ TEST_CASE("two laws of the same plug-in are numbered unless they are named") {
   CHECK(plan.scene.law_of == std::vector<std::uint32_t>{0, 1, 1, 0});
 }
 
-TEST_CASE("where there are several materials, walls must say theirs") {
+TEST_CASE("with several materials every wall needs one", "[scenario]") {
   const std::string silent =
       with(with_materials_named(two_materials), "gap = 0.005\nmaterial = 'steel'\n", "gap = 0.005\n");
   CHECK_THAT(refusal(silent), Catch::Contains("[[boundary]] has no 'material'"));
   CHECK(plan_of(with_materials_named(two_materials)).scene.boundaries[0].material == 1);
 }
-
-TEST_CASE("a flat packing is not taken for a spatial one") {
-  const TemporaryFolder folder;
-  folder.write("flat.csv", "x [m],y [m],radius [m]\n0,0,0.01\n");
-  std::string text = with(std::string(discs), "dimension = 2\n", "dimension = 3\n");
-  text = with(text, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n",
-              "file = 'flat.csv'\n");
-  const auto file = folder.write("scene.toml", text);
-  CHECK_THAT(message([&] { read_plan(file, {}, host()); }),
-             Catch::Contains("two dimensions") && Catch::Contains("scene.toml:14:"));
-}
-
-#if SCREE_TEST_PICTURES
-TEST_CASE("a chart of several curves is labelled by their unit, of one by its name") {
-  const std::string chart = "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = ";
-  CHECK(plan_of(discs + chart + "['work', 'residual']\n").charts[0].y_label == "J");
-  CHECK(plan_of(discs + chart + "'work'\n").charts[0].y_label == "work (J)");
-}
-#endif

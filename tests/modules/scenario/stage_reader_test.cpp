@@ -13,7 +13,7 @@ std::string staged(const std::string& stages) { return with(discs, "duration = 1
 
 }  // namespace
 
-TEST_CASE("stages end by a duration, by cycles or by a condition") {
+TEST_CASE("stages end by a duration, by cycles or by a condition", "[scenario]") {
   const std::vector<Stage> stages =
       plan_of(staged("[[stage]]\nduration = 0.5\n"
                      "[[stage]]\nname = 'cycle'\ncycles = 2.5\nperiod = 0.1\n"
@@ -30,7 +30,7 @@ TEST_CASE("stages end by a duration, by cycles or by a condition") {
   CHECK(stages[2].at_most == 5);
 }
 
-TEST_CASE("what a stage sets stays set in those after it") {
+TEST_CASE("a change by a stage persists in the following stages", "[scenario]") {
   const std::string law = "set.linear_spring_dashpot.";
   const std::vector<Stage> stages =
       plan_of(staged("[[stage]]\nduration = 1\n" + law + "normal_stiffness = 5e3\n[[stage]]\nduration = 1\n" +
@@ -45,32 +45,32 @@ TEST_CASE("what a stage sets stays set in those after it") {
   CHECK(stages[2].changes.empty());
 }
 
-TEST_CASE("bodies carry spins from the start if a later stage turns them") {
+TEST_CASE("spins are stored from the start if a later stage makes bodies rotate", "[scenario]") {
   CHECK_FALSE(plan_of(staged("[[stage]]\nduration = 1\n")).scene.spin);
   CHECK(plan_of(staged("[[stage]]\nduration = 1\n[[stage]]\nduration = 1\nset.linear_spring_dashpot = "
                        "{ static_friction = 0.5, tangential_stiffness = 1 }\n"))
             .scene.spin);
 }
 
-TEST_CASE("a stage that cannot end is refused") {
-  CHECK(
-      refusal(staged("[[stage]]\n")).starts_with("scene.toml:26:1: does not say when it ends; give one of "));
+TEST_CASE("a stage that cannot end is refused", "[scenario]") {
+  CHECK(refusal(staged("[[stage]]\n"))
+            .starts_with("scene.toml:26:1: the stage has no end condition; give one of "));
   CHECK(refusal(staged("[[stage]]\nduration = 1\ncycles = 1\n"))
-            .starts_with("scene.toml:26:1: says more than once when it ends; "));
+            .starts_with("scene.toml:26:1: the stage has more than one end condition; "));
   CHECK(refusal(staged("[[stage]]\ncycles = 1\n")).starts_with("scene.toml:26:1: [[stage]] has no 'period'"));
   CHECK(refusal(staged("[[stage]]\nuntil = { kinetic_over_elastic = 1e-6 }\n"))
             .starts_with("scene.toml:27:9: [stage.until] has no 'at_most'"));
   CHECK(refusal(staged("[[stage]]\nuntil = { kinetic_over_elastic = 1e-6, at_least = 2, at_most = 1 }\n")) ==
-        "scene.toml:27:51: at_least = 2 s leaves no time before at_most = 1 s; give a smaller at_least or a "
-        "larger "
+        "scene.toml:27:51: at_least = 2 s is not below at_most = 1 s; give a smaller at_least or a larger "
         "at_most");
   CHECK(refusal(staged("[[stage]]\nduration = 1e-7\n")) ==
-        "scene.toml:27:12: 1e-07 s is shorter than the time step of 1e-05 s; raise it, or shorten time.step");
+        "scene.toml:27:12: 1e-07 s is shorter than the time step of 1e-05 s; increase it, or decrease "
+        "time.step");
   CHECK(refusal(staged("[[stage]]\nduration = 1e9\n"))
             .starts_with("scene.toml:27:12: 1e+09 s takes 1e+14 time steps of 1e-05 s; "));
 }
 
-TEST_CASE("a stage that changes what is not there, or cannot be, is refused") {
+TEST_CASE("a stage that changes something unknown or fixed is refused", "[scenario]") {
   const std::string stage = "[[stage]]\nduration = 1\n";
   CHECK(refusal(staged(stage + "set.boxx.gap = 1\n")) ==
         "scene.toml:28:5: no law, boundary or body force 'boxx'; did you mean 'box'?");
@@ -81,10 +81,10 @@ TEST_CASE("a stage that changes what is not there, or cannot be, is refused") {
       "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\ny_high = 'fixed'\ngap = 0.005\n";
   const std::string periodic = with(staged(stage + "set.periodic.upper = [2, 0]\n"), box,
                                     "plugin = 'periodic'\naxes = 'x'\nlower = [0, 0]\nupper = [1, 0]\n");
-  CHECK(refusal(periodic).find("a stage cannot change how many walls there are or which axes are periodic") !=
+  CHECK(refusal(periodic).find("a stage cannot change the number of walls or the periodic axes") !=
         std::string::npos);
   CHECK(refusal(staged(stage + "name = 'a'\n" + stage + "name = 'a'\n")) ==
-        "scene.toml:31:8: the stage name 'a' is taken; give each a name of its own");
+        "scene.toml:31:8: the stage name 'a' is already in use; give each a different name");
   CHECK(refusal(discs + stage) ==
-        "scene.toml:5:12: the run has both stages and a duration; keep [[stage]] or time.duration");
+        "scene.toml:5:12: both stages and time.duration are given; keep [[stage]] or time.duration");
 }
