@@ -88,7 +88,7 @@ TEST_CASE("options that make no sense are told in one line", "[tools]") {
 TEST_CASE("output that cannot be written is refused before the run", "[tools]") {
   const Workspace w;
   w.write("file", "mine");
-  check_refused(w, w.scree("run scene.toml --out file"), "file: exists and is no directory; ",
+  check_refused(w, w.scree("run scene.toml --out file"), "file: exists and is not a directory; ",
                 "give another --out");
   check_refused(w, w.scree("run scene.toml --out file/out"), "file/out: cannot be written (",
                 "give another --out");
@@ -97,7 +97,7 @@ TEST_CASE("output that cannot be written is refused before the run", "[tools]") 
   fs::create_directory(w / "mine");
   w.write("mine/letter.txt", "dear");
   check_refused(w, w.scree("run scene.toml --out mine --overwrite"),
-                "mine: holds files that are no run of scree; ", "give another --out");
+                "mine: contains files that are not part of a scree run; ", "give another --out");
   CHECK(w.text("file") == "mine");
   CHECK(w.text("mine/letter.txt") == "dear");
 }
@@ -108,7 +108,8 @@ TEST_CASE("a run that is there stays unless it may be replaced", "[tools]") {
   const std::string before = w.text("out/run.json");
   const Outcome again = w.run("--set scene.seed=2");
   CHECK(again.status == 2);
-  CHECK(again.err == "scree: out: holds a run already; give another --out, or --overwrite to replace it\n");
+  CHECK(again.err ==
+        "scree: out: already contains a run; give another --out, or --overwrite to replace it\n");
   CHECK(w.text("out/run.json") == before);
   CHECK(w.run("--overwrite --set time.step=0").status == 2);
   CHECK(w.text("out/run.json") == before);

@@ -174,7 +174,8 @@ TEST_CASE("a directory that holds something else is left alone", "[tools]") {
   REQUIRE(w.run().status == 0);
   const Outcome outcome = w.scree(call + "--overwrite");
   CHECK(outcome.status == 2);
-  CHECK(outcome.err == "scree: out: holds files that are no campaign of scree; give another --out\n");
+  CHECK(outcome.err ==
+        "scree: out: contains files that are not part of a scree campaign; give another --out\n");
   CHECK(w.record()["status"] == "finished");
 }
 
@@ -184,6 +185,7 @@ TEST_CASE("files that stand where a run is to go are left alone", "[tools]") {
   std::filesystem::remove(w / "out/run/run.json");
   const Outcome outcome = w.scree(call);
   CHECK(outcome.status == 2);
-  CHECK(outcome.err == "scree: out/run: holds files that are no run of scree; give another --out\n");
+  CHECK(outcome.err ==
+        "scree: out/run: contains files that are not part of a scree run; give another --out\n");
   CHECK(w.has("out/run/series/energy.csv"));
 }

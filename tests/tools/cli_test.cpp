@@ -40,7 +40,7 @@ TEST_CASE("check finds what run would", "[tools]") {
   check_refused(w, w.scree("check scene.toml --set contact.normal_stiffness=1e14"),
                 "scene.toml:4:8: the time step of 1e-05 s is too long: the contacts of law "
                 "'linear_spring_dashpot' allow ",
-                "time.step_guard = false to run it all the same");
+                "time.step_guard = false to run it anyway");
   const Workspace walls(with(discs, "'energy'", "'particles'\nids = [99]"));
   check_refused(walls, walls.scree("check scene.toml"), "scene.toml:25:10: probe particles: an id in `ids` ",
                 "unless they say otherwise");

@@ -26,7 +26,7 @@ class Companion {
       runner_.step();
   }
   bool finished() const { return runner_.finished(); }
-  std::vector<Vec3> positions() const { return run::unfolded_positions(*simulation_); }
+  std::vector<Vec3> positions() const { return run::unwrapped_positions(*simulation_); }
 
  private:
   static scenario::Plan with_step(scenario::Plan plan, double step) {

@@ -122,7 +122,7 @@ class Studying {
       tell(0, "reference");
       const Setting setting = {Integration::velocity_verlet, Precision::double_precision,
                                std::ldexp(finest_, -k)};
-      trials.push_back(run::try_plan(with(plan_, setting), {1, until_, options_.stop}));
+      trials.push_back(run::run_trial(with(plan_, setting), {1, until_, options_.stop}));
       count(std::ldexp(1, k));
     }
     if (trials.size() < 3 || trials.back().stopped)
@@ -156,10 +156,10 @@ class Studying {
   Trial timed(const Plan& plan) {
     constexpr int most = 5;
     constexpr double enough = 0.2;  // (s) of wall time
-    Trial best = run::try_plan(plan, {1, until_, options_.stop});
+    Trial best = run::run_trial(plan, {1, until_, options_.stop});
     double spent = best.wall;
     for (int n = 1; n < most && spent < enough && !stopped(); ++n) {
-      const Trial again = run::try_plan(plan, {1, until_, options_.stop});
+      const Trial again = run::run_trial(plan, {1, until_, options_.stop});
       if (again.stopped) break;
       spent += again.wall;
       best.wall = std::min(best.wall, again.wall);

@@ -7,10 +7,10 @@
 
 namespace scree::run {
 
-// Takes a simulation through its stages until they are over or proceed(runner) says no. begin(stage name) is
-// called before the first step of each stage; observe(stage name, steps since its beginning) at its start, at
-// its end, and at the step that it returned last time as the next one to look at. Returns the name of the
-// last stage.
+// Runs a simulation through its stages until they end or proceed(runner) returns false. Calls begin(stage
+// name) before the first step of each stage, and observe(stage name, steps since the start of the stage) at
+// the start and end of each stage and at the step that its last call returned. Returns the name of the last
+// stage.
 template <class Begin, class Observe, class Proceed>
 std::string drive(StageRunner& runner, const Begin& begin, const Observe& observe, const Proceed& proceed) {
   std::size_t stage = 0;

@@ -11,7 +11,7 @@ namespace scree::run {
 
 using SeriesColumn = std::function<std::vector<double>(const std::string& probe, const std::string& column)>;
 
-// Compares what an expectation asks for with what a run came to. An empty series does not meet anything.
+// Compares an expectation with the results of a run. NaN, as from an empty series, does not meet any.
 Verdict judge_expectation(const scenario::Expectation& expectation,
                           const std::vector<std::pair<std::string, double>>& quantities,
                           const SeriesColumn& column);

@@ -23,7 +23,7 @@ packing::Packing packing_of(const Simulation& s) {
                           .velocity = b.velocity,
                           .spin = b.spin});
   }
-  // As the ids go, whatever the order in memory.
+  // Sorted by id, as the order in memory is arbitrary.
   std::stable_sort(all.bodies.begin(), all.bodies.end(),
                    [](const packing::Body& a, const packing::Body& b) { return a.id < b.id; });
   return all;

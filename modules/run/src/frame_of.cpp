@@ -9,7 +9,7 @@ namespace scree::run {
 
 namespace {
 
-// (3N) out of columns, zeros where the scene carries none.
+// (3N) from columns; zeros for columns that the scene lacks.
 std::vector<double> interleave(const Vectors<const double>& vectors, std::size_t count) {
   std::vector<double> all(3 * count, 0.0);
   for (int k = 0; k < 3; ++k)

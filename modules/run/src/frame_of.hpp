@@ -7,13 +7,13 @@
 
 namespace scree::run {
 
-// The corners of a scene for the camera: bodies at the start, walls across the axes, periodic domain.
+// Box of a scene for the camera: bodies at the start, axis-parallel walls and periodic domain.
 struct SceneBox {
   std::array<double, 3> lower{}, upper{};
 };
 SceneBox scene_box(const Simulation& simulation);
 
-// What a snapshot shows of a simulation now.
+// The current state of a simulation as a snapshot.
 snapshot::Frame frame_of(const Simulation& simulation, const std::string& title, const SceneBox& box);
 
 }  // namespace scree::run

@@ -67,16 +67,16 @@ void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
     if (series.rows() > 0)
       chart.series.push_back({curve.name, series.column(curve.x), series.column(curve.y)});
   }
-  if (chart.series.empty()) throw Error("its probe took no sample; give it a stage that it can sample in");
+  if (chart.series.empty()) throw Error("its probe has no samples; add a stage in which it samples");
   backend().chart(chart, directory_.charts() / (plan.name + ".png"));
 }
 
-void Pictures::draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& tell) {
+void Pictures::draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report) {
   for (const scenario::ChartPlan& chart : plan_.charts) {
     try {
       draw(chart, sampler);
     } catch (const std::exception& error) {
-      if (tell) tell(fmt::format("chart '{}' was not drawn: {}", chart.name, error.what()));
+      if (report) report(fmt::format("chart '{}' was not drawn: {}", chart.name, error.what()));
     }
   }
 }

@@ -14,18 +14,19 @@
 
 namespace scree::run {
 
-// Snapshots, images and charts of a run. VTK is loaded only when the plan asks for one of them.
+// Snapshots, images and charts of a run. VTK is loaded only if the plan has any.
 class Pictures {
  public:
-  // The scene at the start gives the camera its box. Throws Error where VTK is needed and cannot be loaded.
+  // `start` determines the box of the camera. Throws Error if VTK is needed and cannot be loaded.
   Pictures(const scenario::Plan& plan, const Simulation& start, const RunDirectory& directory);
 
-  // What is due so many steps after the beginning of a stage. Returns when the next is.
+  // Writes what is due `steps` after the start of a stage. Returns the step count at which the next output is
+  // due.
   std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
-  // The state at the end, if the plan has snapshots or images at all.
+  // Writes the final state, if the plan has snapshots or images.
   void take_last(const Simulation& simulation);
-  // Charts of the series; one that cannot be drawn is told of and left out.
-  void draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& tell);
+  // Draws the charts; one that cannot be drawn is reported and skipped.
+  void draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report);
 
  private:
   void write_snapshot(const Simulation& simulation);

@@ -29,7 +29,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Runs all of the work, whatever part of it fails, and lets nothing out.
+// Calls every function, even if others throw; exceptions are discarded.
 template <class... Work>
 void try_each(const Work&... work) {
   const auto attempt = [](const auto& one) {
@@ -62,7 +62,7 @@ class Run {
       save();
     } catch (const Error& error) {
       fail(error.what());
-      // Bad input means that nothing was written, which is no longer so.
+      // The status bad_input is reserved for errors before anything is written.
       throw error.status() == ExitStatus::bad_input ? Error(error.what(), ExitStatus::failure) : error;
     } catch (const std::exception& error) {
       fail(error.what());
@@ -75,7 +75,7 @@ class Run {
   }
 
  private:
-  // A disk that takes not even the first files is left as it was.
+  // If the first files cannot be written, the directory is removed again.
   void prepare() {
     directory_.create();
     try {
@@ -102,16 +102,16 @@ class Run {
     sampler_.sample_last(*simulation_, last);
   }
 
-  // Samples and pictures that are due so many steps after the beginning of a stage. Returns when the next
-  // are.
+  // Takes samples and pictures that are due `steps` after the start of a stage. Returns the step count at
+  // which the next are due.
   std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
     return std::min(sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps));
   }
 
   void report_progress(const StageRunner& runner) {
-    constexpr std::uint64_t steps_between_looks = 32;
+    constexpr std::uint64_t steps_between_checks = 32;
     constexpr double seconds_between_reports = 0.2;
-    if (simulation_->steps() % steps_between_looks) return;
+    if (simulation_->steps() % steps_between_checks) return;
     const double wall = seconds_since(started_);
     if (wall - last_report_ < seconds_between_reports) return;
     last_report_ = wall;
@@ -132,7 +132,7 @@ class Run {
     write_final_packing(*simulation_, directory_.path() / "final_packing.csv");
   }
 
-  // Saves what can be saved; the reason of the failure is what the user needs to hear, not its consequences.
+  // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
   void fail(const std::string& reason) {
     finish_timing();
     try_each([&] { record("failed", files::one_line(reason, 2000)); }, [&] { sampler_.flush(); },

@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* half_written = ".part";
+constexpr const char* partial_suffix = ".part";
 
-// Everything that is written into a directory of each kind; the last part tells the kind.
+// Files and folders of each kind of directory; the last entry identifies the kind.
 struct Layout {
   const char* name;
   std::vector<const char*> parts;
@@ -28,7 +28,7 @@ const Layout& layout_of(RunDirectory::Kind kind) {
   return kind == RunDirectory::Kind::run ? run : kind == RunDirectory::Kind::study ? study : campaign;
 }
 
-// The path itself if it exists, else the nearest directory above that does.
+// The path itself, or its nearest parent directory that exists.
 fs::path existing_part(const fs::path& path) {
   std::error_code failed;
   fs::path p = fs::absolute(path, failed).lexically_normal();
@@ -36,16 +36,15 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
-// Nothing but the log, and what write_file had not finished when it was killed.
-bool holds_nothing(const fs::path& path, const Layout& layout) {
+// True if there is nothing but the log and incomplete files of a killed write_file.
+bool is_unused(const fs::path& path, const Layout& layout) {
   std::error_code failed;
-  const auto is_half_written = [&](const std::string& name) {
+  const auto is_partial = [&](const std::string& name) {
     return std::any_of(layout.parts.begin(), layout.parts.end(),
-                       [&](const char* part) { return name == std::string(part) + half_written; });
+                       [&](const char* part) { return name == std::string(part) + partial_suffix; });
   };
   for (const auto& entry : fs::directory_iterator(path, failed))
-    if (entry.path().filename() != RunDirectory::log_name &&
-        !is_half_written(entry.path().filename().string()))
+    if (entry.path().filename() != RunDirectory::log_name && !is_partial(entry.path().filename().string()))
       return false;
   return !failed;
 }
@@ -55,13 +54,14 @@ void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
   const auto refuse = [&](const std::string& problem, const char* cure) {
     return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
   };
-  if (!fs::is_directory(path, failed)) throw refuse("exists and is no directory", "give another --out");
-  if (holds_nothing(path, layout)) return;
+  if (!fs::is_directory(path, failed)) throw refuse("exists and is not a directory", "give another --out");
+  if (is_unused(path, layout)) return;
   if (!fs::exists(path / layout.parts.back(), failed))
-    throw refuse(fmt::format("holds files that are no {} of scree", layout.name), "give another --out");
+    throw refuse(fmt::format("contains files that are not part of a scree {}", layout.name),
+                 "give another --out");
   const char* article = layout.name[0] == 'a' ? "an" : "a";
   if (!overwrite)
-    throw refuse(fmt::format("holds {} {} already", article, layout.name),
+    throw refuse(fmt::format("already contains {} {}", article, layout.name),
                  "give another --out, or --overwrite to replace it");
 }
 
@@ -80,7 +80,7 @@ void RunDirectory::create() const {
   std::error_code failed;
   if (kind_ != Kind::campaign)
     for (const std::string part : layout_of(kind_).parts)
-      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + half_written), failed);
+      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + partial_suffix), failed);
   fs::create_directories(path_, failed);
   if (failed)
     throw Error(
@@ -90,14 +90,14 @@ void RunDirectory::create() const {
 void RunDirectory::discard() const {
   std::error_code failed;
   for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
-  // Only what is empty: another run may have begun beside this one.
+  // Removes only empty directories: another run may have created files there.
   for (fs::path p = fs::absolute(path_, failed).lexically_normal(); p != existing_ && p != p.parent_path();
        p = p.parent_path())
     fs::remove(p, failed);
 }
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
-  const fs::path final_path = path_ / name, temporary = path_ / (name + half_written);
+  const fs::path final_path = path_ / name, temporary = path_ / (name + partial_suffix);
   std::ofstream file(temporary, std::ios::binary);
   file << text;
   file.close();

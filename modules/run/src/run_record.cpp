@@ -53,7 +53,7 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["expect"] = Json::array();
   for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
   json["scenario"] = plan.resolved_text;
-  // A path in an error need not be UTF-8.
+  // replace: a path in an error message may not be valid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,8 +6,7 @@
 
 namespace scree::run {
 
-// The text of run.json. `status`: "running", "finished", "interrupted" or "failed"; `error` is empty but for
-// failed.
+// Text of run.json. `status`: "running", "finished", "interrupted" or "failed"; `error`: empty unless failed.
 std::string run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
                        const Simulation& simulation, const std::string& status, const std::string& error);
 

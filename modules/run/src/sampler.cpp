@@ -10,7 +10,7 @@ bool is_due(std::uint64_t steps, double every, double step) {
 }
 
 std::uint64_t next_due(std::uint64_t steps, double every, double step) {
-  // The first multiple that is nearer to a later step, or the one before, for rounding.
+  // Starts one multiple early, for rounding.
   double multiple = std::max(0.0, std::floor((double(steps) + 0.5) * step / every) - 1);
   while (std::round(multiple * every / step) <= double(steps)) ++multiple;
   return std::uint64_t(std::round(multiple * every / step));
@@ -58,7 +58,7 @@ void Sampler::sample_where(const Simulation& simulation, const Due& due) {
   const SimulationView view(simulation, contacts);
   for (Active& p : probes_) {
     if (!due(p)) continue;
-    // The last row of a stage is the first of the next.
+    // The last row of a stage is also the first of the next stage.
     if (p.series->rows() > 0 && p.series->column("time").back() == simulation.time()) continue;
     p.series->add(simulation.time(), p.probe.sample(view.get()));
   }

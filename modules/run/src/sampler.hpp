@@ -12,29 +12,30 @@
 
 namespace scree::run {
 
-// Whether something that happens every so often (s) is due after so many time steps: at the step nearest to
-// each multiple, so that no rounding adds up.
+// Whether output with the interval `every` (s) is due after `steps` time steps of length `step` (s): at the
+// step nearest to each multiple of the interval, so that rounding errors do not accumulate.
 bool is_due(std::uint64_t steps, double every, double step);
-// After how many steps it is due next.
+// Number of steps at which it is due next.
 std::uint64_t next_due(std::uint64_t steps, double every, double step);
 
 inline constexpr std::uint64_t never = ~std::uint64_t(0);
 
-// The probes of a plan while it runs, each with its series.
+// The probes of a run, each with its series.
 class Sampler {
  public:
   explicit Sampler(const scenario::Plan& plan);
 
-  // Creates the CSV files in a folder, if there are probes.
+  // Writes the rows to CSV files in a folder, created if there are probes.
   void open(const std::filesystem::path& folder);
-  // Keeps the rows in memory alone.
+  // Keeps the rows in memory only.
   void open();
-  // Takes the samples that are due so many steps after the beginning of a stage. Returns when the next are.
+  // Takes the samples due `steps` after the start of a stage. Returns the step count at which the next are
+  // due.
   std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
-  // One more sample of the probes of that stage where a run ends, whatever is due.
+  // Takes a final sample of the probes of the stage at the end of a run.
   void sample_last(const Simulation& simulation, const std::string& stage);
   void flush();
-  // Of the probe of that name.
+  // Series of a probe, by name.
   const Series& series(const std::string& probe) const;
 
  private:

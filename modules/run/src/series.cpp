@@ -12,7 +12,7 @@ Series::Series(const std::filesystem::path& file, std::vector<std::string> names
                const std::vector<std::string>& units)
     : Series(std::move(names)) {
   path_ = file;
-  std::error_code failed;  // shows when the file is opened
+  std::error_code failed;  // a failure is reported when the file is opened
   std::filesystem::create_directories(file.parent_path(), failed);
   file_.open(file, std::ios::binary);
   file_ << "time [s]";

@@ -7,12 +7,12 @@
 
 namespace scree::run {
 
-// The rows of one probe: kept for charts and expectations, and written as CSV while the run goes on, unless
-// it was made without a file.
-// Every function that writes throws Error (failure) when the disk refuses.
+// Rows of one probe: kept in memory for charts and expectations, and written to a CSV file, if there is one,
+// during the run. Functions that write throw Error (failure) if the file cannot be written.
 class Series {
  public:
-  // Header "time [s],<name> [<unit>],..."; numbers in the shortest form that reads back the same bits.
+  // Header "time [s],<name> [<unit>],..."; numbers in the shortest decimal form that reads back to the same
+  // bits.
   Series(const std::filesystem::path& file, std::vector<std::string> names,
          const std::vector<std::string>& units);
   explicit Series(std::vector<std::string> names);
@@ -20,7 +20,7 @@ class Series {
   void add(double time, const std::vector<double>& row);
   void flush();
 
-  // A column by name, "time" included.
+  // A column by name, including "time".
   const std::vector<double>& column(const std::string& name) const;
   std::size_t rows() const { return columns_[0].size(); }
 

@@ -18,7 +18,7 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
   try {
     return std::make_unique<Simulation>(scene);
   } catch (const Error& error) {
-    // Beside the bodies, only a periodic length can be wrong for the scene as a whole.
+    // Errors of the scene as a whole concern either the bodies or a periodic length.
     const bool of_bodies = error.status() == ExitStatus::blow_up || plan.periodic_place.empty();
     throw Error(fmt::format("{}: {}", of_bodies ? plan.bodies_place : plan.periodic_place, error.what()));
   }
@@ -27,7 +27,7 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
 void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
   const SimulationView view(simulation, false);
   for (const scenario::ProbePlan& probe : plan.probes) {
-    // What a probe of later stages looks at may not be there yet.
+    // A probe of later stages may read contacts or walls that do not exist yet.
     const std::string& first = plan.stages.front().name;
     if (!probe.stages.empty() &&
         std::find(probe.stages.begin(), probe.stages.end(), first) == probe.stages.end())
@@ -49,7 +49,7 @@ void check_step(const scenario::Plan& plan, const Simulation& s) {
 
 namespace {
 
-// Takes over what a stage changes of laws and body forces; whether there was anything.
+// Applies the changes of a stage to laws and body forces; returns whether there are any.
 bool change_scene(const Stage& stage, Scene& scene) {
   bool changed = false;
   for (const Stage::Change& change : stage.changes) {
@@ -63,7 +63,7 @@ bool change_scene(const Stage& stage, Scene& scene) {
   return changed;
 }
 
-// Whether the step is short enough for what later stages make of the scene, without running them.
+// Throws Error if a later stage makes the time step too long; checks this without running the stages.
 void check_later_stages(const scenario::Plan& plan) {
   Scene scene = plan.scene;
   for (const Stage& stage : plan.stages) {
@@ -86,7 +86,7 @@ std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads)
 
 namespace {
 
-// To two digits, so that the number as printed is allowed.
+// Rounded down to two digits, so that the printed number is allowed.
 double rounded_down(double step) {
   const double unit = std::pow(10, std::floor(std::log10(step)) - 1);
   return std::floor(step / unit * (1 + 1e-12)) * unit;
@@ -95,15 +95,14 @@ double rounded_down(double step) {
 }  // namespace
 
 std::string describe_step(const Simulation& s) {
-  constexpr double few = 20;  // below which contacts are resolved to some per cent only
+  constexpr double few = 20;  // with fewer steps, errors of contacts are several per cent
   const double steps = s.min_steps_per_contact();
-  const double share = s.step_length() / shortest_limit(s).longest_step;
+  const double fraction = s.step_length() / shortest_limit(s).longest_step;
   return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step{}",
-                     s.step_length(), steps, share,
-                     share > 1 ? "; UNSTABLE (step_guard = false)"
-                     : steps < few
-                         ? "; that is few: use 20 or more, 50 for a per mille unless damping is strong"
-                         : "");
+                     s.step_length(), steps, fraction,
+                     fraction > 1  ? "; UNSTABLE (step_guard = false)"
+                     : steps < few ? "; use 20 or more, 50 for errors of 0.1 % unless damping is strong"
+                                   : "");
 }
 
 std::optional<std::string> step_problem(const Simulation& s) {
@@ -112,11 +111,10 @@ std::optional<std::string> step_problem(const Simulation& s) {
   const double contact = s.min_steps_per_contact() * s.step_length();
   return fmt::format(
       "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}, "
-      "or "
-      "time.step_guard = false to run it all the same",
+      "or time.step_guard = false to run it anyway",
       s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
       rounded_down(std::min(contact / 50, limit.longest_step)),
-      contact / 50 < limit.longest_step ? " (50 steps to a contact)" : "");
+      contact / 50 < limit.longest_step ? " (50 steps per contact)" : "");
 }
 
 }  // namespace scree::run

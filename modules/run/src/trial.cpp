@@ -28,7 +28,7 @@ std::vector<double> quantities_of(const scenario::Plan& plan, const Simulation& 
 
 }  // namespace
 
-std::vector<Vec3> unfolded_positions(const Simulation& s) {
+std::vector<Vec3> unwrapped_positions(const Simulation& s) {
   const Particles& p = s.particles();
   std::vector<Vec3> positions;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -40,14 +40,14 @@ std::vector<Vec3> unfolded_positions(const Simulation& s) {
   return positions;
 }
 
-Trial try_plan(const scenario::Plan& plan, const TrialOptions& options) {
+Trial run_trial(const scenario::Plan& plan, const TrialOptions& options) {
   using Clock = std::chrono::steady_clock;
   const auto simulation = set_up(plan, options.threads);
   Sampler sampler(plan);
   sampler.open();
   StageRunner runner(*simulation, plan.stages);
   Trial trial;
-  // Half a step early, so that a time that is a multiple of the step but for rounding is met.
+  // Half a step earlier, so that rounding does not add a step.
   const double end = options.until - 0.5 * plan.scene.step;
   const auto start = Clock::now();
   const std::string last = drive(
@@ -66,7 +66,7 @@ Trial try_plan(const scenario::Plan& plan, const TrialOptions& options) {
   trial.steps = simulation->steps();
   trial.time = simulation->time();
   trial.quantities = quantities_of(plan, *simulation, sampler);
-  trial.positions = unfolded_positions(*simulation);
+  trial.positions = unwrapped_positions(*simulation);
   return trial;
 }
 

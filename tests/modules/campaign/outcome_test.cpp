@@ -108,7 +108,8 @@ TEST_CASE("one campaign at a time uses a directory, and only its own", "[campaig
   CHECK_NOTHROW(CampaignDirectory(path, c, true));
   std::filesystem::remove(path / "campaign.json");
   folder.folder().write("out/letter.txt", "Dear");
-  CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("holds files that are no campaign"));
+  CHECK_THROWS_WITH(CampaignDirectory(path, c, true),
+                    Catch::Contains("contains files that are not part of a scree campaign"));
 }
 
 TEST_CASE("runs of values that a campaign no longer has are told", "[campaign]") {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A plan and a folder that it may run in.
+// A plan and a folder for its run.
 struct Bench {
   TemporaryFolder folder;
   Plan plan;
@@ -42,7 +42,7 @@ double value(const RunResult& result, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a run writes its series, its record and its last packing", "[run]") {
+TEST_CASE("a run writes its series, run.json and its final packing", "[run]") {
   const Bench bench;
   const RunResult result = bench.run();
   CHECK(value(result, "steps") == 10);
@@ -56,7 +56,7 @@ TEST_CASE("a run writes its series, its record and its last packing", "[run]") {
   CHECK_FALSE(fs::exists(bench.options.out / "snapshots"));
 }
 
-TEST_CASE("the resolved scenario and the last packing of a run can be run again", "[run]") {
+TEST_CASE("the resolved scenario and the final packing of a run can be run again", "[run]") {
   const Bench bench(discs, {"scene.seed=5"});
   const RunResult first = bench.run();
   RunOptions options;
@@ -72,7 +72,7 @@ TEST_CASE("the resolved scenario and the last packing of a run can be run again"
   CHECK(on.scene.bodies[0].velocity[0] != 0);
 }
 
-TEST_CASE("a probe samples in its stages only, and a row once", "[run]") {
+TEST_CASE("a probe samples only in its stages, each time once", "[run]") {
   const Bench bench(
       with(with(discs, "duration = 1e-4\n", ""), "every = 2e-5", "every = 2e-5\nstages = ['b', 'c']") +
       "[[stage]]\nname = 'a'\nduration = 1e-4\n[[stage]]\nname = 'b'\nduration = 1e-4\n"
@@ -87,7 +87,7 @@ TEST_CASE("a probe samples in its stages only, and a row once", "[run]") {
   for (std::size_t k = 0; k < times.size(); ++k) CHECK(times[k] == Approx(1e-4 + 2e-5 * double(k)));
 }
 
-TEST_CASE("a run tells of its start once and keeps the same bits with more threads", "[run]") {
+TEST_CASE("a run reports its start once and has the same bits with more threads", "[run]") {
   Bench one, two;
   int starts = 0;
   one.options.on_start = [&](const Simulation& s) { starts += s.steps() == 0 ? 1 : 100; };
@@ -111,7 +111,7 @@ TEST_CASE("expectations are judged by their bounds", "[run]") {
   CHECK(verdicts[3].value == Approx(5e-5));
 }
 
-TEST_CASE("a run that is asked to stop saves what it has", "[run]") {
+TEST_CASE("a stopped run saves its results", "[run]") {
   Bench bench(discs, {"time.duration=1000"});
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
@@ -127,7 +127,7 @@ TEST_CASE("a run that is asked to stop saves what it has", "[run]") {
   CHECK(fs::exists(bench.options.out / "final_packing.csv"));
 }
 
-TEST_CASE("a condition that does not come is a failure that keeps the run", "[run]") {
+TEST_CASE("an end condition that is not reached is a failure that keeps the results", "[run]") {
   const Bench bench(with(discs, "duration = 1e-4\n", "") +
                     "[[stage]]\nname = 'rest'\nuntil = { kinetic_over_elastic = 1e-30, at_most = 1e-3 }\n");
   try {
@@ -141,7 +141,7 @@ TEST_CASE("a condition that does not come is a failure that keeps the run", "[ru
   CHECK(lines_of(text_of(bench.options.out / "series/energy.csv")) > 10);
 }
 
-TEST_CASE("a step that contacts do not allow is refused before anything is written, unless it is forced",
+TEST_CASE("a time step too long for the contacts is refused before anything is written, unless it is forced",
           "[run]") {
   const std::string slow = with(discs, "every = 2e-5", "every = 1");
   const Bench bench(slow, {"time.step=1e-2", "time.duration=1", "particles.random_velocity=0.01"});
@@ -158,7 +158,8 @@ TEST_CASE("a step that contacts do not allow is refused before anything is writt
   CHECK_NOTHROW(set_up(plan_of(slow, {"time.step=1e-2", "time.duration=1", "time.step_guard=false"})));
 }
 
-TEST_CASE("a stage that makes contacts too stiff for the step is found before the run begins", "[run]") {
+TEST_CASE("a stage that makes contacts too stiff for the time step is refused before the run starts",
+          "[run]") {
   const Bench bench(with(discs, "duration = 1e-4\n", "") +
                     "[[stage]]\nname = 'soft'\nduration = 1e-4\n[[stage]]\nname = 'stiff'\n"
                     "duration = 1e-4\nset.linear_spring_dashpot.normal_stiffness = 1e14\n");
@@ -174,7 +175,7 @@ TEST_CASE("a stage that makes contacts too stiff for the step is found before th
   }
 }
 
-TEST_CASE("what only the whole scene shows is placed as well", "[run]") {
+TEST_CASE("errors of the scene as a whole have a position in the file too", "[run]") {
   const std::string head =
       with(discs,
            "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n"
@@ -202,19 +203,20 @@ TEST_CASE("what only the whole scene shows is placed as well", "[run]") {
       "--set probe={plugin='box',every=1e-5}: probe box: the box probe needs walls"));
 }
 
-TEST_CASE("a run directory is never taken from somebody else", "[run]") {
+TEST_CASE("a run directory with foreign files or another run is not overwritten", "[run]") {
   const TemporaryFolder folder;
   const auto reason = [](const fs::path& path, bool overwrite) {
     return message([&] { RunDirectory(path, overwrite); });
   };
   folder.write("file", "x");
-  CHECK(reason(folder / "file", true).ends_with("exists and is no directory; give another --out"));
+  CHECK(reason(folder / "file", true).ends_with("exists and is not a directory; give another --out"));
   CHECK(reason(folder / "file/below", true).find("file is not a writable directory); give another --out") !=
         std::string::npos);
-  CHECK(reason(folder.path(), true).ends_with("holds files that are no run of scree; give another --out"));
+  CHECK(reason(folder.path(), true)
+            .ends_with("contains files that are not part of a scree run; give another --out"));
   fs::create_directories(folder / "run");
   CHECK(reason(folder / "run", false) == "no error");
-  // What a run leaves that is killed as it begins.
+  // Files left by a run that is killed at its start.
   std::ofstream(folder / "run/run.json.part") << "{";
   CHECK(reason(folder / "run", false) == "no error");
   RunDirectory(folder / "run", false).create();
@@ -224,7 +226,7 @@ TEST_CASE("a run directory is never taken from somebody else", "[run]") {
   CHECK(reason(folder / "run", true) == "no error");
 }
 
-TEST_CASE("a directory that is given up leaves what was there before", "[run]") {
+TEST_CASE("discarding a directory keeps what existed before", "[run]") {
   const TemporaryFolder folder;
   fs::create_directories(folder / "there");
   const RunDirectory below(folder / "there/a/b", false), there(folder / "there", false);

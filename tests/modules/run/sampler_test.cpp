@@ -11,7 +11,7 @@ using namespace scree::test;
 
 namespace {
 
-// The times in the first column of the energy series of a run.
+// Times in the energy series of a run.
 std::vector<double> sampled_times(const std::string& text, const std::vector<std::string>& overrides) {
   const TemporaryFolder folder;
   const Plan plan = plan_of(text, overrides);

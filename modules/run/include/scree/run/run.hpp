@@ -11,7 +11,7 @@
 
 namespace scree::run {
 
-// How far a run has come, for progress bars.
+// Progress of a run, for progress bars.
 struct Progress {
   double share = 0;  // 0 to 1
   double wall = 0;   // (s) since the start
@@ -24,12 +24,12 @@ struct RunOptions {
   bool overwrite = false;
   unsigned threads = 1;
   std::function<void(const Simulation&)> on_start;     // called once, when the directory is ready
-  std::function<void(const Progress&)> on_progress;    // called a few times a second
+  std::function<void(const Progress&)> on_progress;    // called about five times per second
   std::function<void(const std::string&)> on_message;  // one line for the user
-  const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: the run saves what it has and ends
+  const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: the run saves its results and ends
 };
 
-// How an expectation came out.
+// Result of an expectation.
 struct Verdict {
   scenario::Expectation expectation;
   double value = 0;
@@ -46,8 +46,8 @@ struct RunResult {
   std::vector<Verdict> verdicts;
 };
 
-// Runs a plan into its directory. Throws Error (bad_input) before anything is written; Error (blow_up), or
-// Error (failure) when a condition has not come in time or a disk is full, with all that was computed kept.
+// Runs a plan and writes its directory. Throws Error (bad_input) before anything is written; Error (blow_up),
+// or Error (failure) if an end condition is not reached in time or the disk is full; results so far are kept.
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options);
 
 }  // namespace scree::run

@@ -7,21 +7,21 @@
 
 namespace scree::run {
 
-// The directory of one run, study or campaign. Of a run: series/, snapshots/, images/, charts/,
+// The directory of one run, study or campaign. That of a run has series/, snapshots/, images/, charts/,
 // scenario.toml, run.json, final_packing.csv.
 class RunDirectory {
  public:
   enum class Kind { run, study, campaign };
-  // What the caller of a run may keep of its output in the directory; it is neither foreign nor removed.
+  // File for the terminal output of a run, written by its caller; not counted as foreign, and not removed.
   static constexpr const char* log_name = "log.txt";
 
-  // Checks that a run may write there, without touching anything: throws Error if it holds a run already
-  // (unless `overwrite`), holds foreign files, or cannot be created.
+  // Checks, without changing anything, that the directory can be used. Throws Error if it contains a run
+  // (unless `overwrite`) or foreign files, or cannot be created.
   RunDirectory(std::filesystem::path path, bool overwrite, Kind kind = Kind::run);
 
-  // Creates it empty; an earlier run is removed only now. A campaign goes on with the runs that it holds.
+  // Creates it empty; an earlier run is removed only now. A campaign keeps the runs in its directory.
   void create() const;
-  // Removes it again, with the directories above it that create() made.
+  // Removes it, and the parent directories that create() made.
   void discard() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -30,18 +30,18 @@ class RunDirectory {
   std::filesystem::path images() const { return path_ / "images"; }
   std::filesystem::path charts() const { return path_ / "charts"; }
 
-  // Writes a whole file under a temporary name, then renames it, so that a reader never sees half of it.
+  // Writes a file under a temporary name, then renames it, so that readers never see an incomplete file.
   void write_file(const std::string& name, const std::string& text) const;
 
-  // runs/<stem of the scenario>, with -2, -3, ... appended until it does not exist; campaigns/<stem>.
+  // runs/<stem of the scenario>, with -2, -3, ... appended if it exists; campaigns/<stem>.
   static std::filesystem::path default_for(const std::filesystem::path& scenario, Kind kind = Kind::run);
 
  private:
-  std::filesystem::path path_, existing_;  // existing_: the part of the path that was there before
+  std::filesystem::path path_, existing_;  // existing_: the part of the path that existed before
   Kind kind_;
 };
 
-// What is thrown where a file of a run cannot be written.
+// Error for a file of a run that cannot be written.
 Error unwritable(const std::filesystem::path& path);
 
 }  // namespace scree::run

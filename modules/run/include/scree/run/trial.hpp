@@ -9,26 +9,26 @@
 
 namespace scree::run {
 
-// One run of a plan without a directory, for studies that make many.
+// Result of one run of a plan without a directory, for studies of many runs.
 struct Trial {
   double wall = 0;  // (s) of the time loop
   std::uint64_t steps = 0;
   double time = 0;                 // (s) at the end
-  bool stopped = false;            // before its end, by the flag
-  std::vector<double> quantities;  // of each expectation of the plan; not a number where it took no sample
-  std::vector<Vec3> positions;     // (m) of the bodies at the end, unfolded from periodic images
+  bool stopped = false;            // before its end, by TrialOptions::stop
+  std::vector<double> quantities;  // of each expectation of the plan; NaN if there are no samples
+  std::vector<Vec3> positions;     // (m) of the bodies at the end, unwrapped across periodic faces
 };
 
 struct TrialOptions {
   unsigned threads = 1;
-  double until = std::numeric_limits<double>::infinity();  // (s) at which it is cut short
+  double until = std::numeric_limits<double>::infinity();  // (s) end of the run
   const std::atomic<bool>* stop = nullptr;
 };
 
-// Throws Error as run() does.
-Trial try_plan(const scenario::Plan& plan, const TrialOptions& options);
+// Runs a plan. Throws Error as run_plan() does.
+Trial run_trial(const scenario::Plan& plan, const TrialOptions& options);
 
-// Positions of all bodies, unfolded from periodic images (m).
-std::vector<Vec3> unfolded_positions(const Simulation& simulation);
+// Positions of all bodies (m), unwrapped across periodic faces.
+std::vector<Vec3> unwrapped_positions(const Simulation& simulation);
 
 }  // namespace scree::run
