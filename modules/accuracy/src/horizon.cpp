@@ -10,12 +10,12 @@ namespace scree::accuracy {
 
 namespace {
 
-constexpr int looks = 1000;  // at the distance, over the whole run
+constexpr int max_comparisons = 1000;  // over the whole run
 
-// One of the two runs.
-class Companion {
+// One of the two simulations.
+class ComparedRun {
  public:
-  Companion(scenario::Plan plan, double step)
+  ComparedRun(scenario::Plan plan, double step)
       : plan_(with_step(std::move(plan), step)),
         simulation_(run::set_up(plan_)),
         runner_(*simulation_, plan_.stages) {}
@@ -57,17 +57,17 @@ double distance_between(const std::vector<Vec3>& a, const std::vector<Vec3>& b) 
 std::optional<double> trustworthy_until(const scenario::Plan& plan, double step, double interval,
                                         double distance, const std::function<void(double)>& on_progress,
                                         const std::atomic<bool>* stop) {
-  Companion coarse(plan, step), fine(plan, 0.5 * step);
+  ComparedRun coarse(plan, step), fine(plan, 0.5 * step);
   const double end = longest_duration(plan),
-               between = interval * std::max(1.0, std::round(end / looks / interval));
-  for (int look = 1; (look - 1) * between < end; ++look) {
-    coarse.run_until(look * between, stop);
-    fine.run_until(look * between, stop);
+               between = interval * std::max(1.0, std::round(end / max_comparisons / interval));
+  for (int k = 1; (k - 1) * between < end; ++k) {
+    coarse.run_until(k * between, stop);
+    fine.run_until(k * between, stop);
     if (stop && *stop) break;
-    // Runs that end by a condition end at times of their own.
+    // Runs that end by a condition may end at different times.
     if (coarse.finished() || fine.finished()) break;
-    if (distance_between(coarse.positions(), fine.positions()) > distance) return (look - 1) * between;
-    if (on_progress) on_progress(std::min(1.0, look * between / end));
+    if (distance_between(coarse.positions(), fine.positions()) > distance) return (k - 1) * between;
+    if (on_progress) on_progress(std::min(1.0, k * between / end));
   }
   return std::nullopt;
 }

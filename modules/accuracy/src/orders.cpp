@@ -7,8 +7,8 @@ namespace scree::accuracy {
 
 namespace {
 
-// Errors below ten times what is known of the reference, or of round-off over a run, tell nothing; those
-// above a tenth have saturated.
+// Errors below ten times the uncertainty of the reference, or the round-off over a run, are not significant;
+// errors above a tenth are saturated.
 constexpr double safety = 10, ceiling = 0.1;
 double floor_of(const Quantity& q, Precision precision) {
   const double round_off = precision == Precision::mixed ? 1e-7 : 1e-14;
@@ -20,7 +20,7 @@ bool same_method(const Setting& a, const Setting& b) {
 }
 
 Order order_of(const Study& study, const Setting& method) {
-  // What is below its floor counts as 0.
+  // Errors below the floor count as 0.
   const auto usable = [&](const Outcome& o, std::size_t k) {
     return o.errors[k] > floor_of(study.quantities[k], method.precision) ? o.errors[k] : 0;
   };
@@ -36,19 +36,19 @@ Order order_of(const Study& study, const Setting& method) {
           fitted_order(steps, positions, ceiling)};
 }
 
-// Halving the step must lower the error by this much, or the error is no longer the step's.
-constexpr double least_gain = 1.4;
+// Halving the step must reduce the error by at least this factor; otherwise other errors dominate.
+constexpr double min_gain = 1.4;
 
 }  // namespace
 
 namespace {
 
-// The longest run of points [first, last) in which each step's error is usable and lower than the one before.
+// The longest range of points [first, last) with usable, decreasing errors.
 std::pair<std::size_t, std::size_t> falling_run(const std::vector<double>& errors, double top) {
   std::pair<std::size_t, std::size_t> longest = {0, 0};
   for (std::size_t first = 0, k = 0; k < errors.size(); ++k) {
     const bool usable = errors[k] > 0 && errors[k] < top;
-    if (k > 0 && errors[k] * least_gain > errors[k - 1]) first = k;
+    if (k > 0 && errors[k] * min_gain > errors[k - 1]) first = k;
     if (!usable) first = k + 1;
     if (k + 1 - first > longest.second - longest.first && first <= k) longest = {first, k + 1};
   }

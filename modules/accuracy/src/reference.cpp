@@ -10,7 +10,7 @@ namespace scree::accuracy {
 
 Limit extrapolate(double at_h, double at_half, double at_quarter) {
   Limit best = {at_quarter, std::numeric_limits<double>::infinity()};
-  for (const double gain : {2.0, 4.0}) {  // per halving, of the first and of the second order
+  for (const double gain : {2.0, 4.0}) {  // error reduction per halving of the step: first and second order
     const double once = at_half + (at_half - at_h) / (gain - 1);
     const double twice = at_quarter + (at_quarter - at_half) / (gain - 1);
     if (std::abs(twice - once) < best.uncertainty) best = {twice, std::abs(twice - once)};
@@ -23,10 +23,10 @@ namespace {
 Quantity quantity_of(const scenario::Expectation& e, const std::vector<run::Trial>& trials, std::size_t k,
                      bool cut) {
   const double scale = e.scale.value_or(0);
-  // What must be 0 cannot be measured in itself.
+  // No relative error is possible for a reference of 0 without a scale.
   if (e.reference && *e.reference == 0 && scale == 0 && cut) return {e.quantity, 0, INFINITY, 0, false};
   if (e.reference && !e.of_step && !cut) return {e.quantity, *e.reference, 0, scale, true};
-  const bool bound = !e.reference && e.quantity == "energy_created";  // of rounding
+  const bool bound = !e.reference && e.quantity == "energy_created";  // only rounding
   if (bound || e.quantity == "energy_residual" || e.quantity == "momentum_residual")
     return {e.quantity, 0, 0, 1, true};
   const Limit limit = extrapolate(trials[0].quantities[k], trials[1].quantities[k], trials[2].quantities[k]);

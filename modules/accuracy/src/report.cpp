@@ -28,7 +28,7 @@ void write_settings(const Study& study, Out out) {
     fmt::format_to(out, "{:>10} {:>10.3g} {:>11.3g}  {}{}\n", o.steps, o.wall, o.worst(),
                    study.quantities[o.worst_quantity()].name,
                    &o == best ? "   <- cheapest within the tolerance"
-                   : on_front ? "   <- on the front"
+                   : on_front ? "   <- Pareto front"
                               : "");
   }
 }
@@ -45,25 +45,24 @@ void write_orders(const Study& study, Out out) {
     fmt::format_to(out, "{:<29} {:>1} {:>12}\n", method_name(order.method), order_text(order.of_worst),
                    order_text(order.of_positions));
   }
-  if (missing) fmt::format_to(out, "-: fewer than three steps whose error falls with the step\n");
+  if (missing) fmt::format_to(out, "-: fewer than three steps with decreasing errors\n");
 }
 
 void write_references(const Study& study, Out out) {
   fmt::format_to(out, "\ncompared at t = {:.6g} s\n", study.duration);
   constexpr std::size_t many = 12;
   const bool brief = study.quantities.size() > many;
-  if (brief)
-    fmt::format_to(out, "  {} quantities, their references in accuracy.json\n", study.quantities.size());
+  if (brief) fmt::format_to(out, "  {} quantities; references: see accuracy.json\n", study.quantities.size());
   for (const Quantity& q : study.quantities)
     if (brief && &q != &study.quantities.back())
       continue;
     else if (q.closed_form)
       fmt::format_to(out, "  {}: {:.9g}, closed form\n", q.name, q.reference);
     else if (&q == &study.quantities.back())
-      fmt::format_to(out, "  {}: of the extrapolated reference, known to {:.2g} mean radii\n", q.name,
-                     q.uncertainty);
+      fmt::format_to(out, "  {}: those of the extrapolated reference, uncertainty {:.2g} mean radii\n",
+                     q.name, q.uncertainty);
     else
-      fmt::format_to(out, "  {}: {:.9g}, extrapolated, known to {:.2g}\n", q.name, q.reference,
+      fmt::format_to(out, "  {}: {:.9g}, extrapolated, uncertainty {:.2g}\n", q.name, q.reference,
                      q.uncertainty);
 }
 
@@ -81,8 +80,9 @@ std::string verdict(const Study& study) {
   const Outcome* nearest = nullptr;
   for (const Outcome& o : study.outcomes)
     if (o.problem.empty() && (!nearest || o.worst() < nearest->worst())) nearest = &o;
-  if (!nearest) return "No setting gave a result.";
-  return fmt::format("No setting comes within {:g}; the nearest is {}.", study.tolerance, describe(*nearest));
+  if (!nearest) return "No setting has a result.";
+  return fmt::format("No setting is within {:g}; the most accurate is {}.", study.tolerance,
+                     describe(*nearest));
 }
 
 std::string text_report(const Study& study) {
@@ -94,11 +94,11 @@ std::string text_report(const Study& study) {
   if (study.horizon)
     fmt::format_to(
         out,
-        "Runs with ever smaller steps part ways: the reference is trustworthy until t = {:.4g} s, where "
-        "all were cut.\n",
+        "Runs diverge under refinement of the step: the reference is trustworthy until t = {:.4g} s, where "
+        "all settings are compared.\n",
         *study.horizon);
   for (const std::string& note : study.notes) fmt::format_to(out, "{}\n", note);
-  if (study.interrupted) fmt::format_to(out, "Interrupted: not all settings were tried.\n");
+  if (study.interrupted) fmt::format_to(out, "Interrupted: not all settings were run.\n");
   fmt::format_to(out, "{}\n", verdict(study));
   return text;
 }

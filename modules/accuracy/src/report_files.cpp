@@ -34,7 +34,7 @@ std::string json_report(const Study& study) {
 
 void add_point(snapshot::ChartSeries& series, const Outcome& o, std::optional<std::size_t> quantity) {
   const double error = o.error(quantity);
-  if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // a logarithmic axis has no 0
+  if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // not possible on a logarithmic axis
   series.x.push_back(o.wall);
   series.y.push_back(error);
 }
@@ -46,7 +46,7 @@ snapshot::ChartSeries front_of(const Study& study, std::optional<std::size_t> qu
   return front;
 }
 
-// One colour per integrator: blue, vermilion, green, purple; told apart by colour-blind readers.
+// One colour per integrator: blue, vermilion, green, purple; distinguishable for colour-blind readers.
 std::array<double, 3> color_of(Integration integration) {
   static constexpr std::array<double, 3> colors[] = {
       {0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}};
@@ -75,7 +75,7 @@ snapshot::ChartSpec chart_of(const Study& study, const std::string& title, const
 }
 
 void draw(const snapshot::ChartSpec& chart, const std::filesystem::path& file) {
-  if (chart.series.size() < 2 || chart.series.back().x.empty()) return;  // all errors are exactly 0
+  if (chart.series.size() < 2 || chart.series.back().x.empty()) return;  // all errors are 0
   snapshot::load_backend()->chart(chart, file);
 }
 

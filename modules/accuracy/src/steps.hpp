@@ -6,11 +6,11 @@
 
 namespace scree::accuracy {
 
-// The nearest step that divides the durations of all stages that have one, so that every run ends at the same
-// time; the step itself where there are none, or they have no common measure (s).
+// The nearest step (s) that divides the durations of all stages, so that every run ends at the same time; the
+// step itself if no stage has a duration, or if there is no common divisor.
 double fitting_step(const scenario::Plan& plan, double step);
 
-// Whether it divides them all.
+// Whether the step divides all durations.
 bool divides_durations(const scenario::Plan& plan, double step);
 
 }  // namespace scree::accuracy

@@ -26,18 +26,18 @@ Plan with(Plan plan, const Setting& setting) {
   return plan;
 }
 
-std::string without_place_and_cure(const std::string& message) {
+std::string problem_only(const std::string& message) {
   const auto place = message.find(": "), cure = message.find("; ");
   const std::size_t from = place == std::string::npos || place > cure ? 0 : place + 2;
   return message.substr(from, cure == std::string::npos ? cure : cure - from);
 }
 
-class Studying {
+class StudyRunner {
  public:
-  Studying(const Plan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
+  StudyRunner(const Plan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
     coarsest_ = fitting_step(plan, options.coarsest * plan.scene.step);
     finest_ = std::ldexp(coarsest_, 1 - options.count);
-    // Blocks of about equal work for the progress: a run with the finest step counts 1.
+    // Unit of work for the progress: a run with the finest step.
     all_work_ = 3 + 14 + 2 * evaluations_of_all();
   }
 
@@ -50,7 +50,7 @@ class Studying {
     for (const Integration integration : chosen())
       for (const Precision precision : {Precision::double_precision, Precision::mixed})
         for (int k = 0; k < options_.count && !stopped(); ++k)
-          try_setting({integration, precision, std::ldexp(coarsest_, -k)});
+          run_setting({integration, precision, std::ldexp(coarsest_, -k)});
     study_.orders = fit_orders(study_);
     study_.interrupted = stopped();
     return std::move(study_);
@@ -70,38 +70,39 @@ class Studying {
   }
   bool stopped() const { return options_.stop && *options_.stop; }
 
-  void tell(double work, const std::string& what) {
+  void report_progress(double work, const std::string& what) {
     if (options_.on_progress) options_.on_progress((done_ + work) / all_work_, what);
   }
   void count(double work) { done_ += work; }
 
   void find_horizon() {
-    // Extrapolation knows more than the runs it is made from, so that a strict tolerance asks no more of
-    // them.
-    constexpr double good_enough = 1e-5;
-    const double distance = std::max(0.1 * options_.tolerance, good_enough) * mean_radius(plan_);
+    // The extrapolation is more accurate than its runs, so a strict tolerance does not require more of them.
+    constexpr double min_distance = 1e-5;
+    const double distance = std::max(0.1 * options_.tolerance, min_distance) * mean_radius(plan_);
     const auto until = trustworthy_until(
         with(plan_, {Integration::velocity_verlet, Precision::double_precision, finest_}), finest_, coarsest_,
-        distance, [&](double share) { tell(3 * share, "how long the reference holds"); }, options_.stop);
+        distance,
+        [&](double fraction) { report_progress(3 * fraction, "trustworthy time of the reference"); },
+        options_.stop);
     count(3);
     if (!until) return;
     if (*until <= 0)
       throw Error(fmt::format(
-          "steps of {:g} and {:g} s part ways before they can be compared; give a smaller --coarsest "
+          "steps of {:g} and {:g} s diverge before they can be compared; give a smaller --coarsest "
           "or a larger --count or --tolerance",
           finest_, 0.5 * finest_));
     study_.horizon = until_ = *until;
   }
 
-  // A study of more steps than this would not end.
+  // Limit of the total work.
   void check_length() const {
-    constexpr double most_steps = 1e10;
+    constexpr double max_steps = 1e10;
     const double steps = 8 * longest_duration(plan_) / finest_;
-    if (steps > most_steps)
+    if (steps > max_steps)
       throw Error(
           fmt::format("the finest reference of {:g} s would take {:.3g} steps; give a larger --coarsest or a "
                       "smaller --count, for at most {:g}",
-                      finest_ / 8, steps, most_steps));
+                      finest_ / 8, steps, max_steps));
   }
 
   void note_ends() {
@@ -110,41 +111,41 @@ class Studying {
     if (until_ < std::numeric_limits<double>::infinity()) return;
     if (by_condition)
       study_.notes.push_back(
-          "Stages that end by a condition end at times that depend on the step; errors include that.");
+          "Stages end by a condition at times that depend on the step; errors include this.");
     else if (!divides_durations(plan_, coarsest_))
       study_.notes.push_back(
-          "The durations of the stages have no common step; errors include the ends of stages.");
+          "No step divides all durations of the stages; errors include the rounding of their ends.");
   }
 
   void make_reference() {
     std::vector<Trial> trials;
     for (int k = 1; k <= 3 && !stopped(); ++k) {
-      tell(0, "reference");
+      report_progress(0, "reference");
       const Setting setting = {Integration::velocity_verlet, Precision::double_precision,
                                std::ldexp(finest_, -k)};
       trials.push_back(run::run_trial(with(plan_, setting), {1, until_, options_.stop}));
       count(std::ldexp(1, k));
     }
     if (trials.size() < 3 || trials.back().stopped)
-      throw Error("stopped before there was a reference to compare with", ExitStatus::interrupted);
+      throw Error("interrupted before the reference was complete", ExitStatus::interrupted);
     std::vector<std::string> without;
     compared_ = compared_expectations(plan_, trials, without);
     for (const std::string& name : without)
       study_.notes.push_back(
-          fmt::format("{} has no number{} and is left out.", name, study_.horizon ? " before the cut" : ""));
+          fmt::format("{} has no value{} and is excluded.", name, study_.horizon ? " before that time" : ""));
     study_.quantities = reference_quantities(plan_, trials, compared_, study_.horizon.has_value());
-    leave_out_unknown();
+    exclude_uncertain();
     reference_positions_ = reference_positions(trials).positions;
     study_.duration = trials.back().time;
   }
 
-  // A reference that is not known to its own size says nothing of relative errors.
-  void leave_out_unknown() {
+  // Excludes quantities whose reference is less accurate than its scale.
+  void exclude_uncertain() {
     for (std::size_t k = compared_.size(); k-- > 0;) {
       const Quantity& q = study_.quantities[k];
       if (q.closed_form || !(q.uncertainty >= q.scale())) continue;
       study_.notes.push_back(
-          fmt::format("{} is left out: its reference {:.3g} is known to {:.3g} only; give its "
+          fmt::format("{} is excluded: its reference {:.3g} has an uncertainty of {:.3g}; give its "
                       "[[expect]] a scale.",
                       q.name, q.reference, q.uncertainty));
       study_.quantities.erase(study_.quantities.begin() + std::ptrdiff_t(k));
@@ -152,13 +153,13 @@ class Studying {
     }
   }
 
-  // The shortest of a few runs, so that other work on the machine counts less.
+  // Minimum wall time of a few runs, to reduce the influence of other load on the machine.
   Trial timed(const Plan& plan) {
-    constexpr int most = 5;
+    constexpr int max_repeats = 5;
     constexpr double enough = 0.2;  // (s) of wall time
     Trial best = run::run_trial(plan, {1, until_, options_.stop});
     double spent = best.wall;
-    for (int n = 1; n < most && spent < enough && !stopped(); ++n) {
+    for (int n = 1; n < max_repeats && spent < enough && !stopped(); ++n) {
       const Trial again = run::run_trial(plan, {1, until_, options_.stop});
       if (again.stopped) break;
       spent += again.wall;
@@ -167,8 +168,8 @@ class Studying {
     return best;
   }
 
-  void try_setting(const Setting& setting) {
-    tell(0, fmt::format("{}, step {:.3g} s", method_name(setting), setting.step));
+  void run_setting(const Setting& setting) {
+    report_progress(0, fmt::format("{}, step {:.3g} s", method_name(setting), setting.step));
     Outcome outcome;
     outcome.setting = setting;
     try {
@@ -178,7 +179,7 @@ class Studying {
       outcome.steps = trial.steps;
       compare(trial, outcome);
     } catch (const Error& error) {
-      outcome.problem = without_place_and_cure(error.what());
+      outcome.problem = problem_only(error.what());
     }
     study_.outcomes.push_back(std::move(outcome));
     count(traits_of(setting.integration).evaluations * finest_ / setting.step);
@@ -223,7 +224,7 @@ std::size_t Outcome::worst_quantity() const {
 double Outcome::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }
 
 Study study(const scenario::Plan& plan, const StudyOptions& options) {
-  return Studying(plan, options).execute();
+  return StudyRunner(plan, options).execute();
 }
 
 const Outcome* cheapest(const Study& study) {

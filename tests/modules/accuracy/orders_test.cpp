@@ -38,7 +38,7 @@ TEST_CASE("the fitted order of a power is its exponent", "[accuracy]") {
     CHECK(*fitted_order(steps, errors_of(order, 0), 1) == Approx(order).epsilon(1e-12));
 }
 
-TEST_CASE("points that are saturated or no longer fall are left out of the order", "[accuracy]") {
+TEST_CASE("saturated points and points without decrease are excluded from the order", "[accuracy]") {
   std::vector<double> errors = errors_of(2, 0);
   errors[0] = errors[1] = 0.9;   // saturated
   errors[5] = 0.99 * errors[4];  // a floor
@@ -48,7 +48,7 @@ TEST_CASE("points that are saturated or no longer fall are left out of the order
   CHECK_FALSE(fitted_order(steps, std::vector<double>(6, 0.0), 0.1).has_value());
 }
 
-TEST_CASE("extrapolation is exact for a pure first and a pure second order, and says what it does not know",
+TEST_CASE("extrapolation is exact for pure first and second order, and estimates its uncertainty",
           "[accuracy]") {
   for (const double order : {1.0, 2.0}) {
     const auto at = [&](double h) { return 3 + 0.7 * std::pow(h, order); };
@@ -63,7 +63,7 @@ TEST_CASE("extrapolation is exact for a pure first and a pure second order, and 
   CHECK(limit.uncertainty < 20 * std::abs(limit.value - 3));
 }
 
-TEST_CASE("steps are made to divide the durations of all stages", "[accuracy]") {
+TEST_CASE("steps are adjusted to divide the durations of all stages", "[accuracy]") {
   CHECK(fitting_step(plan_with_durations({1}), 0.3) == Approx(0.25));
   CHECK(fitting_step(plan_with_durations({1}), 0.25) == 0.25);
   CHECK(fitting_step(plan_with_durations({0.5, 2}), 0.3) == Approx(0.25));

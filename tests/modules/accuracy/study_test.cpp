@@ -85,10 +85,11 @@ TEST_CASE("the cheapest setting meets the tolerance and no cheaper one does", "[
   strict.tolerance = 1e-16;
   strict.integrations = {Integration::velocity_verlet};
   CHECK(verdict(study(closed_form_plan(), strict))
-            .starts_with("No setting comes within 1e-16; the nearest is "));
+            .starts_with("No setting is within 1e-16; the most accurate is "));
 }
 
-TEST_CASE("a step that the guard refuses is a row with its reason, not the end of the study", "[accuracy]") {
+TEST_CASE("a step refused by the step guard is a row with the reason, and the study continues",
+          "[accuracy]") {
   StudyOptions options = quick();
   options.coarsest = 64;  // ω h = 2.02
   options.count = 3;
@@ -100,7 +101,7 @@ TEST_CASE("a step that the guard refuses is a row with its reason, not the end o
   CHECK(result.outcomes[2].problem.empty());
 }
 
-TEST_CASE("a chaotic scene is cut at the time until which its reference holds", "[accuracy]") {
+TEST_CASE("a chaotic scene is compared at the time until which its reference is trustworthy", "[accuracy]") {
   // Nine hard discs in a box, for many collisions each: a rounding grows by several per collision.
   const std::string chaos = test::with(test::discs, "duration = 1e-4", "duration = 10");
   StudyOptions options = quick();
@@ -137,7 +138,7 @@ TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as 
 #endif
 }
 
-TEST_CASE("a study that is stopped before it has a reference says so", "[accuracy]") {
+TEST_CASE("a study that is stopped before its reference is complete is an error", "[accuracy]") {
   const std::atomic<bool> stop = true;
   StudyOptions options = quick();
   options.stop = &stop;
