@@ -214,12 +214,12 @@ struct Kernel : HertzMindlin {
     }
     const Vec<D, T> moved = tangential_part(carried, c.normal);
     const T limit = T(friction) * pushing;
-    const scree::SlipStep<D, T> step = {.moved = moved,
+    const scree::SlipStep<D, T> step = {.trial_spring = moved,
                                         .stiffness = k_t,
                                         .inverse_stiffness = inverse_k_t,
                                         .velocity = v_t,
                                         .delay = gamma_t * inverse_k_t,
-                                        .length = c.step,
+                                        .step = c.step,
                                         .limit = limit,
                                         .sliding_limit = limit};
     const scree::Slip<D, T> slip = scree::slide_or_stick(step);

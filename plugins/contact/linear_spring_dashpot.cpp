@@ -198,12 +198,12 @@ struct Kernel : LinearSpringDashpot {
   scree::SlipStep<D, T> step_of(const Contact<D, T>& c, const Spring<D, T>& h, const Vec<D, T>& moved,
                                 const Vec<D, T>& v_t, const T& f_n, const T& weight) const {
     const T sliding_limit = T(dynamic_friction) * f_n;
-    return {.moved = moved,
+    return {.trial_spring = moved,
             .stiffness = T(tangential_stiffness),
             .inverse_stiffness = T(inverse_tangential_stiffness),
             .velocity = v_t,
             .delay = weight * T(tangential_damping * inverse_tangential_stiffness),
-            .length = c.step,
+            .step = c.step,
             .limit = h.sliding > T(0) ? sliding_limit : T(static_friction) * f_n,
             .sliding_limit = sliding_limit};
   }

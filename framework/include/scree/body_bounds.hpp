@@ -6,12 +6,12 @@
 
 namespace scree {
 
-// Box around the surfaces of bodies. (m)
+// Axis-aligned box around the surfaces of bodies (m).
 struct BodyBounds {
   Vec3 lower = {}, upper = {};
 };
 
-// Shrunk to the origin without bodies; z is 0 in two dimensions.
+// Bounding box of the bodies; zero at the origin without bodies. In 2D its z extent is 0.
 BodyBounds bounds_of(const std::vector<Body>& bodies, int dimension);
 
 }  // namespace scree

@@ -10,8 +10,9 @@
 
 namespace scree {
 
-// Allocator whose blocks start on a cache line, as batches and SIMD loads want them. Large ones ask for large
-// pages, since contacts look at bodies all over memory.
+// Allocator of blocks aligned to a cache line (64 bytes), as batches and SIMD loads require. Blocks of 4 MiB
+// and more are aligned to large pages and marked for them, because contacts read bodies at scattered
+// addresses.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
@@ -38,12 +39,12 @@ struct CacheLineAllocator {
   }
 };
 
-// One property of all bodies or all pairs, contiguous and 64-byte aligned.
+// One property of all bodies or all pairs: contiguous and 64-byte aligned.
 template <class T>
 using Column = std::vector<T, CacheLineAllocator<T>>;
 
-// Sizes a column anew, with room for an eighth more, so that lists that change a little at each search do not
-// ask for memory each time.
+// Resizes a column. When it must grow, it reserves an eighth more, so that lists whose length changes
+// slightly at each neighbour search do not reallocate every time.
 template <class T>
 void resize_with_room(Column<T>& column, std::size_t size) {
   if (size > column.capacity()) column.reserve(size + size / 8);

@@ -7,7 +7,7 @@
 
 namespace scree {
 
-// Which axes are periodic, and between which coordinates.
+// The periodic axes and their limits. `no_shift` is the image code of a pair that crosses no periodic face.
 struct Domain {
   static constexpr std::uint8_t no_shift = 13;
 
@@ -18,7 +18,7 @@ struct Domain {
   bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
   double length(int axis) const { return upper[axis] - lower[axis]; }
 
-  // What to add to a − b for an image of a pair.
+  // Vector to add to x_a − x_b for the periodic image `code` (m); `code` holds one base-3 digit per axis.
   Vec3 shift(std::uint8_t code) const {
     Vec3 s = {};
     for (int k = 0, rest = code; k < 3; ++k, rest /= 3)

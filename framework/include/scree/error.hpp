@@ -5,16 +5,16 @@
 
 namespace scree {
 
-// Process exit status of the command-line tools; an Error carries the one it leads to.
+// Process exit status of the command-line tools; an Error carries the status it causes.
 enum class ExitStatus : int {
   success = 0,
-  failure = 1,       // an [expect] was not met, or an unforeseen failure
-  bad_input = 2,     // scenario, plug-in, path or option is at fault; nothing was written
-  blow_up = 3,       // the run itself went wrong; what was written stays
-  interrupted = 130  // Ctrl-C; what was written stays
+  failure = 1,       // an [expect] was not met, or an unexpected failure
+  bad_input = 2,     // invalid scenario, plug-in, path or option; nothing was written
+  blow_up = 3,       // the simulation became unstable; output written so far is kept
+  interrupted = 130  // Ctrl-C; output written so far is kept
 };
 
-// What went wrong and what to do about it: one line, place first ("file:line:column: ..."), cure last.
+// An error with a remedy, in one line: location first ("file:line:column: ..."), remedy last.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& line, ExitStatus status = ExitStatus::bad_input)

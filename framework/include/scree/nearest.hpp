@@ -7,9 +7,10 @@
 
 namespace scree {
 
-// The candidate that the user most likely meant by word, or nothing when none is near; the first of equals.
-// Near: an edit distance (insert, delete, replace, swap neighbours) of at most a third of the longer word and
-// 4, or one of the two begins with the other from 3 letters on. Case is ignored and '-' reads as '_'.
+// The candidate closest to a mistyped word, or nothing if none is close; the first of several equally close
+// ones. Close: an edit distance (insert, delete, replace, swap adjacent letters) of at most a third of the
+// longer word and at most 4, or one word is a prefix of at least 3 letters of the other. Case is ignored; '-'
+// equals '_'.
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace scree

@@ -8,24 +8,24 @@
 
 namespace scree {
 
-// The values of a plug-in's declared parameters, checked against their declaration.
+// The values of a plug-in's declared parameters, checked against the declaration.
 class Parameters {
  public:
   explicit Parameters(const scree_plugin& plugin);
 
   const scree_plugin& plugin() const { return *plugin_; }
-  // The declaration of a key, or null.
+  // The declaration of a key, or null if there is none.
   const scree_parameter* find(const std::string& key) const;
-  // What is wrong with these numbers for a parameter, as "<problem>; <cure>", or nothing.
+  // Checks numbers for a parameter. Returns "<problem>; <remedy>", or nothing if they are valid.
   static std::optional<std::string> problem(const scree_parameter& parameter,
                                             const std::vector<double>& data);
-  // Throws Error for an unknown key or numbers out of range.
+  // Sets a parameter. Throws Error for an unknown key or numbers that are out of range.
   void set(const std::string& key, std::vector<double> data);
-  // Throws Error if a required parameter is missing or two that exclude each other are given.
+  // Throws Error if a required parameter is missing or if two mutually exclusive ones are given.
   void check_complete() const;
 
   bool given(const std::string& key) const;
-  // One value per declared parameter with defaults filled in; valid while this object lives unchanged.
+  // One value per declared parameter, defaults filled in; valid until this object is changed or destroyed.
   std::vector<scree_value> values() const;
 
  private:
@@ -36,10 +36,10 @@ class Parameters {
   std::vector<bool> given_;
 };
 
-// The words of a choice parameter, "first|second" split.
+// The words of a choice parameter: "first|second" split at '|'.
 std::vector<std::string> choices_of(const scree_parameter& parameter);
 
-// "number above 0 (N/m)": what a parameter accepts, for messages and help.
+// What a parameter accepts, for messages and help; for example "number above 0 (N/m)".
 std::string describe_range(const scree_parameter& parameter);
 
 }  // namespace scree

@@ -11,19 +11,19 @@
 
 namespace scree {
 
-// One body as a scene states it; in 2D z components and the x, y spins are 0.
+// One body (particle) of a scene; in 2D z components and the x and y components of the spin are 0.
 struct Body {
   std::int64_t id = 0;
-  std::uint32_t material = 0;
-  double radius = 0;   // (m)
-  double mass = 0;     // (kg)
-  double inertia = 0;  // (kg m²)
-  Vec3 position = {};  // (m)
-  Vec3 velocity = {};  // (m/s)
-  Vec3 spin = {};      // (rad/s)
+  std::uint32_t material = 0;  // index into Scene::materials
+  double radius = 0;           // (m)
+  double mass = 0;             // (kg)
+  double inertia = 0;          // (kg m²)
+  Vec3 position = {};          // (m)
+  Vec3 velocity = {};          // (m/s)
+  Vec3 spin = {};              // (rad/s)
 };
 
-// Where the parts of a body's record are (doubles), of four doubles each, and those of its loads:
+// Layout of a body's record and of its loads: offsets, in doubles, of parts of four doubles each.
 //   3D  position (x, y, z, R), motion (v, 1/m), mid_motion (v, –), with spin: spin (ω, 1/I), mid_spin (ω, –)
 //       loads (f, 0), with spin: torque (t, 0)
 //   2D  position (x, y, 1/I, R), motion (v, ω, 1/m), mid_motion (v, ω, –);  loads (f, t, 0)
@@ -37,12 +37,12 @@ inline constexpr std::size_t load_width(int dimension, bool with_spin) {
 }
 }  // namespace record
 
-// Storage of all bodies: a record each of what moves, which contacts fetch from one address and loops over
-// bodies stream through, a record of loads, and columns of what seldom matters. Spins that the scene does not
-// need are not allocated.
+// Storage of all bodies. Each has one record of its moving state, which contacts read from a single address
+// and loops over bodies read in sequence, one record of loads, and entries in columns of rarely used
+// properties. Spins are allocated only if the scene needs them.
 class Particles {
  public:
-  // Components that a vector or a spin has: [first, last).
+  // Range of the components of a vector or a spin: [first, last).
   struct Axes {
     int first, last;
   };
@@ -53,27 +53,28 @@ class Particles {
   int dimension() const { return dimension_; }
   bool has_spin() const { return has_spin_; }
   Axes axes() const { return {0, dimension_}; }
-  // 2D spins turn about z; none in a scene without spin.
+  // Components of a spin: z in 2D, x to z in 3D, none in a scene without spin.
   Axes spin_axes() const { return has_spin_ ? Axes{dimension_ == 2 ? 2 : 0, 3} : Axes{0, 0}; }
   Body body(std::size_t i) const;
   std::size_t bytes_per_body() const;
 
-  // State, written by the integrator.
-  Vectors<double> position() { return vectors(records_.data(), record::position); }  // (m)
-  // (m/s) after a step; while forces are evaluated, predicted for its end
-  Vectors<double> velocity() { return vectors(records_.data(), record::motion); }
-  Vectors<double> spin() { return spins(records_.data(), record::motion, record::spin); }  // (rad/s) likewise
+  // State, written by the integrator. While forces are evaluated, velocity and spin hold the prediction for
+  // the end of the step.
+  Vectors<double> position() { return vectors(records_.data(), record::position); }        // (m)
+  Vectors<double> velocity() { return vectors(records_.data(), record::motion); }          // (m/s)
+  Vectors<double> spin() { return spins(records_.data(), record::motion, record::spin); }  // (rad/s)
   Vectors<const double> position() const { return vectors(records_.data(), record::position); }
   Vectors<const double> velocity() const { return vectors(records_.data(), record::motion); }
   Vectors<const double> spin() const { return spins(records_.data(), record::motion, record::spin); }
 
-  // Constant.
+  // Constant during a run: (m), (1/kg).
   Strided<const double> radius() const { return {records_.data() + record::position + 3, width(), size()}; }
   Strided<const double> inverse_mass() const {
     return {records_.data() + record::motion + 3, width(), size()};
   }
 
-  // Within a step, written by the integrator: velocity and spin at mid-step, displacement / step.
+  // Mid-step velocity (m/s) and spin (rad/s): displacement / step. Written by the integrator, used within a
+  // step.
   Vectors<double> mid_velocity() { return vectors(records_.data(), record::mid_motion); }
   Vectors<double> mid_spin() { return spins(records_.data(), record::mid_motion, record::mid_spin); }
   Vectors<const double> mid_velocity() const { return vectors(records_.data(), record::mid_motion); }
@@ -89,8 +90,8 @@ class Particles {
     return loads_of(loads_.data(), spin_axes(), dimension_ == 2 ? 2 : 4);
   }
 
-  // The records as they lie in memory: (size, width) and (size or more, load_width). Loads behind those of
-  // the bodies are for whoever evaluates forces.
+  // Direct access to the records: (size, width) and (size or more, load_width) doubles. Rows of loads behind
+  // those of the bodies are scratch space of the force evaluation.
   double* records() { return records_.data(); }
   const double* records() const { return records_.data(); }
   double* loads() { return loads_.data(); }
@@ -99,10 +100,10 @@ class Particles {
   std::size_t load_width() const { return record::load_width(dimension_, has_spin_); }
   void set_load_rows(std::size_t rows) { loads_.resize(rows * load_width()); }
 
-  Column<std::int32_t> image[3];  // times a body crossed a periodic face, if any axis is periodic
+  Column<std::int32_t> image[3];  // net periods crossed along each axis; empty without periodic axes
 
-  // Constant.
-  Column<double> mass, inertia;
+  // Constant during a run.
+  Column<double> mass, inertia;  // (kg), (kg m²); inertia is empty without spin
   Column<std::int64_t> id;
   Column<std::uint32_t> material;
 
@@ -117,8 +118,8 @@ class Particles {
     return {records + (dimension_ == 2 ? flat + 2 : part), width(), size(), axes.first, axes.last};
   }
   template <class T>
-  Vectors<T> loads_of(T* loads, Axes axes, std::size_t place) const {
-    return {loads + place, load_width(), size(), axes.first, axes.last};
+  Vectors<T> loads_of(T* loads, Axes axes, std::size_t offset) const {
+    return {loads + offset, load_width(), size(), axes.first, axes.last};
   }
 
   int dimension_;

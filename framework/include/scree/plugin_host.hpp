@@ -11,35 +11,36 @@
 
 namespace scree {
 
-// Loads plug-in libraries `<directory>/<kind>/<name>.so` from trusted directories, each only when it is asked
-// for. Kinds are the folders contact, boundary, body, probe. Beside a library `x.so` may lie builds for newer
-// processors, `x86-64-v3/x.so` and `x86-64-v4/x.so`; the best one that the processor runs is taken, unless
-// the environment variable SCREE_LEVEL names one (or "baseline").
+// Loads plug-in libraries `<directory>/<kind>/<name>.so` from trusted directories, each on first use. The
+// kinds are the folders contact, boundary, body_force and probe. Next to a library `x.so` there may be builds
+// for newer processors, `x86-64-v3/x.so` and `x86-64-v4/x.so`; the best one that the processor supports is
+// loaded, unless the environment variable SCREE_LEVEL selects one (or "baseline").
 class PluginHost {
  public:
-  // A library that could not be used, and why.
+  // A library that could not be loaded, and the reason.
   struct Broken {
     std::filesystem::path path;
     std::string reason;
   };
 
-  // Directories are searched in order; the first that holds the name wins.
+  // Directories are searched in order; the first that contains the name wins.
   explicit PluginHost(std::vector<std::filesystem::path> directories);
   ~PluginHost();
   PluginHost(const PluginHost&) = delete;
   PluginHost& operator=(const PluginHost&) = delete;
 
-  // The plug-in of a name and kind. Throws Error naming the nearest known name, or the reason of the refusal.
+  // The plug-in of a name and kind. Throws Error with the closest known name, or with the reason why the
+  // library was rejected.
   const scree_plugin& find(const std::string& name, scree_kind kind);
-  // Loads every library; those that cannot be used are listed in `broken`.
+  // Loads every library; those that cannot be loaded are appended to `broken`.
   std::vector<const scree_plugin*> load_all(std::vector<Broken>& broken);
-  // Names of the libraries of a kind that lie in the directories, without loading them.
+  // Names of all libraries of a kind in the directories, without loading them.
   std::vector<std::string> names(scree_kind kind) const;
   const std::vector<std::filesystem::path>& directories() const { return directories_; }
-  // Where the library of a name lies, empty if nowhere.
+  // Path of the baseline library of a name; empty if there is none.
   std::filesystem::path locate(const std::string& name, scree_kind kind) const;
 
-  // The directories of the build or install tree that the running program belongs to.
+  // The plug-in directories of the build or install tree that contains the running program.
   static std::vector<std::filesystem::path> default_directories();
 
  private:
@@ -51,19 +52,19 @@ class PluginHost {
   std::map<std::filesystem::path, std::unique_ptr<Library>> libraries_;
 };
 
-// "contact", "boundary", "body_force", "probe": the folder of a kind and its table in a scenario.
+// "contact", "boundary", "body_force" or "probe": the folder of a kind and its table in a scenario.
 const char* kind_folder(scree_kind kind);
-// "contact law", "boundary", "body force", "probe".
+// "contact law", "boundary", "body force" or "probe", for messages.
 const char* kind_name(scree_kind kind);
 
-// For plug-ins that do not depend on the bounding box of the scene.
+// Bounding box for plug-ins that do not depend on it.
 inline constexpr double no_bounds[3] = {0, 0, 0};
 
-// A plug-in with its parameters, configured in storage of its own.
+// An instance of a plug-in: its parameters, and the storage in which they are configured.
 template <class Interface, class Instance>
 class Configured {
  public:
-  // Throws Error with the plug-in's own message. lower and upper: bounding box of the scene (m).
+  // lower, upper: bounding box of the bodies (m). Throws Error with the plug-in's own message.
   Configured(const Parameters& parameters, int dimension, const double (&lower)[3], const double (&upper)[3]);
 
   const Interface& interface() const {
@@ -77,12 +78,12 @@ class Configured {
   struct Release {
     void operator()(void* p) const { ::operator delete(p, std::align_val_t(64)); }
   };
-  std::unique_ptr<const Parameters> parameters_;  // owns the numbers that the storage may point to
+  std::unique_ptr<const Parameters> parameters_;  // owns the numbers to which the storage may point
   std::unique_ptr<void, Release> storage_;
   Instance instance_ = {};
 };
 
-// What a body force's `configure` fills in.
+// Instance type of body forces, whose `configure` returns nothing.
 struct NoInstance {};
 
 using ConfiguredLaw = Configured<scree_contact_law, scree_contact_instance>;

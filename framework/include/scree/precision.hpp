@@ -2,8 +2,8 @@
 
 namespace scree {
 
-// In what numbers contacts are evaluated and their histories kept; positions, velocities and sums are always
-// double.
+// Precision of contact evaluation and of contact histories: `mixed` uses float for both. Positions,
+// velocities and sums are always double.
 enum class Precision { double_precision, mixed };
 
 }  // namespace scree

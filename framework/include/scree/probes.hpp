@@ -8,10 +8,10 @@
 
 namespace scree {
 
-// What probes see of a simulation at one moment; valid until the simulation moves on.
+// Read-only view of a simulation for probes; valid until the next step.
 class SimulationView {
  public:
-  // Contacts are collected only when asked for.
+  // with_contacts: whether to collect the contacts, which takes a loop over all pairs.
   SimulationView(const Simulation& simulation, bool with_contacts);
   SimulationView(const SimulationView&) = delete;
   SimulationView& operator=(const SimulationView&) = delete;
@@ -25,18 +25,19 @@ class SimulationView {
   scree_view view_ = {};
 };
 
-// A configured probe and the reference values that it keeps.
+// A configured probe and its state, such as reference lengths.
 class Probe {
  public:
   Probe(const Parameters& parameters, int dimension);
 
-  // Column names and units, without time.
+  // Names and units of the columns, without the time column.
   std::vector<std::string> names() const { return names_; }
   std::vector<std::string> units() const { return units_; }
   bool needs_contacts() const { return plugin_.instance().needs & SCREE_NEEDS_CONTACTS; }
-  // One row; the first call takes the references and throws Error if the scene lacks what the probe looks at.
+  // One row of values. The first call sets the state; it throws Error if the scene lacks what the probe
+  // reads.
   std::vector<double> sample(const scree_view& view);
-  // Checks that the scene has what the probe looks at, without sampling.
+  // Throws Error if the scene lacks what the probe reads; takes no sample.
   void check(const scree_view& view) const;
 
  private:

@@ -10,13 +10,13 @@
 
 namespace scree {
 
-// Bounds beyond which a run is stopped as blown up.
+// Limits beyond which a run is stopped as a blow-up.
 struct Limits {
-  double overlap_ratio = 0.5;  // of the smaller radius
-  double speed = 0;            // (m/s), 0: one smallest radius per step
+  double overlap_ratio = 0.5;  // overlap / smaller radius of the pair
+  double speed = 0;            // (m/s); 0: one smallest radius per step
 };
 
-// Everything the kernel needs to know to set up a simulation.
+// Everything needed to set up a simulation.
 struct Scene {
   struct Law {
     std::string name;  // unique; materials and stages refer to it
@@ -36,15 +36,15 @@ struct Scene {
   double step = 0;  // (s)
   Integration integration = Integration::velocity_verlet;
   Precision precision = Precision::double_precision;
-  double expected_speed =
-      0;                 // (m/s) of impacts, for what the step is judged by; 0: from the bodies' at the start
-  double skin = 0;       // (m), 0: at most a tenth of the mean radius, thinner where little moves
-  unsigned threads = 1;  // at most; see least_bodies_per_thread
-  // A thread costs some microseconds a step, so that small scenes run faster on fewer.
-  std::size_t least_bodies_per_thread = 500;
-  bool audit = true;        // keep the energy books
-  bool pair_forces = true;  // keep the force of each contact for who looks at it
-  bool spin = false;        // carry spins even if no law needs them now, because a later stage does
+  // (m/s) impact speed for which the time step is checked; 0: derived from the initial velocities
+  double expected_speed = 0;
+  double skin = 0;       // (m); 0: starts at a tenth of the mean radius and adapts to the motion
+  unsigned threads = 1;  // upper limit; see min_bodies_per_thread
+  // Each thread costs some microseconds per step, so that small scenes run faster on fewer threads.
+  std::size_t min_bodies_per_thread = 500;
+  bool audit = true;        // compute the energy balance
+  bool pair_forces = true;  // store per-contact forces; needed by probes and snapshots that read contacts
+  bool spin = false;        // carry spins even if no law needs them yet, because a later stage does
   Limits limits;
   std::vector<std::string> materials;
   std::vector<Body> bodies;
@@ -54,7 +54,7 @@ struct Scene {
   std::vector<BodyForce> body_forces;
 };
 
-// Whether a law with these parameters turns bodies, so that a scene must carry spins.
-bool turns_bodies(const Parameters& law, int dimension);
+// Whether a law with these parameters exerts torques, so that the scene must carry spins.
+bool exerts_torque(const Parameters& law, int dimension);
 
 }  // namespace scree

@@ -5,13 +5,14 @@
 
 namespace scree {
 
-// Checks of parts of a scene before all of it is known. All throw Error with the plug-in's own message.
+// Checks of parts of a scene before the scene is complete. All throw Error with the plug-in's own message.
 
-// How many planes a boundary has in a scene of these bodies.
+// Number of planes of a boundary in a scene with these bodies.
 std::size_t plane_count(const Scene::Boundary& boundary, const Scene& scene);
-// The periodic axes that the boundaries of a scene make together. Throws also if two make the same axis
-// periodic.
+// The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define
+// the same axis.
 Domain periodic_domain(const Scene& scene);
+// Configures the body force and discards it.
 void check_body_force(const Scene::BodyForce& force, const Scene& scene);
 
 }  // namespace scree

@@ -19,37 +19,37 @@ class Boundaries;
 class Contacts;
 struct SimulationParts;
 
-// What a scene carries; it pays for nothing else.
+// Memory and degrees of freedom of a scene; it carries only what its laws need.
 struct Footprint {
   std::size_t degrees_of_freedom, bytes_per_body, bytes_per_pair;
-  std::uint32_t history_width;  // numbers kept per pair
+  std::uint32_t history_width;  // history columns per pair, the most of any law
 };
 
-// One scene in motion. The order of a step: src/step/stepper.cpp.
+// A running simulation of one scene. The sequence of a step is listed in src/step/stepper.cpp.
 class Simulation {
  public:
-  // Sets everything up and evaluates the forces at t = 0. Throws Error for a scene that cannot be set up.
+  // Sets up the scene and evaluates the forces at t = 0. Throws Error for an invalid scene.
   explicit Simulation(const Scene& scene);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  // Advances by one time step. Throws Error(blow_up) naming particle, contact, time and cure.
+  // Advances by one time step. Throws Error(blow_up) with the particle or contact, the time and a remedy.
   void step();
   // Takes up to `steps` steps. Faster than step(): the state is not observable in between. `proceed` is
   // polled during each step; false makes that step the last. Returns the steps taken.
   std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
 
-  // Measures the wall time of the phases of each step from now on; null ends it. The profile must outlive
-  // the measurement.
+  // Adds the wall time of each phase of later steps to a profile, which must outlive the measurement; null
+  // stops.
   void measure(Profile* profile);
 
-  // New parameters for a law, boundary or body force by name, between steps; histories and walls stay.
-  // Throw Error for an unknown name or parameters that change the layout of the scene.
+  // Set new parameters for a law, boundary or body force by name, between steps; histories and wall positions
+  // are kept. Throw Error for an unknown name or for parameters that change the layout of the scene.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
   void reconfigure_boundary(const std::string& name, const Parameters& parameters);
   void reconfigure_body_force(const std::string& name, const Parameters& parameters);
-  // To be called after reconfigurations, before the next step.
+  // Must be called after reconfigurations, before the next step.
   void apply_reconfiguration();
 
   int dimension() const;
@@ -60,29 +60,29 @@ class Simulation {
   const Particles& particles() const;
   const Domain& domain() const;
   const std::vector<scree_plane>& planes() const;
-  const std::vector<scree_load>& loads() const;         // on each plane (N)
+  const std::vector<scree_load>& loads() const;         // contact force on each plane (N)
   const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
   ContactList contact_list() const;
 
   scree_energy energy() const;
-  // |residual| over the turnover of energy; 0 without an audit.
+  // |residual| / turnover of the energy balance; 0 without an audit.
   double energy_residual() const;
-  // Energy created by contact laws, over the turnover; 0 without an audit.
+  // Energy created by contact laws / turnover; 0 without an audit.
   double energy_created() const;
   // Net momentum created by contact forces (0 in exact arithmetic) over the momentum exchanged.
   double momentum_residual() const;
-  double max_overlap_ratio() const;  // overlap over the smaller radius, largest so far
+  double max_overlap_ratio() const;  // overlap / smaller radius, largest so far
   std::uint64_t rebuilds() const;    // neighbour searches so far
   double skin() const;               // (m)
-  // That of the first search (m): stated, or a tenth of the mean radius.
+  // Skin of the first search (m): as given, or a tenth of the mean radius.
   double first_skin() const;
-  // Shortest contact of the lightest pair of each law over the step, at the speeds expected or met so far,
-  // whichever are higher; infinite without pairs.
+  // Shortest contact time of any law's lightest pair / time step, at the expected impact speed or the largest
+  // one possible so far, whichever is higher; infinite without pairs.
   double min_steps_per_contact() const;
   std::uint64_t state_hash() const;
   Footprint footprint() const;
 
-  // Internal to the framework and its tests; the types are private.
+  // For the framework and its tests only; the types are private.
   const Boundaries& boundaries() const;
   const BodyForces& body_forces() const;
   const Contacts& contacts() const;

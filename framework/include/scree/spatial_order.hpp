@@ -7,8 +7,8 @@
 
 namespace scree {
 
-// Order of bodies along a Morton curve through cells of twice the mean radius: bodies that touch lie near
-// each other in memory as well. Bodies of one cell keep their order.
+// Indices of the bodies in the order of a Morton curve through cells of twice the mean radius, so that bodies
+// that touch are close in memory too. Bodies of the same cell keep their order.
 std::vector<std::uint32_t> spatial_order(const std::vector<Body>& bodies, int dimension);
 
 }  // namespace scree

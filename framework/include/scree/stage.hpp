@@ -9,7 +9,7 @@
 
 namespace scree {
 
-// One part of a run: what changes when it begins, and until when it lasts.
+// One part of a run: the parameters that change at its start, and the condition that ends it.
 struct Stage {
   struct Change {
     scree_kind kind;
@@ -19,15 +19,15 @@ struct Stage {
 
   std::string name;
   std::vector<Change> changes;
-  // Lasts this long (s), or until the condition holds.
+  // Duration (s); without it, the condition below ends the stage.
   std::optional<double> duration;
-  // Ends when kinetic energy / elastic energy falls below this.
+  // The stage ends when kinetic energy / elastic energy falls below this value.
   std::optional<double> kinetic_over_elastic;
-  double at_least = 0;            // (s) before which the condition is not looked at
-  std::optional<double> at_most;  // (s) after which a condition that has not come is an error
+  double at_least = 0;            // (s) before which the condition is not tested
+  std::optional<double> at_most;  // (s) after which an unfulfilled condition is an error
 };
 
-// Drives a simulation through its stages, step by step.
+// Runs a simulation through its stages.
 class StageRunner {
  public:
   StageRunner(Simulation& simulation, std::vector<Stage> stages);
@@ -35,22 +35,21 @@ class StageRunner {
   bool finished() const { return current_ == stages_.size(); }
   std::size_t current() const { return current_; }
   const std::vector<Stage>& stages() const { return stages_; }
-  // Time at which the current stage began (s).
+  // Start time of the current stage (s).
   double began() const { return began_; }
-  // One time step; moves to the next stage when this one is over.
-  // Throws Error(failure) when a condition has not come in time.
+  // Takes one time step and enters the next stage when this one has ended. Throws Error(failure) if the
+  // condition is not fulfilled by `at_most`.
   void step();
-  // The same for up to so many steps of this stage, as long as proceed() says yes. Returns how many were
-  // made.
+  // Takes up to `steps` steps of this stage; `proceed` as in Simulation::run. Returns the steps taken.
   std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
-  // Share of the whole run that is done, as far as durations tell: 0 to 1.
+  // Completed fraction of the run, 0 to 1, estimated from the durations of the stages.
   double progress() const;
 
  private:
   void begin();
   bool over() const;
-  // Until this stage may be over, at least 1.
-  std::uint64_t steps_to_next_look() const;
+  // Steps until the end of this stage must be tested again, at least 1.
+  std::uint64_t steps_to_next_check() const;
   std::uint64_t steps_in(double duration) const;
   double expected_length(const Stage& stage) const;
 

@@ -5,7 +5,7 @@
 
 namespace scree {
 
-// 64-bit hash of a state's exact bits, FNV-1a over 8-byte words; equal states give equal hashes on every
+// 64-bit hash of the exact bits of a state: FNV-1a over 8-byte words. Equal states have equal hashes on every
 // machine.
 class StateHash {
  public:

@@ -7,36 +7,34 @@
 
 namespace scree {
 
-// One thing that bounds the time step.
+// An upper limit of the time step and its cause.
 struct StepLimit {
   std::string cause;    // "the contacts of law 'glass'"
   double longest_step;  // (s)
 };
 
-// What speeds are measured against (m/s): where there are walls they are at rest; without walls it is the
-// mean velocity of the bodies at the start, by mass, so that a step suits a cloud however fast it flies as a
-// whole.
+// Reference velocity for speeds (m/s): zero in a scene with walls; without walls the initial velocity of the
+// centre of mass, so that the limit does not depend on the motion of a cloud as a whole.
 Vec3 drift_velocity(const Scene& scene);
 
-// Impact speed that contacts are judged at (m/s): what the scene expects, else twice the fastest body's at
-// the start, against the drift velocity, but at least 1 m/s, since bodies at rest are set in motion later.
-// Contact times of Hertz' law go with its fifth root.
+// Impact speed v for which contact times are computed (m/s): Scene::expected_speed if given, else twice the
+// largest initial speed relative to the drift velocity, but at least 1 m/s, since bodies at rest may be set
+// in motion later. Hertzian contact times scale as v^(−1/5).
 double expected_speed(const Scene& scene);
 
-// Shortest contact of the lightest pair that each law may meet (s); infinite if the scene has no pairs.
+// Shortest contact time (s) of any law's lightest pair at an impact speed (m/s); infinite without pairs.
 double shortest_contact_time(const Scene& scene, double speed);
 
-// Everything that bounds the step of a simulation as it is now, for its integrator:
-//   contacts     the step in which the lightest pair of a law is stable; where more than one contact may hold
-//   a
-//                body, with four times its stiffness and damping, as in the densest packing of equal spheres
-//   surfaces     half the time in which a Rayleigh wave passes the smallest body, for laws that know it
-//   walls        the same for a wall that forces move, whose mass is shared by the bodies that it may meet
+// All limits of the time step of a simulation in its present state, for its integrator:
+//   contacts     longest stable step of the lightest pair of each law; where a body may have several
+//                contacts, with four times the stiffness and damping, as in the densest packing of spheres
+//   surfaces     half the time in which a Rayleigh wave crosses the smallest body, for laws that state it
+//   walls        as for contacts, for walls moved by forces; the bodies they may touch share their mass
 //   viscosity    of walls, and
-//   drag         of body forces: the step in which they leave a body slower rather than turn it round
-//   motion       the skin, which the fastest body or wall must not cross within a step
+//   drag         of body forces: the longest step in which drag slows the motion without reversing it
+//   motion       the fastest body or wall must not cross the skin within one step
 std::vector<StepLimit> step_limits(const Simulation& simulation);
-// The shortest of them.
+// The smallest of these limits; infinite without any.
 StepLimit shortest_limit(const Simulation& simulation);
 
 }  // namespace scree

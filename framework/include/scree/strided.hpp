@@ -6,7 +6,7 @@
 
 namespace scree {
 
-// One number of every body: the same place in all records.
+// View of one component of all bodies: the same offset in every record.
 template <class T>
 class Strided {
  public:
@@ -41,7 +41,7 @@ class Strided {
   Strided(T* first, std::size_t stride, std::size_t size) : first_(first), stride_(stride), size_(size) {}
 
   T& operator[](std::size_t i) const { return first_[i * stride_]; }
-  T* data() const { return first_; }  // null if the scene does not carry it
+  T* data() const { return first_; }  // null if the scene does not carry this component
   std::size_t stride() const { return stride_; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -53,11 +53,12 @@ class Strided {
   std::size_t stride_ = 0, size_ = 0;
 };
 
-// A vector of every body by its components along x, y, z; components that the scene does not carry are empty.
+// View of a vector of all bodies by its components along x, y, z; components that the scene does not carry
+// are empty.
 template <class T>
 class Vectors {
  public:
-  // The components [first, last) lie side by side, from `data` on.
+  // The components [first, last) are adjacent in memory, starting at `data`.
   Vectors(T* data, std::size_t stride, std::size_t size, int first, int last)
       : data_(data), stride_(stride), size_(size), first_(first), last_(last) {}
 

@@ -19,7 +19,7 @@ bool needs_spin(const Scene& scene) {
   const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const Body& b) { return !(b.spin == Vec3{}); });
   const bool turning = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
-    return turns_bodies(law.parameters, scene.dimension);
+    return exerts_torque(law.parameters, scene.dimension);
   });
   return scene.spin || spinning || turning;
 }
@@ -54,7 +54,7 @@ double speed_limit_of(const Scene& scene) {
 }
 
 unsigned threads_of(const Scene& scene) {
-  const std::size_t useful = scene.bodies.size() / std::max<std::size_t>(1, scene.least_bodies_per_thread);
+  const std::size_t useful = scene.bodies.size() / std::max<std::size_t>(1, scene.min_bodies_per_thread);
   return unsigned(std::clamp<std::size_t>(useful, 1, std::max(1u, scene.threads)));
 }
 
@@ -74,7 +74,7 @@ Contacts::Lookup lookup_of(const Scene& scene) {
 
 }  // namespace
 
-bool turns_bodies(const Parameters& law, int dimension) {
+bool exerts_torque(const Parameters& law, int dimension) {
   return ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance().tangential != 0;
 }
 

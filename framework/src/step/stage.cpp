@@ -38,7 +38,7 @@ std::uint64_t StageRunner::steps_in(double duration) const {
   return std::uint64_t(std::llround(duration / simulation_.step_length()));
 }
 
-std::uint64_t StageRunner::steps_to_next_look() const {
+std::uint64_t StageRunner::steps_to_next_check() const {
   const Stage& stage = stages_[current_];
   const std::uint64_t steps = simulation_.steps() - began_step_;
   const auto left = [&](std::uint64_t last) { return last > steps ? last - steps : 1; };
@@ -65,7 +65,7 @@ void StageRunner::step() {
 }
 
 std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>& proceed) {
-  const std::uint64_t made = simulation_.run(std::min(steps, steps_to_next_look()), proceed);
+  const std::uint64_t made = simulation_.run(std::min(steps, steps_to_next_check()), proceed);
   const Stage& stage = stages_[current_];
   if (over()) {
     ++current_;

@@ -198,9 +198,9 @@ void DataReader::read_atom(const std::vector<Token>& words) {
                                   BodyField::z};
   refuse_surplus(std::int64_t(packing_.bodies.size()), "Atoms");
   if (words.size() != 7 && words.size() != 10) {
-    reader_.fail(
-        1, fmt::format("{} words instead of 'id type diameter density x y z [ix iy iz]'", words.size()),
-        "write the file with atom_style sphere or granular");
+    reader_.fail(1,
+                 fmt::format("{} words instead of 'id type diameter density x y z [ix iy iz]'", words.size()),
+                 "write the file with atom_style sphere or granular");
   }
   Body body;
   store(body, BodyField::id, words[0]);

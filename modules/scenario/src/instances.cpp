@@ -23,7 +23,7 @@ scree_boundary_instance configured_boundary(const Parameters& parameters, const 
 void check_instance(const Stage::Change& instance, const Scene& scene) {
   switch (instance.kind) {
     case SCREE_CONTACT_LAW:
-      turns_bodies(instance.parameters, scene.dimension);
+      exerts_torque(instance.parameters, scene.dimension);
       break;
     case SCREE_BOUNDARY:
       configured_boundary(instance.parameters, scene);

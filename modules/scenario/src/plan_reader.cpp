@@ -124,7 +124,7 @@ void check_pictures(const document::Table& root, const Plan& plan) {
 bool rotates_later(const std::vector<Stage>& stages, int dimension) {
   for (const Stage& stage : stages)
     for (const Stage::Change& change : stage.changes)
-      if (change.kind == SCREE_CONTACT_LAW && turns_bodies(change.parameters, dimension)) return true;
+      if (change.kind == SCREE_CONTACT_LAW && exerts_torque(change.parameters, dimension)) return true;
   return false;
 }
 

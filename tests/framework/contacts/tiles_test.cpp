@@ -41,7 +41,7 @@ Scene crowd(int dimension, int per_axis, unsigned threads, bool at_random = true
                                 {"static_friction", {0.3}},
                                 {"rolling_friction", {0.02}}});
   s.threads = threads;
-  s.least_bodies_per_thread = 1;
+  s.min_bodies_per_thread = 1;
   const double length = 1.95 * per_axis;
   scree::test::add_boundary(s, "periodic", {{"axes", {0}}, {"lower", {0, 0, 0}}, {"upper", {length, 1, 1}}});
   scree::test::add_boundary(s, "plane", {{"point", {0, 0.02, 0}}, {"normal", {0, 1, 0}}}, "low");

@@ -19,12 +19,12 @@ double angle_after(double angle, double time, int steps, const Velocity& slip_ve
   Vec2 spring = (limit / stiffness) * Vec2{{std::cos(angle), std::sin(angle)}};
   for (int n = 0; n < steps; ++n) {
     const Vec2 moved = spring + h * slip_velocity((n + 0.5) * h), velocity = slip_velocity((n + 1) * h);
-    const auto slip = slide_or_stick(SlipStep<2, double>{.moved = moved,
+    const auto slip = slide_or_stick(SlipStep<2, double>{.trial_spring = moved,
                                                          .stiffness = stiffness,
                                                          .inverse_stiffness = 1 / stiffness,
                                                          .velocity = velocity,
                                                          .delay = 0,
-                                                         .length = h,
+                                                         .step = h,
                                                          .limit = limit,
                                                          .sliding_limit = limit});
     spring = slip.spring;
@@ -83,12 +83,12 @@ TEST_CASE("forces obey Coulomb's law, and spring and dashpot lose energy only, w
     const double h = 1e-3 * std::pow(10, exponent(random));
     const Vec3 moved = old + h * velocity;
     const double damping = 0.1 * std::pow(10, exponent(random));
-    const auto slip = slide_or_stick(SlipStep<3, double>{.moved = moved,
+    const auto slip = slide_or_stick(SlipStep<3, double>{.trial_spring = moved,
                                                          .stiffness = stiffness,
                                                          .inverse_stiffness = 1 / stiffness,
                                                          .velocity = velocity,
                                                          .delay = damping / stiffness,
-                                                         .length = h,
+                                                         .step = h,
                                                          .limit = bound,
                                                          .sliding_limit = bound});
     (slip.slides ? slid : stuck)++;

@@ -84,7 +84,7 @@ TEST_CASE("any number of threads gives the same bits") {
   const std::uint64_t alone = hash_after(scene, 120);
   for (const unsigned threads : {2u, 3u, 4u}) {
     scene.threads = threads;
-    scene.least_bodies_per_thread = 1;
+    scene.min_bodies_per_thread = 1;
     INFO(threads << " threads");
     CHECK(hash_after(scene, 120) == alone);
   }
@@ -95,7 +95,7 @@ TEST_CASE("energies and momentum errors have the same bits for any number of thr
   std::set<std::uint64_t> hashes;
   for (const unsigned threads : {1u, 2u, 3u, 4u}) {
     scene.threads = threads;
-    scene.least_bodies_per_thread = 1;
+    scene.min_bodies_per_thread = 1;
     Simulation s(scene);
     scree::test::run(s, 100);
     scree::StateHash hash;

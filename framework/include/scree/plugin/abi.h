@@ -1,12 +1,11 @@
-/* The only binary contract between scree and its plug-ins: C types, no exceptions, no allocation.
+/* The binary interface between scree and its plug-ins: C types, no exceptions, no allocation.
  *
- * Rules that hold for every struct: `struct_size` is set by whoever fills the struct, so that a newer host
- * can still read an older plug-in's; pointers are never NULL unless marked (optional); strings are UTF-8,
- * static, and owned by the plug-in; all quantities are in SI units; vectors have 3 components, in 2D the
- * third is 0. Functions that can fail return 0 on success, else nonzero with one line of text in `message`.
- * No function is called from two threads on the same storage, except `evaluate` and `apply`, which only read
- * it. Plug-in authors write the C++ adapters of contact_law.hpp, boundary.hpp, probe.hpp, body_force.hpp
- * instead. */
+ * Rules for every struct: the side that fills a struct sets its `struct_size`, so that a newer host can still
+ * read an older plug-in's; pointers are never NULL unless marked (optional); strings are UTF-8, static, and
+ * owned by the plug-in; all quantities are in SI units; vectors have 3 components, of which the third is 0 in
+ * 2D. Functions that can fail return 0 on success, else nonzero with one line of text in `message`. No
+ * function is called from two threads on the same storage, except `evaluate` and `apply`, which only read it.
+ * Plug-in authors use the C++ adapters contact_law.hpp, boundary.hpp, probe.hpp, body_force.hpp instead. */
 #ifndef SCREE_PLUGIN_ABI_H
 #define SCREE_PLUGIN_ABI_H
 
@@ -39,7 +38,7 @@ typedef struct scree_plugin {
   uint32_t abi_version; /* SCREE_ABI_VERSION of the build; checked before anything below is read */
   uint32_t kind;        /* scree_kind */
   uint32_t parameter_count;
-  uint64_t features;    /* bits of capabilities that the plug-in requires of the host; 0 today */
+  uint64_t features;    /* bits of capabilities that the plug-in requires of the host; none are defined: 0 */
   const char* name;     /* as in the scenario: plugin = "name" */
   const char* summary;  /* one line */
   const char* equation; /* the equations in plain text, lines separated by \n */
@@ -48,7 +47,7 @@ typedef struct scree_plugin {
   const void* interface; /* scree_contact_law, scree_boundary, scree_body_force or scree_probe */
 } scree_plugin;
 
-/* The one symbol a library exports. */
+/* Type of SCREE_QUERY_SYMBOL, the only symbol that a library exports. */
 typedef const scree_plugin* (*scree_query_function)(void);
 
 #ifdef __cplusplus

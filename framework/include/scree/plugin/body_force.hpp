@@ -11,22 +11,24 @@
 //   void prepare(const scree::Setup&);                          optional: derived values, refusals
 //   void act(const scree::BodyState&, scree::BodyResponse&) const;
 //   double damping_rate(double mass, double inertia, double radius) const;
-//                                               optional: how fast it slows a body (1/s), for the step guard
+//                                               optional: rate at which drag slows a body (1/s), for the
+//                                               step guard
 
 namespace scree {
 
-// One body. What the scene does not carry is 0: z and the x, y spins in 2D, spin and inertia without spin.
+// One body. Components that the scene does not carry are 0: z and the x and y spins in 2D, spin and inertia
+// in a scene without spin.
 struct BodyState {
-  Vec3 position;                 // (m) with the periods that the body has crossed
+  Vec3 position;                 // (m) unfolded: including the periods that the body has crossed
   Vec3 velocity;                 // (m/s)
   Vec3 spin;                     // (rad/s)
   double radius, mass, inertia;  // (m), (kg), (kg m²)
 };
 
-// What a term answers. Everything starts at 0.
+// Output of a body force. All members are initialised to 0.
 struct BodyResponse {
   Vec3 force;                     // (N)
-  Vec3 torque;                    // (N m) no effect in a scene without spin
+  Vec3 torque;                    // (N m) ignored in a scene without spin
   double potential;               // (J)
   double dissipated_translation;  // (W)
   double dissipated_rotation;     // (W)
@@ -34,7 +36,7 @@ struct BodyResponse {
 
 namespace detail {
 
-// Components [first, last) of a vector, `at` numbers into its columns.
+// Components [first, last) of a vector, at the offset `at` (doubles) into its columns.
 template <int first, int last>
 inline Vec3 vector_at(const scree_column (&columns)[3], std::uint64_t at) {
   Vec3 v = {};
@@ -42,11 +44,11 @@ inline Vec3 vector_at(const scree_column (&columns)[3], std::uint64_t at) {
   return v;
 }
 
-// A batch has one stride for all of the bodies' state and one for their loads.
+// All state columns of a batch have the same stride, and so do all load columns.
 template <class Author, int D, bool with_spin, bool audit>
 [[gnu::flatten]] void act_on_batch(const Author& shared, scree_body_batch& sums) {
   constexpr int first_spin = with_spin ? first_spin_axis<D> : 3;
-  // Copies, which no load that is written can overlap.
+  // Local copies: the compiler need not assume that writing a load changes them.
   const Author author = shared;
   const scree_body_batch batch = sums;
   const std::uint64_t state_stride = batch.radius.stride, load_stride = batch.force[0].stride;

@@ -13,9 +13,9 @@
 //   void begin_step(const scree_boundary_step&) const;   planes from t to t + step
 //   void finish_step(const scree_boundary_step&) const;    velocities and energies at t + step
 //
-// `begin_step` also sets mid_velocity, the displacement over the step, and velocity, its prediction for t +
-// step. `finish_step` knows the loads at t + step; it is called once with step 0 for the loads at the start.
-// An instance that says `still` is spared both while its planes rest.
+// `begin_step` also sets mid_velocity, displacement / step, and velocity, predicted for t + step.
+// `finish_step` receives the loads at t + step; it is called once with step 0 for the initial loads. Neither
+// is called while the instance has set `still`.
 
 namespace scree::detail {
 

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-// The batch of contacts that a law is given, in double or in float.
+// The batch of contacts that is passed to a law, in double or in float.
 template <class T>
 using ContactBatch =
     std::conditional_t<std::is_same_v<T, float>, scree_contact_batch_single, scree_contact_batch>;

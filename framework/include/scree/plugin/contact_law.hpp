@@ -12,38 +12,39 @@
 #include <scree/plugin/vec.hpp>
 
 // How to write a contact law: plugins/README.md. The author's `force` is a pure, branch-free function of one
-// contact; this header turns it into a vectorised batch. Selections are written with ?:, std::max, std::min.
+// contact; this header applies it to batches in a vectorised loop. Write selections as ?:, std::max,
+// std::min.
 
 namespace scree {
 
-// One touching pair, as far as the kernel's `reads` asks for it; the rest is 0.
+// Input of a law: one touching pair. Members that the kernel's `reads` does not list are 0.
 template <int D, class T = double>
 struct Contact {
   Vec<D, T> normal;                          // unit, from b to a
   T overlap;                                 // (m) > 0
   Vec<D, T> relative_velocity;               // (m/s) of the contact points, a minus b, at the end of the step
-  Vec<D, T> tangential_increment;            // (m) moved while touching in this step,
-                                             // perpendicular to the mid-step normal
+  Vec<D, T> tangential_increment;            // (m) displacement of a's contact point relative to b's while
+                                             // touching in this step, perpendicular to the mid-step normal
   Vec<spin_components<D>, T> relative_spin;  // (rad/s) a minus b
-  T onset_weight;                            // factor for forces that begin with onset_power at first touch
+  T onset_weight;                            // factor for forces that begin as t^onset_power at first touch
   Root<T> contact_radius;                    // (m) a = √(R* δ) of a Hertzian contact, and 1/a
   T contact_radius_root;                     // (m^½) √a
   T reduced_mass, reduced_mass_root;         // (kg), (kg^½)
   T effective_radius;                        // (m)
-  T step;                                    // (s) below 0 in a substep that goes back in time
+  T step;                                    // (s) negative in a substep backwards in time
 };
 
-// What a divisor is raised to where it might be 0: its reciprocal is finite.
+// Lower bound for divisors that may vanish; its reciprocal is finite.
 template <class T>
 inline constexpr T smallest_divisor = T(1e-300);
 template <>
 inline constexpr float smallest_divisor<float> = 1e-36f;
 
-// What a law answers. Everything starts at 0.
+// Output of a law. All members are initialised to 0.
 template <int D, class T = double>
 struct Response {
   Vec<D, T> force;                    // (N) on a, the opposite on b
-  Vec<spin_components<D>, T> couple;  // (N m) on a beyond force × arm, the opposite on b
+  Vec<spin_components<D>, T> couple;  // (N m) on a in addition to arm × force, the opposite on b
   T elastic_normal;                   // (J) stored
   T elastic_tangential;               // (J) stored
   T dissipated_normal;                // (W)
@@ -53,7 +54,7 @@ struct Response {
   T dissipated_release;               // (J) during the step
 };
 
-// The history of a law that keeps none.
+// History of a law without memory.
 template <int D, class T>
 struct NoHistory {};
 
@@ -68,14 +69,14 @@ inline constexpr std::uint32_t reads_reduced_mass = 1u << SCREE_REDUCED_MASS;
 inline constexpr std::uint32_t reads_reduced_mass_root = 1u << SCREE_REDUCED_MASS_ROOT;
 inline constexpr std::uint32_t reads_effective_radius = 1u << SCREE_EFFECTIVE_RADIUS;
 
-// Base of every law; a kernel states what differs.
+// Base of every law, with defaults; a kernel overrides what differs.
 struct ContactLaw {
   static constexpr std::uint32_t reads = reads_overlap | reads_normal;
-  static constexpr bool tangential = false;  // has forces off the normal: bodies must carry spin
+  static constexpr bool tangential = false;  // has tangential forces: bodies must carry spin
   static constexpr bool writes_couple = false;
   static constexpr scree_arms arms = SCREE_ARM_CONTACT_POINT;
-  // Powers of time with which forces multiplied by `onset_weight` begin at first touch and end at parting: 0,
-  // a jump, 1/4, 1/2 or 3/4; `continuous` where they need no weights.
+  // Forces multiplied by `onset_weight` begin as t^onset_power at first touch and end as t^parting_power at
+  // parting: 0 (a jump), 1/4, 1/2 or 3/4; `continuous` where they need no weights.
   static constexpr double continuous = 1;
   double onset_power() const { return 0; }
   double parting_power() const { return 0; }
@@ -111,14 +112,14 @@ inline Contact<D, T> load_contact(const ContactBatch<T>& batch, std::uint32_t i)
   return c;
 }
 
-// A history struct is `width` doubles in declared order.
+// Number of values in a history struct, which are stored in declared order.
 template <class Kernel, int D>
 inline constexpr std::uint32_t history_width = std::is_empty_v<typename Kernel::template History<D, double>>
                                                    ? 0
                                                    : sizeof(typename Kernel::template History<D, double>) /
                                                          sizeof(double);
 
-// Calls visit(k, component) for the `width` numbers that a history struct consists of.
+// Calls visit(k, component) for the `width` values of a history struct.
 template <std::uint32_t width, class T, class History, class Visit>
 inline void each_component(History& history, Visit visit) {
   T* components = reinterpret_cast<T*>(&history);
@@ -126,7 +127,7 @@ inline void each_component(History& history, Visit visit) {
   (std::make_index_sequence<width>{});
 }
 
-// Energy let go when a contact opens with its springs stretched.
+// Energy released when a contact opens with stretched springs (J).
 template <class T, class Kernel, class History>
 inline T released_energy(const Kernel& kernel, const History& history) {
   if constexpr (requires { kernel.stored_energy(history); })
@@ -135,8 +136,8 @@ inline T released_energy(const Kernel& kernel, const History& history) {
     return T(0);
 }
 
-// Keeps values where a condition holds, and makes them 0 elsewhere. By bits: compilers make branches and
-// second stores of selections.
+// Keeps values where a condition holds and sets them to 0 elsewhere. Uses bit masks, because compilers turn
+// selections into branches and second stores.
 template <class T>
 class KeepIf {
  public:
@@ -241,8 +242,8 @@ std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* en
 }  // namespace detail
 
 // Parameters: a ContactLaw with `about`, `declare`, `kernel() -> index of the kernel to use`, `closed_forms`.
-// Kernels: derived from Parameters without data of their own, cheapest first; a scene pays for the one that
-// it needs.
+// Kernels: derived from Parameters without data of their own, cheapest first; `kernel` selects the cheapest
+// one that the parameters allow.
 #define SCREE_CONTACT_LAW_PLUGIN(Parameters, ...)                                                           \
   static const scree_contact_law scree_interface = {sizeof(scree_contact_law), sizeof(Parameters),          \
                                                     &scree::detail::configure_law<Parameters, __VA_ARGS__>, \

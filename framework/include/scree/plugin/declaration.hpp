@@ -11,6 +11,7 @@
 
 namespace scree {
 
+// Accepted range of a number; bounds are included unless stated otherwise.
 struct Range {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
@@ -25,8 +26,8 @@ inline constexpr Range non_negative{.minimum = 0};
 inline constexpr Range coefficient{.minimum = 0, .maximum = 1};
 inline constexpr Range positive_coefficient{.minimum = 0, .maximum = 1, .minimum_excluded = true};
 
-// The parameters of a plug-in, declared once: the same calls describe them to the host and, when values have
-// come, write them into the author's members. A member's initial value is its default.
+// The parameters of a plug-in, declared once: the same calls describe them to the host and, during
+// configuration, write the values into the author's members. A member's initial value is its default.
 //   void declare(scree::Declaration& d) {
 //     d.number("normal_stiffness", normal_stiffness, "N/m", scree::positive, "spring k").required();
 //   }
@@ -34,15 +35,15 @@ class Declaration {
  public:
   static constexpr std::uint32_t capacity = 32;
 
-  // Refines the parameter declared last.
+  // Options of the parameter that was declared last.
   class Entry {
    public:
     explicit Entry(scree_parameter& parameter) : parameter_(parameter) {}
-    // Must be given.
+    // The parameter must be given.
     Entry& required() { return flag(SCREE_REQUIRED); }
-    // May be absent; the member then keeps its initial value.
+    // The parameter may be absent; the member then keeps its initial value.
     Entry& optional() { return flag(SCREE_OPTIONAL); }
-    // Exactly one of this and `key` is given.
+    // Exactly one of this parameter and `key` must be given.
     Entry& or_else(const char* key) {
       parameter_.excludes = key;
       return flag(SCREE_OPTIONAL);
@@ -83,7 +84,7 @@ class Declaration {
       for (int k = 0; k < 3; ++k) member[k] = value->data[k];
     return add(SCREE_VECTOR, key, unit, doc, 0, any_number);
   }
-  // A view of the host's numbers, which live as long as the configuration.
+  // The member becomes a view of the host's numbers, valid as long as the configuration.
   Entry list(const char* key, scree_value& member, const char* unit, const Range& range, const char* doc) {
     if (const scree_value* value = next()) member = *value;
     return add(SCREE_LIST, key, unit, doc, 0, range);
@@ -97,7 +98,7 @@ class Declaration {
   std::uint32_t count() const { return count_; }
 
  private:
-  // The value for the parameter that is being declared, or null while only describing or if not given.
+  // The value of the parameter being declared; null if it was not given or if values are not being assigned.
   const scree_value* next() const {
     return values_ && values_[count_].count > 0 ? &values_[count_] : nullptr;
   }
@@ -127,14 +128,15 @@ class Declaration {
   std::uint32_t count_ = 0;
 };
 
-// What an author's `prepare` may look at besides the parameters; `refuse` makes the configuration fail.
+// What an author's `prepare` can read besides the parameters: dimension and bounding box of the bodies (m).
+// `refuse` makes the configuration fail.
 class Setup {
  public:
   explicit Setup(const scree_setup& setup) : setup_(setup) {}
   int dimension() const { return int(setup_.dimension); }
   double lower(int axis) const { return setup_.lower[axis]; }
   double upper(int axis) const { return setup_.upper[axis]; }
-  // What is wrong and what to do, in one line.
+  // message: the problem and a remedy, in one line.
   void refuse(const char* message) const {
     std::snprintf(setup_.message, setup_.message_size, "%s", message);
     refused_ = true;
@@ -146,7 +148,8 @@ class Setup {
   mutable bool refused_ = false;
 };
 
-// Constructs an author's struct in the host's storage, gives it its values and lets it prepare itself.
+// Constructs an author's struct in the host's storage, assigns its parameters and calls its `prepare`.
+// Returns 0 on success, 1 if `prepare` refused.
 template <class Author>
 int configure_author(const scree_setup* setup, void* storage) {
   static_assert(sizeof(Author) <= SCREE_MAX_INSTANCE_SIZE, "keep large data in the host's state");
@@ -162,7 +165,7 @@ int configure_author(const scree_setup* setup, void* storage) {
   return 0;
 }
 
-// What describes a plug-in to people; each line of `equation` is one equation.
+// Documentation of a plug-in, shown by `scree describe`; each line of `equation` is one equation.
 struct About {
   const char* name;
   const char* summary;
@@ -170,6 +173,7 @@ struct About {
   const char* source;
 };
 
+// The manifest of a plug-in: its kind, documentation, declared parameters and function table.
 template <class Author, class Interface>
 const scree_plugin* manifest_of(scree_kind kind, const Interface& interface) {
   static const Declaration declaration = [] {

@@ -7,16 +7,16 @@
 
 namespace scree {
 
-// Coulomb friction of a contact with a tangential spring and a dashpot beside it, as a continuous law:
-//   ξ′ = v_t − s                   spring (m), carried along with the tangent plane; s velocity of slip
-//   |k ξ| < C:  s = 0              it sticks
-//   |k ξ| = C:  s = σ ξ/|ξ|, σ >= 0 such that |k ξ| = C holds as C changes: it slides
-//   f_t = −P(k ξ + γ v_t)          P(f): the vector nearest to f that is not longer than C
-// The force of the spring alone makes the spring slip; the dashpot never does, and is limited so that the sum
-// obeys Coulomb's law. Both lose energy only: k ξ · s = C σ >= 0, and (P(k ξ + γ v) − k ξ) · v >= 0, for k ξ
-// = P(k ξ) and a projection is monotone.
+// Coulomb friction of a contact with a tangential spring and a parallel dashpot, in continuous time:
+//   ξ′ = v_t − s                   spring elongation ξ (m) in the rotating tangent plane; s: slip velocity
+//   |k ξ| < C:  s = 0              stick
+//   |k ξ| = C:  s = σ ξ/|ξ|, σ >= 0 such that |k ξ| = C holds as C changes: slip
+//   f_t = −P(k ξ + γ v_t)          P(f): projection of f onto the ball of radius C, the Coulomb limit
+// The spring slips when its own force reaches the limit; the dashpot never causes slip, and is limited so
+// that the sum obeys Coulomb's law. Both can only dissipate: k ξ · s = C σ >= 0, and (P(k ξ + γ v) − k ξ) · v
+// >= 0, because k ξ = P(k ξ) and a projection onto a convex set is monotone.
 
-// A tangential contact after a step.
+// Result: tangential spring and force at the end of a step.
 template <int D, class T>
 struct Slip {
   Vec<D, T> spring;  // ξ (m)
@@ -24,36 +24,36 @@ struct Slip {
   bool slides;
 };
 
-// What a step is ended with.
+// Input: tangential state of a contact before slip is applied.
 template <int D, class T>
 struct SlipStep {
-  const Vec<D, T>& moved;          // ξ moved by the step, in the present tangent plane (m)
-  T stiffness, inverse_stiffness;  // k and 1/k at its end (N/m, m/N)
-  const Vec<D, T>& velocity;       // v_t at its end (m/s)
-  T delay;                         // γ/k, weighted around first touch (s)
-  T length;                        // of the step (s)
-  T limit, sliding_limit;          // C as the contact has been so far, and while it slides (N)
+  const Vec<D, T>& trial_spring;   // ξ plus the displacement of the step, in the present tangent plane (m)
+  T stiffness, inverse_stiffness;  // k and 1/k at the end of the step (N/m, m/N)
+  const Vec<D, T>& velocity;       // v_t at the end of the step (m/s)
+  T delay;                         // γ/k, with the onset weight (s)
+  T step;                          // (s)
+  T limit, sliding_limit;          // C for the previous state (stick or slip), and C for slip (N)
 };
 
-// The direction of slip turns within the step, from that of the old spring towards that of v_t: a return
-// along the moved spring alone lags by half a step. To second order, and whatever the size of the step, the
-// direction is that of p = ξ + ½ y h v_t, with y = slip/|ξ| = ½ (ξ²/L² − 1), L = C/k. It is multiplied by 4
-// L², which saves a division. The whole force is along k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t), where |p| = ½
-// L (1 + ξ²/L²) to second order does without the root that ξ waits for.
-// damped: false saves what a dashpot takes.
+// Returns spring and force after slip. The slip direction turns within the step, from the direction of the
+// old spring towards v_t: a radial return of the trial spring ξ alone lags by half a step. To second order in
+// the step h, and for any amount of slip, the direction is that of p = ξ + ½ y h v_t with y = slip/|ξ| = ½
+// (ξ²/L² − 1), L = C/k. The code computes 4 L² p, which saves a division. The total force is along k ξ + γ
+// v_t = (C/|p|) (p + |p| γ/C v_t), where |p| = ½ L (1 + ξ²/L²) to second order avoids waiting for the square
+// root. damped = false: compiled without the dashpot.
 template <bool damped = true, int D, class T>
 inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
-  const T longest = in.limit * in.inverse_stiffness, square = dot(in.moved, in.moved);
+  const T longest = in.limit * in.inverse_stiffness, square = dot(in.trial_spring, in.trial_spring);
   const bool slides = square > longest * longest;
   const T sliding_longest = in.sliding_limit * in.inverse_stiffness;  // L
   const T longest_square = sliding_longest * sliding_longest;
 
-  // In single precision 4 L² times p, squared, would be too small a number.
+  // In single precision the square of 4 L² p would underflow.
   T scale = T(1);
   if constexpr (std::is_same_v<T, float>) scale = T(1) / std::max(square, smallest_divisor<T>);
   const T kept = slides ? T(4) * scale * longest_square : T(1);
-  const T turned = slides ? scale * in.length * (square - longest_square) : T(0);
-  const Vec<D, T> direction = fused(turned, in.velocity, kept * in.moved);
+  const T turned = slides ? scale * in.step * (square - longest_square) : T(0);
+  const Vec<D, T> direction = fused(turned, in.velocity, kept * in.trial_spring);
   const T shortening = sliding_longest * inverse_sqrt(dot(direction, direction));
   const T share = slides ? shortening : T(1), whole = in.stiffness * share;
   if constexpr (!damped) return {share * direction, -whole * direction, slides};
@@ -66,22 +66,22 @@ inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   return {share * direction, -(limited ? limiting : whole) * along, slides};
 }
 
-// The rule of David et al. (2005) as printed: the test force k ξ + γ v_t decides on slip [D3], and while the
-// contact slides the spring is ξ = −(f_t + γ v_t)/k [D4], so that f_t has the direction of the test force.
-// Where γ v_t changes during slip this moves energy between dashpot and spring, and may create some. Limits
-// and dashpot have no weights around first touch here, for the spring makes up for a dashpot that the next
-// step adds with another weight.
-//   onset_weight                             of dashpots around first touch
-//   weighted_limit, weighted_sliding_limit   C with that weight, which the force obeys (N)
+// The rule of David et al. (2005) as printed: the test force k ξ + γ v_t decides on slip [D3], and during
+// slip the spring is ξ = −(f_t + γ v_t)/k [D4], so that f_t has the direction of the test force. Where γ v_t
+// changes during slip, energy moves between dashpot and spring, and some may be created. `in` holds limits
+// and dashpot without onset weights: during slip the spring absorbs the dashpot force, whose weight changes
+// in the next step.
+//   onset_weight                             of the dashpot
+//   weighted_limit, weighted_sliding_limit   C with that weight: limit of the returned force (N)
 template <int D, class T>
 inline Slip<D, T> slide_or_stick_by_total(const SlipStep<D, T>& in, const T& onset_weight,
                                           const T& weighted_limit, const T& weighted_sliding_limit) {
   const T damping = in.stiffness * in.delay;
-  const Vec<D, T> test = fused(in.stiffness, in.moved, damping * in.velocity);
+  const Vec<D, T> test = fused(in.stiffness, in.trial_spring, damping * in.velocity);
   const T square = dot(test, test), limit_square = in.limit * in.limit;
   const bool slides = square > limit_square;
   const T ratio = std::min(square / std::max(limit_square, smallest_divisor<T>), T(1e4));
-  const T turned = slides ? T(0.25) * (ratio - T(1)) * in.length * in.stiffness : T(0);
+  const T turned = slides ? T(0.25) * (ratio - T(1)) * in.step * in.stiffness : T(0);
   const Vec<D, T> direction = fused(turned, in.velocity, test);
   const T shortening = in.sliding_limit * inverse_sqrt(dot(direction, direction));
   const Vec<D, T> held = (slides ? shortening : T(1)) * direction;  // k ξ + γ v_t

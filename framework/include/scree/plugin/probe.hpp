@@ -14,8 +14,8 @@
 //   void prepare(const scree::Setup&);                         optional: derived values, refusals
 //   void describe(scree_probe_instance&) const;                columns, state, whether contacts are needed
 //   scree::ColumnName column(std::uint32_t) const;             name and unit of a column
-//   const char* start(const scree_view&, double* state) const; null, or what is wrong and the cure
-//   void sample(const scree_view&, const double* state, double* row) const;
+//   const char* start(const scree_view&, double* state) const; null, or the problem and a remedy
+//   void sample(const scree_view&, const double* state, double* row) const;   writes one row of values
 
 namespace scree {
 
@@ -24,7 +24,7 @@ struct ColumnName {
   std::string unit;  // "" when it has none
 };
 
-// Index of the body with this id; body_count if there is none.
+// Index of the body with an id; body_count if there is none. Takes a linear search.
 inline std::uint64_t index_of_body(const scree_view& view, double id) {
   std::uint64_t i = 0;
   while (i < view.body_count && double(view.id[i]) != id) ++i;

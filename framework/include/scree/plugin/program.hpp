@@ -7,13 +7,13 @@
 
 namespace scree {
 
-// A function of time given in a scenario: a view of the doubles of a SCREE_PROGRAM value.
+// A function of time that a scenario gives for a parameter: a view of the doubles of a SCREE_PROGRAM value.
 //   constant  {0, value}
 //   sine      {1, mean, amplitude, frequency_hz, phase (rad)}
 //   cycle     {2, from, to, period (s)}: from + (to − from)(1 − cos 2πt/period)/2
 //   ramp      {3, from, to, duration (s)}: linear, then constant
 //   table     {4, t0, v0, t1, v1, ...}: linear between the points, constant outside
-// Default-constructed it is not given and must not be evaluated.
+// A default-constructed program is not given and must not be evaluated.
 class Program {
  public:
   enum Kind { constant, sine, cycle, ramp, table };
@@ -41,7 +41,7 @@ class Program {
     return p[0];
   }
 
-  // Rate of change, from the right at corners.
+  // Time derivative; at corners the derivative from the right.
   double rate(double time) const {
     const double* p = value_.data + 1;
     switch (kind()) {

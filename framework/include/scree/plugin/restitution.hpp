@@ -7,12 +7,12 @@
 
 namespace scree {
 
-// Whether a dashpot may pull at the end of a contact: allowed, the contact ends at δ = 0; cut, at f_n = 0,
-// earlier.
+// Whether the normal force may become attractive through its dashpot at the end of a contact. allowed: the
+// contact ends at δ = 0; cut: it ends earlier, at f_n = 0.
 enum class Tension { allowed, cut };
 
-// Restitution of a contact whose approach obeys v dv/dy = −ω₀² y − 2ζω₀ v: a linear spring and dashpot with y
-// = δ, and as well Hertz with a dashpot ∝ δ^(1/4), with y = (4/5) δ^(5/4), ω₀² = 5k/(4m*).
+// Coefficient of restitution of a contact that obeys v dv/dy = −ω₀² y − 2ζω₀ v: a linear spring and dashpot
+// with y = δ; also a Hertzian contact with a dashpot ∝ δ^(1/4), where y = (4/5) δ^(5/4) and ω₀² = 5k/(4m*).
 //   tension allowed: r = exp(−πζ/√(1−ζ²))
 //   tension cut:     r = exp(−ζφ/√(1−ζ²)), φ = atan2(2ζ√(1−ζ²), 2ζ²−1), the phase at which the force vanishes
 inline double restitution_of(double zeta, Tension tension) {
@@ -25,7 +25,7 @@ inline double restitution_of(double zeta, Tension tension) {
   return std::exp(-zeta / overdamped * std::log((zeta + overdamped) / (zeta - overdamped)));
 }
 
-// The damping ratio ζ that gives a restitution in (0, 1].
+// The damping ratio ζ that gives a coefficient of restitution in (0, 1].
 inline double damping_ratio_of(double restitution, Tension tension) {
   constexpr double pi = 3.14159265358979323846;
   if (restitution == 1) return 0;
@@ -42,10 +42,10 @@ inline double damping_ratio_of(double restitution, Tension tension) {
   return 0.5 * (low + high);
 }
 
-// What the predicted normal velocity of a contact is to be multiplied by in its dashpot. The prediction, v +
-// h F/m from the force before the step, overshoots by −½ h² F'/m = ½ h² (K/m*) v for the stiffness K of the
-// contact itself, so that a damped impact would lose ½ (ω h)² too much of what it loses; this share is taken
-// back. Other contacts of the same bodies are of no account: they leave an error of second order.
+// Correction factor for the predicted normal velocity in a dashpot. The prediction v + h F/m with the force
+// before the step overshoots by −½ h² F'/m = ½ h² (K/m*) v, K being the stiffness of the contact itself, so
+// that a damped impact would dissipate too much by the relative amount ½ (ω h)²; the factor removes this
+// error. Other contacts of the same bodies are not considered: their error is of second order.
 //   half_square_step  ½ h² (s²);  stiffness  K = dF/dδ (N/m)
 template <class T>
 inline T prediction_share(const T& half_square_step, const T& stiffness, const T& reduced_mass_root) {

@@ -8,13 +8,13 @@
 
 namespace scree {
 
-// Roots as multiplications and subtractions: several times faster than the processor's square root and
-// division, of which there is one unit that does not pipeline, and with the same bits at every instruction
-// level. For x >= 0; an infinite x gives no number.
+// Roots by multiplications and subtractions: several times faster than the processor's square root and
+// division, which share one unit that is not pipelined, and with the same bits at every instruction level.
+// Valid for finite x >= 0; an infinite x gives NaN.
 
 namespace detail {
 
-// A guess at a power of x between −1 and 0: its exponent, shifted right, taken from a magic number.
+// First guess of x^p, −1 < p < 0: the bits of x, shifted right, subtracted from a magic number.
 template <class T>
 inline T guess_power(const T& x, int shift, std::uint64_t magic, std::uint32_t magic_single) {
   using Bits = std::conditional_t<std::is_same_v<T, double>, std::uint64_t, std::uint32_t>;
@@ -37,10 +37,10 @@ inline constexpr bool is_single = std::is_same_v<T, float>;
 
 }  // namespace detail
 
-// 1/√x to one unit in the last place; finite at 0. A guess y₀ that halves the exponent, to 13 %; a linear
-// function of x y₀², the best for where that lies, to 6.5e-4; then the series of (1 − e)^(−1/2) in e = 1 − x
-// y², |e| < 1.302e-3, economised, to 6e-17. Shorter than Newton's iterations, and fewer of its operations
-// wait for others.
+// 1/√x to one unit in the last place; finite at 0. Three stages: a guess y₀ that halves the exponent
+// (relative error 13 %); times the best linear function of x y₀² on its range (6.5e-4); then the economised
+// series of (1 − e)^(−1/2) in e = 1 − x y², |e| < 1.302e-3 (6e-17). Fewer operations than Newton's iteration,
+// and fewer that depend on each other.
 template <class T>
 inline T inverse_sqrt(const T& x) {
   const T guess = detail::guess_power(x, 1, 0x5fe3f58e38590eb4u, 0x5f1fac72u);
@@ -50,8 +50,8 @@ inline T inverse_sqrt(const T& x) {
   return fused(y * e, detail::polynomial(e, 0.49999999999977934, 0.375, 0.31250052107344606, 35.0 / 128), y);
 }
 
-// x^(−1/4) to one unit in the last place; finite at 0. Likewise: 1.1e-3, then the series in e = 1 − x y⁴, |e|
-// < 4.345e-3.
+// x^(−1/4) to one unit in the last place; finite at 0. The same stages: relative error 1.1e-3 after the
+// linear function, then the series in e = 1 − x y⁴, |e| < 4.345e-3.
 template <class T>
 inline T inverse_fourth_root(const T& x) {
   const T guess = detail::guess_power(x, 2, 0x4fe9fdf3b645a1ccu, 0x4f4fef9eu);

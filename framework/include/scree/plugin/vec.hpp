@@ -4,7 +4,7 @@
 
 namespace scree {
 
-// Small vector of D components. T is double, float, or a dual number; every operation is branch-free.
+// Vector of D components. T is double, float or a dual number. All operations are branch-free.
 template <int D, class T = double>
 struct Vec {
   T component[D];
@@ -38,12 +38,13 @@ using Vec3 = Vec<3>;
 template <int D>
 inline constexpr int spin_components = D == 2 ? 1 : 3;
 
-// The first of the axes x, y, z about which bodies turn in D dimensions.
+// Index of the first axis about which bodies turn in D dimensions: z in 2D, x in 3D.
 template <int D>
 inline constexpr int first_spin_axis = D == 2 ? 2 : 0;
 
-// a b + c, rounded once: one instruction on every processor since 2013, and the same bits, slowly, on others.
-// Never left to the compiler, which would do it at some instruction levels and not at others.
+// a b + c, rounded once: one instruction on processors since 2013; older ones compute the same bits in
+// software, slowly. Written explicitly, because the compiler would fuse at some instruction levels and not at
+// others.
 template <class T>
 inline T fused(const T& a, const T& b, const T& c) {
   using std::fma;
@@ -74,7 +75,7 @@ inline Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
            fused(a[0], b[1], -(a[1] * b[0]))}};
 }
 
-// In the plane a spin is its z component: s × a and a × b.
+// In 2D a spin is its z component: s × a and a × b.
 template <class T>
 constexpr Vec<2, T> cross(const Vec<1, T>& s, const Vec<2, T>& a) {
   return {{-s[0] * a[1], s[0] * a[0]}};
@@ -84,7 +85,7 @@ inline Vec<1, T> cross(const Vec<2, T>& a, const Vec<2, T>& b) {
   return {{fused(a[0], b[1], -(a[1] * b[0]))}};
 }
 
-// Part of a that is perpendicular to the unit vector n.
+// Component of a perpendicular to the unit vector n.
 template <int D, class T>
 inline Vec<D, T> tangential_part(const Vec<D, T>& a, const Vec<D, T>& n) {
   return fused(-dot(a, n), n, a);

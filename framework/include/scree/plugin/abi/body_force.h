@@ -1,4 +1,4 @@
-/* Body forces. Part of plugin_abi.h, which plug-ins include. */
+/* Interface of body forces. Part of abi.h, which plug-ins include. */
 #ifndef SCREE_ABI_BODY_FORCE_H
 #define SCREE_ABI_BODY_FORCE_H
 
@@ -12,23 +12,22 @@
 extern "C" {
 #endif
 
-/* Some of the scene's bodies; several batches may be evaluated at the same time. */
+/* A range of the scene's bodies; several batches may be evaluated at the same time. */
 typedef struct scree_body_batch {
   uint32_t struct_size;
   uint32_t dimension;
   uint32_t count;
   scree_column position[3], velocity[3];
-  scree_column spin[3];                  /* 2D carries [2] alone */
-  scree_column radius;                   /* of the same stride as all above */
-  scree_column mass, inertia;            /* of stride 1 */
-  scree_load_column force[3], torque[3]; /* of one stride */
-  uint32_t audit;                        /* nonzero: energies are asked for */
-  double potential;                      /* (J) out: added to */
-  double dissipated_translation;         /* (W) out: added to */
-  double dissipated_rotation;            /* (W) out: added to */
-  const int32_t*
-      image[3];     /* (optional) periods that each body has crossed along a periodic axis, NULL elsewhere */
-  double period[3]; /* (m) */
+  scree_column spin[3];                  /* in 2D only [2] */
+  scree_column radius;                   /* same stride as all columns above */
+  scree_column mass, inertia;            /* stride 1 */
+  scree_load_column force[3], torque[3]; /* the same stride for all; the plug-in adds to them */
+  uint32_t audit;                        /* nonzero: the energies below are required */
+  double potential;                      /* (J) output, added to */
+  double dissipated_translation;         /* (W) output, added to */
+  double dissipated_rotation;            /* (W) output, added to */
+  const int32_t* image[3]; /* (optional) periods each body has crossed; NULL: axis not periodic */
+  double period[3];        /* (m) */
 } scree_body_batch;
 
 typedef struct scree_body_force {
@@ -36,7 +35,7 @@ typedef struct scree_body_force {
   uint32_t storage_size;
   int (*configure)(const scree_setup* setup, void* storage);
   void (*apply)(const void* storage, scree_body_batch* batch);
-  /* (optional) Largest rate (1/s) at which the term slows a body of this mass, inertia and radius. */
+  /* (optional) Largest rate (1/s) at which the force damps a body of this mass, inertia and radius. */
   double (*damping_rate)(const void* storage, double mass, double inertia, double radius);
 } scree_body_force;
 

@@ -1,4 +1,4 @@
-/* Numbers of bodies. Part of plugin_abi.h, which plug-ins include. */
+/* Columns of body properties. Part of abi.h, which plug-ins include. */
 #ifndef SCREE_ABI_COLUMN_H
 #define SCREE_ABI_COLUMN_H
 
@@ -9,8 +9,7 @@
 extern "C" {
 #endif
 
-/* That of body i is data[i * stride]; data is NULL for what the scene does not carry. C++ writes column[i].
- */
+/* The value of body i is data[i * stride], in C++ column[i]; data is NULL if the scene does not carry it. */
 typedef struct scree_column {
   const double* data;
   uint64_t stride;
@@ -20,7 +19,7 @@ typedef struct scree_column {
 #endif
 } scree_column;
 
-typedef struct scree_load_column { /* that may be added to */
+typedef struct scree_load_column { /* writable: plug-ins add to it */
   double* data;
   uint64_t stride;
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* What a plug-in declares and is configured with. Part of plugin_abi.h, which plug-ins include. */
+/* Parameters of plug-ins and their configuration. Part of abi.h, which plug-ins include. */
 #ifndef SCREE_ABI_PARAMETERS_H
 #define SCREE_ABI_PARAMETERS_H
 
@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-#define SCREE_MAX_INSTANCE_SIZE 1024u /* bytes of storage a configured plug-in may ask for */
+#define SCREE_MAX_INSTANCE_SIZE 1024u /* most bytes of storage of an instance */
 
 typedef enum scree_type {
   SCREE_NUMBER = 0,  /* one double */
@@ -32,13 +32,13 @@ typedef struct scree_parameter {
   uint32_t struct_size;
   uint32_t type; /* scree_type */
   uint32_t flags;
-  const char* key;      /* snake_case */
-  const char* unit;     /* "" when it has none */
-  const char* doc;      /* one line */
-  const char* choices;  /* (optional) "first|second|third" for SCREE_CHOICE */
-  const char* excludes; /* (optional) key of the parameter that may be given in its place, never together */
-  double default_value; /* used when neither required nor optional */
-  double minimum, maximum; /* infinite where open */
+  const char* key;         /* snake_case */
+  const char* unit;        /* "" if dimensionless */
+  const char* doc;         /* one line */
+  const char* choices;     /* (optional) "first|second|third" for SCREE_CHOICE */
+  const char* excludes;    /* (optional) key of the alternative parameter; both together are an error */
+  double default_value;    /* of parameters that are neither required nor optional */
+  double minimum, maximum; /* infinite: no limit */
 } scree_parameter;
 
 typedef struct scree_value {
@@ -50,9 +50,8 @@ typedef struct scree_setup {
   uint32_t struct_size;
   uint32_t dimension;        /* 2 or 3 */
   const scree_value* values; /* one per declared parameter, in declared order */
-  double lower[3],
-      upper[3];  /* (m) bounding box of the bodies' surfaces at the start, shrunk to 0 without bodies */
-  char* message; /* where to write what is wrong */
+  double lower[3], upper[3]; /* (m) bounding box of the bodies' surfaces at the start; 0 without bodies */
+  char* message;             /* output: reason of a failure */
   size_t message_size;
 } scree_setup;
 
