@@ -7,7 +7,7 @@
 
 namespace scree {
 
-void EnergyAudit::restate(const ContactSums& contacts, const BodySums& bodies) {
+void EnergyAudit::set_stored(const ContactSums& contacts, const BodySums& bodies) {
   const double before = totals_.elastic_normal + totals_.elastic_tangential + totals_.potential;
   store(contacts, bodies);
   if (started_)
@@ -21,7 +21,7 @@ void EnergyAudit::store(const ContactSums& contacts, const BodySums& bodies) {
   totals_.elastic_tangential = contacts.elastic_tangential;
   totals_.potential = bodies.potential;
   const double height = started_ ? std::abs(totals_.potential - potential_at_start_) : 0;
-  most_stored_ = std::max(most_stored_, totals_.elastic_normal + totals_.elastic_tangential + height);
+  max_stored_ = std::max(max_stored_, totals_.elastic_normal + totals_.elastic_tangential + height);
 }
 
 void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodySums& bodies) {
@@ -70,8 +70,8 @@ double dissipated_energy(const scree_energy& e) {
 }
 
 double EnergyAudit::turnover(const scree_energy& e) const {
-  const double most = std::max({kinetic_energy(e) + elastic_energy(e), kinetic_at_start_, most_stored_});
-  return std::max(std::abs(e.work), most + dissipated_energy(e));
+  const double peak = std::max({kinetic_energy(e) + elastic_energy(e), kinetic_at_start_, max_stored_});
+  return std::max(std::abs(e.work), peak + dissipated_energy(e));
 }
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-// What body forces report in one evaluation.
+// Sums of the energies of body forces in one evaluation.
 struct BodySums {
   double potential = 0;               // (J)
   double dissipated_translation = 0;  // (W)
@@ -20,21 +20,21 @@ struct BodySums {
   }
 };
 
-// Keeps the books of a run: where energy is, where it went, what was put in.
+// Energy balance of a run: stored, dissipated, created energy and work.
 class EnergyAudit {
  public:
   // Adds one step: powers are integrated by the trapezoidal rule.
   void add_step(double step, const ContactSums& contacts, const BodySums& bodies);
-  // Sets what is stored in contacts and potentials without passing time: at the start, or when a stage
+  // Sets the energy stored in contacts and potentials without advancing time: at the start, or when a stage
   // changes parameters; a jump then counts as work.
-  void restate(const ContactSums& contacts, const BodySums& bodies);
+  void set_stored(const ContactSums& contacts, const BodySums& bodies);
 
-  // Fixes the start against which the residual is taken.
+  // Sets the initial state, the reference of the residual; kinetic energies in J.
   void start(double kinetic_translation, double kinetic_rotation, const scree_boundary_energy& boundaries);
-  // What a residual is measured against: the work put in, or all energy that went and the most that moved or
-  // was stored in springs and by height, if that is more (J).
+  // Scale of the residual (J): the larger of |work| and the dissipated energy plus the largest energy that
+  // was kinetic, or stored in springs and potentials.
   double turnover(const scree_energy& now) const;
-  // The books at this moment.
+  // The balance at the present time.
   scree_energy balance(double kinetic_translation, double kinetic_rotation,
                        const scree_boundary_energy& boundaries) const;
 
@@ -45,7 +45,7 @@ class EnergyAudit {
   ContactSums contacts_;
   BodySums bodies_;
   double stored_at_start_ = 0, kinetic_at_start_ = 0, potential_at_start_ = 0;
-  double most_stored_ = 0;  // in springs and by height since the start (J)
+  double max_stored_ = 0;  // largest energy in springs and potentials since the start (J)
   bool started_ = false;
 };
 

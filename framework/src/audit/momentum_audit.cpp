@@ -11,8 +11,8 @@ namespace {
 
 using kernel::Four;
 
-// Sums of records of four numbers and of their sizes, lane by lane, in interleaved parts so that one addition
-// need not wait for the other.
+// Lane-wise sums of records of four numbers and of their magnitudes, in interleaved parts so that successive
+// additions do not depend on each other.
 SCREE_EVERY_LEVEL void add_up(const double* first, std::size_t stride, std::size_t count, Four& sum,
                               Four& size) {
   constexpr std::size_t parts = 4;
@@ -50,10 +50,10 @@ void MomentumAudit::Sums::add(const Sums& other) {
 void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_load>& loads) {
   for (const scree_load& load : loads)
     for (int k = 0; k < 3; ++k) sums.force[k] += load.force[k], sums.size += std::abs(load.force[k]);
-  made_ += step * sums.force;
+  net_ += step * sums.force;
   exchanged_ += std::abs(step) * sums.size;
 }
 
-double MomentumAudit::residual() const { return exchanged_ > 0 ? norm(made_) / exchanged_ : 0; }
+double MomentumAudit::residual() const { return exchanged_ > 0 ? norm(net_) / exchanged_ : 0; }
 
 }  // namespace scree

@@ -9,27 +9,26 @@
 
 namespace scree {
 
-// Momentum that contacts make, which their pairs and planes must cancel, against the momentum that they
-// exchange.
+// Net momentum created by contact forces (0 in exact arithmetic) relative to the momentum exchanged.
 class MomentumAudit {
  public:
-  // Forces of contacts in one evaluation (N): their sum, and that of the sizes of their components.
+  // Contact forces of one evaluation (N): their sum, and the sum of the magnitudes of their components.
   struct Sums {
     Vec3 force = {};
     double size = 0;
 
-    // Of bodies, before body forces add to them.
+    // Adds the loads of bodies; must be called before body forces are added to them.
     void add(const Particles& particles, BodyRange bodies);
     void add(const Sums& other);
   };
 
-  // Adds one evaluation, over a step (s).
+  // Adds one evaluation, weighted with the step (s).
   void add_step(double step, Sums bodies, const std::vector<scree_load>& loads);
-  // Made over exchanged; 0 while nothing is exchanged.
+  // |net momentum| / exchanged momentum; 0 while none has been exchanged.
   double residual() const;
 
  private:
-  Vec3 made_ = {};        // (N s)
+  Vec3 net_ = {};         // (N s)
   double exchanged_ = 0;  // (N s)
 };
 

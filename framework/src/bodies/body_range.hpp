@@ -10,12 +10,12 @@ struct BodyRange {
   std::size_t begin, end;
 };
 
-// The bodies of a scene in tiles, which threads work on side by side, and these in parts, whose records stay
-// in the first-level cache from one loop over them to the next. Both depend on the scene alone, never on the
-// number of threads, so that sums over them in their order have the same bits for any number.
+// Division of the bodies of a scene into tiles, the units of parallel work, and of tiles into parts, whose
+// records stay in the first-level cache from one loop to the next. Both depend only on the scene, not on the
+// number of threads, so that sums over them in order have the same bits for any number of threads.
 class BodyTiles {
  public:
-  // Enough tiles for the threads of a large machine, large enough that few pairs cross from one to another.
+  // Small enough for the threads of a large machine, large enough that few pairs connect two tiles.
   static constexpr std::size_t usual_size = 1024;
   static constexpr std::size_t part_size = 128;
 
@@ -27,10 +27,10 @@ class BodyTiles {
     return {tile * usual_size, tile + 1 == count() ? bodies_ : (tile + 1) * usual_size};
   }
 
-  // Parts are numbered through all tiles.
+  // Parts are numbered consecutively over all tiles.
   std::size_t parts() const { return (bodies_ + part_size - 1) / part_size; }
   BodyRange part(std::size_t k) const { return {k * part_size, std::min((k + 1) * part_size, bodies_)}; }
-  // Calls visit(part) for those of a tile.
+  // Calls visit(part) for each part of a tile.
   template <class Visit>
   void each_part(std::size_t tile, const Visit& visit) const {
     const BodyRange all = (*this)[tile];

@@ -8,7 +8,7 @@
 
 namespace scree {
 
-// Folds differences to the nearest image, prepared for many of them; without branches.
+// Branch-free minimum-image convention for a periodic domain.
 class Folding {
  public:
   explicit Folding(const Domain& domain) {
@@ -19,8 +19,8 @@ class Folding {
       }
   }
 
-  // Makes a − b that of the nearest image of b, for coordinates within the domain, and tells which it is: one
-  // of −1, 0, 1 per axis as a base-3 code with 13 for none.
+  // Replaces a − b by its value for the nearest image of b, for coordinates within the domain. Returns the
+  // image: −1, 0 or 1 per axis as a base-3 code, in which 13 means no shift.
   int fold(Vec3& a_minus_b) const {
     int code = Domain::no_shift;
     for (int k = 0, weight = 1; k < 3; ++k, weight *= 3) {
@@ -30,11 +30,11 @@ class Folding {
     }
     return code;
   }
-  // |a − b|² of the nearest image alone.
+  // |a − b|² for the nearest image (m²).
   double square_distance(Vec3 a_minus_b) const {
     for (int k = 0; k < 3; ++k) {
-      const double apart = std::abs(a_minus_b[k]);
-      a_minus_b[k] = std::min(apart, period_[k] - apart);
+      const double separation = std::abs(a_minus_b[k]);
+      a_minus_b[k] = std::min(separation, period_[k] - separation);
     }
     return square(a_minus_b);
   }
@@ -42,8 +42,8 @@ class Folding {
 
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  static constexpr Vec3 nowhere = {{infinite, infinite, infinite}};
-  Vec3 length_ = {}, half_ = nowhere, period_ = nowhere;  // of axes that are not periodic 0, infinite
+  static constexpr Vec3 unbounded = {{infinite, infinite, infinite}};
+  Vec3 length_ = {}, half_ = unbounded, period_ = unbounded;  // axes that are not periodic: 0, infinite
 };
 
 }  // namespace scree

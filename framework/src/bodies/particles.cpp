@@ -7,7 +7,7 @@ namespace scree {
 Particles::Particles(int dimension, bool with_spin, bool with_images, const std::vector<Body>& bodies)
     : dimension_(dimension), has_spin_(with_spin) {
   const std::size_t n = bodies.size();
-  // One at least, so that an empty scene has addresses too.
+  // At least one row, so that the addresses of an empty scene are valid too.
   records_.assign(std::max<std::size_t>(n, 1) * width(), 0.0);
   loads_.assign(std::max<std::size_t>(n, 1) * load_width(), 0.0);
   if (with_images)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int bits_per_axis = 21;
 
-// Spreads the lowest 21 bits so that two zeros follow each.
+// Spreads the lowest 21 bits so that two zero bits follow each of them.
 std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 32) & 0x1f00000000ffff;
   x = (x | x << 16) & 0x1f0000ff0000ff;

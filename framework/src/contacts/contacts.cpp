@@ -64,16 +64,16 @@ void Contacts::carry_history() {
     PairGroup& now = groups_[g];
     const Before& before = before_[g];
     if (now.history_width == 0 || before.history.width() == 0) continue;
-    stayed_.clear();
+    kept_rows_.clear();
     std::size_t p = before.begin;
     for (std::size_t q = now.begin; q < now.end; ++q) {
       const std::uint64_t pair = key(a[q], b[q]);
       while (p < before.end && key(before_a_[p], before_b_[p]) < pair) ++p;
       if (p == before.end) break;
       if (key(before_a_[p], before_b_[p]) == pair)
-        stayed_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
+        kept_rows_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
     }
-    now.history.take(before.history, stayed_);
+    now.history.take(before.history, kept_rows_);
   }
 }
 

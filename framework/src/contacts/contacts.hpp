@@ -76,7 +76,7 @@ class Contacts {
   std::vector<PairGroup> groups_;
   std::vector<Before> before_;
   Column<std::uint32_t> before_a_, before_b_;
-  std::vector<PairColumns::Move> stayed_;
+  std::vector<PairColumns::Move> kept_rows_;
   std::uint64_t revision_ = 0;
 };
 

@@ -21,7 +21,7 @@ struct Forces::Work {
   PairConstants constants;
   std::vector<ContactSums> block_sums;
   TileSchedule schedule;
-  double deepest = 0;  // overlap ratio met so far
+  double max_overlap_ratio = 0;  // overlap ratio met so far
 };
 
 Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
@@ -52,7 +52,7 @@ ContactSums add_up(const std::vector<ContactSums>& blocks) {
 
 }  // namespace
 
-void Forces::follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads,
+void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads,
                           std::size_t planes) {
   Work& work = *work_;
   if (work.revision == contacts.revision()) return;
@@ -72,7 +72,7 @@ void Forces::clear(Particles& particles, BodyRange bodies) {
 ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart& finish_part,
                              Profile* profile) {
   Work& work = *work_;
-  follow_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size());
+  update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size());
   work.planes.set(e.planes, e.particles.width());
   alignas(32) std::array<double, 4 * 27> shifts;
   if (features_.periodic) shifts = image_shifts(e.domain);
@@ -84,7 +84,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
                                          .step = e.elapsed,
                                          .audit = features_.audit,
                                          .pair_forces = features_.pair_forces,
-                                         .deepest = work.deepest};
+                                         .max_overlap_ratio = work.max_overlap_ratio};
   work.schedule.run(
       work.tiles, threads,
       [&](std::size_t tile, unsigned worker) {
@@ -106,7 +106,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
       });
   sum_loads(e.particles, e.loads);
   ContactSums sums = add_up(work.block_sums);
-  work.deepest = sums.max_overlap_ratio = std::max(work.deepest, sums.max_overlap_ratio);
+  work.max_overlap_ratio = sums.max_overlap_ratio = std::max(work.max_overlap_ratio, sums.max_overlap_ratio);
   return sums;
 }
 

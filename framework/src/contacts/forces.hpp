@@ -67,7 +67,7 @@ class Forces {
 
  private:
   struct Work;
-  void follow_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
+  void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
   // Adds the loads that contacts of other tiles have left for the bodies of a part.
   void collect(Particles& particles, std::size_t part) const;
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;

@@ -26,8 +26,8 @@ struct Motion {
 // Looks for what is not a number. The difference of anything else with itself has no bit set.
 class Finiteness {
  public:
-  SCREE_HOT void look_at(const kernel::Four& v) { found_ |= std::bit_cast<Bits>(v - v); }
-  bool whole() const { return (found_[0] | found_[1] | found_[2] | found_[3]) == 0; }
+  SCREE_HOT void check(const kernel::Four& v) { found_ |= std::bit_cast<Bits>(v - v); }
+  bool all_finite() const { return (found_[0] | found_[1] | found_[2] | found_[3]) == 0; }
 
  private:
   typedef std::int64_t Bits __attribute__((vector_size(32)));

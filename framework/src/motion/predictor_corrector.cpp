@@ -48,9 +48,9 @@ bool PredictorCorrector::finish_step(Particles& particles, double step, BodyRang
     add(third_.data() + 4 * m.number, 0.5 * correction);
     add(fourth_.data() + 4 * m.number, 1.0 / 12 * correction);
     m.position += 19.0 / 90 * motions.axes() * correction;
-    finite.look_at(m.velocity);
+    finite.check(m.velocity);
   });
-  return finite.whole();
+  return finite.all_finite();
 }
 
 }  // namespace scree

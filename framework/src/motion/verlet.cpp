@@ -29,9 +29,9 @@ SCREE_EVERY_LEVEL bool second_half(const Motions& motions, double step, BodyRang
   Finiteness finite;
   motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
     m.velocity = m.mid_velocity + half_step * m.acceleration;
-    finite.look_at(m.velocity);
+    finite.check(m.velocity);
   });
-  return finite.whole();
+  return finite.all_finite();
 }
 
 // The second half of a step and the first of the next.
@@ -42,12 +42,12 @@ SCREE_EVERY_LEVEL bool second_and_first_half(const Motions& motions, double step
   Finiteness finite;
   motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
     const Four velocity = m.mid_velocity + half_step * m.acceleration, kick = half_next * m.acceleration;
-    finite.look_at(velocity);
+    finite.check(velocity);
     m.mid_velocity = velocity + kick;
     m.velocity = m.mid_velocity + kick;
     m.position += nexts * m.mid_velocity;
   });
-  return finite.whole();
+  return finite.all_finite();
 }
 
 // The two halves of position Verlet.
@@ -69,9 +69,9 @@ SCREE_EVERY_LEVEL bool position_second_half(const Motions& motions, double step,
     // The velocity at the evaluation, for the energy books.
     m.mid_velocity = 0.5 * (m.mid_velocity + m.velocity);
     m.position += half_steps * m.velocity;
-    finite.look_at(m.velocity);
+    finite.check(m.velocity);
   });
-  return finite.whole();
+  return finite.all_finite();
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ void Boundaries::finish_step(Member& member, double time, double step) {
   member.plugin.interface().finish_step(member.plugin.storage(), &s);
 }
 
-void Boundaries::come_to_rest(Member& member) {
+void Boundaries::stop_planes(Member& member) {
   for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
     for (int axis = 0; axis < 3; ++axis) {
       scree_plane& plane = planes_[member.first_plane + k];
@@ -93,8 +93,8 @@ void Boundaries::come_to_rest(Member& member) {
     }
 }
 
-void Boundaries::run_ahead_of_forces(double time) {
-  planes_at_forces_ = planes_;
+void Boundaries::extrapolate(double time) {
+  planes_before_extrapolation_ = planes_;
   for (scree_plane& plane : planes_)
     for (int k = 0; k < 3; ++k) plane.point[k] += time * plane.velocity[k];
 }
@@ -113,7 +113,7 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
       masses_[member.first_plane + k] =
           member.plugin.instance().plane_masses ? member.plugin.instance().plane_masses[k] : 0;
     member.clock_start = time;
-    if (member.still()) come_to_rest(member), finish_step(member, time, 0);
+    if (member.still()) stop_planes(member), finish_step(member, time, 0);
     return;
   }
   throw Error(fmt::format("no boundary '{}'", name));

@@ -22,8 +22,8 @@ class Boundaries {
   void finish_step(double time, double step);
   // For integrators that evaluate forces in mid-step: shows the planes where they will be so much later, at
   // the velocity they have; and takes them back to where the loads belong, before the next begin_step.
-  void run_ahead_of_forces(double time);
-  void return_to_forces() { planes_ = planes_at_forces_; }
+  void extrapolate(double time);
+  void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
   // New parameters for a boundary; its clock for programs starts again at `time`, state and planes stay.
   void reconfigure(const std::string& name, const Parameters& parameters, double time);
 
@@ -57,13 +57,13 @@ class Boundaries {
   scree_boundary_step step_of(Member& member, double time, double step);
   void add_domain(const Member& member);
   void finish_step(Member& member, double time, double step);
-  void come_to_rest(Member& member);
+  void stop_planes(Member& member);
 
   int dimension_;
   double lower_[3], upper_[3];
   Domain domain_;
   std::vector<Member> members_;
-  std::vector<scree_plane> planes_, planes_at_forces_;
+  std::vector<scree_plane> planes_, planes_before_extrapolation_;
   std::vector<scree_load> loads_;
   std::vector<std::uint32_t> materials_;
   std::vector<std::string> names_;

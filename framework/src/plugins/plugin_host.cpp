@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // False for names that the file system cannot even look up.
-bool lies_at(const fs::path& path) {
+bool exists_at(const fs::path& path) {
   std::error_code failed;
   return fs::exists(path, failed);
 }
@@ -47,7 +47,7 @@ bool is_truncated(const fs::path& path) {
 
 fs::path best_build(const fs::path& baseline) {
   for (const std::string& level : instruction_levels())
-    if (const fs::path build = baseline.parent_path() / level / baseline.filename(); lies_at(build))
+    if (const fs::path build = baseline.parent_path() / level / baseline.filename(); exists_at(build))
       return build.lexically_normal();
   return baseline;
 }
@@ -167,7 +167,7 @@ fs::path PluginHost::locate(const std::string& name, scree_kind kind) const {
   };
   if (!std::all_of(name.begin(), name.end(), plain)) return {};
   for (const fs::path& directory : directories_)
-    if (const fs::path path = directory / kind_folder(kind) / (name + ".so"); lies_at(path)) return path;
+    if (const fs::path path = directory / kind_folder(kind) / (name + ".so"); exists_at(path)) return path;
   return {};
 }
 

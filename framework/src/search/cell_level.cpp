@@ -19,16 +19,16 @@ void CellLevel::choose_cells(const Vec3& lower, const Vec3& upper, double reach,
   for (int n = 0; n < 3; ++n) {
     const int k = axes[n];
     const double share = std::max(3.0, std::ceil(std::pow(left, 1.0 / (3 - n))));
-    rolled_[k] = !periodic_[k] && wanted[k] > share;
+    wrapped_[k] = !periodic_[k] && wanted[k] > share;
     cells_[k] = int(std::min(wanted[k], share));
     left /= cells_[k];
     const double length = upper[k] - lower[k];
-    inverse_width_[k] = rolled_[k] ? 1 / reach : length > 0 ? cells_[k] / length : 0;
+    inverse_width_[k] = wrapped_[k] ? 1 / reach : length > 0 ? cells_[k] / length : 0;
   }
 }
 
-void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
-                     const Vec3& upper, double reach, const std::vector<std::uint32_t>& members) {
+void CellLevel::bin(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
+                    const Vec3& upper, double reach, const std::vector<std::uint32_t>& members) {
   lower_ = lower;
   periodic_ = domain.periodic;
   choose_cells(lower, upper, reach, dimension, members.size());
@@ -40,7 +40,7 @@ void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain
     const int index[3] = {cell_of(0, x[0]), cell_of(1, x[1]), cell_of(2, x[2])};
     cell_[m] = std::uint32_t((std::size_t(index[2]) * cells_[1] + index[1]) * cells_[0] + index[0]);
   }
-  filed_.resize(members.size());
+  binned_.resize(members.size());
   counting_sort(
       total, first_,
       [&](const auto& visit) {
@@ -48,14 +48,14 @@ void CellLevel::file(std::span<const Sphere> bodies, int dimension, const Domain
       },
       [&](std::size_t m) { return cell_[m]; },
       [&](std::size_t m, std::size_t place) {
-        filed_[place] = {bodies[members[m]], members[m]};
+        binned_[place] = {bodies[members[m]], members[m]};
       });
 }
 
 CellLevel::Spans CellLevel::spans(int axis, int middle) const {
   const int n = cells_[axis];
   const int low = std::max(middle - 1, 0), high = std::min(middle + 1, n - 1);
-  if (!(periodic_[axis] || rolled_[axis]) || n <= 2) return {1, {low}, {high}};
+  if (!(periodic_[axis] || wrapped_[axis]) || n <= 2) return {1, {low}, {high}};
   if (n == 3) return {1, {0}, {2}};
   if (middle == 0) return {2, {low, n - 1}, {high, n - 1}};
   if (middle == n - 1) return {2, {low, 0}, {high, 0}};

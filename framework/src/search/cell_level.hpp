@@ -20,15 +20,15 @@ namespace scree {
 class CellLevel {
  public:
   // Files the members among some bodies in place of all that were there.
-  void file(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
-            const Vec3& upper, double reach, const std::vector<std::uint32_t>& members);
+  void bin(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
+           const Vec3& upper, double reach, const std::vector<std::uint32_t>& members);
 
-  struct Filed : Sphere {
+  struct BinnedBody : Sphere {
     std::uint32_t body;
   };
 
   // In the order of the cells.
-  const std::vector<Filed>& filed() const { return filed_; }
+  const std::vector<BinnedBody>& binned() const { return binned_; }
 
   // A cell and its neighbours along one axis, each once: one or two runs of cells [first, last].
   struct Spans {
@@ -69,19 +69,19 @@ class CellLevel {
  private:
   int cell_of(int axis, double x) const {
     double cell = (x - lower_[axis]) * inverse_width_[axis];
-    if (rolled_[axis]) cell -= cells_[axis] * std::floor(cell / cells_[axis]);
+    if (wrapped_[axis]) cell -= cells_[axis] * std::floor(cell / cells_[axis]);
     return int(std::clamp(cell, 0.0, double(cells_[axis] - 1)));
   }
   void choose_cells(const Vec3& lower, const Vec3& upper, double reach, int dimension, std::size_t bodies);
   Spans spans(int axis, int middle) const;
 
   Vec3 lower_;
-  std::array<bool, 3> periodic_, rolled_;
+  std::array<bool, 3> periodic_, wrapped_;
   std::array<int, 3> cells_;
   std::array<double, 3> inverse_width_;
   std::vector<std::uint32_t> first_;  // filed body of each cell
   std::vector<std::uint32_t> cell_;   // of each member
-  std::vector<Filed> filed_;
+  std::vector<BinnedBody> binned_;
 };
 
 }  // namespace scree

@@ -23,11 +23,11 @@ void fold(Particles& p, std::size_t i, const Domain& domain) {
 
 // Pairs of bodies, and how many of them touch, told from a few thousand of them.
 std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
-  constexpr std::size_t most_samples = 2500;
+  constexpr std::size_t max_samples = 2500;
   double listed = 0, touching = 0;
   for (const PairGroup& group : contacts.groups()) {
     if (group.planes) continue;
-    const std::size_t pairs = group.end - group.begin, stride = 1 + pairs / most_samples;
+    const std::size_t pairs = group.end - group.begin, stride = 1 + pairs / max_samples;
     listed += double(pairs);
     for (std::size_t q = group.begin; q < group.end; q += stride) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
@@ -35,8 +35,8 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
       const double reach = p.radius()[a] + p.radius()[b];
       double square = 0;
       for (int k = 0; k < p.dimension(); ++k) {
-        const double apart = p.position()[k][a] - p.position()[k][b] + shift[k];
-        square += apart * apart;
+        const double difference = p.position()[k][a] - p.position()[k][b] + shift[k];
+        square += difference * difference;
       }
       touching += square < reach * reach ? double(std::min(stride, group.end - q)) : 0;
     }
@@ -61,8 +61,8 @@ std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const std::ve
 
 void NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
                            const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
-  travelled_ += body_speed * step;
-  planes_travelled_ += plane_speed * step;
+  body_travel_ += body_speed * step;
+  plane_travel_ += plane_speed * step;
   // The sum of largest speeds overestimates; measure before paying for a search.
   ++steps_;
   const bool review = choice_.due(steps_);
@@ -70,7 +70,7 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   const bool search = exhausted();
   if (!review && !search) return;
   if (!choice_.fixed()) {
-    const SkinChoice::Experience list = experience(particles, boundaries, contacts);
+    const SkinChoice::ListStatistics list = list_statistics(particles, boundaries, contacts);
     const double skin = search ? choice_.after(list) : choice_.review(list);
     if (!search && skin == skin_) return;
     skin_ = skin;
@@ -78,10 +78,11 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   rebuild(particles, boundaries, contacts, threads);
 }
 
-SkinChoice::Experience NeighbourList::experience(const Particles& particles, const Boundaries& boundaries,
-                                                 const Contacts& contacts) const {
+SkinChoice::ListStatistics NeighbourList::list_statistics(const Particles& particles,
+                                                          const Boundaries& boundaries,
+                                                          const Contacts& contacts) const {
   const auto [listed, touching] = count_pairs(particles, contacts, boundaries.domain());
-  const double travelled = std::max(travelled_, planes_travelled_);
+  const double travelled = std::max(body_travel_, plane_travel_);
   return {skin_, travelled, steps_, listed, touching, double(particles.size())};
 }
 
@@ -95,17 +96,17 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
     }
     largest = std::max(largest, square);
   }
-  travelled_ = std::sqrt(largest);
-  planes_travelled_ = 0;
+  body_travel_ = std::sqrt(largest);
+  plane_travel_ = 0;
   for (std::size_t w = 0; w < searched_planes_.size(); ++w) {
     double moved = 0;
     const scree_plane &now = boundaries.planes()[w], &then = searched_planes_[w];
     for (int k = 0; k < p.dimension(); ++k) moved += (now.point[k] - then.point[k]) * then.normal[k];
-    planes_travelled_ = std::max(planes_travelled_, std::abs(moved));
+    plane_travel_ = std::max(plane_travel_, std::abs(moved));
   }
 }
 
-void NeighbourList::note_bodies(Particles& p, const Domain& domain) {
+void NeighbourList::record_positions(Particles& p, const Domain& domain) {
   searched_.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (domain.any_periodic()) fold(p, i, domain);
@@ -116,7 +117,7 @@ void NeighbourList::note_bodies(Particles& p, const Domain& domain) {
 
 void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
                             ThreadPool& threads) {
-  note_bodies(particles, boundaries.domain());
+  record_positions(particles, boundaries.domain());
   Contacts::Lookup lookup = lookup_;
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
@@ -124,7 +125,7 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   contacts.rebuild(search_.find(searched_, dimension, boundaries.domain(), skin_, threads),
                    near_planes(searched_, boundaries.planes(), dimension, skin_), lookup);
   searched_planes_ = boundaries.planes();
-  travelled_ = planes_travelled_ = 0;
+  body_travel_ = plane_travel_ = 0;
   steps_ = 0;
   ++rebuilds_;
 }

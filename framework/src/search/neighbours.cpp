@@ -18,12 +18,12 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t most_levels = 16;
+constexpr std::size_t max_levels = 16;
 
 // Level 0 holds the largest bodies; each further level half the size.
 std::size_t level_of(double radius, double largest) {
   if (2 * radius > largest) return 0;
-  return std::min(std::size_t(std::ilogb(largest / radius)), most_levels - 1);
+  return std::min(std::size_t(std::ilogb(largest / radius)), max_levels - 1);
 }
 
 void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
@@ -61,9 +61,9 @@ void sort_run(NeighbourPair* begin, NeighbourPair* end) {
 // Appends what is near one body after the other among others, filed one after the other. Without branches on
 // how many there are in a cell or on what is near, which nobody can foretell: what may be wanted is written,
 // and the next over it if it is not.
-class Appender {
+class PairCollector {
  public:
-  Appender(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
+  PairCollector(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
       : pairs_(pairs), folding_(folding), skin_(skin) {
     pairs_.clear();
   }
@@ -84,12 +84,12 @@ class Appender {
   }
   // Makes pairs of the candidates that are near.
   template <bool across>
-  void append(const CellLevel::Filed& body, const CellLevel::Filed* others) {
+  void append(const CellLevel::BinnedBody& body, const CellLevel::BinnedBody* others) {
     const double reach_of_body = body.radius + skin_;
     std::uint32_t* near = candidates_.data();
     for (std::size_t k = 0; k < count_; ++k) {
       const std::uint32_t candidate = candidates_[k];
-      const CellLevel::Filed& other = others[candidate];
+      const CellLevel::BinnedBody& other = others[candidate];
       const Vec3 d = body.position - other.position;
       const double square = across ? folding_.square_distance(d) : Folding::square(d);
       const double reach = reach_of_body + other.radius;
@@ -97,7 +97,7 @@ class Appender {
       near += square < reach * reach ? 1 : 0;
     }
     for (const std::uint32_t* k = candidates_.data(); k != near; ++k) {
-      const CellLevel::Filed& other = others[*k];
+      const CellLevel::BinnedBody& other = others[*k];
       Vec3 d = body.position - other.position;
       const int code = across ? folding_.fold(d) : Domain::no_shift;
       const bool first = body.body < other.body;
@@ -118,19 +118,19 @@ class Appender {
 }  // namespace
 
 struct NeighbourSearch::Hierarchy {
-  std::array<std::vector<std::uint32_t>, most_levels> members;
-  std::array<CellLevel, most_levels> levels;
+  std::array<std::vector<std::uint32_t>, max_levels> members;
+  std::array<CellLevel, max_levels> levels;
 
   // Pairs of the bodies filed as [begin, end) of a level with all of coarser levels, and with those that are
   // filed behind them in their own.
-  void find(std::size_t level, std::size_t begin, std::size_t end, Appender& pairs) const;
+  void find(std::size_t level, std::size_t begin, std::size_t end, PairCollector& pairs) const;
 };
 
 [[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
                                                                          std::size_t end,
-                                                                         Appender& pairs) const {
+                                                                         PairCollector& pairs) const {
   for (std::size_t place = begin; place < end; ++place) {
-    const CellLevel::Filed& body = levels[level].filed()[place];
+    const CellLevel::BinnedBody& body = levels[level].binned()[place];
     for (std::size_t l = 0; l <= level; ++l) {
       if (members[l].empty()) continue;
       const std::size_t behind = l == level ? place + 1 : 0;
@@ -138,7 +138,7 @@ struct NeighbourSearch::Hierarchy {
       levels[l].each_run(around, [&](std::size_t first, std::size_t last) {
         pairs.consider(std::max(first, behind), last);
       });
-      const CellLevel::Filed* others = levels[l].filed().data();
+      const CellLevel::BinnedBody* others = levels[l].binned().data();
       around.across ? pairs.append<true>(body, others) : pairs.append<false>(body, others);
     }
   }
@@ -147,8 +147,8 @@ struct NeighbourSearch::Hierarchy {
 NeighbourSearch::NeighbourSearch() : hierarchy_(std::make_unique<Hierarchy>()) {}
 NeighbourSearch::~NeighbourSearch() = default;
 
-void NeighbourSearch::file_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
-                                  double skin) {
+void NeighbourSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
+                                 double skin) {
   const Extent extent(bodies);
   const double largest = extent.largest;
   check_periodic_lengths(domain, dimension, 2 * largest + skin);
@@ -163,11 +163,10 @@ void NeighbourSearch::file_bodies(std::span<const Sphere> bodies, int dimension,
   for (auto& members : hierarchy_->members) members.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
     hierarchy_->members[level_of(bodies[i].radius, largest)].push_back(std::uint32_t(i));
-  for (std::size_t l = 0; l < most_levels; ++l)
+  for (std::size_t l = 0; l < max_levels; ++l)
     if (const auto& members = hierarchy_->members[l]; !members.empty())
-      hierarchy_->levels[l].file(bodies, dimension, domain, lower, upper,
-                                 (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12) + round_off,
-                                 members);
+      hierarchy_->levels[l].bin(bodies, dimension, domain, lower, upper,
+                                (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12) + round_off, members);
 }
 
 // By a, then b: a counting sort by a, then each short run by b.
@@ -193,18 +192,18 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> 
   constexpr std::size_t share = 2048;
   sorted_.clear();
   if (bodies.size() < 2) return sorted_;
-  file_bodies(bodies, dimension, domain, skin);
+  bin_bodies(bodies, dimension, domain, skin);
   struct Share {
     std::size_t level, begin, end;
   };
   std::vector<Share> shares;
-  for (std::size_t l = 0; l < most_levels; ++l)
+  for (std::size_t l = 0; l < max_levels; ++l)
     for (std::size_t begin = 0, end = hierarchy_->members[l].size(); begin < end; begin += share)
       shares.push_back({l, begin, std::min(begin + share, end)});
   found_.resize(shares.size());
   threads.each(shares.size(), [&](std::size_t k, unsigned) {
     const Share& s = shares[k];
-    Appender pairs(found_[k], Folding(domain), skin);
+    PairCollector pairs(found_[k], Folding(domain), skin);
     hierarchy_->find(s.level, s.begin, s.end, pairs);
   });
   sort_pairs(bodies.size());

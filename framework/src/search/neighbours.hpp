@@ -38,7 +38,7 @@ class NeighbourSearch {
 
  private:
   struct Hierarchy;
-  void file_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin);
+  void bin_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin);
   void sort_pairs(std::size_t bodies);
 
   std::unique_ptr<Hierarchy> hierarchy_;

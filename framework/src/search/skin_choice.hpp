@@ -10,31 +10,31 @@ namespace scree {
 class SkinChoice {
  public:
   // What a list was found to be like.
-  struct Experience {
+  struct ListStatistics {
     double skin;          // (m)
     double travelled;     // (m) the longest way of a body since the search
     std::uint64_t steps;  // since the search
     double listed, touching, bodies;
   };
 
-  // The skin at the start and the thickest that it may become (m); 0 keeps it.
-  SkinChoice(double skin, double thickest) : first_(skin), thickest_(thickest), fixed_(thickest <= 0) {}
+  // The skin at the start and the max_skin that it may become (m); 0 keeps it.
+  SkinChoice(double skin, double max_skin) : first_(skin), max_skin_(max_skin), fixed_(max_skin <= 0) {}
 
   double first() const { return first_; }
   bool fixed() const { return fixed_; }
   // Whether to look at the list again after this many steps: ever more rarely.
   bool due(std::uint64_t steps) const { return !fixed_ && steps == next_review_; }
   // The skin to search with now, of a list that is used up; within a factor of 2 of the last.
-  double after(const Experience& list);
+  double after(const ListStatistics& list);
   // The skin to search with although the list is not used up yet, or that of the list to keep it. Searches
   // if what its pairs cost is more than the search, provided that the list lives as long again.
-  double review(const Experience& list);
+  double review(const ListStatistics& list);
 
  private:
-  double best(const Experience& list) const;
+  double best(const ListStatistics& list) const;
 
   static constexpr std::uint64_t first_review = 32;
-  double first_, thickest_;
+  double first_, max_skin_;
   bool fixed_;
   std::uint64_t next_review_ = first_review;
 };

@@ -22,16 +22,16 @@ void report_not_a_number(const Simulation& s, const Body& body) {
     return;
   stop(fmt::format(
       "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
-      "look for overlapping bodies at the start{}",
+      "check for overlapping bodies at the start{}",
       body.id, where(s), s.step_length(),
-      s.scene().precision == Precision::mixed ? ", or compute in precision = \"double\"" : ""));
+      s.scene().precision == Precision::mixed ? ", or use precision = \"double\"" : ""));
 }
 
 void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
   if (speed <= limit) return;
   stop(
       fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
-                  "(now {:g} s), or raise limits.speed if this speed is meant",
+                  "(now {:g} s), or raise limits.speed if this speed is intended",
                   id, speed, where(s), limit, s.step_length()));
 }
 
@@ -50,10 +50,10 @@ void report_overlap(const Simulation& s) {
   const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
                                          : fmt::format("wall {}", s.plane_names()[b - p.size()]);
   const bool unstable = s.step_length() > shortest_limit(s).longest_step;
-  const char* cure = s.steps() > 0 && unstable ? "use a shorter time.step (it is longer than what is stable)"
+  const char* cure = s.steps() > 0 && unstable ? "use a shorter time.step (it exceeds the stable step)"
                      : s.steps() > 0           ? "use a stiffer contact, a lower load or a shorter time.step"
                      : worst_ratio >= 2 && b < p.size() ? "their centres coincide: move them apart"
-                                                        : "they start inside each other: move them apart";
+                                                        : "they overlap at the start: move them apart";
   stop(fmt::format(
       "contact of particle {} with {}: overlap is {:.3g} of the smaller radius {}, above the limit of {:g}; "
       "{}, or raise limits.overlap_ratio",
@@ -104,9 +104,9 @@ void report_blow_up(const Simulation& s, double speed_limit) {
             s.plane_names()[w], where(s)));
   report_overlap(s);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    Vec3 on_the_way = {};
-    for (int k = 0; k < p.dimension(); ++k) on_the_way[k] = p.mid_velocity()[k][i];
-    report_speed(s, p.id[i], norm(on_the_way), speed_limit);
+    Vec3 mid_velocity = {};
+    for (int k = 0; k < p.dimension(); ++k) mid_velocity[k] = p.mid_velocity()[k][i];
+    report_speed(s, p.id[i], norm(mid_velocity), speed_limit);
   }
   stop(fmt::format("the motion is no longer finite {}; use a shorter time.step (now {:g} s)", where(s),
                    s.step_length()));

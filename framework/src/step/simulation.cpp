@@ -15,12 +15,12 @@ namespace scree {
 
 Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
-  p.stepper.evaluate_forces_afresh(0);
+  p.stepper.reevaluate_forces(0);
   p.boundaries.finish_step(0, 0);
-  p.audit.restate(p.contact_sums, p.body_sums);
+  p.audit.set_stored(p.contact_sums, p.body_sums);
   const scree_energy now = energy();
   p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());
-  check_health(p.stepper.starts_sound());
+  check_health(p.stepper.initial_state_is_sound());
 }
 
 Simulation::~Simulation() = default;
@@ -43,7 +43,7 @@ void Simulation::check_health(bool sound) const {
 void Simulation::measure(Profile* profile) { parts_->profile = profile; }
 
 void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
-  parts_->stepper.catch_up();
+  parts_->stepper.synchronise();
   for (Scene::Law& law : parts_->scene.laws)
     if (law.name == name) {
       law.parameters = parameters;
@@ -53,12 +53,12 @@ void Simulation::reconfigure_law(const std::string& name, const Parameters& para
 }
 
 void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
-  parts_->stepper.catch_up();
+  parts_->stepper.synchronise();
   parts_->boundaries.reconfigure(name, parameters, time());
 }
 
 void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters) {
-  parts_->stepper.catch_up();
+  parts_->stepper.synchronise();
   parts_->body_forces.reconfigure(name, parameters);
 }
 
@@ -68,8 +68,8 @@ void Simulation::apply_reconfiguration() {
   for (PairGroup& group : p.contacts.groups())
     group.history_width = p.laws[group.law].interface.history_width;
   p.search_neighbours();
-  p.stepper.evaluate_forces_afresh(0);
-  p.audit.restate(p.contact_sums, p.body_sums);
+  p.stepper.reevaluate_forces(0);
+  p.audit.set_stored(p.contact_sums, p.body_sums);
 }
 
 int Simulation::dimension() const { return parts_->scene.dimension; }
@@ -93,7 +93,7 @@ ContactList Simulation::contact_list() const {
 
 scree_energy Simulation::energy() const {
   const Particles& p = parts_->particles;
-  // At the moment for which the stored energies are known.
+  // Velocities at the time at which the stored energies were evaluated.
   const bool at_end = parts_->stepper.forces_at() == Stepper::ForcesAt::end_of_step;
   const auto velocity = at_end ? p.velocity() : p.mid_velocity();
   const auto spin = at_end ? p.spin() : p.mid_spin();
@@ -126,8 +126,8 @@ double Simulation::first_skin() const { return parts_->neighbours.first_skin(); 
 
 double Simulation::min_steps_per_contact() const {
   const Scene& scene = parts_->scene;
-  const double met = 2 * std::max(0.0, parts_->stepper.max_speed() - norm(drift_velocity(scene)));
-  return shortest_contact_time(scene, std::max(expected_speed(scene), met)) / scene.step;
+  const double impact_speed = 2 * std::max(0.0, parts_->stepper.max_speed() - norm(drift_velocity(scene)));
+  return shortest_contact_time(scene, std::max(expected_speed(scene), impact_speed)) / scene.step;
 }
 
 std::uint64_t Simulation::state_hash() const {

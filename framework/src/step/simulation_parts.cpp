@@ -32,14 +32,15 @@ double mean_radius(const Scene& scene) {
 
 double skin_of(const Scene& scene) { return scene.skin > 0 ? scene.skin : 0.1 * mean_radius(scene); }
 
-// 0 for a skin that the scene states. A periodic length must hold two of the largest reach.
-double thickest_skin_of(const Scene& scene, const Domain& domain) {
+// Upper limit of the skin (m); 0 if the scene gives a fixed skin. A periodic length must be at least twice
+// the largest reach.
+double max_skin_of(const Scene& scene, const Domain& domain) {
   if (scene.skin > 0) return 0;
-  double thickest = 0.5 * mean_radius(scene), largest = 0;
+  double max_skin = 0.5 * mean_radius(scene), largest = 0;
   for (const Body& body : scene.bodies) largest = std::max(largest, body.radius);
   for (int k = 0; k < 3; ++k)
-    if (domain.periodic[k]) thickest = std::min(thickest, 0.5 * domain.length(k) - 2 * largest);
-  return std::max(thickest, skin_of(scene));
+    if (domain.periodic[k]) max_skin = std::min(max_skin, 0.5 * domain.length(k) - 2 * largest);
+  return std::max(max_skin, skin_of(scene));
 }
 
 double smallest_radius_of(const Scene& scene) {
@@ -58,7 +59,7 @@ unsigned threads_of(const Scene& scene) {
   return unsigned(std::clamp<std::size_t>(useful, 1, std::max(1u, scene.threads)));
 }
 
-// Pairs of each law with bodies and, in a scene with walls, with planes.
+// Empty pair groups: for each law, pairs of bodies and, in a scene with walls, pairs with planes.
 Contacts make_contacts(const SimulationParts& parts) {
   std::vector<Contacts::Kind> kinds;
   for (std::uint32_t k = 0; k < parts.laws.size(); ++k)
@@ -83,7 +84,7 @@ SimulationParts::SimulationParts(const Scene& given)
       boundaries(boundaries_of(scene)),
       body_forces(scene.body_forces, scene.dimension, scene.audit),
       particles(scene.dimension, needs_spin(scene), boundaries.domain().any_periodic(), scene.bodies),
-      neighbours(skin_of(scene), thickest_skin_of(scene, boundaries.domain()), lookup_of(scene)),
+      neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()), lookup_of(scene)),
       forces({.dimension = scene.dimension,
               .spin = particles.has_spin(),
               .periodic = boundaries.domain().any_periodic(),
@@ -108,11 +109,11 @@ void SimulationParts::configure_laws() {
     const scree_contact_instance& instance = configured_laws.back().instance();
     if (instance.tangential && !particles.has_spin())
       throw Error(
-          fmt::format("contact law '{}' turns bodies now, but the scene carries no spins; set its spin "
+          fmt::format("contact law '{}' now exerts torques, but the scene carries no spins; set its spin "
                       "from the start",
                       law.name));
     if (scene.precision == Precision::mixed && !instance.evaluate_single)
-      throw Error(fmt::format("contact law '{}' cannot compute in mixed precision; use double", law.name));
+      throw Error(fmt::format("contact law '{}' does not support mixed precision; use double", law.name));
     laws.push_back({.interface = instance,
                     .storage = configured_laws.back().storage(),
                     .touching = OnsetWeights::of_power(instance.onset_power),

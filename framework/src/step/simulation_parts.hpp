@@ -21,12 +21,12 @@
 
 namespace scree {
 
-// Everything that a simulation consists of.
+// The parts of a simulation, in the order in which they are constructed.
 struct SimulationParts {
-  // Throws Error for a scene that cannot be set up. Evaluates no forces.
+  // Throws Error for an invalid scene. Evaluates no forces.
   explicit SimulationParts(const Scene& scene);
 
-  // Configures the laws of the scene anew. Throws Error where a law needs what the scene does not carry.
+  // Configures the laws of the scene again. Throws Error if a law needs what the scene does not carry.
   void configure_laws();
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
 
@@ -49,7 +49,7 @@ struct SimulationParts {
   MomentumAudit momentum_audit;
 
   double smallest_radius;  // (m)
-  double speed_limit;      // (m/s) above which a run has blown up
+  double speed_limit;      // (m/s) above which the run is stopped as a blow-up
 
   Stepper stepper;
 };

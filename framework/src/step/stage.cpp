@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-// Energies are sums over all bodies; conditions on them are looked at once in so many steps.
+// Steps between tests of a condition on energies, which are sums over all bodies.
 constexpr std::uint64_t condition_interval = 100;
 
 }  // namespace
@@ -43,10 +43,10 @@ std::uint64_t StageRunner::steps_to_next_check() const {
   const std::uint64_t steps = simulation_.steps() - began_step_;
   const auto left = [&](std::uint64_t last) { return last > steps ? last - steps : 1; };
   if (stage.duration) return left(steps_in(*stage.duration));
-  const std::uint64_t look = condition_interval - steps % condition_interval;
-  // A step early, since times are compared and not steps.
-  return stage.at_most ? std::min(look, left(std::max<std::uint64_t>(steps_in(*stage.at_most), 1) - 1))
-                       : look;
+  const std::uint64_t next_test = condition_interval - steps % condition_interval;
+  // One step early, because run() compares times, not step counts.
+  return stage.at_most ? std::min(next_test, left(std::max<std::uint64_t>(steps_in(*stage.at_most), 1) - 1))
+                       : next_test;
 }
 
 bool StageRunner::over() const {
@@ -65,7 +65,7 @@ void StageRunner::step() {
 }
 
 std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>& proceed) {
-  const std::uint64_t made = simulation_.run(std::min(steps, steps_to_next_check()), proceed);
+  const std::uint64_t taken = simulation_.run(std::min(steps, steps_to_next_check()), proceed);
   const Stage& stage = stages_[current_];
   if (over()) {
     ++current_;
@@ -81,7 +81,7 @@ std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>&
             simulation_.time() - began_, *stage.kinetic_over_elastic),
         ExitStatus::failure);
   }
-  return made;
+  return taken;
 }
 
 double StageRunner::expected_length(const Stage& stage) const {

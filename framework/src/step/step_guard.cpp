@@ -19,14 +19,14 @@ namespace scree {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double least_speed = 1;  // (m/s)
+constexpr double min_speed = 1;  // (m/s)
 
-// How many times stiffer than a pair the stiffest packing of equal spheres is: 12 contacts hold a body of the
-// face-centred cubic lattice, and a wave in which its layers swing against each other feels 8 k/m, a pair 2
+// Ratio of squared frequencies of the stiffest packing of equal spheres and of a pair: in the face-centred
+// cubic lattice with 12 contacts per body, layers that oscillate against each other have ω² = 8 k/m, a pair 2
 // k/m.
 constexpr double dense_network = 4;
 
-// The lightest and the smallest body of a material; infinite where it has none.
+// Mass of the lightest and radius of the smallest body of a material; infinite if it has none.
 struct Smallest {
   double mass = infinite, radius = infinite;
   std::size_t count = 0;
@@ -56,7 +56,7 @@ scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed)
   return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed, 1};
 }
 
-// Which materials meet the bodies of material `a`, as the lightest partner of each: other bodies and walls.
+// Possible contact partners of bodies of material `a`: the lightest body of each material, and the walls.
 std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
                                                        const std::vector<Smallest>& smallest, std::size_t a) {
   std::vector<std::pair<std::size_t, Smallest>> all;
@@ -66,7 +66,7 @@ std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
   return all;
 }
 
-// Calls visit(law index, law, encounter) for the lightest pair of every two materials that may meet.
+// Calls visit(law index, law, encounter) for the lightest pair of every two materials that may touch.
 template <class Visit>
 void each_encounter(const Scene& scene, double speed, const Visit& visit) {
   const std::vector<Smallest> smallest = smallest_bodies(scene);
@@ -80,7 +80,7 @@ void each_encounter(const Scene& scene, double speed, const Visit& visit) {
   }
 }
 
-// A law that does not tell its critical step is taken for a linear one, whose contact lasts π/ω.
+// Longest stable step (s). A law that states no critical step is treated as linear, with contact time π/ω.
 double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double network) {
   encounter.network = network;
   if (const auto critical = closed_form(law, encounter, "critical_step")) return *critical;
@@ -88,7 +88,7 @@ double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double n
   return 2 / pi / std::sqrt(network) * closed_form(law, encounter, "contact_time").value_or(infinite);
 }
 
-// How many bodies each plane is near to.
+// Number of candidate pairs of each plane.
 std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
   std::vector<std::size_t> near(s.planes().size(), 0);
   for (const PairGroup& group : s.contacts().groups())
@@ -96,7 +96,8 @@ std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
   return near;
 }
 
-// The mass of a wall is shared by the bodies near it, or by a face of the packing, which it may meet later.
+// The mass of a wall is divided by the number of bodies near it, or of bodies in one face of the packing,
+// which it may touch later.
 void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double speed,
               std::vector<StepLimit>& limits) {
   const Scene& scene = s.scene();
@@ -123,13 +124,13 @@ void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits
 void add_viscosity(const Simulation& s, std::vector<StepLimit>& limits) {
   if (const double rate = s.boundaries().largest_damping_rate(); rate > 0)
     limits.push_back(
-        {fmt::format("the viscosity of a wall, which slows it at {:.3g}/s,", rate), critical_step(0, rate)});
+        {fmt::format("the viscosity of a wall, which damps it at {:.3g}/s,", rate), critical_step(0, rate)});
 }
 
 void add_body_forces(const Simulation& s, std::vector<StepLimit>& limits) {
   const double rate = s.body_forces().largest_damping_rate(s.scene().bodies);
   if (rate > 0)
-    limits.push_back({fmt::format("the drag of a body force, which slows a body at {:.3g}/s,", rate),
+    limits.push_back({fmt::format("the drag of a body force, which damps a body at {:.3g}/s,", rate),
                       critical_step(0, rate)});
 }
 
@@ -162,7 +163,7 @@ double expected_speed(const Scene& scene) {
   double fastest = 0;
   const Vec3 drift = drift_velocity(scene);
   for (const Body& body : scene.bodies) fastest = std::max(fastest, norm(body.velocity - drift));
-  return std::max(least_speed, 2 * fastest);
+  return std::max(min_speed, 2 * fastest);
 }
 
 double shortest_contact_time(const Scene& scene, double speed) {

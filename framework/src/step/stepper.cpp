@@ -7,13 +7,13 @@
 #include <cmath>
 #include <span>
 
-// A substep from t to t + h (one a step; five of `fourth_order`), in the order in which it happens:
+// Sequence of a substep from t to t + h (one per step; five in `fourth_order`):
 //
 //   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
 //   bodies begin      Integrator::begin_step       positions to t + h, velocities predicted there
 //   search            NeighbourList::update        only when the skin may be used up
 //   each tile         kernel::evaluate_tile        gather, geometry, law, scatter, block by block
-//   each part         Forces::collect              loads that other tiles left for its bodies
+//   each part         Forces::collect              adds loads computed by other tiles to its bodies
 //                     MomentumAudit, BodyForces    gravity, drag, ...
 //                     Integrator::finish_step      velocities at t + h
 //                     Integrator::begin_step       of the next substep, unless the bodies are observed before
@@ -21,8 +21,8 @@
 //   audit             EnergyAudit::add_step
 //   health            Stepper::step                finite, speed and overlap within their limits
 //
-// `position_verlet` evaluates at t + h/2: elapsed time, forces, loads and springs are then those of mid-step,
-// and walls are shown run ahead by h/2.
+// `position_verlet` evaluates at t + h/2: forces, loads and springs between steps are then those of mid-step,
+// and wall positions are extrapolated by h/2 for output.
 
 namespace scree {
 
@@ -51,13 +51,13 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   SimulationParts& p = parts_;
   const bool mid_step = p.integrator->evaluates_at_mid_step();
   const double elapsed = mid_step && forces_at_ == ForcesAt::end_of_step ? 0.5 * step : step;
-  if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.return_to_forces();
+  if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.undo_extrapolation();
   Laps laps(p.profile);
   p.boundaries.begin_step(force_time_, elapsed);
   const double plane_speed = p.boundaries.largest_speed();
   laps.lap(Profile::boundaries);
 
-  if (!bodies_have_begun_) begin_bodies(step);
+  if (!bodies_advanced_) begin_bodies(step);
   const double square_speed = largest_square_speed(), speed = std::sqrt(square_speed);
   if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) return std::nullopt;
 
@@ -65,7 +65,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);
   laps.lap(Profile::neighbours);
 
-  // What goes wrong is reported where it happened.
+  // Do not start the next step when a limit may be exceeded, so that errors are reported for the right time.
   if (too_fast(square_speed) || may_become_too_deep(std::max(speed, plane_speed) * step)) next.reset();
   const bool finite = evaluate_forces(elapsed, {.finish = step, .begin = next});
 
@@ -76,7 +76,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   force_time_ += elapsed;
   time_ += step;
   forces_at_ = mid_step ? ForcesAt::middle_of_step : ForcesAt::end_of_step;
-  if (mid_step) p.boundaries.run_ahead_of_forces(0.5 * step);
+  if (mid_step) p.boundaries.extrapolate(0.5 * step);
   return finite ? square_speed : infinity;
 }
 
@@ -100,7 +100,7 @@ double Stepper::largest_square_speed() const {
 
 bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   SimulationParts& p = parts_;
-  bodies_have_begun_ = moves.begin.has_value();
+  bodies_advanced_ = moves.begin.has_value();
   p.contact_sums = p.forces.evaluate(
       {.particles = p.particles,
        .contacts = p.contacts,
@@ -144,12 +144,12 @@ void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile
   laps.lap(Profile::integrate);
 }
 
-void Stepper::evaluate_forces_afresh(double elapsed) {
+void Stepper::reevaluate_forces(double elapsed) {
   Forces::clear(parts_.particles, {0, parts_.particles.size()});
   evaluate_forces(elapsed, {});
 }
 
-void Stepper::catch_up() {
+void Stepper::synchronise() {
   if (forces_at_ == ForcesAt::end_of_step) return;
   SimulationParts& p = parts_;
   for (std::size_t i = 0; i < p.particles.size(); ++i) {
@@ -159,16 +159,16 @@ void Stepper::catch_up() {
       p.particles.mid_spin()[k][i] = p.particles.spin()[k][i];
   }
   const double behind = time_ - force_time_;
-  p.boundaries.return_to_forces();
+  p.boundaries.undo_extrapolation();
   p.boundaries.begin_step(force_time_, behind);
-  evaluate_forces_afresh(behind);
+  reevaluate_forces(behind);
   p.boundaries.finish_step(force_time_, behind);
   if (p.scene.audit) p.audit.add_step(behind, p.contact_sums, p.body_sums);
   force_time_ = time_;
   forces_at_ = ForcesAt::end_of_step;
 }
 
-bool Stepper::starts_sound() const {
+bool Stepper::initial_state_is_sound() const {
   double largest = 0;
   for (const Body& body : parts_.scene.bodies) largest = std::max(largest, dot(body.velocity, body.velocity));
   return !too_fast(largest) && !too_deep();

@@ -14,37 +14,38 @@ namespace scree {
 
 struct SimulationParts;
 
-// Takes the steps of a simulation: calls its parts in the order of a step and keeps the time.
+// Advances a simulation: calls its parts in the order of a step and counts steps and time.
 class Stepper {
  public:
-  // What comes after a step: the next step, or an observer that must find the bodies at the end of this one.
+  // What follows a step: an observer, which must see the bodies at its end, or directly the next step.
   enum class Next { observed, follows };
-  // For which moment forces, springs, loads and stored energies are known.
+  // Time for which forces, springs, loads and stored energies have been evaluated.
   enum class ForcesAt { end_of_step, middle_of_step };
 
   explicit Stepper(SimulationParts& parts);
 
-  // One time step. Returns whether the motion is sound: finite, no body too fast, no overlap too deep.
+  // Takes one time step. Returns whether the state is sound: finite, no speed and no overlap above its limit.
   bool step(Next next);
-  // Evaluates the forces where the bodies are; springs move by `elapsed` since the last evaluation (s).
-  void evaluate_forces_afresh(double elapsed);
-  // Brings forces and springs to the end of the step, where an integrator has evaluated them in its middle.
-  void catch_up();
-  // Whether bodies and overlaps are within the limits as the scene states them.
-  bool starts_sound() const;
+  // Evaluates the forces at the present positions; springs advance by `elapsed` since the last evaluation
+  // (s).
+  void reevaluate_forces(double elapsed);
+  // Evaluates forces and springs at the end of the step if the integrator evaluates them at mid-step.
+  void synchronise();
+  // Whether initial speeds and overlaps are within the limits of the scene.
+  bool initial_state_is_sound() const;
 
   double time() const { return time_; }  // (s)
   std::uint64_t steps() const { return steps_; }
   ForcesAt forces_at() const { return forces_at_; }
-  double max_speed() const;  // of any body so far (m/s)
+  double max_speed() const;  // largest speed of any body so far (m/s)
 
  private:
-  // What moves the bodies of a part after the evaluation of their forces: the end of this substep and, unless
-  // they are observed before, the beginning of the next (s).
+  // Motion of the bodies of a part after their forces have been evaluated: second half of this substep and,
+  // unless the bodies are observed in between, first half of the next (s).
   struct Moves {
     std::optional<double> finish = std::nullopt, begin = std::nullopt;
   };
-  // What the bodies of a part add up to.
+  // Sums over the bodies of a part.
   struct PartSums {
     BodySums bodies;
     MomentumAudit::Sums momentum;
@@ -52,27 +53,27 @@ class Stepper {
     bool finite = true;
   };
 
-  // Moves everything by one substep and, with `next`, bodies into the next one (s). Returns the largest
-  // squared speed of the move (m²/s²); infinite if any velocity or spin is not a number at its end, nothing
-  // if bodies or walls could not be moved.
+  // Takes one substep and, if `next` is given, the first half of the next for the bodies (s). Returns the
+  // largest squared speed (m²/s²); infinite if any velocity or spin is not finite at the end, nothing if
+  // bodies or walls could not be moved.
   std::optional<double> substep(double step, std::optional<double> next);
   void begin_bodies(double step);
   double largest_square_speed() const;
-  // Returns whether velocities and spins are numbers.
+  // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);
-  // Completes a part of the bodies once all contacts have loaded them.
+  // Audits, body forces and motion of a part, after all its contact loads are summed.
   void finish_part(std::size_t part, const Moves& moves, Profile* profile);
   bool too_fast(double square_speed) const;
   bool too_deep() const;
-  // Whether an overlap may be beyond the limit once nothing has moved further than `distance` (m).
+  // Whether an overlap may exceed the limit after motions of at most `distance` (m).
   bool may_become_too_deep(double distance) const;
 
   SimulationParts& parts_;
   BodyTiles tiles_;
   std::vector<PartSums> part_sums_;
-  bool bodies_have_begun_ = false;  // the next substep
-  double time_ = 0;                 // (s)
-  double force_time_ = 0;           // (s) at which forces were evaluated last
+  bool bodies_advanced_ = false;  // the first half of the next substep has been taken
+  double time_ = 0;               // (s)
+  double force_time_ = 0;         // (s) of the last force evaluation
   ForcesAt forces_at_ = ForcesAt::end_of_step;
   std::uint64_t steps_ = 0;
   double max_square_speed_ = 0;  // (m²/s²)

@@ -11,9 +11,9 @@ namespace scree {
 
 namespace {
 
-// Steps follow each other within microseconds, so a waiting thread spins before it sleeps, for some 400 µs:
-// waking a sleeper takes a virtual machine 100 µs. Not longer, for on a busy machine the one it waits for may
-// not run.
+// A waiting thread spins for about 400 µs before it sleeps: steps follow each other within microseconds, and
+// waking a thread takes 100 µs in a virtual machine. It does not spin longer, because on a busy machine the
+// thread it waits for may be descheduled.
 constexpr int spins_before_sleep = 8000;
 
 template <class Done>
@@ -34,9 +34,8 @@ ThreadPool::ThreadPool(unsigned threads) {
   } catch (const std::system_error&) {
     const unsigned started = size();
     stop();
-    throw Error(
-        fmt::format("only {} of {} threads can be started here; ask for fewer threads", started, threads),
-        ExitStatus::failure);
+    throw Error(fmt::format("only {} of {} threads could be started; use fewer threads", started, threads),
+                ExitStatus::failure);
   }
 }
 
@@ -49,13 +48,13 @@ void ThreadPool::stop() {
   for (std::thread& worker : workers_) worker.join();
 }
 
-// A round is open while its task may be called. A worker says that it is active before it looks whether the
-// round is open, and the caller closes the round before it looks whether anyone is active: one of the two
-// sees the other, so no worker calls a task whose caller has gone on.
+// A round is open while its task may be called. A worker registers as active before it tests whether the
+// round is open, and the caller closes the round before it tests for active workers: at least one of the two
+// sees the other, so that no worker calls a task after share_out has returned.
 void ThreadPool::share_out(std::size_t count, Call call, const void* task) {
-  if (count > room_) {
+  if (count > capacity_) {
     claimed_ = std::make_unique<std::atomic<std::uint64_t>[]>(count);
-    room_ = count;
+    capacity_ = count;
   }
   call_ = call;
   task_ = task;
@@ -100,7 +99,7 @@ void ThreadPool::work(std::uint64_t round, unsigned worker) {
   const auto share_begin = [this](unsigned w) { return count_ * w / size(); };
   for (std::size_t item = share_begin(worker); item < share_begin(worker + 1); ++item)
     if (claim(item, round)) do_item(item, worker);
-  // What others have not begun, from the end of their shares.
+  // Steal unstarted items from the end of the other shares.
   for (unsigned k = 1; k < size(); ++k) {
     const unsigned other = (worker + k) % size();
     for (std::size_t item = share_begin(other + 1); item-- > share_begin(other);)

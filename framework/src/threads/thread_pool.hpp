@@ -9,10 +9,10 @@
 
 namespace scree {
 
-// Threads that share out work. With one thread everything runs in the caller and no thread is started.
+// Worker threads for parallel loops. With one thread everything runs in the caller and no thread is started.
 class ThreadPool {
  public:
-  // Throws Error if so many cannot be started.
+  // threads: number including the caller. Throws Error if they cannot be started.
   explicit ThreadPool(unsigned threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -20,10 +20,11 @@ class ThreadPool {
 
   unsigned size() const { return unsigned(workers_.size()) + 1; }
 
-  // Calls task(item, worker) once for each item 0 ... count − 1 and returns when all are done. A worker takes
-  // a contiguous share of its own first, the same each time, so that its cache knows it, and then what others
-  // have not begun: one that the machine does not let run holds nobody up. What a task throws first is
-  // thrown here, by several threads once the other items are done.
+  // Calls task(item, worker) once for each item 0 ... count − 1 and returns when all are done. A worker first
+  // takes its own contiguous share, the same in each call, so that the data may still be in its cache; then
+  // it steals items that other workers have not started, so that a descheduled worker does not delay the
+  // loop. The first exception of a task is rethrown here; with several threads, after the remaining items are
+  // done.
   template <class Task>
   void each(std::size_t count, const Task& task) {
     if (workers_.empty()) {
@@ -50,14 +51,14 @@ class ThreadPool {
   std::vector<std::thread> workers_;
   Call call_ = nullptr;
   const void* task_ = nullptr;
-  std::size_t count_ = 0, room_ = 0;
-  std::unique_ptr<std::atomic<std::uint64_t>[]> claimed_;  // the round in which each item was last taken
-  std::atomic<std::uint64_t> round_ = 0;                   // counts rounds; workers wait for the next
-  std::atomic<std::uint64_t> open_ = 0;                    // the round that is going on, 0 between rounds
-  std::atomic<std::uint64_t> active_ = 0;                  // workers inside a round, beside the caller
+  std::size_t count_ = 0, capacity_ = 0;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> claimed_;  // round in which each item was last claimed
+  std::atomic<std::uint64_t> round_ = 0;                   // number of rounds; workers wait for the next
+  std::atomic<std::uint64_t> open_ = 0;                    // the current round, 0 between rounds
+  std::atomic<std::uint64_t> active_ = 0;                  // workers inside a round, without the caller
   std::atomic<bool> stop_ = false;
   std::atomic<bool> failed_ = false;
-  std::exception_ptr error_;  // of the round, set by who sets failed_
+  std::exception_ptr error_;  // of the round, set by the thread that set failed_
 };
 
 }  // namespace scree

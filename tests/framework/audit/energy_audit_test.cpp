@@ -18,7 +18,7 @@ TEST_CASE("powers are integrated by the trapezoidal rule, friction is a work alr
   EnergyAudit audit;
   const ContactSums first = {.dissipated_normal = 2, .dissipated_tangential = 4, .dissipated_friction = 100};
   const BodySums first_bodies = {.dissipated_translation = 8, .dissipated_rotation = 16};
-  audit.restate(first, first_bodies);
+  audit.set_stored(first, first_bodies);
   audit.start(0, 0, {});
   const ContactSums second = {.dissipated_normal = 6, .dissipated_tangential = 0, .dissipated_friction = 0.5};
   const BodySums second_bodies = {.dissipated_translation = 0, .dissipated_rotation = 32};
@@ -40,7 +40,7 @@ TEST_CASE("powers are integrated by the trapezoidal rule, friction is a work alr
 
 TEST_CASE("what is stored is what the last evaluation says, and the residual what does not add up") {
   EnergyAudit audit;
-  audit.restate({.elastic_normal = 1, .elastic_tangential = 2}, {.potential = 4});
+  audit.set_stored({.elastic_normal = 1, .elastic_tangential = 2}, {.potential = 4});
   audit.start(8, 16, {.kinetic = 32, .work = 0, .dissipated = 0});
   CHECK(audit.balance(8, 16, {.kinetic = 32, .work = 0, .dissipated = 0}).residual == 0);
 
@@ -60,15 +60,15 @@ TEST_CASE("what is stored is what the last evaluation says, and the residual wha
 
 TEST_CASE("a jump of what is stored between stages counts as work, and costs no residual") {
   EnergyAudit audit;
-  audit.restate({.elastic_normal = 4}, {.potential = 1});
+  audit.set_stored({.elastic_normal = 4}, {.potential = 1});
   audit.start(2, 0, {});
-  audit.restate({.elastic_normal = 10, .elastic_tangential = 0.5}, {.potential = 0});
+  audit.set_stored({.elastic_normal = 10, .elastic_tangential = 0.5}, {.potential = 0});
   scree_energy e = audit.balance(2, 0, {});
   CHECK(e.work == 5.5);
   CHECK(e.residual == 0);
 
   // Rates start afresh from the new parameters.
-  audit.restate({.elastic_normal = 8, .dissipated_normal = 16}, {});
+  audit.set_stored({.elastic_normal = 8, .dissipated_normal = 16}, {});
   audit.add_step(0.5, {.elastic_normal = 8}, {});
   e = audit.balance(2, 0, {});
   CHECK(e.work == 5.5 - 2.5);
@@ -77,8 +77,8 @@ TEST_CASE("a jump of what is stored between stages counts as work, and costs no 
 
 TEST_CASE("energies that are there before the start are no work") {
   EnergyAudit audit;
-  audit.restate({.elastic_normal = 4}, {});
-  audit.restate({.elastic_normal = 6}, {.potential = 3});
+  audit.set_stored({.elastic_normal = 4}, {});
+  audit.set_stored({.elastic_normal = 6}, {.potential = 3});
   audit.start(1, 1, {});
   const scree_energy e = audit.balance(1, 1, {});
   CHECK(e.work == 0);
@@ -87,7 +87,7 @@ TEST_CASE("energies that are there before the start are no work") {
 
 TEST_CASE("turnover is the work, or what is moved, stored and lost if that is more") {
   EnergyAudit audit;
-  audit.restate({}, {.potential = 5});
+  audit.set_stored({}, {.potential = 5});
   audit.start(1, 0, {});
   scree_energy e = {};
   CHECK(audit.turnover(e) == 1);  // what moved at the start

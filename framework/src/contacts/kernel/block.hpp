@@ -25,7 +25,7 @@ struct EvaluationInput {
   bool periodic;
   double step;
   bool audit, pair_forces;
-  double deepest;  // overlap ratio met in earlier evaluations
+  double max_overlap_ratio;  // overlap ratio met in earlier evaluations
 };
 
 // A block of pairs between gather and scatter, as columns. T is what laws compute in, double or float; only

@@ -56,7 +56,7 @@ template <int D, bool spin, bool planes, class T>
 SCREE_HOT void gather(const BlockTask<T>& task, BlockColumns<T>& block) {
   for (std::uint32_t i = 0; i < task.padded(); i += 4)
     gather_four<D, spin, planes>(*task.tile.input, task.pairs.begin + i, i, block);
-  if constexpr (planes) part_lanes(task.count, task.padded(), block);
+  if constexpr (planes) separate_padding(task.count, task.padded(), block);
 }
 
 template <int D, bool spin, bool planes, class T>
@@ -145,7 +145,7 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& 
 
 // Prefetches the bodies that a block soon to come is the first to read.
 template <int D, bool spin>
-SCREE_HOT void fetch_ahead(const TileJob& job, std::size_t block) {
+SCREE_HOT void prefetch_bodies(const TileJob& job, std::size_t block) {
   constexpr std::size_t ahead = 2, cache_line = 64 / sizeof(double);
   if (block + ahead >= job.tiles->blocks().size()) return;
   const Tiles::PairBlock& next = job.tiles->blocks()[block + ahead];
@@ -167,10 +167,10 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
   BlockColumns<T> work;
   begin_batch(*job.input, work);
-  double largest_ratio = job.input->deepest;
+  double largest_ratio = job.input->max_overlap_ratio;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
     const BlockTask<T> task = block_task<T>(job, k);
-    fetch_ahead<D, spin>(job, k);
+    prefetch_bodies<D, spin>(job, k);
     job.sums[k] = task.group.planes ? evaluate_block<D, spin, true>(task, work, largest_ratio)
                                     : evaluate_block<D, spin, false>(task, work, largest_ratio);
     job.sums[k].max_overlap_ratio = largest_ratio;

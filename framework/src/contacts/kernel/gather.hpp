@@ -108,7 +108,7 @@ SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint
 
 // Lanes [begin, end) of padding, which are pairs of the first body: they must not touch.
 template <class T>
-SCREE_HOT void part_lanes(std::uint32_t begin, std::uint32_t end, BlockColumns<T>& block) {
+SCREE_HOT void separate_padding(std::uint32_t begin, std::uint32_t end, BlockColumns<T>& block) {
   for (std::uint32_t lane = begin; lane < end; ++lane)
     for (int k = 0; k < 3; ++k) block.separation[k][lane] = 0;
 }

@@ -146,8 +146,8 @@ SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, d
     const Vec<D, T> v = lanes_of<D>(block.input + SCREE_RELATIVE_VELOCITY, i);
     const T approach = -dot(v, lanes_of<D>(block.input + SCREE_NORMAL, i)) * T(step);
     const T overlap = block.input[SCREE_OVERLAP][i], travel = std::abs(approach);
-    const T inverse_way = T(1) / (travel > T(0) ? travel : T(1));
-    const T s = std::max(overlap, T(0)) * inverse_way;
+    const T inverse_travel = T(1) / (travel > T(0) ? travel : T(1));
+    const T s = std::max(overlap, T(0)) * inverse_travel;
     const T closing = onset_weight(touching, s), opening = onset_weight(parting, s);
     block.input[SCREE_ONSET_WEIGHT][i] =
         overlap < T(2) * travel ? (approach > T(0) ? closing : opening) : T(1);

@@ -40,14 +40,14 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   tile.last_block = blocks_.size();
 }
 
-void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
+void Tiles::assign_slots(const Contacts& contacts, std::size_t planes) {
   resize_with_room(slot_a_, contacts.padded_size());
   resize_with_room(slot_b_, contacts.padded_size());
   for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
     Tile& tile = tiles_[t];
     const auto slot_of = [&](std::uint32_t body) {
       if (owner(body) == t) return body;
-      noted_.push_back({body, std::uint32_t(slots_)});
+      outgoing_.push_back({body, std::uint32_t(slots_)});
       tile.reached.push_back(owner(body));
       return std::uint32_t(slots_++);
     };
@@ -73,7 +73,7 @@ void Tiles::lay_slots(const Contacts& contacts, std::size_t planes) {
   }
 }
 
-void Tiles::note_reach() {
+void Tiles::find_reached_tiles() {
   for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
     Tile& tile = tiles_[t];
     std::vector<std::uint32_t>& reached = tile.reached;
@@ -84,7 +84,7 @@ void Tiles::note_reach() {
   }
 }
 
-void Tiles::note_visits(const Contacts& contacts) {
+void Tiles::list_first_visits(const Contacts& contacts) {
   visits_.clear();
   if (tiles_.size() <= tiles_in_cache) return;
   visited_by_.assign(bodies_.size(), std::uint32_t(tiles_.size()));
@@ -105,11 +105,11 @@ void Tiles::note_visits(const Contacts& contacts) {
 }
 
 void Tiles::sort_incoming() {
-  incoming_.resize(noted_.size());
+  incoming_.resize(outgoing_.size());
   counting_sort(
       bodies_.parts(), first_incoming_,
       [&](const auto& visit) {
-        for (const Incoming& in : noted_) visit(in);
+        for (const Incoming& in : outgoing_) visit(in);
       },
       [](const Incoming& in) { return in.body / BodyTiles::part_size; },
       [&](const Incoming& in, std::size_t place) { incoming_[place] = in; });
@@ -117,15 +117,15 @@ void Tiles::sort_incoming() {
 
 void Tiles::plan(const Contacts& contacts, std::size_t planes) {
   tiles_.assign(bodies_.count(), {});
-  blocks_.clear(), noted_.clear();
+  blocks_.clear(), outgoing_.clear();
   slots_ = bodies_.size();
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     cut_blocks(contacts, std::uint32_t(t));
   }
-  lay_slots(contacts, planes);
+  assign_slots(contacts, planes);
   sort_incoming();
-  note_reach();
-  note_visits(contacts);
+  find_reached_tiles();
+  list_first_visits(contacts);
 }
 
 }  // namespace scree::kernel

@@ -61,16 +61,16 @@ class Tiles {
  private:
   void cut_blocks(const Contacts& contacts, std::uint32_t tile);
   std::uint32_t owner(std::size_t body) const;
-  void lay_slots(const Contacts& contacts, std::size_t planes);
-  void note_reach();
-  void note_visits(const Contacts& contacts);
+  void assign_slots(const Contacts& contacts, std::size_t planes);
+  void find_reached_tiles();
+  void list_first_visits(const Contacts& contacts);
   void sort_incoming();
 
   BodyTiles bodies_;
   std::size_t slots_ = 0;
   std::vector<Tile> tiles_;
   std::vector<PairBlock> blocks_;
-  std::vector<Incoming> noted_, incoming_;     // in the order of slots; of parts
+  std::vector<Incoming> outgoing_, incoming_;  // in the order of slots; of parts
   std::vector<std::uint32_t> first_incoming_;  // of each part
   std::vector<std::uint32_t> visits_, visited_by_;
   Column<std::uint32_t> slot_a_, slot_b_;
