@@ -16,31 +16,31 @@ struct PlanePair {
   std::uint32_t body, plane;
 };
 
-// Pairs that share a law and a kind of partner; a contiguous range of the pair arrays.
+// Candidate pairs with the same law and the same kind of partner: a contiguous range of the pair arrays.
 struct PairGroup {
   std::uint32_t law = 0;
   bool planes = false;    // b is a plane
   std::size_t begin = 0;  // multiple of SCREE_LANES
-  std::size_t end = 0;    // the last real pair; padded up to the next multiple of SCREE_LANES
+  std::size_t end = 0;    // behind the last real pair; padded to the next multiple of SCREE_LANES
   std::uint32_t history_width = 0;
   PairColumns history = PairColumns();  // (width, padded size), zero where the pair does not touch
 
   std::size_t padded_size() const { return (end - begin + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
-  // Of one pair, numbered in the whole of all groups.
+  // History value k of a pair, which is numbered over all groups.
   double history_of(std::size_t pair, std::uint32_t k) const { return history.value(k, pair - begin); }
 };
 
-// All neighbour pairs of a scene in a fixed order, with the history that their laws keep. A pair stays from
-// one neighbour search to the next; whether it touches is told by its overlap.
+// All candidate pairs of a scene in a fixed order, with the histories of their laws. The pairs change only in
+// a neighbour search; a pair touches while its overlap is positive.
 class Contacts {
  public:
-  // Whether pairs of (law, partner kind) exist; groups are empty until `rebuild`.
+  // A combination of law and kind of partner that gets a group; groups are empty until `rebuild`.
   struct Kind {
     std::uint32_t law;
     bool planes;
     std::uint32_t history_width;
   };
-  // law_of[material_a * materials + material_b]; plane materials likewise.
+  // Tables for finding the law of a pair: law_of[material_a * materials + material_b].
   struct Lookup {
     const std::uint32_t* law_of = nullptr;
     std::uint32_t materials = 0;
@@ -50,7 +50,7 @@ class Contacts {
 
   explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::double_precision);
 
-  // Takes new pairs (sorted by a, b) and carries over the history of those that were there before.
+  // Replaces the pairs (sorted by a, b) and keeps the history of those that existed before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
                const Lookup& lookup);
 
@@ -61,13 +61,13 @@ class Contacts {
   Column<std::uint32_t> a, b;  // padding: the last a of its group with itself, or with the first plane
   Column<std::uint8_t> image;
 
-  // Counts the rebuilds, so that what is derived from the pairs knows when to follow.
+  // Number of rebuilds; data derived from the pairs is recomputed when it changes.
   std::uint64_t revision() const { return revision_; }
 
  private:
   void carry_history();
 
-  // A group before the last rebuild; its memory serves the next.
+  // A group before the last rebuild; its memory is reused by the next.
   struct Before {
     std::size_t begin = 0, end = 0;
     PairColumns history = PairColumns();

@@ -15,13 +15,13 @@ struct Forces::Work {
       : evaluate(kernel::tile_evaluation(features)), constants(features.precision) {}
 
   kernel::EvaluateTile evaluate;
-  std::uint64_t revision = 0;  // of the contacts that the following belongs to
+  std::uint64_t revision = 0;  // of the contacts for which the members below were computed
   kernel::Tiles tiles;
   kernel::PlaneRecords planes;
   PairConstants constants;
   std::vector<ContactSums> block_sums;
   TileSchedule schedule;
-  double max_overlap_ratio = 0;  // overlap ratio met so far
+  double max_overlap_ratio = 0;  // largest so far
 };
 
 Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
@@ -36,7 +36,7 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
   return shifts;
 }
 
-// Inputs that any law reads, and what these are made of.
+// Inputs that any law reads, and the inputs from which these are computed.
 std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
   std::uint32_t reads = 0;
   for (const LawInstance& law : laws) reads |= law.interface.reads;

@@ -11,12 +11,12 @@
 
 namespace scree {
 
-// Columns of numbers of pairs, such as what a law keeps: of double or, in mixed precision, of float.
+// Columns of numbers per pair, such as histories: of double or, in mixed precision, of float.
 class PairColumns {
  public:
   explicit PairColumns(Precision precision = Precision::double_precision) : precision_(precision) {}
 
-  // Columns of whatever was there.
+  // Changes the size; values are undefined afterwards.
   void resize(std::uint32_t width, std::size_t rows) {
     rows_ = rows;
     if (precision_ == Precision::double_precision)
@@ -24,7 +24,7 @@ class PairColumns {
     else
       resize_with_room(single_, width * rows);
   }
-  // Columns of zeros.
+  // Changes the size and sets all values to 0.
   void reset(std::uint32_t width, std::size_t rows) {
     resize(width, rows);
     std::fill(full_.begin(), full_.end(), 0.0);
@@ -32,7 +32,7 @@ class PairColumns {
   }
 
   Precision precision() const { return precision_; }
-  // Numbers in all columns together.
+  // Number of values in all columns together.
   std::size_t size() const {
     return precision_ == Precision::double_precision ? full_.size() : single_.size();
   }
@@ -41,7 +41,7 @@ class PairColumns {
     return precision_ == Precision::double_precision ? sizeof(double) : sizeof(float);
   }
 
-  // T is double or float, as the precision says.
+  // T must match the precision: double or float.
   template <class T>
   T* column(std::uint32_t k) {
     if constexpr (std::is_same_v<T, double>)
@@ -57,7 +57,7 @@ class PairColumns {
     const std::size_t i = k * rows_ + row;
     return precision_ == Precision::double_precision ? full_[i] : double(single_[i]);
   }
-  // Rows taken over from other columns of the same precision; of columns that only one has, none.
+  // Copies rows from other columns of the same precision; columns that only one of them has are skipped.
   struct Move {
     std::uint32_t from, to;
   };
@@ -71,7 +71,7 @@ class PairColumns {
     else
       take_of(single_.data());
   }
-  // Sets a number, rounded to the precision.
+  // Sets a value, rounded to the precision.
   void set(std::uint32_t k, std::size_t row, double number) {
     const std::size_t i = k * rows_ + row;
     if (precision_ == Precision::double_precision)

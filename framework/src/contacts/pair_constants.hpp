@@ -9,21 +9,21 @@
 
 namespace scree {
 
-// What does not change for a pair from one neighbour search to the next, and what contacts leave for it.
+// Properties of pairs that are constant between neighbour searches, and the forces of the last evaluation.
 struct PairConstants {
-  // Inputs of laws from SCREE_REDUCED_MASS on.
+  // Inputs of laws from SCREE_REDUCED_MASS onwards.
   static constexpr std::uint32_t column_count = SCREE_CONTACT_INPUT_COUNT - SCREE_REDUCED_MASS;
 
   explicit PairConstants(Precision precision) : force(precision) { terms.fill(PairColumns(precision)); }
 
-  // For all pairs, padding included; reads: bits of the inputs that any law reads, others are left out;
-  // forces: whether those of pairs are kept.
+  // Recomputes the constants of all pairs, padding included. reads: bits of the inputs that any law reads,
+  // only these are stored; forces: whether per-contact forces are stored.
   void update(const Contacts& contacts, const Particles& particles, std::uint32_t reads, bool forces);
   std::size_t bytes_per_pair() const;
 
-  scree::Column<double> radius_sum;  // R_a + R_b, of a plane R_a; −1 for padding, which never touches (m)
+  scree::Column<double> radius_sum;  // R_a + R_b, for a plane R_a; −1 for padding, which never touches (m)
   std::array<PairColumns, column_count> terms;
-  PairColumns force;  // (3, 2 or none) on a at the last evaluation (N)
+  PairColumns force;  // (3, 2 or 0 columns) on a in the last evaluation (N)
 };
 
 }  // namespace scree

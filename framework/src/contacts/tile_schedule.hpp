@@ -9,12 +9,12 @@
 
 namespace scree {
 
-// Decides which thread evaluates a tile and finishes its bodies, and when. Depends on the number of threads;
-// what is computed does not.
+// Distributes the evaluation of tiles and the finishing of their parts over threads. The schedule depends on
+// the number of threads, the results do not.
 class TileSchedule {
  public:
   // Calls evaluate_tile(tile, worker) for all tiles, and finish_part(part, worker) for each part of their
-  // bodies once every tile that reaches these has been evaluated.
+  // bodies after all tiles that read or load these bodies have been evaluated.
   template <class EvaluateTile, class FinishPart>
   void run(const kernel::Tiles& tiles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
            const FinishPart& finish_part) {
@@ -30,11 +30,11 @@ class TileSchedule {
   }
 
  private:
-  // With fewer, the first threads would have parts to finish beside contacts while the last wait for them.
+  // With fewer tiles per thread, the first threads would also finish parts while the last ones wait for them.
   static constexpr std::size_t tiles_per_thread = 8;
   static constexpr std::uint32_t finished = ~0u;
 
-  // Pairs are in the order of a < b, so that no later tile reads the bodies of this one.
+  // Pairs are sorted with a < b, so that no later tile reads the bodies of this one.
   template <class EvaluateTile, class FinishPart>
   static void run_in_order(const kernel::Tiles& tiles, const EvaluateTile& evaluate_tile,
                            const FinishPart& finish_part) {
@@ -44,8 +44,8 @@ class TileSchedule {
     }
   }
 
-  // Finishes a tile at once where that is possible, while its bodies are in the cache of the thread; the
-  // others in a second round.
+  // Finishes a tile directly after its evaluation if no other tile still needs its bodies, while these are in
+  // the cache of the thread; the remaining tiles in a second loop.
   template <class EvaluateTile, class FinishPart>
   void run_as_ready(const kernel::Tiles& tiles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
                     const FinishPart& finish_part) {
@@ -72,8 +72,8 @@ class TileSchedule {
       awaited_[tile].store(tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
   }
 
-  // Of each tile: how many of those that reach it are still to be evaluated; `finished` once a thread has
-  // taken it on.
+  // For each tile: number of tiles that reach it and are not yet evaluated; `finished` once a thread has
+  // claimed it.
   std::unique_ptr<std::atomic<std::uint32_t>[]> awaited_;
   std::size_t count_ = 0;
 };

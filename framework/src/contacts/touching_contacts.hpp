@@ -10,7 +10,7 @@
 
 namespace scree {
 
-// All touching pairs, with the forces of the last evaluation.
+// All touching pairs at the present positions, with the forces of the last evaluation.
 ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const Forces& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
                               const Domain& domain);

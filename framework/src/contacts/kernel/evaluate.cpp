@@ -14,7 +14,7 @@ namespace scree::kernel {
 
 namespace {
 
-// One block of a tile, as its phases see it.
+// One block of a tile: the input of its phases.
 template <class T>
 struct BlockTask {
   const TileJob& tile;
@@ -22,15 +22,15 @@ struct BlockTask {
   PairGroup& group;
   const LawInstance& law;
   std::uint32_t count;  // pairs without padding
-  // With padding; that it is a multiple saves loops over lanes what would be left over.
+  // With padding; an explicit multiple of SCREE_LANES, so that loops over lanes need no remainder.
   std::uint32_t padded() const { return pairs.count / SCREE_LANES * SCREE_LANES; }
   const double* radius_sum;
 
-  // Of what is kept for every pair.
+  // A constant of the pairs.
   const T* constant(scree_contact_input column) const {
     return tile.constants->terms[column - SCREE_REDUCED_MASS].template column<T>(0) + pairs.begin;
   }
-  // Of the force: the pairs' own, or the block's where they keep none.
+  // Where forces are written: the pairs' own column, or the block's if pair forces are not stored.
   T* force(std::uint32_t k, BlockColumns<T>& block) const {
     return tile.input->pair_forces ? tile.constants->force.template column<T>(k) + pairs.begin
                                    : block.output[SCREE_FORCE + k];
@@ -81,7 +81,7 @@ SCREE_HOT void resolve(const BlockTask<T>& task, BlockColumns<T>& block) {
     motion.template operator()<false>();
 }
 
-// What is the same for all blocks of a tile.
+// Sets the members of the batch that are the same for all blocks of a tile.
 template <class T>
 SCREE_HOT void begin_batch(const EvaluationInput& input, BlockColumns<T>& block) {
   block.batch = {};
@@ -143,7 +143,7 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& 
   return sums;
 }
 
-// Prefetches the bodies that a block soon to come is the first to read.
+// Prefetches the bodies that the block after the next is the first to read.
 template <int D, bool spin>
 SCREE_HOT void prefetch_bodies(const TileJob& job, std::size_t block) {
   constexpr std::size_t ahead = 2, cache_line = 64 / sizeof(double);
@@ -177,7 +177,8 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   }
 }
 
-// The same code once more for each instruction level. No contraction and no reassociation: the same bits.
+// The same code compiled for each instruction level. Without contraction and reassociation all have the same
+// bits.
 #if SCREE_SEVERAL_LEVELS
 #define SCREE_LEVELS(X)                \
   X(baseline, )                        \

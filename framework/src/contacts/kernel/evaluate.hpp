@@ -7,7 +7,7 @@ namespace scree::kernel {
 
 struct EvaluationInput;
 
-// Everything that the evaluation of one tile needs.
+// Input and output of the evaluation of one tile.
 struct TileJob {
   const EvaluationInput* input;
   const Tiles* tiles;
@@ -15,16 +15,16 @@ struct TileJob {
   std::vector<PairGroup>* groups;
   const LawInstance* laws;
   PairConstants* constants;
-  double* slots;      // (slots, slot width)
+  double* slots;      // (slots, load width) loads
   ContactSums* sums;  // of each block
   Profile* profile;   // null: not measured
 };
 
-// Evaluates all pairs of a tile: gather -> law -> scatter in blocks.
+// Evaluates all pairs of a tile: gather -> geometry -> law -> scatter, in blocks.
 using EvaluateTile = void (*)(const TileJob&);
 
-// For the features of a scene, compiled for the best instruction level that the processor has, or for the one
-// that SCREE_LEVEL names. All levels give the same bits.
+// The evaluation for the features of a scene, compiled for the best instruction level that the processor
+// supports, or for the one that SCREE_LEVEL selects. All levels give the same bits.
 EvaluateTile tile_evaluation(const Forces::Features& features);
 
 }  // namespace scree::kernel

@@ -4,8 +4,8 @@
 
 namespace scree::kernel {
 
-// A record of a body or of a plane. The barrier keeps GCC from computing four addresses in a vector and
-// taking them out again.
+// Record of a body or of a plane. The barrier keeps GCC from computing four addresses in a vector register
+// and extracting them again.
 template <int D, bool spin>
 SCREE_HOT const double* record_of(const double* records, std::uint32_t body) {
   std::size_t index = body;
@@ -74,7 +74,8 @@ SCREE_HOT void gather_motion(const double* const (&a)[4], const double* const (&
   }
 }
 
-// Four pairs of bodies, or of a body and a plane, which is a body that does not turn, without radius here.
+// Gathers four pairs of bodies, or of a body and a plane. A plane is treated as a body without spin and
+// radius.
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint32_t lane,
                            BlockColumns<T>& block) {
@@ -106,7 +107,8 @@ SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint
   }
 }
 
-// Lanes [begin, end) of padding, which are pairs of the first body: they must not touch.
+// Padding lanes [begin, end) refer to real bodies and planes: their separation is set to 0, so that they do
+// not touch.
 template <class T>
 SCREE_HOT void separate_padding(std::uint32_t begin, std::uint32_t end, BlockColumns<T>& block) {
   for (std::uint32_t lane = begin; lane < end; ++lane)

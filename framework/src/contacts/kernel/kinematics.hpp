@@ -18,7 +18,8 @@ SCREE_HOT void set_lanes(T (*columns)[block_size], std::uint32_t lane, const Vec
   for (int k = 0; k < N; ++k) columns[k][lane] = v[k];
 }
 
-// n × (arm_a ω_a + arm_b ω_b): what turning adds to the velocity of a's contact point relative to b's [D2].
+// n × (arm_a ω_a + arm_b ω_b): contribution of the spins to the velocity of a's contact point relative to b's
+// (equation 2 of David et al., see plugins/contact/linear_spring_dashpot.cpp).
 template <int D, class T>
 SCREE_HOT Vec<D, T> turning(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
                             const Vec<spin_components<D>, T>& spin_a,
@@ -30,7 +31,7 @@ SCREE_HOT Vec<D, T> turning(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
     return cross(n, spin);
 }
 
-// Lever arms from the centres to the contact point, R − δ/2 or R; a plane has none. With s = R_a + R_b and
+// Lever arms from the centres to the contact point (m), R − δ/2 or R; 0 for a plane. With s = R_a + R_b and
 // δ = s − distance, R_a − δ/2 = (distance + R_a − R_b)/2 and R_b − δ/2 = (distance − R_a + R_b)/2.
 template <bool planes, class T>
 struct Arms {
@@ -43,7 +44,7 @@ struct Arms {
   }
 };
 
-// Normal, distance and overlap. Where centres coincide the normal is along x.
+// Normal, distance and overlap. If the centres coincide, the normal is along x.
 template <int D, bool planes, class T>
 SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, BlockColumns<T>& block) {
 #pragma GCC ivdep
@@ -65,8 +66,8 @@ SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, 
   }
 }
 
-// Displacement along the surface during the step, at the normal of mid-step. A pair that met during this step
-// has moved along its surface only since then.
+// Tangential displacement in the step, perpendicular to the mid-step normal. touched: fraction of the step
+// during which the pair has touched.
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double step, const T& touched,
                              std::uint32_t i, BlockColumns<T>& block) {
@@ -93,9 +94,9 @@ SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double 
                (h * touched) * tangential_part(slip, mid_normal));
 }
 
-// Relative velocity of the contact points, relative spin, the travel along the normal within the step, and
-// with `increments` displacements, of pairs that touch for the whole step. How many are near the moment in
-// which they meet or part.
+// Relative velocity of the contact points, relative spin and, with `increments`, tangential displacements,
+// for pairs that touch during the whole step. Returns the number of touching pairs within two steps of first
+// touch or parting.
 template <int D, bool spin, bool planes, bool increments, class T>
 SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_sum, double step,
                                   std::uint32_t padded, BlockColumns<T>& block) {
@@ -121,7 +122,7 @@ SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_su
   return near;
 }
 
-// The weight of a force that begins or ends as a power of time (OnsetWeights), at s steps from that moment.
+// Onset weight (see OnsetWeights) of a force s steps after first touch or before parting.
 template <class T>
 SCREE_HOT T onset_weight(const OnsetWeights& weights, const T& s) {
   const T root = inverse_fourth_root(s);
@@ -132,11 +133,10 @@ SCREE_HOT T onset_weight(const OnsetWeights& weights, const T& s) {
   return s < T(1) ? first : second;
 }
 
-// What pairs near the moment in which their surfaces meet or part need, with the distance w that they move
-// along the normal within a step:
-//   touched  a pair that met within the step, overlap δ < w, touched for the share δ/w of it
-//   onset    the weight of forces that begin or end abruptly, at s = δ/w < 2 steps from that moment
-// Most blocks have no such pair.
+// Corrections for pairs near first touch or parting, where w is the travel along the normal within a step:
+//   touched  a pair that first touched within the step, δ < w, has touched for the fraction δ/w of the step
+//   onset    weight of forces that begin or end abruptly, at s = δ/w < 2 steps from first touch or parting
+// Most blocks have no such pair, and skip this.
 template <int D, bool spin, bool planes, bool increments, class T>
 SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step,
                               const OnsetWeights& touching, const OnsetWeights& parting, std::uint32_t padded,

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <type_traits>
 
-// Code of the hot loops is inlined whole into one function per instruction level (evaluate.cpp).
+// The code of the hot loops is inlined completely into one function per instruction level (evaluate.cpp).
 #define SCREE_HOT [[gnu::always_inline]] inline
 #define SCREE_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace scree::kernel {
 
-// Four doubles that move together: one record of a body. Two registers where there is no AVX.
+// Four doubles, one part of a body's record, in one vector register; in two registers without AVX.
 typedef double Four __attribute__((vector_size(32)));
 typedef float FourSingles __attribute__((vector_size(16)));
 
@@ -26,12 +26,13 @@ SCREE_HOT void store_four(double* aligned, const Four& v) {
 }
 SCREE_HOT void add_four(double* aligned, const Four& v) { store_four(aligned, load_four(aligned) + v); }
 
-// Counts lanes of T: of the same size, so that a loop over them takes as many at a time as without it.
+// Integer of the size of T, for counting lanes: a wider or narrower counter would change the vector width of
+// loops.
 template <class T>
 using Count = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
 
-// Rows become columns. First as integers: of the shuffles within halves, processors have two units for these
-// and one for the same of floating-point numbers.
+// 4 × 4 transpose. The first stage uses integer shuffles: processors have two execution units for these, and
+// one for the same shuffle of floating-point numbers.
 SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {
   typedef std::int64_t Bits __attribute__((vector_size(32)));
   const auto first = [](const Four& x, const Four& y) SCREE_INLINE_LAMBDA {
@@ -50,7 +51,7 @@ SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {
   d = __builtin_shufflevector(ab_second, cd_second, 2, 3, 6, 7);
 }
 
-// Four neighbouring numbers of a column of double or float.
+// Four adjacent numbers of a column of double or float.
 SCREE_HOT void store_lanes(double* column, const Four& v) { store_four(column, v); }
 SCREE_HOT void store_lanes(float* column, const Four& v) {
   *static_cast<FourSingles*>(__builtin_assume_aligned(column, 16)) = __builtin_convertvector(v, FourSingles);

@@ -10,8 +10,8 @@
 
 namespace scree::kernel {
 
-// What contacts read of planes, as bodies' records: a body without radius at the plane's point that does not
-// turn.
+// Planes in the record format of bodies, for the gather phase: a body without radius and spin at the plane's
+// point.
 class PlaneRecords {
  public:
   void set(const std::vector<scree_plane>& planes, std::size_t width) {

@@ -4,8 +4,8 @@
 
 namespace scree::kernel {
 
-// Adds force and torque of four pairs to the slots of a, and the opposite to those of b, one pair after the
-// other: a body may be in several of them.
+// Adds forces and torques of four pairs to the slots of a, and the opposite forces to the slots of b, one
+// pair after the other, since a body may be part of several.
 template <int D, bool spin, class T>
 SCREE_HOT void scatter_four(const T* const (&force)[3], const std::uint32_t* slot_a,
                             const std::uint32_t* slot_b, std::uint32_t lane, const BlockColumns<T>& block,

@@ -4,12 +4,12 @@
 
 namespace scree::kernel {
 
-// Sums of what is above and of what is below 0 in a padded column.
+// Sums of the positive and of the negative values of a padded column.
 struct SignedSums {
   double above = 0, below = 0;
 };
 
-// In 8 interleaved parts: the same order for every vector width.
+// Summed in 8 interleaved parts: the same order for every vector width.
 template <class T>
 SCREE_HOT SignedSums sum_column(const T* column, std::uint32_t padded) {
   double above[SCREE_LANES] = {}, below[SCREE_LANES] = {};
@@ -24,7 +24,8 @@ SCREE_HOT SignedSums sum_column(const T* column, std::uint32_t padded) {
   return sums;
 }
 
-// Largest overlap over the smaller radius of each pair. Divides only where it exceeds what was met already.
+// Largest ratio of overlap to the smaller radius of a pair. Divides only if a pair exceeds the largest ratio
+// so far.
 template <bool planes, class T>
 SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t padded,
                                        const BlockColumns<T>& block, double largest) {

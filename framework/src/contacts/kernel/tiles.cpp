@@ -9,10 +9,10 @@ namespace scree::kernel {
 
 namespace {
 
-// What second-level caches hold, at half a megabyte for a tile and its pairs.
+// Number of tiles that fit into second-level caches, at half a megabyte for a tile and its pairs.
 constexpr std::size_t tiles_in_cache = 4;
 
-// First pair of a group whose a is at least `body`, rounded up to whole lanes.
+// First pair of a group with a >= `body`, rounded up to a multiple of SCREE_LANES.
 std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std::size_t body) {
   const auto begin = contacts.a.begin() + std::ptrdiff_t(group.begin),
              end = contacts.a.begin() + std::ptrdiff_t(group.end);
@@ -112,7 +112,7 @@ void Tiles::sort_incoming() {
         for (const Incoming& in : outgoing_) visit(in);
       },
       [](const Incoming& in) { return in.body / BodyTiles::part_size; },
-      [&](const Incoming& in, std::size_t place) { incoming_[place] = in; });
+      [&](const Incoming& in, std::size_t index) { incoming_[index] = in; });
 }
 
 void Tiles::plan(const Contacts& contacts, std::size_t planes) {

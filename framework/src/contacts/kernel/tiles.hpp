@@ -11,14 +11,14 @@
 
 namespace scree::kernel {
 
-// The pairs of a scene cut into parts that can be evaluated at the same time: a tile owns a range of bodies
-// and takes the pairs whose a it owns. Where the loads of a pair's two ends go is laid down beforehand, as
-// slots:
-//   [0, bodies)         of a body, if the tile that evaluates the pair owns it
-//   behind              of one end of one pair, if another tile owns the body
-//   then, for each tile, of each plane, and one for padding
-// Loads of the second kind are added to their bodies afterwards in the order of the pairs. Tiles depend on
-// the scene alone, never on the number of threads, and so do the sums.
+// Division of the pairs of a scene into tiles that can be evaluated in parallel: a tile owns a range of
+// bodies and evaluates the pairs whose a it owns. The loads of both ends of a pair are added to slots,
+// assigned in advance:
+//   [0, bodies)         slot of a body, used if the tile that evaluates the pair owns the body
+//   behind              slot of one end of one pair, used if another tile owns the body
+//   then, for each tile, a slot for each plane and one for padding
+// Slots of the second kind are added to their bodies afterwards, in the order of the pairs. Tiles depend only
+// on the scene, not on the number of threads, and so do the sums.
 class Tiles {
  public:
   struct PairBlock {
@@ -34,12 +34,13 @@ class Tiles {
     std::size_t first_block, last_block;      // [first, last)
     std::size_t first_foreign, last_foreign;  // slots written for other tiles
     std::size_t first_own;                    // slots of planes and padding
-    std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself among them
-    std::uint32_t reached_by = 0;             // how many tiles reach it, itself among them
+    std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself included
+    std::uint32_t reached_by = 0;             // number of tiles that reach it, itself included
   };
 
   explicit Tiles(std::size_t bodies = 0) : bodies_(bodies) {}
 
+  // Divides the pairs into blocks and assigns slots; must be called after each neighbour search.
   void plan(const Contacts& contacts, std::size_t planes);
 
   const BodyTiles& bodies() const { return bodies_; }
@@ -47,14 +48,15 @@ class Tiles {
   const std::vector<Tile>& tiles() const { return tiles_; }
   const std::vector<PairBlock>& blocks() const { return blocks_; }
   std::size_t slots() const { return slots_; }
-  // Bodies that a block looks at and no earlier one of its tile did; none in scenes that a cache holds.
+  // Bodies that a block is the first of its tile to read, for prefetching; empty in scenes that fit into a
+  // cache.
   const std::vector<std::uint32_t>& visits() const { return visits_; }
   std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
-  // What other tiles leave for the bodies of a part, in the order of the pairs.
+  // Slots of other tiles with loads for the bodies of a part, in the order of the pairs.
   std::span<const Incoming> incoming(std::size_t part) const {
     return {incoming_.data() + first_incoming_[part], incoming_.data() + first_incoming_[part + 1]};
   }
-  // Of both ends of each pair, padding included.
+  // Slots of both ends of each pair, padding included.
   const Column<std::uint32_t>& slot_a() const { return slot_a_; }
   const Column<std::uint32_t>& slot_b() const { return slot_b_; }
 
