@@ -1,4 +1,4 @@
-// Viscous drag on every body by itself, in translation and in rotation.
+// Viscous drag on the translation and rotation of every body.
 
 #include <scree/plugin/body_force.hpp>
 
@@ -11,7 +11,7 @@ struct BackgroundDamping {
   static constexpr scree::About about = {
       "background_damping", "viscous drag on translation and rotation",
       "f = −γ_b v\n"
-      "t = −γ_br R² ω   (γ_br in kg/s as printed by David et al.; scaled by R² it makes a torque)",
+      "t = −γ_br R² ω   (γ_br in kg/s as in David et al.; the factor R² gives a torque)",
       "David et al. 2005, section 2; Lemrich et al. 2017 (γ_a)"};
 
   void declare(scree::Declaration& d) {

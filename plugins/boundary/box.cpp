@@ -1,52 +1,55 @@
-// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed or controlled by stress, after David et al. 2005.
+// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed or stress-controlled, after David et al. 2005.
 
 #include <scree/plugin/boundary.hpp>
 
 namespace {
 
 struct Box {
-  static constexpr int most_walls = 6;
+  static constexpr int max_walls = 6;
   enum Control { stress_controlled, fixed };
-  enum State { pushed, per_wall };  // of each wall at the last finish_step: p A along the normal
+  enum State { pressing_force, per_wall };  // of each wall at the last finish_step: p A (N)
 
   std::array<double, 3> lower = {}, upper = {};
   double gap = 0;
   double mass = 1;
   double viscosity = 0;
-  int control[most_walls] = {};
+  int control[max_walls] = {};
   scree::Program stress;
   scree::Program axis_stress[3];
-  scree::Program wall_stress[most_walls];
+  scree::Program wall_stress[max_walls];
   int dimension = 3;
-  double masses[most_walls] = {};  // of the walls that forces move
+  double masses[max_walls] = {};  // (kg); 0 for fixed walls
 
   static constexpr scree::About about = {
       "box", "4 or 6 walls, each fixed or stress-controlled with mass and viscosity",
-      "m_w s\" = F·n + p(t) A(t) − γ_w s'    s: inward way of the wall, n: inward normal,\n"
-      "F: contact forces on the wall, A(t): its present area (2D: length × 1 m)",
+      "m_w s\" = F·n + p(t) A(t) − γ_w s'    s: inward displacement of the wall, n: inward normal,\n"
+      "F: contact force on the wall, A(t): its present area (2D: length × 1 m)",
       "David et al. 2005, section 2; McNamara et al. 2008, equation 1"};
 
-  static constexpr const char* names[most_walls] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
-  static constexpr const char* stress_keys[most_walls] = {"stress_x_low",  "stress_x_high", "stress_y_low",
-                                                          "stress_y_high", "stress_z_low",  "stress_z_high"};
+  static constexpr const char* names[max_walls] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
+  static constexpr const char* stress_keys[max_walls] = {"stress_x_low",  "stress_x_high", "stress_y_low",
+                                                         "stress_y_high", "stress_z_low",  "stress_z_high"};
 
   void declare(scree::Declaration& d) {
     using namespace scree;
-    d.vector("lower", lower, "m", "lower corner; the bodies' bounding box less the gap if absent").optional();
-    d.vector("upper", upper, "m", "upper corner; the bodies' bounding box plus the gap if absent").optional();
-    d.number("gap", gap, "m", non_negative, "distance from the bodies when a corner is not given");
+    d.vector("lower", lower, "m", "lower corner; if absent, that of the bodies' bounding box minus the gap")
+        .optional();
+    d.vector("upper", upper, "m", "upper corner; if absent, that of the bodies' bounding box plus the gap")
+        .optional();
+    d.number("gap", gap, "m", non_negative, "distance from the bodies if the corners are not given");
     d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");
-    d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w against the motion of each wall");
-    for (int w = 0; w < most_walls; ++w)
-      d.choice(names[w], control[w], "stress|fixed", "what controls this wall");
+    d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w of each stress-controlled wall");
+    for (int w = 0; w < max_walls; ++w)
+      d.choice(names[w], control[w], "stress|fixed", "stress-controlled or fixed");
     d.program("stress", stress, "Pa", any_number, "p of every wall, pressing inwards").optional();
     static constexpr const char* axis_keys[3] = {"stress_x", "stress_y", "stress_z"};
     for (int k = 0; k < 3; ++k)
       d.program(axis_keys[k], axis_stress[k], "Pa", any_number,
-                "p of both walls of this axis, instead of stress")
+                "p of both walls of this axis; overrides stress")
           .optional();
-    for (int w = 0; w < most_walls; ++w)
-      d.program(stress_keys[w], wall_stress[w], "Pa", any_number, "p of this wall, instead of its axis's")
+    for (int w = 0; w < max_walls; ++w)
+      d.program(stress_keys[w], wall_stress[w], "Pa", any_number,
+                "p of this wall; overrides that of its axis")
           .optional();
   }
 
@@ -59,14 +62,14 @@ struct Box {
         upper[k] = setup.upper(k) + gap;
       }
       if (!(upper[k] > lower[k]))
-        return setup.refuse("upper is not above lower; give both corners, or bodies for the box to enclose");
+        return setup.refuse("upper is not above lower; give both corners, or bodies to be enclosed");
     }
     for (int w = 0; w < walls(); ++w) {
       masses[w] = moving(w) ? mass : 0;
       if (!wall_stress[w].given()) wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : stress;
       if (control[w] == stress_controlled && !wall_stress[w].given())
         return setup.refuse(
-            "a stress-controlled wall has no stress; give stress = <Pa>, or make the wall \"fixed\"");
+            "a stress-controlled wall has no stress; give stress = <Pa>, or set the wall to \"fixed\"");
     }
   }
 
@@ -90,7 +93,7 @@ struct Box {
   }
 
   void begin_step(const scree_boundary_step& s) const {
-    double push[most_walls];
+    double push[max_walls];
     for (int w = 0; w < walls(); ++w) push[w] = push_on(w, s, s.time);
     for (int w = 0; w < walls(); ++w) {
       scree_plane& plane = s.planes[w];
@@ -116,12 +119,12 @@ struct Box {
         const double mid = plane.mid_velocity[k];
         plane.velocity[k] = (mid + 0.5 * s.step * force / mass) / (1 + 0.5 * s.step * viscosity / mass);
         s.energy->kinetic += 0.5 * mass * plane.velocity[k] * plane.velocity[k];
-        s.energy->work += 0.5 * (s.state[w * per_wall + pushed] + push) * sign(w) * mid * s.step;
+        s.energy->work += 0.5 * (s.state[w * per_wall + pressing_force] + push) * sign(w) * mid * s.step;
         s.energy->dissipated += viscosity * mid * mid * s.step;
       } else {
         plane.velocity[k] = plane.mid_velocity[k] = 0;
       }
-      s.state[w * per_wall + pushed] = push;
+      s.state[w * per_wall + pressing_force] = push;
     }
   }
 

@@ -1,4 +1,4 @@
-// Periodic axes: what leaves at one side comes in at the other.
+// Periodic axes: bodies that leave at one face re-enter at the opposite one.
 
 #include <scree/plugin/boundary.hpp>
 
@@ -17,8 +17,8 @@ struct Periodic {
 
   void declare(scree::Declaration& d) {
     d.choice("axes", axes, "x|y|z|xy|xz|yz|xyz", "which axes are periodic").required();
-    d.vector("lower", lower, "m", "lower corner; numbers of other axes are ignored").required();
-    d.vector("upper", upper, "m", "upper corner").required();
+    d.vector("lower", lower, "m", "lower corner; components of other axes are ignored").required();
+    d.vector("upper", upper, "m", "upper corner, likewise").required();
   }
 
   void prepare(const scree::Setup& setup) {

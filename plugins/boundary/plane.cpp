@@ -1,4 +1,4 @@
-// One infinite plane, at rest or moved as prescribed.
+// One infinite plane, fixed or with prescribed motion.
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ struct Plane {
   std::array<double, 3> direction = {};
   scree::Program displacement;
 
-  // Doubles in the host's state.
+  // Layout of the state: the load of the last step (N).
   enum State { load_x, load_y, load_z, state_width };
 
   static constexpr scree::About about = {
@@ -21,15 +21,15 @@ struct Plane {
 
   void declare(scree::Declaration& d) {
     d.vector("point", point, "m", "any point of the plane").required();
-    d.vector("normal", normal, "", "pointing into the material; need not be a unit vector").required();
-    d.vector("direction", direction, "", "of the motion; along the normal if absent").optional();
+    d.vector("normal", normal, "", "normal pointing to the bodies; need not be a unit vector").required();
+    d.vector("direction", direction, "", "direction of motion; the normal if absent").optional();
     d.program("displacement", displacement, "m", scree::any_number,
-              "s(t) along the direction; at rest if absent")
+              "s(t) along the direction; fixed if absent")
         .optional();
   }
 
   void prepare(const scree::Setup& setup) {
-    if (!make_unit(normal)) return setup.refuse("normal has no length; give a direction such as [0, 0, 1]");
+    if (!make_unit(normal)) return setup.refuse("normal has length 0; give a vector such as [0, 0, 1]");
     if (!make_unit(direction)) direction = normal;
   }
 
@@ -50,11 +50,11 @@ struct Plane {
 
   void begin_step(const scree_boundary_step& s) const {
     scree_plane& plane = s.planes[0];
-    const double way = moves() ? displacement(s.time + s.step) - displacement(s.time) : 0;
+    const double distance = moves() ? displacement(s.time + s.step) - displacement(s.time) : 0;
     const double speed = moves() ? displacement.rate(s.time + s.step) : 0;
     for (int k = 0; k < 3; ++k) {
-      plane.point[k] += way * direction[k];
-      plane.mid_velocity[k] = way / s.step * direction[k];
+      plane.point[k] += distance * direction[k];
+      plane.mid_velocity[k] = distance / s.step * direction[k];
       plane.velocity[k] = speed * direction[k];
     }
   }

@@ -1,7 +1,6 @@
-// Hertz normal and Mindlin (no-slip) tangential springs with damping, Coulomb cap and rolling resistance,
-// after Lemrich, Johnson, Guyer, Jia, Carmeliet, "Linear and nonlinear elastic properties of dense granular
-// packings" (2017), [L1]-[L7], with the effective moduli of the
-// code that they used.
+// Hertzian normal and Mindlin (no-slip) tangential springs with damping, Coulomb limit and rolling
+// resistance, after Lemrich, Johnson, Guyer, Jia, Carmeliet, "Linear and nonlinear elastic properties of
+// dense granular packings" (2017), [L1]-[L7], with the effective moduli of the code that they used.
 
 #include <cmath>
 
@@ -39,17 +38,16 @@ struct HertzMindlin : scree::ContactLaw {
       "hertz_mindlin", "Hertz normal force, Mindlin tangential spring, friction, rolling resistance",
       "f_n = k_n δ − γ_n v_n          k_n = (4/3) E* √(R* δ),  γ_n = 2β √(5/3 m* E*) (R* δ)^(1/4)\n"
       "f_t = −P(k_t ξ + γ_t v_t)      k_t = 8 G* √(R* δ),      γ_t = 4β √(5/3 m* G*) (R* δ)^(1/4)\n"
-      "                               P: shortened to C = μ max(f_n, 0) where it is longer\n"
-      "stick: |k_t ξ| <= C            slip: ξ shortened to |k_t ξ| = C; the dashpot never makes the spring "
-      "slip;\n"
-      "       both only lose energy: friction k_t ξ·s >= 0 (s: velocity of slip), dashpot (P(k_t ξ + γ_t v) "
-      "− k_t ξ)·v >= 0\n"
-      "T = −μ_r k_n δ R* Δω/|Δω|      rolling; smaller where it would turn the motion round within a step\n"
-      "1/E* = Σ (1−ν²)/E,  1/G* = Σ 2(2−ν)(1+ν)/E   over both bodies; equal ones: E/(2(1−ν²)), "
-      "E/(4(2−ν)(1+ν))\n"
-      "history: displacement (ξ kept: creates ½ ξ² dk_t while k_t grows, which the books show),\n"
-      "         rescaled (f_t kept while k_t grows, at its mean over the step; ξ while it falls: ½ ξ² |dk_t| "
-      "is lost),\n"
+      "                               P: limits the magnitude to C = μ max(f_n, 0)\n"
+      "stick: |k_t ξ| <= C            slip: ξ shortened to |k_t ξ| = C; the dashpot never causes slip;\n"
+      "       both only dissipate: friction k_t ξ·s >= 0 (s: slip velocity),\n"
+      "       dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0\n"
+      "T = −μ_r k_n δ R* Δω/|Δω|      rolling; smaller where it would reverse the motion within a step\n"
+      "1/E* = Σ (1−ν²)/E,  1/G* = Σ 2(2−ν)(1+ν)/E   over both bodies;\n"
+      "       equal materials: E* = E/(2(1−ν²)), G* = E/(4(2−ν)(1+ν))\n"
+      "history: displacement (ξ kept: creates ½ ξ² dk_t while k_t grows, shown by the energy audit),\n"
+      "         rescaled (f_t kept while k_t grows, at its mean over the step; ξ kept while k_t falls:\n"
+      "         dissipates ½ ξ² |dk_t|),\n"
       "         potential (½ k_t(δ) ξ², with the extra normal force ½ k_t'(δ) ξ² that conserves energy)",
       "Lemrich et al. 2017, equations 1 to 7"};
 
@@ -59,18 +57,19 @@ struct HertzMindlin : scree::ContactLaw {
     d.number("youngs_modulus", youngs_modulus, "Pa", positive, "E of the bodies").required();
     d.number("poissons_ratio", poissons_ratio, "", poisson, "ν of the bodies").required();
     d.number("other_youngs_modulus", other_youngs_modulus, "Pa", positive,
-             "E of the second material, if it differs")
+             "E of the second material, if different")
         .optional();
     d.number("other_poissons_ratio", other_poissons_ratio, "", poisson,
-             "ν of the second material, if it differs")
+             "ν of the second material, if different")
         .optional();
-    d.number("restitution", restitution, "", positive_coefficient, "e at every speed; β from e and tension");
+    d.number("restitution", restitution, "", positive_coefficient,
+             "e, independent of speed; β from e and tension");
     d.choice("tension", tension, "allowed|cut",
-             "whether the dashpot may pull at the end of a contact; both reach the restitution asked for");
-    d.number("friction", friction, "", non_negative, "μ; 0 leaves out all that friction needs");
+             "whether the force may become attractive at the end of a contact; e is reached either way");
+    d.number("friction", friction, "", non_negative, "μ; 0: frictionless, no tangential force");
     d.choice("history", history, "displacement|rescaled|potential",
-             "what the tangential spring keeps when k_t changes");
-    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0 leaves rolling resistance out");
+             "quantity that the tangential spring keeps when k_t changes");
+    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0: no rolling resistance");
   }
 
   void prepare(const scree::Setup&) {
@@ -89,14 +88,15 @@ struct HertzMindlin : scree::ContactLaw {
     return friction > 0 ? rolls + 1 + std::size_t(history) : rolls;
   }
 
-  // The dashpot grows as δ^(1/4); at the end so it falls, or has brought the force to 0 before.
+  // The dashpot force begins as δ^(1/4). At the end it falls likewise or, with cut tension, the force is
+  // already 0.
   double onset_power() const { return 0.25; }
   double parting_power() const { return scree::Tension(tension) == scree::Tension::cut ? continuous : 0.25; }
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
                              std::uint32_t capacity) const {
     const double stiffness = 4.0 / 3.0 * effective_modulus * std::sqrt(e.effective_radius);
-    const double deepest = std::pow(5 * e.reduced_mass * e.speed * e.speed / (4 * stiffness), 0.4);
+    const double max_overlap = std::pow(5 * e.reduced_mass * e.speed * e.speed / (4 * stiffness), 0.4);
     const double contact_time =
         2.8682656992 * std::pow(e.reduced_mass * e.reduced_mass /
                                     (e.effective_radius * effective_modulus * effective_modulus * e.speed),
@@ -104,19 +104,20 @@ struct HertzMindlin : scree::ContactLaw {
     const scree_closed_form all[] = {
         {"contact_time", "s", "t_c = 2.8682656992 (m*²/(R* E*² v))^(1/5), undamped", contact_time},
         {"restitution", "", "e, independent of speed", restitution},
-        {"critical_step", "s", "longest stable step of velocity Verlet for this pair at its deepest overlap",
-         critical_step(e, deepest)},
+        {"critical_step", "s", "longest stable step of velocity Verlet for this pair at δ_max",
+         critical_step(e, max_overlap)},
         {"rayleigh_time", "s", "π R √(ρ/G)/(0.1631 ν + 0.8766), of equal bodies", rayleigh_time(e)},
         {"damping_ratio", "", "β", damping_ratio},
-        {"max_overlap", "m", "δ_max = (5 m* v²/(4 k))^(2/5), k = (4/3) E* √R*, undamped", deepest},
-        {"max_force", "N", "k δ_max^(3/2)", stiffness * deepest * std::sqrt(deepest)}};
+        {"max_overlap", "m", "δ_max = (5 m* v²/(4 k))^(2/5), k = (4/3) E* √R*, undamped", max_overlap},
+        {"max_force", "N", "k δ_max^(3/2)", stiffness * max_overlap * std::sqrt(max_overlap)}};
     std::uint32_t n = 0;
     for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
     return n;
   }
 
  private:
-  // Stiffness dF/dδ = 2 E* a and k_t = 8 G* a with a = √(R* δ), with their dashpots.
+  // Longest stable step (s) with the stiffnesses dF/dδ = 2 E* a and k_t = 8 G* a, a = √(R* δ), and their
+  // dashpots.
   double critical_step(const scree_encounter& e, double overlap) const {
     const double a = std::sqrt(e.effective_radius * overlap), m = e.reduced_mass;
     const double beta = damping_ratio * std::sqrt(5.0 / 3.0 * a / m);
@@ -149,7 +150,7 @@ struct Kernel : HertzMindlin {
   template <int D, class T>
   struct Friction {
     Vec<D, T> spring;         // ξ (m)
-    T signed_contact_radius;  // ±√(R* δ) when ξ was last set (m), above 0 while the contact slides
+    T signed_contact_radius;  // ±√(R* δ) at the last update of ξ (m), above 0 while the contact slides
     static constexpr int sliding_column = D;
     static constexpr auto names = [] {
       std::array<const char*, D + 1> all = {"spring_x", "spring_y"};
@@ -176,20 +177,20 @@ struct Kernel : HertzMindlin {
     const T stiffness = T(2 * effective_modulus) * c.contact_radius.value;  // of the normal spring
     const T gamma_n = weight * T(normal_damping) *
                       scree::prediction_share(T(0.5) * c.step * c.step, stiffness, c.reduced_mass_root);
-    const T pushing_or_pulling = scree::fused(-gamma_n, v_n, spring_force);
-    const T pushing = std::max(pushing_or_pulling, T(0));
-    const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
+    const T total = scree::fused(-gamma_n, v_n, spring_force);
+    const T repulsive = std::max(total, T(0));
+    const T f_n = scree::Tension(tension) == scree::Tension::cut ? repulsive : total;
     if constexpr (!frictional) out.force = f_n * c.normal;
     out.elastic_normal = T(0.4) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
-    if constexpr (frictional) slide_or_stick(c, f_n, pushing, weight, h, out);
+    if constexpr (frictional) slide_or_stick(c, f_n, repulsive, weight, h, out);
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
 
  private:
-  // The mean of k_t over a step over that at its end, if k_t grows as √δ from `growth` of that and δ
-  // steadily: (2/3)(1 + g + g²)/(1 + g), to 0.01 at g = 0.4 and better elsewhere; exact to second order at 0
-  // and 1.
+  // Mean of k_t over a step / k_t at its end, for k_t ∝ √δ with δ growing linearly, where g = `growth` is k_t
+  // at the start / k_t at the end: (2/3)(1 + g + g²)/(1 + g), approximated to 0.01 at g = 0.4 and better
+  // elsewhere; exact to second order at 0 and 1.
   template <class T>
   static T mean_stiffness(const T& growth) {
     using scree::fused;
@@ -197,24 +198,24 @@ struct Kernel : HertzMindlin {
   }
 
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& pushing, const T& weight,
+  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& repulsive, const T& weight,
                       Friction<D, T>& h, Response<D, T>& out) const {
     const T k_t = T(8 * effective_shear_modulus) * c.contact_radius.value;
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
     const T inverse_k_t = T(inverse_shear_stiffness) * c.contact_radius.inverse;
     const T gamma_t = weight * T(tangential_damping);
 
-    // While the contact grows, the rescaled form keeps the force that was there: ξ shrinks as k_t grows.
+    // While the contact grows, the rescaled form keeps the tangential force: ξ shrinks as k_t grows.
     T growth = T(1), mean = T(1);
-    Vec<D, T> carried = h.spring + c.tangential_increment;
+    Vec<D, T> displaced = h.spring + c.tangential_increment;
     if constexpr (form == rescaled) {
       growth = std::min(h.contact_radius() * c.contact_radius.inverse, T(1));
       mean = mean_stiffness(growth);
-      carried = fused(mean, c.tangential_increment, growth * h.spring);
+      displaced = fused(mean, c.tangential_increment, growth * h.spring);
     }
-    const Vec<D, T> moved = tangential_part(carried, c.normal);
-    const T limit = T(friction) * pushing;
-    const scree::SlipStep<D, T> step = {.trial_spring = moved,
+    const Vec<D, T> trial = tangential_part(displaced, c.normal);
+    const T limit = T(friction) * repulsive;
+    const scree::SlipStep<D, T> step = {.trial_spring = trial,
                                         .stiffness = k_t,
                                         .inverse_stiffness = inverse_k_t,
                                         .velocity = v_t,
@@ -235,18 +236,18 @@ struct Kernel : HertzMindlin {
     out.force = fused(along_normal, c.normal, slip.force);
     out.elastic_tangential = stored_energy(h);
     out.dissipated_tangential = -dot(fused(k_t, h.spring, slip.force), v_t);
-    book_slip(before, h, moved, growth, mean, k_t, out);
+    add_dissipation(before, h, trial, growth, mean, k_t, out);
   }
 
-  // What slip and changes of k_t take from the spring, so that with the work of the mean of the forces before
-  // and after the step nothing is left over. Terms that vanish with the step may be below 0 only where a
-  // spring turns round within it: they are left out there.
+  // Energy that slip and changes of k_t take from the spring, such that the balance with the work of the mean
+  // force before and after the step is exact. Terms that vanish with the step could become negative only
+  // where a spring reverses within the step; they are set to 0 there.
   template <int D, class T>
-  void book_slip(const Friction<D, T>& before, const Friction<D, T>& after, const Vec<D, T>& moved,
-                 const T& growth, const T& mean, const T& k_t, Response<D, T>& out) const {
+  void add_dissipation(const Friction<D, T>& before, const Friction<D, T>& after, const Vec<D, T>& trial,
+                       const T& growth, const T& mean, const T& k_t, Response<D, T>& out) const {
     const T k_before = T(8 * effective_shear_modulus) * before.contact_radius(), inverse_mean = T(1) / mean;
     const Vec<D, T> mean_force = T(0.5) * (k_before * before.spring + k_t * after.spring);
-    out.dissipated_friction = std::max(dot(mean_force, moved - after.spring), T(0)) * inverse_mean;
+    out.dissipated_friction = std::max(dot(mean_force, trial - after.spring), T(0)) * inverse_mean;
     if constexpr (form == potential) return;
     const T falls = k_before - growth * k_t;
     out.dissipated_release = T(0.5) * falls * std::max(dot(before.spring, after.spring), T(0));

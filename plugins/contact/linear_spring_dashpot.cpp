@@ -1,4 +1,4 @@
-// Linear spring and dashpot with a tangential spring, Coulomb sliding and stick/slip memory, after
+// Linear spring and dashpot with a tangential spring, Coulomb friction and stick/slip history, after
 // David, García-Rojo, Herrmann, Luding, "Hysteresis and creep in powders and grains" (2005), [D1]-[D4].
 
 #include <cmath>
@@ -25,8 +25,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
   double tangential_stiffness = 0;
   double tangential_damping = 0;
   double static_friction = 0;
-  double dynamic_friction = -1;  // below 0: the same as static
-  int slip_rule = 0;             // by the spring, by the total force
+  double dynamic_friction = -1;  // below 0: same as static_friction
+  int slip_rule = 0;             // 0: spring force, 1: total force
   double rolling_friction = 0;
   double damping_ratio = 0;
   double damping_by_root_mass = 0;          // γ/√m* = 2ζ √k
@@ -36,18 +36,17 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "linear_spring_dashpot",
       "linear spring and dashpot, tangential spring with static and dynamic friction",
       "f_n = k δ + γ δ'                                  normal force\n"
-      "ξ <- ξ + v_t Δt (mid-step normal), ξ <- ξ − n (n·ξ)   spring carried along, then turned into the "
-      "plane\n"
-      "f_t = −P(k_t ξ + γ_t v_t)                         P: shortened to C = μ max(f_n, 0)\n"
+      "ξ <- ξ + v_t Δt (mid-step normal)                 displacement of the step\n"
+      "ξ <- ξ − n (n·ξ)                                  projection onto the tangent plane\n"
+      "f_t = −P(k_t ξ + γ_t v_t)                         P: limits the magnitude to C = μ max(f_n, 0)\n"
       "stick: |k_t ξ| <= C                               μ = μ_s while sticking, μ_d while sliding\n"
-      "slip:  ξ shortened to |k_t ξ| = μ_d f_n           the dashpot never makes the spring slip; both only "
-      "lose energy:\n"
-      "       friction k_t ξ·s >= 0 (s: velocity of slip), dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0: P is "
-      "monotone\n"
-      "slip_rule = total, as [D3], [D4] print it: slip where |k_t ξ + γ_t v_t| > C, then ξ = −(f_t + γ_t "
-      "v_t)/k_t;\n"
-      "       where γ_t v_t changes while it slides this may create energy, which the books show\n"
-      "T = −μ_r k δ R* Δω/|Δω|  rolling; smaller where it would turn the motion round within a step\n"
+      "slip:  ξ shortened to |k_t ξ| = μ_d f_n           the dashpot never causes slip\n"
+      "       both only dissipate: friction k_t ξ·s >= 0 (s: slip velocity),\n"
+      "       dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0 (P is monotone)\n"
+      "slip_rule = total, as printed in [D3], [D4]: slip where |k_t ξ + γ_t v_t| > C,\n"
+      "       then ξ = −(f_t + γ_t v_t)/k_t; may create energy where γ_t v_t changes during slip,\n"
+      "       shown by the energy audit\n"
+      "T = −μ_r k δ R* Δω/|Δω|  rolling; smaller where it would reverse the motion within a step\n"
       "arms of the torque: R − δ/2 (angular momentum is conserved)",
       "David et al. 2005, equations 1 to 4"};
 
@@ -55,24 +54,22 @@ struct LinearSpringDashpot : scree::ContactLaw {
     using namespace scree;
     d.number("normal_stiffness", normal_stiffness, "N/m", positive, "k, stiffness of the normal spring")
         .required();
-    d.number("normal_damping", normal_damping, "kg/s", non_negative, "γ, the same for all masses")
+    d.number("normal_damping", normal_damping, "kg/s", non_negative, "γ, independent of mass")
         .or_else("restitution");
     d.number("restitution", restitution, "", positive_coefficient,
-             "r, reached for every mass: γ = 2ζ√(k m*), ζ from r and tension")
+             "r, independent of mass: γ = 2ζ√(k m*), ζ from r and tension")
         .or_else("normal_damping");
     d.choice("tension", tension, "allowed|cut",
-             "whether the dashpot may pull at the end of a contact; both reach the restitution asked for");
+             "whether the force may become attractive at the end of a contact; r is reached either way");
     d.number("tangential_stiffness", tangential_stiffness, "N/m", non_negative,
              "k_t of the tangential spring");
     d.number("tangential_damping", tangential_damping, "kg/s", non_negative, "γ_t of the tangential dashpot");
     d.number("static_friction", static_friction, "", non_negative,
-             "μ_s; 0 leaves out all that friction needs");
-    d.number("dynamic_friction", dynamic_friction, "", non_negative,
-             "μ_d <= μ_s, the same as static if absent")
-        .optional();
+             "μ_s; 0: frictionless, no tangential force");
+    d.number("dynamic_friction", dynamic_friction, "", non_negative, "μ_d <= μ_s; μ_s if absent").optional();
     d.choice("slip_rule", slip_rule, "spring|total",
-             "what decides on slip: the spring's force, or with the dashpot's as David et al. print it");
-    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0 leaves rolling resistance out");
+             "force compared with the limit: that of the spring, or the total as in David et al.");
+    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0: no rolling resistance");
   }
 
   void prepare(const scree::Setup& setup) {
@@ -81,11 +78,11 @@ struct LinearSpringDashpot : scree::ContactLaw {
       return setup.refuse("dynamic_friction is above static_friction; give at most the static value");
     if (static_friction > 0 && tangential_stiffness <= 0)
       return setup.refuse("friction needs tangential_stiffness above 0");
-    // Its reciprocal, and the square of the time γ_t/k_t, must be numbers in single precision too.
+    // Its reciprocal, and the square of the time γ_t/k_t, must be finite in single precision too.
     if (static_friction > 0 && !(tangential_stiffness > 1e-15 * std::max(1.0, tangential_damping)))
       return setup.refuse(
-          "tangential_stiffness is too small for numbers to hold; give at least 1e-15 N/m, and "
-          "1e-15/s times tangential_damping");
+          "tangential_stiffness is too small for the number format; "
+          "give at least 1e-15 N/m and at least 1e-15/s times tangential_damping");
     if (restitution > 0) damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
     damping_by_root_mass = 2 * damping_ratio * std::sqrt(normal_stiffness);
     if (tangential_stiffness > 0) inverse_tangential_stiffness = 1 / tangential_stiffness;
@@ -97,7 +94,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
     return 4 * friction + (rolling_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0);
   }
 
-  // The dashpot jumps at first touch; at the end it jumps, or has brought the force to 0 before.
+  // The dashpot force jumps at first touch (onset_power 0). At the end it jumps or, with cut tension, the
+  // force is already 0.
   double parting_power() const { return scree::Tension(tension) == scree::Tension::cut ? continuous : 0; }
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
@@ -116,8 +114,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
          contact_time},
         {"restitution", "", "r = exp(−η t_c)", r},
         {"critical_step", "s",
-         "2/(√(k/m* + (γ/m*)²) + γ/m*), longest stable step of velocity Verlet for this pair; the\n"
-         "                        same with 7/2 k_t, 7/2 γ_t if that is shorter",
+         "2/(√(k/m* + (γ/m*)²) + γ/m*), longest stable step of velocity Verlet for this pair;\n"
+         "                        with 7/2 k_t, 7/2 γ_t if that is shorter",
          critical_step},
         {"damping_ratio", "", "ζ = γ/(2√(k m*))", zeta}};
     std::uint32_t n = 0;
@@ -126,7 +124,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 };
 
-enum class Friction { none, undamped, spring, total };  // undamped: both slip rules are one
+enum class Friction { none, undamped, spring, total };  // undamped: both slip rules are the same
 
 template <Friction friction, bool rolling, bool by_restitution>
 struct Kernel : LinearSpringDashpot {
@@ -171,15 +169,15 @@ struct Kernel : LinearSpringDashpot {
 
     // [D1], δ' = −v_n
     const T spring_force = T(normal_stiffness) * c.overlap, damping_force = predicted * gamma * v_n;
-    const T pushing_or_pulling = scree::fused(-c.onset_weight, damping_force, spring_force);
-    const T pushing = std::max(pushing_or_pulling, T(0));
-    const T f_n = scree::Tension(tension) == scree::Tension::cut ? pushing : pushing_or_pulling;
+    const T total = scree::fused(-c.onset_weight, damping_force, spring_force);
+    const T repulsive = std::max(total, T(0));
+    const T f_n = scree::Tension(tension) == scree::Tension::cut ? repulsive : total;
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
     out.dissipated_normal = (spring_force - f_n) * v_n;
     if constexpr (friction == Friction::undamped || friction == Friction::spring)
-      slide_or_stick(c, pushing, h, out);
+      slide_or_stick(c, repulsive, h, out);
     if constexpr (friction == Friction::total)
-      slide_or_stick_by_total(c, pushing, std::max(spring_force - damping_force, T(0)), h, out);
+      slide_or_stick_by_total(c, repulsive, std::max(spring_force - damping_force, T(0)), h, out);
     if constexpr (frictional)
       out.force = fused(f_n, c.normal, out.force);
     else
@@ -188,17 +186,17 @@ struct Kernel : LinearSpringDashpot {
   }
 
  private:
-  // The old spring, moved by this step's displacement and turned into the present tangent plane.
+  // The old spring plus the displacement of this step, projected onto the present tangent plane.
   template <int D, class T>
-  static Vec<D, T> moved_spring(const Contact<D, T>& c, const Spring<D, T>& h) {
+  static Vec<D, T> trial_spring(const Contact<D, T>& c, const Spring<D, T>& h) {
     return tangential_part(h.spring + c.tangential_increment, c.normal);
   }
 
   template <int D, class T>
-  scree::SlipStep<D, T> step_of(const Contact<D, T>& c, const Spring<D, T>& h, const Vec<D, T>& moved,
+  scree::SlipStep<D, T> step_of(const Contact<D, T>& c, const Spring<D, T>& h, const Vec<D, T>& trial,
                                 const Vec<D, T>& v_t, const T& f_n, const T& weight) const {
     const T sliding_limit = T(dynamic_friction) * f_n;
-    return {.trial_spring = moved,
+    return {.trial_spring = trial,
             .stiffness = T(tangential_stiffness),
             .inverse_stiffness = T(inverse_tangential_stiffness),
             .velocity = v_t,
@@ -208,9 +206,9 @@ struct Kernel : LinearSpringDashpot {
             .sliding_limit = sliding_limit};
   }
 
-  // Takes over spring and force. Returns the mean of the spring's forces before and after the step.
+  // Stores spring and force. Returns the mean of the spring forces before and after the step.
   template <int D, class T>
-  Vec<D, T> take_over(const scree::Slip<D, T>& slip, Spring<D, T>& h, Response<D, T>& out) const {
+  Vec<D, T> store(const scree::Slip<D, T>& slip, Spring<D, T>& h, Response<D, T>& out) const {
     const Vec<D, T> mean_force = T(0.5 * tangential_stiffness) * (h.spring + slip.spring);
     h.spring = slip.spring;
     h.sliding = slip.slides ? T(1) : T(0);
@@ -221,28 +219,28 @@ struct Kernel : LinearSpringDashpot {
 
   template <int D, class T>
   void slide_or_stick(const Contact<D, T>& c, const T& f_n, Spring<D, T>& h, Response<D, T>& out) const {
-    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
+    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     constexpr bool damped = friction != Friction::undamped;
     const scree::Slip<D, T> slip =
-        scree::slide_or_stick<damped>(step_of(c, h, moved, v_t, f_n, c.onset_weight));
-    const Vec<D, T> mean_force = take_over(slip, h, out);
+        scree::slide_or_stick<damped>(step_of(c, h, trial, v_t, f_n, c.onset_weight));
+    const Vec<D, T> mean_force = store(slip, h, out);
     if constexpr (damped)
       out.dissipated_tangential = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
-    out.dissipated_friction = std::max(dot(mean_force, moved - h.spring), T(0));
+    out.dissipated_friction = std::max(dot(mean_force, trial - h.spring), T(0));
   }
 
   template <int D, class T>
   void slide_or_stick_by_total(const Contact<D, T>& c, const T& f_n, const T& unweighted_f_n, Spring<D, T>& h,
                                Response<D, T>& out) const {
-    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), moved = moved_spring(c, h);
+    const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     const T weighted_sliding_limit = T(dynamic_friction) * f_n;
     const T weighted_limit = h.sliding > T(0) ? weighted_sliding_limit : T(static_friction) * f_n;
     const scree::Slip<D, T> slip =
-        scree::slide_or_stick_by_total(step_of(c, h, moved, v_t, unweighted_f_n, T(1)), c.onset_weight,
+        scree::slide_or_stick_by_total(step_of(c, h, trial, v_t, unweighted_f_n, T(1)), c.onset_weight,
                                        weighted_limit, weighted_sliding_limit);
-    const Vec<D, T> mean_force = take_over(slip, h, out), slipped = moved - h.spring;
+    const Vec<D, T> mean_force = store(slip, h, out), slipped = trial - h.spring;
     const T dashpot_power = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
-    // While it slides, the dashpot changes what the spring holds: γ_t v_t·ξ' of either sign.
+    // During slip the dashpot changes the energy of the spring, by γ_t v_t·ξ' of either sign.
     out.dissipated_tangential = slip.slides ? T(0) : dashpot_power;
     out.dissipated_friction = slip.slides ? -dot(slip.force, slipped) : T(0);
     out.dissipated_release =

@@ -1,4 +1,4 @@
-// What becomes of the kinetic energy of chosen bodies.
+// Kinetic energy of selected bodies, relative to its initial value.
 
 #include <algorithm>
 
@@ -11,9 +11,9 @@ struct BodyEnergyProbe {
   int dimension = 3;
 
   static constexpr scree::About about = {
-      "body_energy", "kinetic energy of chosen bodies over that at their first sample",
+      "body_energy", "kinetic energy of selected bodies relative to their first sample",
       "ratio_<id> = E/E_0, E = ½ m v² + ½ I ω²    I = 2mR²/5 of a sphere, mR²/2 of a disc\n"
-      "smallest_ratio, largest_ratio: over the chosen bodies",
+      "smallest_ratio, largest_ratio: over the selected bodies",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -37,12 +37,11 @@ struct BodyEnergyProbe {
     for (std::uint64_t k = 0; k < ids.count; ++k) {
       const std::uint64_t i = scree::index_of_body(view, ids.data[k]);
       if (i == view.body_count)
-        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
-               "otherwise";
+        return "an id in `ids` does not exist in this scene; bodies without an id are numbered from 1";
       first[k] = energy(view, i);
       if (!(first[k] > 0))
-        return "a body in `ids` is at rest at the first sample, there is no energy to compare with; leave "
-               "its id out, or let it move";
+        return "a body in `ids` is at rest at the first sample and has no reference energy; "
+               "remove its id, or give it a velocity";
     }
     return nullptr;
   }

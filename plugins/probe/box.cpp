@@ -10,7 +10,7 @@ struct BoxProbe {
   int dimension = 3;
 
   static constexpr scree::About about = {
-      "box", "lengths, stresses and strains of the box that facing walls form",
+      "box", "lengths, stresses and strains of the box formed by opposite walls",
       "σ_kk = mean of the contact forces on both walls of axis k / their area\n"
       "ε_kk = 1 − L_k/L_k0          L_k0: at the first sample\n"
       "σ_D = 2(σ_xx − σ_yy)/3,  ε_D = ε_xx − ε_yy",
@@ -38,8 +38,7 @@ struct BoxProbe {
   const char* start(const scree_view& view, double* state) const {
     for (int k = 0; k < dimension; ++k) {
       if (wall(view, k, 1) < 0 || wall(view, k, -1) < 0)
-        return "the box probe needs walls on both sides of every axis; add a boundary \"box\" or pairs of "
-               "planes";
+        return "the box probe needs walls at both ends of each axis; add a boundary \"box\" or planes";
       state[k] = length(view, k);
     }
     return nullptr;

@@ -1,4 +1,4 @@
-// Chosen contacts one by one.
+// Individual contacts.
 
 #include <cmath>
 
@@ -12,18 +12,18 @@ struct ContactProbe {
   int dimension = 3;
 
   static constexpr scree::About about = {
-      "contact", "overlap, force and normal of chosen contacts, 0 while they are open",
+      "contact", "overlap, force and normal of selected contacts, 0 while they are open",
       "columns overlap_<a>_<b>, normal_force_<a>_<b>, tangential_force_<a>_<b>, sliding_<a>_<b>,\n"
       "        normal_x_<a>_<b> and so on for each pair of bodies; ..._<a>_wall<n> for a body at a wall\n"
-      "normal from b to a; normal_force = n·f, above 0 when pushing; tangential_force = |f − n (n·f)|",
+      "normal from b to a; normal_force = n·f, above 0 if repulsive; tangential_force = |f − n (n·f)|",
       "—"};
 
   void declare(scree::Declaration& d) {
     d.list("pairs", pairs, "", scree::Range{.minimum = 1}, "ids of the bodies, two for each contact")
         .optional();
     d.list("at_walls", at_walls, "", scree::Range{.minimum = 1},
-           "for each contact the id of the body and the number of the wall, from 1 in the order of the "
-           "[[boundary]]s")
+           "for each contact the id of the body and the number of the wall; "
+           "walls are numbered from 1 in the order of the [[boundary]] entries")
         .optional();
   }
 
@@ -32,7 +32,7 @@ struct ContactProbe {
     if (pairs.count % 2 || at_walls.count % 2)
       return setup.refuse("a list has an odd number of entries; give two for each contact");
     if (pairs.count + at_walls.count == 0)
-      return setup.refuse("no contact is named; give pairs = [a, b] or at_walls = [id, wall]");
+      return setup.refuse("no contact is selected; give pairs = [a, b] or at_walls = [id, wall]");
   }
 
   void describe(scree_probe_instance& instance) const {
@@ -57,13 +57,13 @@ struct ContactProbe {
     for (std::uint64_t k = 0; k < pairs.count; ++k)
       if (scree::index_of_body(view, pairs.data[k]) == view.body_count) return no_body;
     for (std::uint64_t k = 0; k < pairs.count; k += 2)
-      if (pairs.data[k] == pairs.data[k + 1]) return "a pair in `pairs` names one body twice; give two ids";
+      if (pairs.data[k] == pairs.data[k + 1]) return "a pair in `pairs` has the same id twice; give two ids";
     for (std::uint64_t k = 0; k < at_walls.count; k += 2) {
       if (scree::index_of_body(view, at_walls.data[k]) == view.body_count) return no_body;
       const double wall = at_walls.data[k + 1];
       if (wall > view.plane_count || wall != std::floor(wall))
-        return "a number in `at_walls` is no wall of this scene; walls are numbered from 1 in the order of "
-               "the [[boundary]]s";
+        return "a wall in `at_walls` does not exist in this scene; "
+               "walls are numbered from 1 in the order of the [[boundary]] entries";
     }
     return nullptr;
   }
@@ -79,11 +79,11 @@ struct ContactProbe {
 
  private:
   static constexpr const char* no_body =
-      "an id is no body of this scene; bodies are numbered from 1 unless they say otherwise";
+      "an id does not exist in this scene; bodies without an id are numbered from 1";
 
   std::uint32_t per_contact() const { return 4 + std::uint32_t(dimension); }
 
-  // The row of the contact of a and b, whichever of the two the host names first.
+  // Writes the row of the contact of a and b, in whichever order the host lists them.
   void record(const scree_view& view, std::uint64_t a, std::uint64_t b, double* row) const {
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {
       const bool forward = view.contact_a[c] == a && view.contact_b[c] == b;

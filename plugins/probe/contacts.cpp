@@ -12,14 +12,15 @@ struct ContactsProbe {
   double rattler_below = 2;
 
   static constexpr scree::About about = {"contacts", "coordination, sliding fraction, overlaps, rattlers",
-                                         "Z = (2 C_bodies + C_walls)/N,   Z without rattlers: (2 C − N_1)/(N "
-                                         "− N_0 − N_1), the mean over the other bodies\n"
+                                         "Z = (2 C_bodies + C_walls)/N\n"
+                                         "Z without rattlers: (2 C − N_1)/(N − N_0 − N_1), "
+                                         "the mean over the other bodies\n"
                                          "sliding fraction = sliding contacts / contacts",
                                          "David et al. 2005, section 2"};
 
   void declare(scree::Declaration& d) {
     d.number("rattler_below", rattler_below, "", scree::positive,
-             "a body with fewer contacts than this bears no load and counts as a rattler");
+             "a body with fewer contacts than this is a rattler, which bears no load");
   }
 
   void describe(scree_probe_instance& instance) const {

@@ -1,4 +1,4 @@
-// How far two bodies, or two copies of a scene, have come apart.
+// Differences in the motion of pairs of bodies, for example of two copies of a scene.
 
 #include <cmath>
 
@@ -12,9 +12,9 @@ struct DifferenceProbe {
   int dimension = 3;
 
   static constexpr scree::About about = {
-      "difference", "motion of one body less that of another, for pairs of bodies",
+      "difference", "motion of one body minus that of another, for pairs of bodies",
       "x_<a>_<b> = x_a − x_b, vx_<a>_<b> = v_a − v_b, spin_x_<a>_<b> = ω_a − ω_b and so on;\n"
-      "speed_<a>_<b> = |v_a| − |v_b|, spin_<a>_<b> = |ω_a| − |ω_b|: the same however the scene is turned",
+      "speed_<a>_<b> = |v_a| − |v_b|, spin_<a>_<b> = |ω_a| − |ω_b|: invariant under rotation of the scene",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -22,7 +22,7 @@ struct DifferenceProbe {
   }
   void prepare(const scree::Setup& setup) {
     dimension = setup.dimension();
-    if (ids.count % 2) setup.refuse("ids has an odd number of bodies; give them in pairs");
+    if (ids.count % 2) setup.refuse("ids has an odd number of entries; give them in pairs");
   }
 
   void describe(scree_probe_instance& instance) const {
@@ -34,18 +34,17 @@ struct DifferenceProbe {
                                               "spin_x", "spin_y", "spin_z", "speed", "spin"};
     static constexpr const char* flat[] = {"x", "y", "vx", "vy", "spin_z", "speed", "spin"};
     const std::uint32_t pair = c / per_pair(), q = c % per_pair(), d = std::uint32_t(dimension);
-    const bool rate = q < 2 * d || q == per_pair() - 2;
+    const bool velocity = q < 2 * d || q == per_pair() - 2;
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "%s_%lld_%lld", dimension == 2 ? flat[q] : spatial[q],
                   static_cast<long long>(ids.data[2 * pair]), static_cast<long long>(ids.data[2 * pair + 1]));
-    return {name, q < d ? "m" : rate ? "m/s" : "rad/s"};
+    return {name, q < d ? "m" : velocity ? "m/s" : "rad/s"};
   }
 
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < ids.count; ++k)
       if (scree::index_of_body(view, ids.data[k]) == view.body_count)
-        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
-               "otherwise";
+        return "an id in `ids` does not exist in this scene; bodies without an id are numbered from 1";
     return nullptr;
   }
 

@@ -1,4 +1,4 @@
-// Every reservoir and sink of energy.
+// The energy balance: all stored and dissipated energies.
 
 #include <scree/plugin/probe.hpp>
 
@@ -28,7 +28,7 @@ struct EnergyProbe {
                                       {"residual", &scree_energy::residual}};
 
   static constexpr scree::About about = {
-      "energy", "every reservoir and sink of energy, and what does not add up",
+      "energy", "all stored and dissipated energies, and the residual of the balance",
       "residual = stored − stored at the start + dissipated − created − work", "—"};
 
   void declare(scree::Declaration&) {}

@@ -19,7 +19,7 @@ struct MomentumProbe {
       "—"};
 
   void declare(scree::Declaration& d) {
-    d.vector("about", about_point, "m", "the point x_0 about which the angular momentum is taken");
+    d.vector("about", about_point, "m", "x_0, reference point of the angular momentum");
   }
   void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
 

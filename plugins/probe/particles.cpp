@@ -1,4 +1,4 @@
-// The motion of chosen bodies.
+// The motion of selected bodies.
 
 #include <scree/plugin/probe.hpp>
 
@@ -9,7 +9,7 @@ struct ParticlesProbe {
   int dimension = 3;
 
   static constexpr scree::About about = {
-      "particles", "position, velocity, spin and force of chosen bodies",
+      "particles", "position, velocity, spin and force of selected bodies",
       "columns x_<id>, vx_<id>, spin_x_<id>, fx_<id> and so on for each id", "—"};
 
   void declare(scree::Declaration& d) {
@@ -36,8 +36,7 @@ struct ParticlesProbe {
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < ids.count; ++k)
       if (scree::index_of_body(view, ids.data[k]) == view.body_count)
-        return "an id in `ids` is no body of this scene; bodies are numbered from 1 unless they say "
-               "otherwise";
+        return "an id in `ids` does not exist in this scene; bodies without an id are numbered from 1";
     return nullptr;
   }
 

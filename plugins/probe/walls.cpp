@@ -1,4 +1,4 @@
-// The motion of chosen walls and what presses on them.
+// The motion of selected walls and the loads on them.
 
 #include <cmath>
 
@@ -10,16 +10,16 @@ struct WallsProbe {
   scree_value numbers = {};
 
   static constexpr scree::About about = {
-      "walls", "position, velocity and load of chosen walls",
+      "walls", "position, velocity and load of selected walls",
       "columns position_<n>, velocity_<n>, normal_force_<n>, tangential_force_<n> for each wall n\n"
-      "position = n·x_w, velocity = n·v_w    n: the wall's normal, into the material\n"
-      "normal_force = −n·f, above 0 when pressed; tangential_force = |f − n (n·f)|    f: of all contacts",
+      "position = n·x_w, velocity = n·v_w    n: the wall's normal, pointing to the bodies\n"
+      "normal_force = −n·f, above 0 if compressive; tangential_force = |f − n (n·f)|    f: of all contacts",
       "—"};
 
   void declare(scree::Declaration& d) {
     d.list("walls", numbers, "", scree::Range{.minimum = 1},
-           "walls to record, numbered from 1 in the order of the [[boundary]]s; a box counts x_low, x_high, "
-           "y_low and so on")
+           "walls to record, numbered from 1 in the order of the [[boundary]] entries; "
+           "a box counts as x_low, x_high, y_low and so on")
         .required();
   }
 
@@ -38,8 +38,8 @@ struct WallsProbe {
   const char* start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < numbers.count; ++k)
       if (numbers.data[k] > view.plane_count || numbers.data[k] != std::floor(numbers.data[k]))
-        return "a number in `walls` is no wall of this scene; walls are numbered from 1 in the order of the "
-               "[[boundary]]s";
+        return "a wall in `walls` does not exist in this scene; "
+               "walls are numbered from 1 in the order of the [[boundary]] entries";
     return nullptr;
   }
 

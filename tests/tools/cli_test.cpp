@@ -43,7 +43,7 @@ TEST_CASE("check finds what run would", "[tools]") {
                 "time.step_guard = false to run it anyway");
   const Workspace walls(with(discs, "'energy'", "'particles'\nids = [99]"));
   check_refused(walls, walls.scree("check scene.toml"), "scene.toml:25:10: probe particles: an id in `ids` ",
-                "unless they say otherwise");
+                "bodies without an id are numbered from 1");
 }
 
 TEST_CASE("describe lists all plug-ins by kind", "[tools]") {

@@ -7,19 +7,19 @@ namespace scree {
 
 namespace {
 
-// Stable shares: eigenvalues of one step of a damped oscillator, over damping ratios from 0 to 3;
-// tests/framework/integrator_choice_test.cpp measures them again.
+// Stable steps from the eigenvalues of one step of a damped oscillator, for damping ratios from 0 to 3;
+// verified in tests/framework/motion/integrator_choice_test.cpp.
 constexpr IntegrationTraits all[] = {
     {Integration::velocity_verlet, "velocity_verlet",
      "order 2, symplectic; dashpots, contact onset, sliding and sticking keep order 2", 1, 1},
     {Integration::position_verlet, "position_verlet",
-     "order 2, symplectic, forces in mid-step; as velocity Verlet", 1, 1},
+     "order 2, symplectic, forces at mid-step; otherwise as velocity Verlet", 1, 1},
     {Integration::fourth_order, "fourth_order",
-     "order 4, symplectic (Suzuki), on elastic motion; dashpots bring it to 2, and to 1 where contacts begin",
+     "order 4, symplectic (Suzuki), for elastic motion; dashpots reduce it to 2, and to 1 at contact onset",
      5, 1.35},
     {Integration::predictor_corrector, "predictor_corrector",
-     "order 4 (Gear) in smooth motion, 2 through starts and contacts; not symplectic, elastic motion gains "
-     "energy",
+     "order 4 (Gear) in smooth motion, 2 at the start and through contacts; "
+     "not symplectic, elastic motion gains energy",
      1, 0.25},
 };
 

@@ -10,27 +10,26 @@
 
 namespace scree {
 
-// Moves bodies, in translation and rotation, around each evaluation of the forces.
-// Forces that depend on velocity see a prediction for the moment of evaluation, made with the forces of the
-// last one; tangential springs move by mid_velocity, the displacement since the last evaluation over its
-// time.
+// Moves bodies, in translation and rotation, before and after each force evaluation. Velocity-dependent
+// forces use a prediction for the time of evaluation, made with the forces of the last evaluation; tangential
+// springs advance with mid_velocity, the displacement since the last evaluation divided by the time since.
 class Integrator {
  public:
   virtual ~Integrator() = default;
 
-  // Shares of a step that are made one after the other, negative ones back in time; they add up to 1.
+  // Substeps as fractions of a step, taken in this order, negative ones backwards in time; they add up to 1.
   virtual std::span<const double> substeps() const;
-  // Forces are evaluated in the middle of a step rather than at its end.
+  // Whether forces are evaluated at mid-step instead of at the end of the step.
   virtual bool evaluates_at_mid_step() const { return false; }
 
-  // Called once for all bodies before any of them begins a step (s).
+  // Called once for all bodies before the first half of a step (s).
   virtual void prepare(Particles&, double /*step*/) {}
-  // Moves positions to where forces are to be evaluated, and predicts velocities there. Returns the largest
-  // squared speed of the move (m²/s²); infinite if any velocity is not a number.
+  // First half of a step (s): moves positions to the time of force evaluation and predicts velocities there.
+  // Returns the largest squared speed of the motion (m²/s²); infinite if any velocity is not finite.
   virtual double begin_step(Particles& particles, double step, BodyRange bodies) = 0;
-  // Completes the step with the forces there. Returns whether all velocities and spins are numbers.
+  // Second half: completes the step with the new forces. Returns whether all velocities and spins are finite.
   virtual bool finish_step(Particles& particles, double step, BodyRange bodies) = 0;
-  // finish_step of one step and begin_step of the next, which may take one pass over the bodies.
+  // finish_step of one step and begin_step of the next, possibly in one pass over the bodies.
   struct Moved {
     bool finite;
     double square_speed;  // (m²/s²)

@@ -13,17 +13,17 @@ namespace scree {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The translation of a body, in 2D with its rotation, or its rotation in 3D; four numbers each. Numbers that
-// are not moved have no acceleration.
+// Translation of a body (in 2D together with its rotation), or its rotation in 3D; four numbers each.
+// Components that do not move have zero acceleration.
 struct Motion {
   kernel::Four &velocity,
-      &mid_velocity;          // (m/s), (rad/s); mid: displacement since the last evaluation over its time
+      &mid_velocity;          // (m/s), (rad/s); mid: displacement / time since the last evaluation
   kernel::Four& position;     // (x, y, z, R); unused for a rotation in 3D
-  kernel::Four acceleration;  // of the last evaluation
-  std::size_t number;         // of this motion among all
+  kernel::Four acceleration;  // of the last evaluation (m/s²), (rad/s²)
+  std::size_t number;         // index of this motion
 };
 
-// Looks for what is not a number. The difference of anything else with itself has no bit set.
+// Detects numbers that are not finite: the difference of any other number with itself has no bit set.
 class Finiteness {
  public:
   SCREE_HOT void check(const kernel::Four& v) { found_ |= std::bit_cast<Bits>(v - v); }
@@ -44,10 +44,10 @@ class Motions {
         spin_(particles.has_spin()) {}
 
   std::size_t each_body() const { return !flat_ && spin_ ? 2 : 1; }
-  // 1 for the numbers of a position that a displacement moves.
+  // 1 for the components of a position record that move, 0 for the others.
   kernel::Four axes() const { return kernel::Four{1, 1, flat_ ? 0.0 : 1.0, 0}; }
 
-  // Calls move(Motion) for all motions of some bodies.
+  // Calls move(Motion) for all motions of a range of bodies.
   template <class Move>
   SCREE_HOT void each(BodyRange bodies, const Move& move) const {
     if (flat_)
@@ -58,8 +58,8 @@ class Motions {
       each_of<3, false>(bodies, move);
   }
 
-  // Largest |v|² of some bodies, at the end of the step or in mid-step (m²/s²); infinite if any is not a
-  // number.
+  // Largest |v|² of a range of bodies, at the end of the step or at mid-step (m²/s²); infinite if any is not
+  // finite.
   double largest_square(BodyRange bodies, bool mid_step) const;
 
  private:

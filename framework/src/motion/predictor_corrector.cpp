@@ -6,7 +6,7 @@ namespace scree {
 
 using namespace kernel;
 
-// Higher terms start at 0; the first steps fill them.
+// Third and fourth derivatives start at 0; the first steps build them up.
 void PredictorCorrector::prepare(Particles& particles, double step) {
   const Motions motions(particles);
   const std::size_t numbers = 4 * particles.size() * motions.each_body();

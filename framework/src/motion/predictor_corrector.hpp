@@ -4,11 +4,11 @@
 
 namespace scree {
 
-// Gear's predictor-corrector with the Taylor series of five terms r_k = h^k/k! x^(k), for forces that depend
-// on velocity; C. W. Gear, "Numerical Initial Value Problems in Ordinary Differential Equations" (1971),
+// Gear's predictor-corrector with a Taylor series of five terms r_k = h^k/k! x^(k), for velocity-dependent
+// forces; C. W. Gear, "Numerical Initial Value Problems in Ordinary Differential Equations" (1971),
 // coefficients as in Allen & Tildesley, "Computer Simulation of Liquids" (1987), appendix E:
-//   begin_step: r_k <- Σ_j≥k binomial(j, k) r_j;   finish_step: r_k += c_k (h²/2 F/m − r_2), c = 19/90, 3/4,
-//   1, 1/2, 1/12
+//   begin_step:  r_k <- Σ_j≥k binomial(j, k) r_j
+//   finish_step: r_k += c_k (h²/2 F/m − r_2), c = 19/90, 3/4, 1, 1/2, 1/12
 class PredictorCorrector : public Integrator {
  public:
   void prepare(Particles& particles, double step) override;
@@ -16,7 +16,7 @@ class PredictorCorrector : public Integrator {
   bool finish_step(Particles& particles, double step, BodyRange bodies) override;
 
  private:
-  // r_2, r_3, r_4 of each motion, of four numbers each.
+  // r_2, r_3, r_4 of each motion, four numbers each.
   Column<double> second_, third_, fourth_;
 };
 

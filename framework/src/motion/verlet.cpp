@@ -66,7 +66,7 @@ SCREE_EVERY_LEVEL bool position_second_half(const Motions& motions, double step,
   Finiteness finite;
   motions.each(bodies, [&](const Motion& m) SCREE_INLINE_LAMBDA {
     m.velocity = m.mid_velocity + step * m.acceleration;
-    // The velocity at the evaluation, for the energy books.
+    // The velocity at the time of evaluation, for the energy audit.
     m.mid_velocity = 0.5 * (m.mid_velocity + m.velocity);
     m.position += half_steps * m.velocity;
     finite.check(m.velocity);

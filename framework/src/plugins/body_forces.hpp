@@ -13,15 +13,15 @@
 
 namespace scree {
 
-// Forces that act on each body by itself, such as gravity and background damping.
+// Body forces: forces on single bodies, such as gravity and background damping.
 class BodyForces {
  public:
-  // audit: whether energies are asked for.
+  // audit: whether energies are computed.
   BodyForces(const std::vector<Scene::BodyForce>& entries, int dimension, bool audit);
 
-  // Adds to the bodies' forces and torques, and to the sums.
+  // Adds to the forces and torques of a range of bodies, and to the sums.
   void apply(Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
-  // Fastest at which any term slows any of the bodies (1/s); 0 without drag.
+  // Largest rate at which any body force damps any of the bodies (1/s); 0 without drag.
   double largest_damping_rate(const std::vector<Body>& bodies) const;
   void reconfigure(const std::string& name, const Parameters& parameters);
 

@@ -35,10 +35,10 @@ Boundaries::Boundaries(const std::vector<Scene::Boundary>& entries, int dimensio
   for (std::size_t w = 0; w < planes_.size(); ++w)
     for (int k = 0; k < dimension_; ++k)
       if (domain_.periodic[k] && std::abs(planes_[w].normal[k]) > 1e-12)
-        throw Error(fmt::format(
-            "wall {} faces along {}, which is periodic: bodies come in again behind it; leave one of "
-            "the two out",
-            names_[w], "xyz"[k]));
+        throw Error(
+            fmt::format("wall {} is normal to {}, which is a periodic axis: bodies would re-enter behind it; "
+                        "remove one of the two",
+                        names_[w], "xyz"[k]));
 }
 
 void Boundaries::add_domain(const Member& member) {
@@ -46,7 +46,7 @@ void Boundaries::add_domain(const Member& member) {
   for (int k = 0; k < dimension_; ++k) {
     if (!instance.periodic[k]) continue;
     if (domain_.periodic[k])
-      throw Error(fmt::format("boundary '{}': axis {} is periodic already; give each axis once",
+      throw Error(fmt::format("boundary '{}': axis {} is already periodic; give each axis once",
                               member.entry.name, "xyz"[k]));
     domain_.periodic[k] = true;
     domain_.lower[k] = instance.lower[k];
@@ -106,7 +106,8 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
     if (changed.instance().plane_count != member.plugin.instance().plane_count ||
         changed.instance().state_width != member.plugin.instance().state_width)
       throw Error(fmt::format(
-          "boundary '{}': these parameters change how many walls it has; keep them for all stages", name));
+          "boundary '{}': these parameters change its number of walls, which must be the same in all stages",
+          name));
     if (member.still()) finish_step(member, time, 0);
     member.plugin = std::move(changed);
     for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)

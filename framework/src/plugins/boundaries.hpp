@@ -10,21 +10,21 @@
 
 namespace scree {
 
-// All boundaries of a scene: their planes, the loads on them, their state, and the periodic domain.
+// All boundaries of a scene: their planes, loads and states, and the periodic domain.
 class Boundaries {
  public:
-  // Throws Error if a plug-in refuses or two make the same axis periodic.
+  // Throws Error if a plug-in refuses its parameters or if two boundaries define the same periodic axis.
   Boundaries(const std::vector<Scene::Boundary>& entries, int dimension, const BodyBounds& bodies);
 
-  // Moves the planes from t to t + step, knowing the loads at t.
+  // First half of a step: moves the planes from t to t + step (s) with the loads at t.
   void begin_step(double time, double step);
-  // Completes velocities and energies with the loads at t + step.
+  // Second half: completes velocities and energies with the loads at t + step.
   void finish_step(double time, double step);
-  // For integrators that evaluate forces in mid-step: shows the planes where they will be so much later, at
-  // the velocity they have; and takes them back to where the loads belong, before the next begin_step.
+  // For integrators that evaluate forces at mid-step: moves the planes ahead by a time (s) at constant
+  // velocity, for output; and back to the positions of the force evaluation, before the next begin_step.
   void extrapolate(double time);
   void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
-  // New parameters for a boundary; its clock for programs starts again at `time`, state and planes stay.
+  // Sets new parameters of a boundary; its programs restart at `time` (s), state and planes are kept.
   void reconfigure(const std::string& name, const Parameters& parameters, double time);
 
   const Domain& domain() const { return domain_; }
@@ -34,13 +34,13 @@ class Boundaries {
   const std::vector<std::uint32_t>& plane_materials() const { return materials_; }
   // "<boundary>.<plane>" of each plane.
   const std::vector<std::string>& plane_names() const { return names_; }
-  // Mass that forces on each plane move (kg); 0 where none do.
+  // Mass of each plane (kg); 0 for planes that forces do not move.
   const std::vector<double>& plane_masses() const { return masses_; }
-  // Fastest at which a boundary's own viscosity slows a plane (1/s); 0 without.
+  // Largest rate at which a boundary's own viscosity damps a plane (1/s); 0 without viscosity.
   double largest_damping_rate() const;
   // Sum over all boundaries.
   scree_boundary_energy energy() const;
-  // Largest speed of a plane along its normal in the last begin_step (m/s); infinite if any is not finite.
+  // Largest mid-step speed of a plane along its normal (m/s); infinite if any is not finite.
   double largest_speed() const;
   void add_to_hash(class StateHash& hash) const;
 
@@ -70,7 +70,7 @@ class Boundaries {
   std::vector<double> masses_;
 };
 
-// Those of a scene at its start.
+// The boundaries of a scene at the start.
 Boundaries boundaries_of(const Scene& scene);
 
 }  // namespace scree

@@ -17,10 +17,10 @@ void check_instance(const char* name, const scree_contact_instance& i) {
                             name, i.history_width, SCREE_MAX_HISTORY));
   for (const double power : {i.onset_power, i.parting_power})
     if (!(power >= 0) || (power < 1 && std::fmod(4 * power, 1) != 0))
-      throw Error(
-          fmt::format("plug-in {}: forces that begin or end with the power {:g} of time; it is 0, 1/4, 1/2, "
-                      "3/4, or 1 and more for none to be weighted",
-                      name, power));
+      throw Error(fmt::format(
+          "plug-in {}: onset or parting power {:g} is not supported; use 0, 1/4, 1/2, 3/4, or 1 or more "
+          "for forces without onset weights",
+          name, power));
 }
 template <class Instance>
 void check_instance(const char*, const Instance&) {}
@@ -45,7 +45,7 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
 
   const char* name = parameters_->plugin().name;
   if (interface().storage_size > SCREE_MAX_INSTANCE_SIZE)
-    throw Error(fmt::format("plug-in {}: asks for {} bytes of storage of at most {}", name,
+    throw Error(fmt::format("plug-in {}: needs {} bytes of storage, more than the limit of {}", name,
                             interface().storage_size, SCREE_MAX_INSTANCE_SIZE));
   int failed = 0;
   if constexpr (std::is_same_v<Instance, NoInstance>)

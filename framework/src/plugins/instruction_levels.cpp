@@ -19,7 +19,7 @@ std::vector<std::string> instruction_levels() {
   const char* chosen = std::getenv("SCREE_LEVEL");
   if (chosen && std::string(chosen) == "baseline") return {"."};
   if (chosen && *chosen && std::find(all.begin(), all.end(), chosen) == all.end())
-    throw Error(fmt::format("SCREE_LEVEL={}: this processor does not run that; give {}baseline", chosen,
+    throw Error(fmt::format("SCREE_LEVEL={}: not supported by this processor; use {}baseline", chosen,
                             all.empty() ? "" : fmt::format("{} or ", fmt::join(all, ", "))));
   if (chosen && *chosen) return {chosen, "."};
   all.push_back(".");

@@ -19,7 +19,7 @@ std::string folded(std::string_view word) {
   return result;
 }
 
-// Restricted Damerau–Levenshtein distance: no letter takes part in two edits.
+// Restricted Damerau–Levenshtein distance: no letter is edited twice.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -37,7 +37,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-bool begins_with_the_other(std::string_view a, std::string_view b) {
+bool one_is_prefix(std::string_view a, std::string_view b) {
   const std::size_t shorter = std::min(a.size(), b.size());
   return shorter >= shortest_prefix && a.substr(0, shorter) == b.substr(0, shorter);
 }
@@ -45,16 +45,16 @@ bool begins_with_the_other(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string wanted = folded(word);
+  const std::string given = folded(word);
   std::optional<std::string> best, prefix;
   std::size_t best_distance = 0;
   for (const std::string& candidate : candidates) {
     const std::string offered = folded(candidate);
-    if (!prefix && begins_with_the_other(wanted, offered)) prefix = candidate;
-    const auto [shorter, longer] = std::minmax({wanted.size(), offered.size()});
+    if (!prefix && one_is_prefix(given, offered)) prefix = candidate;
+    const auto [shorter, longer] = std::minmax({given.size(), offered.size()});
     const std::size_t limit = std::min(longer / 3, largest_distance);
     if (longer - shorter > limit) continue;
-    const std::size_t distance = edit_distance(wanted, offered);
+    const std::size_t distance = edit_distance(given, offered);
     if (distance > limit || (best && distance >= best_distance)) continue;
     best = candidate;
     best_distance = distance;

@@ -42,13 +42,13 @@ std::optional<std::string> program_problem(const scree_parameter& p, const std::
   const bool known = data[0] >= 0 && data[0] <= 4 && data[0] == std::floor(data[0]);
   if (!known ||
       (data[0] < 4 ? data.size() != numbers[int(data[0])] : data.size() < 3 || data.size() % 2 == 0))
-    return "is no program of time; give one of the forms of program.hpp";
+    return "is not a program (function of time); use one of the forms in program.hpp";
   if (!std::all_of(data.begin(), data.end(), [](double x) { return std::isfinite(x); }))
-    return "holds what is not a finite number; give finite numbers";
+    return "contains a number that is not finite; give finite numbers";
   if ((data[0] == 2 || data[0] == 3) && !(data[3] > 0))
     return fmt::format("lasts {:g} s; give a period or duration above 0", data[3]);
   for (std::size_t k = 3; data[0] == 4 && k < data.size(); k += 2)
-    if (data[k] < data[k - 2]) return "has times that go back; sort the rows";
+    if (data[k] < data[k - 2]) return "has decreasing times; sort the rows";
   std::vector<double> extremes;
   switch (int(data[0])) {
     case 1:
@@ -69,7 +69,8 @@ std::optional<std::string> program_problem(const scree_parameter& p, const std::
   return {};
 }
 
-// Plug-ins read as many numbers as the type says, and use a choice as an index.
+// Whether the number of values or their kind does not match the type: plug-ins read them unchecked, and use a
+// choice as an index.
 bool has_wrong_shape(const scree_parameter& p, const std::vector<double>& data) {
   if (p.type == SCREE_LIST) return false;
   if (data.size() != (p.type == SCREE_VECTOR ? 3 : 1)) return true;
@@ -130,7 +131,7 @@ std::optional<std::string> Parameters::problem(const scree_parameter& p, const s
     if (!std::isfinite(x) || (p.type != SCREE_CHOICE && out_of_range(p, x)))
       return fmt::format("= {:g} is out of range; give a {}", x, describe_range(p));
   if (has_wrong_shape(p, data))
-    return fmt::format("= {:g} is not of its kind; give a {}", fmt::join(data, ", "), describe_range(p));
+    return fmt::format("= {:g} has the wrong type; give a {}", fmt::join(data, ", "), describe_range(p));
   return {};
 }
 

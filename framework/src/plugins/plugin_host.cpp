@@ -21,20 +21,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// False for names that the file system cannot even look up.
+// Whether a file exists; false also for names that the file system cannot represent.
 bool exists_at(const fs::path& path) {
   std::error_code failed;
   return fs::exists(path, failed);
 }
 
-// The loader maps what the headers promise; reading past the end of a truncated file would kill the program.
+// The loader maps the sizes in the headers; reading past the end of a truncated file would crash the program.
 bool is_truncated(const fs::path& path) {
   std::error_code failed;
   const std::uint64_t size = fs::file_size(path, failed);
   std::ifstream file(path, std::ios::binary);
   Elf64_Ehdr header = {};
   file.read(reinterpret_cast<char*>(&header), sizeof(header));
-  if (!file || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return false;  // the loader says what it is
+  if (!file || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return false;  // the loader reports it
   if (header.e_shoff + std::uint64_t(header.e_shnum) * header.e_shentsize > size) return true;
   file.seekg(std::streamoff(header.e_phoff));
   for (int k = 0; k < header.e_phnum; ++k) {
@@ -54,7 +54,8 @@ fs::path best_build(const fs::path& baseline) {
 
 constexpr scree_kind all_kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FORCE, SCREE_PROBE};
 
-// dlerror() repeats the path and says more than a user can use; its last clause is the reason.
+// dlerror() repeats the path, with more detail than a user needs; the part behind the first ": " is the
+// reason.
 std::string loader_reason() {
   const char* text = dlerror();
   const std::string all = text ? text : "unknown reason";
@@ -71,7 +72,7 @@ struct PluginHost::Library {
 
   explicit Library(const fs::path& p) : path(p) {
     if (is_truncated(path))
-      throw Error(fmt::format("{}: the plug-in library is cut off; rebuild it", path.string()));
+      throw Error(fmt::format("{}: the plug-in library is truncated; rebuild it", path.string()));
     handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle)
       throw Error(
@@ -89,7 +90,7 @@ struct PluginHost::Library {
     if (plugin->features != 0)
       fail(fmt::format("needs features {:#x} that this program lacks; use a newer scree", plugin->features));
     if (path.stem() != plugin->name)
-      fail(fmt::format("holds a plug-in named '{}'; name the library {}.so", plugin->name, plugin->name));
+      fail(fmt::format("contains a plug-in named '{}'; name the library {}.so", plugin->name, plugin->name));
   }
   ~Library() {
     if (handle) dlclose(handle);
@@ -161,7 +162,7 @@ const scree_plugin* PluginHost::load(const fs::path& path) {
 }
 
 fs::path PluginHost::locate(const std::string& name, scree_kind kind) const {
-  // A name comes from a scenario file and must not lead out of the directories.
+  // Names come from scenario files and must not lead out of the directories.
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
   };
@@ -190,7 +191,7 @@ const scree_plugin& PluginHost::find(const std::string& name, scree_kind kind) {
   if (path.empty()) refuse(name, kind);
   const scree_plugin& plugin = *load(path);
   if (plugin.kind != std::uint32_t(kind))
-    throw Error(fmt::format("{}: holds a {}, not a {}; move it to the folder {}", path.string(),
+    throw Error(fmt::format("{}: contains a {}, not a {}; move it to the folder {}", path.string(),
                             kind_name(scree_kind(plugin.kind)), kind_name(kind),
                             kind_folder(scree_kind(plugin.kind))));
   return plugin;

@@ -7,20 +7,20 @@
 
 namespace scree {
 
-// As many cells as four times the bodies, dealt out among the axes: those that need fewer than their share
-// leave the rest to the others.
+// Chooses at most about four cells per body. The number is divided evenly among the axes; axes that need
+// fewer cells leave the remainder to the others.
 void CellLevel::choose_cells(const Vec3& lower, const Vec3& upper, double reach, int dimension,
                              std::size_t bodies) {
-  std::array<double, 3> wanted = {1, 1, 1};
-  for (int k = 0; k < dimension; ++k) wanted[k] = std::max(1.0, std::floor((upper[k] - lower[k]) / reach));
+  std::array<double, 3> needed = {1, 1, 1};
+  for (int k = 0; k < dimension; ++k) needed[k] = std::max(1.0, std::floor((upper[k] - lower[k]) / reach));
   std::array<int, 3> axes = {0, 1, 2};
-  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return wanted[a] < wanted[b]; });
+  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return needed[a] < needed[b]; });
   double left = 4.0 * double(bodies);
   for (int n = 0; n < 3; ++n) {
     const int k = axes[n];
     const double share = std::max(3.0, std::ceil(std::pow(left, 1.0 / (3 - n))));
-    wrapped_[k] = !periodic_[k] && wanted[k] > share;
-    cells_[k] = int(std::min(wanted[k], share));
+    wrapped_[k] = !periodic_[k] && needed[k] > share;
+    cells_[k] = int(std::min(needed[k], share));
     left /= cells_[k];
     const double length = upper[k] - lower[k];
     inverse_width_[k] = wrapped_[k] ? 1 / reach : length > 0 ? cells_[k] / length : 0;
@@ -47,8 +47,8 @@ void CellLevel::bin(std::span<const Sphere> bodies, int dimension, const Domain&
         for (std::size_t m = 0; m < members.size(); ++m) visit(m);
       },
       [&](std::size_t m) { return cell_[m]; },
-      [&](std::size_t m, std::size_t place) {
-        binned_[place] = {bodies[members[m]], members[m]};
+      [&](std::size_t m, std::size_t index) {
+        binned_[index] = {bodies[members[m]], members[m]};
       });
 }
 

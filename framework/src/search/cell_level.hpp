@@ -13,13 +13,13 @@
 
 namespace scree {
 
-// One level of the cell hierarchy: bodies of similar size filed in a grid of cells at least as wide as the
-// reach of any pair that is looked up in it, so that 3^D cells hold all partners. Where bodies are spread so
-// far that there would be many more cells than bodies, the grid is rolled up: places that lie a number of
-// cells apart share one.
+// One level of the cell hierarchy: bodies of similar size binned into a grid of cells at least as wide as the
+// reach of any pair that is searched in it, so that 3^D cells contain all partners. If bodies are spread so
+// far that there would be many more cells than bodies, the grid is wrapped around: positions a fixed number
+// of cells apart share a cell.
 class CellLevel {
  public:
-  // Files the members among some bodies in place of all that were there.
+  // Replaces the contents by the bodies with the indices `members`. lower, upper, reach in m.
   void bin(std::span<const Sphere> bodies, int dimension, const Domain& domain, const Vec3& lower,
            const Vec3& upper, double reach, const std::vector<std::uint32_t>& members);
 
@@ -27,18 +27,18 @@ class CellLevel {
     std::uint32_t body;
   };
 
-  // In the order of the cells.
+  // The bodies in the order of the cells.
   const std::vector<BinnedBody>& binned() const { return binned_; }
 
-  // A cell and its neighbours along one axis, each once: one or two runs of cells [first, last].
+  // A cell and its neighbours along one axis, each once: one or two runs of adjacent cells [first, last].
   struct Spans {
     int count;
     std::array<int, 2> first, last;
   };
-  // The cell around a place and its neighbouring cells.
+  // The cell that contains a position, and its neighbours.
   struct Surroundings {
     Spans along[3];
-    bool across;  // some are across a periodic face
+    bool across;  // some of them are across a periodic face
   };
   Surroundings around(const Vec3& x) const {
     Surroundings s = {{}, false};
@@ -49,7 +49,7 @@ class CellLevel {
     }
     return s;
   }
-  // Calls use(begin, end) for all runs of bodies that are filed there.
+  // Calls use(begin, end) for all runs of bodies in these cells.
   template <class Use>
   void each_run(const Surroundings& s, const Use& use) const {
     const auto each = [](const Spans& spans, const auto& visit) {
@@ -59,7 +59,7 @@ class CellLevel {
     each(s.along[2], [&](int plane) {
       each(s.along[1], [&](int line) {
         const std::size_t row = (std::size_t(plane) * cells_[1] + line) * cells_[0];
-        // Cells of a row lie one after the other.
+        // The cells of a row are adjacent in memory.
         for (int k = 0; k < s.along[0].count; ++k)
           use(first_[row + s.along[0].first[k]], first_[row + s.along[0].last[k] + 1]);
       });
@@ -79,8 +79,8 @@ class CellLevel {
   std::array<bool, 3> periodic_, wrapped_;
   std::array<int, 3> cells_;
   std::array<double, 3> inverse_width_;
-  std::vector<std::uint32_t> first_;  // filed body of each cell
-  std::vector<std::uint32_t> cell_;   // of each member
+  std::vector<std::uint32_t> first_;  // first binned body of each cell
+  std::vector<std::uint32_t> cell_;   // cell of each member
   std::vector<BinnedBody> binned_;
 };
 

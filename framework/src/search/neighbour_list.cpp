@@ -9,19 +9,19 @@ namespace scree {
 
 namespace {
 
-// Lets a body that left a periodic domain come in again at the other side.
+// Folds the position of a body into the periodic domain and counts the periods crossed.
 void fold(Particles& p, std::size_t i, const Domain& domain) {
   for (int k = 0; k < p.dimension(); ++k) {
     double& x = p.position()[k][i];
     if (!domain.periodic[k] || (x >= domain.lower[k] && x < domain.upper[k])) continue;
     const double turns = std::floor((x - domain.lower[k]) / domain.length(k));
     x -= turns * domain.length(k);
-    constexpr double most = std::numeric_limits<std::int32_t>::max();
-    p.image[k][i] = std::int32_t(std::clamp(p.image[k][i] + turns, -most, most));
+    constexpr double max_image = std::numeric_limits<std::int32_t>::max();
+    p.image[k][i] = std::int32_t(std::clamp(p.image[k][i] + turns, -max_image, max_image));
   }
 }
 
-// Pairs of bodies, and how many of them touch, told from a few thousand of them.
+// Number of listed pairs of bodies and of those that touch, the latter estimated from a few thousand samples.
 std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
   constexpr std::size_t max_samples = 2500;
   double listed = 0, touching = 0;
@@ -63,7 +63,7 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
                            const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
   body_travel_ += body_speed * step;
   plane_travel_ += plane_speed * step;
-  // The sum of largest speeds overestimates; measure before paying for a search.
+  // The integrated largest speed overestimates the displacement; measure it before searching.
   ++steps_;
   const bool review = choice_.due(steps_);
   if (review || exhausted()) measure(particles, boundaries);

@@ -11,19 +11,21 @@
 
 namespace scree {
 
-// Decides when contacts must be searched anew, and does it.
-// Pairs are listed while their surfaces are nearer than the skin; none can touch unlisted as long as the two
-// displacements since the search add up to less than the skin.
+// Verlet neighbour list: lists the pairs whose surfaces are nearer than the skin, and searches again when
+// needed. No unlisted pair can touch as long as the largest two displacements since the search add up to less
+// than the skin.
 class NeighbourList {
  public:
-  // The skin may become as thick as `max_skin` where that is cheaper (m); 0 keeps it.
+  // skin: that of the first search (m); it may later grow to max_skin (m) if that costs less. max_skin = 0:
+  // fixed.
   NeighbourList(double skin, double max_skin, Contacts::Lookup lookup)
       : skin_(skin), choice_(skin, max_skin), lookup_(lookup) {}
 
-  // Advances the displacement bound by one step at these largest speeds (m/s), and searches if it ran out.
+  // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if the skin is used
+  // up.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
               const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
-  // Searches now; bodies that left a periodic domain come in again at the other side.
+  // Searches now and folds positions into the periodic domain.
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
 
   double skin() const { return skin_; }
@@ -39,11 +41,11 @@ class NeighbourList {
 
   double skin_;
   SkinChoice choice_;
-  std::uint64_t steps_ = 0;  // since the search
+  std::uint64_t steps_ = 0;  // since the last search
   Contacts::Lookup lookup_;
   NeighbourSearch search_;
-  double body_travel_ = 0, plane_travel_ = 0;  // (m) upper bounds since the search
-  Column<Sphere> searched_;                    // bodies at the search
+  double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
+  Column<Sphere> searched_;                    // bodies at the last search
   std::vector<scree_plane> searched_planes_;
   std::uint64_t rebuilds_ = 0;
 };

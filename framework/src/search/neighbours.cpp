@@ -50,7 +50,7 @@ struct Extent {
   }
 };
 
-// Sorts pairs of one a by b: usually a handful, which insertion is quickest with.
+// Sorts the pairs of one a by b: usually few, for which insertion sort is fastest.
 void sort_run(NeighbourPair* begin, NeighbourPair* end) {
   const auto before = [](const NeighbourPair& p, const NeighbourPair& q) { return p.b < q.b; };
   if (end - begin > 16) return std::sort(begin, end, before);
@@ -58,9 +58,9 @@ void sort_run(NeighbourPair* begin, NeighbourPair* end) {
     for (NeighbourPair* p = next; p > begin && before(*p, *(p - 1)); --p) std::swap(*p, *(p - 1));
 }
 
-// Appends what is near one body after the other among others, filed one after the other. Without branches on
-// how many there are in a cell or on what is near, which nobody can foretell: what may be wanted is written,
-// and the next over it if it is not.
+// Appends the neighbours of one body after the other to a list of pairs. Branch-free filter, since branches
+// on distances would be mispredicted: every candidate is stored, but the write index advances only for those
+// within reach.
 class PairCollector {
  public:
   PairCollector(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
@@ -68,9 +68,9 @@ class PairCollector {
     pairs_.clear();
   }
 
-  // Takes the others [begin, end) for candidates.
-  void consider(std::size_t begin, std::size_t end) {
-    typedef std::uint32_t Run __attribute__((vector_size(32)));  // what three cells hold, or more
+  // Adds the binned bodies [begin, end) to the candidates.
+  void add_candidates(std::size_t begin, std::size_t end) {
+    typedef std::uint32_t Run __attribute__((vector_size(32)));  // usually all bodies of three cells
     constexpr std::size_t usual = sizeof(Run) / sizeof(std::uint32_t);
     const std::size_t length = end > begin ? end - begin : 0;
     if (candidates_.size() < count_ + length + usual) candidates_.resize(2 * (count_ + length + usual));
@@ -82,7 +82,7 @@ class PairCollector {
     }
     count_ += length;
   }
-  // Makes pairs of the candidates that are near.
+  // Appends pairs of `body` with the candidates within reach, and clears the candidates.
   template <bool across>
   void append(const CellLevel::BinnedBody& body, const CellLevel::BinnedBody* others) {
     const double reach_of_body = body.radius + skin_;
@@ -121,22 +121,22 @@ struct NeighbourSearch::Hierarchy {
   std::array<std::vector<std::uint32_t>, max_levels> members;
   std::array<CellLevel, max_levels> levels;
 
-  // Pairs of the bodies filed as [begin, end) of a level with all of coarser levels, and with those that are
-  // filed behind them in their own.
+  // Finds the pairs of the binned bodies [begin, end) of a level with all bodies of coarser levels, and with
+  // those behind them in their own level.
   void find(std::size_t level, std::size_t begin, std::size_t end, PairCollector& pairs) const;
 };
 
 [[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
                                                                          std::size_t end,
                                                                          PairCollector& pairs) const {
-  for (std::size_t place = begin; place < end; ++place) {
-    const CellLevel::BinnedBody& body = levels[level].binned()[place];
+  for (std::size_t k = begin; k < end; ++k) {
+    const CellLevel::BinnedBody& body = levels[level].binned()[k];
     for (std::size_t l = 0; l <= level; ++l) {
       if (members[l].empty()) continue;
-      const std::size_t behind = l == level ? place + 1 : 0;
+      const std::size_t behind = l == level ? k + 1 : 0;
       const CellLevel::Surroundings around = levels[l].around(body.position);
       levels[l].each_run(around, [&](std::size_t first, std::size_t last) {
-        pairs.consider(std::max(first, behind), last);
+        pairs.add_candidates(std::max(first, behind), last);
       });
       const CellLevel::BinnedBody* others = levels[l].binned().data();
       around.across ? pairs.append<true>(body, others) : pairs.append<false>(body, others);
@@ -158,7 +158,7 @@ void NeighbourSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, 
     farthest = std::max({farthest, std::abs(lower[k]), std::abs(upper[k])});
     if (domain.periodic[k]) lower[k] = domain.lower[k], upper[k] = domain.upper[k];
   }
-  // Coordinates far out are rounded, and so are the numbers of their cells.
+  // Large coordinates are rounded, and so are their cell indices.
   const double round_off = 8 * std::numeric_limits<double>::epsilon() * farthest;
   for (auto& members : hierarchy_->members) members.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -169,7 +169,7 @@ void NeighbourSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, 
                                 (2 * std::ldexp(largest, -int(l)) + skin) * (1 + 1e-12) + round_off, members);
 }
 
-// By a, then b: a counting sort by a, then each short run by b.
+// Sorts by a with a counting sort, then each short run by b.
 void NeighbourSearch::sort_pairs(std::size_t bodies) {
   std::size_t count = 0;
   for (const auto& pairs : found_) count += pairs.size();
@@ -181,7 +181,7 @@ void NeighbourSearch::sort_pairs(std::size_t bodies) {
           for (const NeighbourPair& p : pairs) visit(p);
       },
       [](const NeighbourPair& p) { return p.a; },
-      [&](const NeighbourPair& p, std::size_t place) { sorted_[place] = p; });
+      [&](const NeighbourPair& p, std::size_t index) { sorted_[index] = p; });
   for (std::size_t i = 0; i < bodies; ++i)
     sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
 }

@@ -10,22 +10,22 @@
 
 namespace scree {
 
-// What a search knows of a body; in 2D z is 0.
+// Input of a search: a body as a sphere; in 2D z is 0.
 struct Sphere {
   Vec3 position;  // (m)
   double radius;  // (m)
 };
 
-// Two bodies whose surfaces are nearer than the skin; a < b.
+// Candidate pair: two bodies whose surfaces are nearer than the skin; a < b.
 struct NeighbourPair {
   std::uint32_t a, b;
   std::uint8_t image;  // Folding::fold of a − b
   friend bool operator==(const NeighbourPair&, const NeighbourPair&) = default;
 };
 
-// Finds neighbours. Cells of a hierarchy of sizes: a body is filed by its own size and looks only at its own
-// and coarser levels, so that size ratios of 1:100 cost no more than 1:2. Keeps its memory for the next
-// search.
+// Neighbour search with a hierarchy of cell grids: each body is binned in the level of its size and paired
+// with bodies of its own and coarser levels, so that a size ratio of 1:100 costs no more than 1:2. Memory is
+// reused by the next search.
 class NeighbourSearch {
  public:
   NeighbourSearch();
@@ -42,8 +42,8 @@ class NeighbourSearch {
   void sort_pairs(std::size_t bodies);
 
   std::unique_ptr<Hierarchy> hierarchy_;
-  std::vector<std::vector<NeighbourPair>> found_;  // by shares of the bodies
-  std::vector<std::uint32_t> first_;               // pair of each a
+  std::vector<std::vector<NeighbourPair>> found_;  // by each task, a share of the bodies
+  std::vector<std::uint32_t> first_;               // first pair of each a
   std::vector<NeighbourPair> sorted_;
 };
 

@@ -7,20 +7,21 @@ namespace scree {
 
 namespace {
 
-// What a search costs for each body, in evaluations of one pair: measured on beads-4096.
+// Cost of a search per body, in evaluations of one pair; measured on beads-4096.
 constexpr double search_per_body = 15;
-// The thinnest skin, in those of the start.
-constexpr double thinnest = 1e-2;
+// Smallest skin, relative to the first.
+constexpr double min_skin_ratio = 1e-2;
 
 }  // namespace
 
-// Pairs cost n + ρ s a step for a skin s, with n that touch and ρ of the list; a list lives s/(2u) steps at u
-// a step, so that its search costs 2u C/s a step. The least is at s² = 2u C/ρ.
+// Cost per step for a skin s, in pair evaluations: n + ρ s for n touching pairs and ρ further listed pairs
+// per skin; a list lasts s/(2u) steps at a travel u per step, so that a search of cost C adds 2u C/s.
+// Minimum: s² = 2u C/ρ.
 double SkinChoice::best(const ListStatistics& list) const {
   const double per_skin = std::max(list.listed - list.touching, 1.0) / list.skin;
-  const double way = list.travelled / double(std::max<std::uint64_t>(list.steps, 1));
-  const double skin = std::sqrt(2 * way * search_per_body * list.bodies / per_skin);
-  return std::clamp(skin, thinnest * first_, max_skin_);
+  const double travel = list.travelled / double(std::max<std::uint64_t>(list.steps, 1));
+  const double skin = std::sqrt(2 * travel * search_per_body * list.bodies / per_skin);
+  return std::clamp(skin, min_skin_ratio * first_, max_skin_);
 }
 
 double SkinChoice::after(const ListStatistics& list) {

@@ -4,30 +4,30 @@
 
 namespace scree {
 
-// Chooses the skin of a neighbour list so that steps cost least: a thin one lists fewer pairs that do not
-// touch, a thick one is searched less often. Decides by counts alone, never by the clock, so that a run does
-// the same each time.
+// Chooses the skin of a neighbour list for the smallest cost per step: a thin skin lists fewer pairs that do
+// not touch, a thick one needs fewer searches. The choice depends on counts, not on measured times, so that
+// runs are reproducible.
 class SkinChoice {
  public:
-  // What a list was found to be like.
+  // Properties of a list since its search.
   struct ListStatistics {
-    double skin;          // (m)
-    double travelled;     // (m) the longest way of a body since the search
-    std::uint64_t steps;  // since the search
-    double listed, touching, bodies;
+    double skin;                      // (m)
+    double travelled;                 // (m) largest displacement of a body since the search
+    std::uint64_t steps;              // since the search
+    double listed, touching, bodies;  // numbers of listed pairs, touching pairs and bodies
   };
 
-  // The skin at the start and the max_skin that it may become (m); 0 keeps it.
+  // The first skin and the largest allowed one (m); max_skin = 0: fixed.
   SkinChoice(double skin, double max_skin) : first_(skin), max_skin_(max_skin), fixed_(max_skin <= 0) {}
 
   double first() const { return first_; }
   bool fixed() const { return fixed_; }
-  // Whether to look at the list again after this many steps: ever more rarely.
+  // Whether the skin should be reviewed after this many steps; the interval grows while nothing changes.
   bool due(std::uint64_t steps) const { return !fixed_ && steps == next_review_; }
-  // The skin to search with now, of a list that is used up; within a factor of 2 of the last.
+  // The skin of the next search when the list is used up (m); within a factor of 2 of the last.
   double after(const ListStatistics& list);
-  // The skin to search with although the list is not used up yet, or that of the list to keep it. Searches
-  // if what its pairs cost is more than the search, provided that the list lives as long again.
+  // The better skin (m) if an early search would save more than it costs, assuming that the list would last
+  // as long again; otherwise the present skin.
   double review(const ListStatistics& list);
 
  private:

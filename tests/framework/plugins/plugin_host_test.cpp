@@ -160,9 +160,9 @@ TEST_CASE("libraries that cannot be used are refused with the reason, and stop n
   CHECK_THAT(refusal(host, "text", SCREE_BODY_FORCE),
              Catch::Contains("text.so: not a usable plug-in library"));
   CHECK_THAT(refusal(host, "other_name", SCREE_BODY_FORCE),
-             Catch::Contains("holds a plug-in named 'gravity'"));
+             Catch::Contains("contains a plug-in named 'gravity'"));
   CHECK_THAT(refusal(host, "gravity", SCREE_CONTACT_LAW),
-             Catch::Contains("holds a body force, not a contact law") && Catch::Contains("folder body"));
+             Catch::Contains("contains a body force, not a contact law") && Catch::Contains("folder body"));
   CHECK_THAT(refusal(host, "no_query", SCREE_BODY_FORCE),
              Catch::Contains("lacks the symbol scree_plugin_query"));
   CHECK_THAT(refusal(host, "no_manifest", SCREE_BODY_FORCE), Catch::Contains("returned no manifest"));

@@ -127,5 +127,5 @@ TEST_CASE("a plane has a direction of its own and wants a normal with a length",
 
   Scene bad = scene(3, 1e-3, {}, elastic);
   add_boundary(bad, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 0}}});
-  CHECK_THROWS_WITH(Simulation(bad), Catch::Contains("normal has no length"));
+  CHECK_THROWS_WITH(Simulation(bad), Catch::Contains("normal has length 0"));
 }

@@ -129,11 +129,11 @@ TEST_CASE("body probes: what is not there is refused", "[probe]") {
   const auto refusal = [&](const std::string& plugin, const Values& values, const std::string& says) {
     CHECK_THROWS_WITH(Recorder(s, plugin, values), Catch::Contains(says));
   };
-  refusal("contact", {{"pairs", {3, 8}}}, "no body");
+  refusal("contact", {{"pairs", {3, 8}}}, "does not exist");
   refusal("contact", {{"pairs", {3, 3}}}, "twice");
   refusal("contact", {{"pairs", {3, 7, 5}}}, "odd number");
   refusal("contact", {}, "no contact is named");
-  refusal("contact", {{"at_walls", {3, 3}}}, "no wall");
+  refusal("contact", {{"at_walls", {3, 3}}}, "does not exist");
   refusal("contact", {{"at_walls", {4, 1}}}, "no body");
   refusal("walls", {{"walls", {1.5}}}, "no wall");
   refusal("walls", {{"walls", {3}}}, "no wall");

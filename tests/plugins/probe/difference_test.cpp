@@ -51,5 +51,5 @@ TEST_CASE("difference: discs have two axes and one spin", "[probe]") {
 TEST_CASE("difference: ids come in pairs and exist", "[probe]") {
   const Simulation s = three_bodies(3);
   CHECK_THROWS_WITH(sample(s, "difference", {{"ids", {3, 5, 9}}}), Catch::Contains("pairs"));
-  CHECK_THROWS_WITH(sample(s, "difference", {{"ids", {3, 4}}}), Catch::Contains("no body"));
+  CHECK_THROWS_WITH(sample(s, "difference", {{"ids", {3, 4}}}), Catch::Contains("does not exist"));
 }

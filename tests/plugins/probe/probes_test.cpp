@@ -73,7 +73,7 @@ TEST_CASE("box: walls must face each other on every axis", "[probe]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0, 0, 0.5}})}, law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   const Simulation s(sc);
-  CHECK_THROWS_WITH(sample(s, "box"), Catch::Contains("walls on both sides"));
+  CHECK_THROWS_WITH(sample(s, "box"), Catch::Contains("walls at both ends"));
 }
 
 TEST_CASE("contacts: coordination, overlaps, forces, rattlers", "[probe]") {
@@ -133,5 +133,5 @@ TEST_CASE("particles: columns of the chosen ids, in 2D and 3D", "[probe]") {
   CHECK(p["spin_z_4"] == 3);
   CHECK(p["x_1"] == 0.0049);
   CHECK(p["fx_1"] == Approx(0).margin(1e-12));
-  CHECK_THROWS_WITH(sample(s, "particles", {{"ids", {9}}}), Catch::Contains("no body"));
+  CHECK_THROWS_WITH(sample(s, "particles", {{"ids", {9}}}), Catch::Contains("does not exist"));
 }

@@ -150,14 +150,14 @@ class KeepIf {
   Bits mask_;
 };
 
-// Flattened: the loop vectorises only when the author's functions are inlined whole. A function of its own,
-// so that a test can find it in the machine code.
+// Flattened, because the loop vectorises only when the author's functions are inlined completely; not inlined
+// itself, so that a test can find it in the machine code.
 template <class Parameters, class Kernel, int D, bool audit, class T>
 [[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
                                                     const ContactBatch<T>& shared) {
   using History = typename Kernel::template History<D, T>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
-  // Copies, which no column that is written can overlap.
+  // Local copies: the compiler need not assume that writing a column changes them.
   const Kernel kernel{parameters};
   const ContactBatch<T> batch = shared;
   const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
