@@ -1,6 +1,8 @@
 #include "contacts/contacts.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <tuple>
 #include <utility>
 
 namespace scree {
@@ -25,6 +27,9 @@ Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision) {
 
 void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
                        const Lookup& lookup) {
+  assert(std::is_sorted(bodies.begin(), bodies.end(), [](const NeighbourPair& p, const NeighbourPair& q) {
+    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
+  }));
   const auto law_of = [&](std::uint32_t material_a, std::uint32_t material_b) {
     return lookup.law_of[material_a * lookup.materials + material_b];
   };

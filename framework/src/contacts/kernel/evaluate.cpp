@@ -6,6 +6,7 @@
 #include "contacts/kernel/sums.hpp"
 #include "plugins/instruction_levels.hpp"
 
+#include <cassert>
 #include <type_traits>
 
 #include <scree/plugin/contact_batch.hpp>
@@ -126,9 +127,19 @@ SCREE_HOT void scatter(const BlockTask<T>& task, BlockColumns<T>& block) {
     scatter_four<D, spin>(force, slot_a + i, slot_b + i, i, block, task.tile.slots);
 }
 
+// What the loops over the pairs of a block rely on.
+template <class T>
+void assert_layout([[maybe_unused]] const BlockTask<T>& task) {
+  assert(task.pairs.count <= block_size && task.pairs.count % SCREE_LANES == 0);
+  assert(task.pairs.begin >= task.group.begin && (task.pairs.begin - task.group.begin) % SCREE_LANES == 0);
+  assert(task.group.history_width == task.law.interface.history_width);
+  assert(task.group.history_width == 0 || task.group.history.width() == task.group.history_width);
+}
+
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& block,
                                      double& largest_ratio) {
+  assert_layout(task);
   Laps laps(task.tile.profile);
   gather<D, spin, planes>(task, block);
   laps.lap(Profile::gather);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -15,13 +16,18 @@ namespace scree::kernel {
 typedef double Four __attribute__((vector_size(32)));
 typedef float FourSingles __attribute__((vector_size(16)));
 
+inline bool is_aligned(const double* p) { return reinterpret_cast<std::uintptr_t>(p) % sizeof(Four) == 0; }
+
 SCREE_HOT Four& four_at(double* aligned) {
+  assert(is_aligned(aligned));
   return *static_cast<Four*>(__builtin_assume_aligned(aligned, 32));
 }
 SCREE_HOT Four load_four(const double* aligned) {
+  assert(is_aligned(aligned));
   return *static_cast<const Four*>(__builtin_assume_aligned(aligned, 32));
 }
 SCREE_HOT void store_four(double* aligned, const Four& v) {
+  assert(is_aligned(aligned));
   *static_cast<Four*>(__builtin_assume_aligned(aligned, 32)) = v;
 }
 SCREE_HOT void add_four(double* aligned, const Four& v) { store_four(aligned, load_four(aligned) + v); }
