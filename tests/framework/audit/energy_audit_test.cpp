@@ -14,7 +14,7 @@ using scree::BodySums;
 using scree::ContactSums;
 using scree::EnergyAudit;
 
-TEST_CASE("powers are integrated by the trapezoidal rule, friction is a work already") {
+TEST_CASE("powers are integrated by the trapezoidal rule, frictional work is added as it is") {
   EnergyAudit audit;
   const ContactSums first = {.dissipated_normal = 2, .dissipated_tangential = 4, .dissipated_friction = 100};
   const BodySums first_bodies = {.dissipated_translation = 8, .dissipated_rotation = 16};
@@ -38,7 +38,7 @@ TEST_CASE("powers are integrated by the trapezoidal rule, friction is a work alr
   CHECK(scree::dissipated_energy(e) == 2.75 + 1 + 0.5 + 2 + 16);
 }
 
-TEST_CASE("what is stored is what the last evaluation says, and the residual what does not add up") {
+TEST_CASE("stored energy is that of the last evaluation, and the residual is the imbalance") {
   EnergyAudit audit;
   audit.set_stored({.elastic_normal = 1, .elastic_tangential = 2}, {.potential = 4});
   audit.start(8, 16, {.kinetic = 32, .work = 0, .dissipated = 0});
@@ -58,7 +58,7 @@ TEST_CASE("what is stored is what the last evaluation says, and the residual wha
   CHECK(e.residual == 66 + 4 - 4 - 63 + 1 + 7 - 5);
 }
 
-TEST_CASE("a jump of what is stored between stages counts as work, and costs no residual") {
+TEST_CASE("a jump of the stored energy between stages counts as work and leaves no residual") {
   EnergyAudit audit;
   audit.set_stored({.elastic_normal = 4}, {.potential = 1});
   audit.start(2, 0, {});
@@ -75,7 +75,7 @@ TEST_CASE("a jump of what is stored between stages counts as work, and costs no 
   CHECK(e.dissipated_normal == 4);
 }
 
-TEST_CASE("energies that are there before the start are no work") {
+TEST_CASE("energies present at the start do not count as work") {
   EnergyAudit audit;
   audit.set_stored({.elastic_normal = 4}, {});
   audit.set_stored({.elastic_normal = 6}, {.potential = 3});
@@ -85,7 +85,7 @@ TEST_CASE("energies that are there before the start are no work") {
   CHECK(e.residual == 0);
 }
 
-TEST_CASE("turnover is the work, or what is moved, stored and lost if that is more") {
+TEST_CASE("turnover is the work, or kinetic, stored and dissipated energy if that is larger") {
   EnergyAudit audit;
   audit.set_stored({}, {.potential = 5});
   audit.start(1, 0, {});
@@ -100,7 +100,7 @@ TEST_CASE("turnover is the work, or what is moved, stored and lost if that is mo
   CHECK(audit.turnover(e) == 13);
 }
 
-TEST_CASE("the books of an elastic bounce under gravity close to the integrator's second order") {
+TEST_CASE("the energy balance of an elastic bounce under gravity closes to the integrator's second order") {
   const auto residual = [](double step) {
     scree::Scene s = scree::test::scene(3, step, {scree::test::body(0, 1, 1, {{0, 0, 1.5}})},
                                         {{"normal_stiffness", {1e3}}, {"normal_damping", {0}}});
@@ -125,7 +125,7 @@ TEST_CASE("the books of an elastic bounce under gravity close to the integrator'
   CHECK(fine > 0);
 }
 
-TEST_CASE("without an audit nothing is booked") {
+TEST_CASE("without an audit all energies are zero") {
   scree::Scene s = scree::test::scene(3, 1e-3, {scree::test::body(0, 1, 1, {{0, 0, 0.9}})},
                                       {{"normal_stiffness", {1e3}}, {"normal_damping", {1}}});
   scree::test::add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});

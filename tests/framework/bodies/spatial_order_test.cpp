@@ -11,7 +11,7 @@
 using scree::Body;
 using scree::spatial_order;
 
-TEST_CASE("the spatial order names each body once and brings neighbours together") {
+TEST_CASE("the spatial order contains each body once and keeps neighbours together") {
   // A lattice of 16³ in random order. Along the curve, cells of 2 x 2 x 2 follow each other: seven of eight
   // steps stay within one, so that the mean way is a few spacings rather than the third of the box of a
   // random order.
@@ -29,7 +29,7 @@ TEST_CASE("the spatial order names each body once and brings neighbours together
   CHECK(way / double(order.size()) < 2);
 }
 
-TEST_CASE("bodies far out and no bodies have an order") {
+TEST_CASE("distant bodies and an empty scene have an order") {
   CHECK(spatial_order({}, 3).empty());
   const std::vector<Body> bodies = {scree::test::body(1, 1, 1, {{1e300, 0, 0}}),
                                     scree::test::body(2, 1, 1, {{-1e300, 0, 0}}),

@@ -93,7 +93,7 @@ std::map<Key, std::size_t> positions(Contacts& contacts) {
 
 }  // namespace
 
-TEST_CASE("each pair is filed once, in order, in the group of its law and partner") {
+TEST_CASE("each pair is listed once, in order, in the group of its law and kind of partner") {
   const Table table;
   Contacts contacts = two_laws();
   const Pairs pairs = some_pairs(0.3, 1);
@@ -116,7 +116,7 @@ TEST_CASE("each pair is filed once, in order, in the group of its law and partne
   CHECK(filed == pairs.body.size() + pairs.plane.size());
 }
 
-TEST_CASE("groups begin at whole lanes and are padded with pairs of their last body") {
+TEST_CASE("groups begin at a multiple of the lanes and are padded with pairs of their last body") {
   const Table table;
   for (unsigned seed = 0; seed < 20; ++seed) {
     Contacts contacts = two_laws();
@@ -139,7 +139,7 @@ TEST_CASE("groups begin at whole lanes and are padded with pairs of their last b
   }
 }
 
-TEST_CASE("pairs that stay keep their history, new ones and padding start from zero") {
+TEST_CASE("pairs that remain keep their history, new ones and padding start at zero") {
   const Table table;
   Contacts contacts = two_laws();
   rebuild(contacts, table, some_pairs(0.3, 0));
@@ -164,7 +164,7 @@ TEST_CASE("pairs that stay keep their history, new ones and padding start from z
   CHECK(fresh > 1000);
 }
 
-TEST_CASE("when a law keeps more or less than before, the columns that both know are carried") {
+TEST_CASE("when a law changes its history width, the common columns are kept") {
   const Table table;
   Contacts contacts = two_laws();
   const Pairs pairs = some_pairs(0.3, 4);
@@ -184,7 +184,7 @@ TEST_CASE("when a law keeps more or less than before, the columns that both know
   }
 }
 
-TEST_CASE("pairs of materials and walls feel their own law") {
+TEST_CASE("each pair of materials or walls has its own law") {
   // Two materials, a law for each combination, told apart by its stiffness; overlaps of a tenth in clean
   // pairs.
   const double radius = 1, overlap = 0.125, stiffness[] = {1000, 2000, 4000};

@@ -169,7 +169,7 @@ TEST_CASE("a wall's forces equal the reference of a body of infinite radius and 
   }
 }
 
-TEST_CASE("forces of a body on a wall under another add up") {
+TEST_CASE("forces on a body between a wall and another body add up") {
   for (const int dimension : {2, 3})
     for (unsigned seed = 0; seed < 60; ++seed) {
       const ReferenceLaw law = laws[3];
@@ -186,7 +186,7 @@ TEST_CASE("forces of a body on a wall under another add up") {
     }
 }
 
-TEST_CASE("a closed frictional cluster keeps momentum and angular momentum to round-off") {
+TEST_CASE("an isolated frictional cluster conserves momentum and angular momentum to round-off") {
   const int dimension = GENERATE(2, 3);
   CAPTURE(dimension);
   // A heap that flies apart while bodies collide, roll and slide on each other.

@@ -43,7 +43,7 @@ double touched(const BlockColumns<double>& w, std::uint32_t pair) {
 
 }  // namespace
 
-TEST_CASE("the weights of a dashpot around first touch add up to the time of touching") {
+TEST_CASE("the onset weights of a dashpot add up to the contact time") {
   // Touch at a fraction of a step, then one step further each time. The sum of weights must be the number of
   // steps from the touch to half a step after the last evaluation.
   for (const double fraction : {0.01, 0.3, 0.5, 0.99}) {
@@ -69,7 +69,7 @@ TEST_CASE("Hurwitz' zeta function: known values and the recurrence in its second
   }
 }
 
-TEST_CASE("weighted samples of t^p add up to its integral wherever in a step it begins") {
+TEST_CASE("weighted samples of t^p add up to its integral wherever in a step first touch occurs") {
   for (const double power : {0.0, 0.25, 0.5, 0.75})
     for (const bool parts : {false, true})
       for (const double fraction : {0.001, 0.1, 0.37, 0.5, 0.8, 0.999}) {
@@ -88,7 +88,7 @@ TEST_CASE("weighted samples of t^p add up to its integral wherever in a step it 
       }
 }
 
-TEST_CASE("weights are continuous, and 1 where a force is") {
+TEST_CASE("weights are continuous, and 1 where the force is continuous") {
   const double near = 1e-9;
   for (const double power : {0.0, 0.25, 0.5, 0.75})
     for (const double s : {1.0, 2.0}) {
@@ -99,7 +99,7 @@ TEST_CASE("weights are continuous, and 1 where a force is") {
   for (int k = 0; k < 3; ++k) CHECK(smooth->input[SCREE_ONSET_WEIGHT][k] == Approx(1).margin(1e-15));
 }
 
-TEST_CASE("pairs that part have touched all the step, and those long in contact are not weighted") {
+TEST_CASE("parting pairs have touched during the whole step, and pairs in lasting contact have weight 1") {
   const auto parting = pairs({0.5, 3}, -1);
   CHECK(touched(*parting, 0) == Approx(1));
   CHECK(parting->input[SCREE_ONSET_WEIGHT][0] == Approx(0.75));

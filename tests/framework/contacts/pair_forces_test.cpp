@@ -8,7 +8,7 @@ using scree::ContactList;
 using scree::Scene;
 using scree::Simulation;
 
-TEST_CASE("forces of contacts are kept for who looks at them, and change nothing else") {
+TEST_CASE("storing per-contact forces changes nothing else") {
   Scene scene = scree::test::scene(
       3, 1e-4,
       {scree::test::body(1, 0.5, 1, {}, {}), scree::test::body(2, 0.5, 1, {{0.99, 0, 0}}, {{0, 0.1, 0}})},

@@ -79,7 +79,7 @@ TEST_CASE("scenes of many tiles have the same bits for any number of threads") {
   }
 }
 
-TEST_CASE("the loads of all tiles are those of the contacts, one by one") {
+TEST_CASE("the loads of all tiles equal the sums over single contacts") {
   for (const int dimension : {2, 3}) {
     Simulation s(crowd(dimension, per_axis(dimension), 2));
     scree::test::run(s, 20);

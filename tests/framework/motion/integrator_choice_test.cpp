@@ -50,7 +50,7 @@ double order_of(Integration integration, double damping) {
 
 }  // namespace
 
-TEST_CASE("each integrator has the order that it claims, with and without a dashpot") {
+TEST_CASE("each integrator has its stated order, with and without a dashpot") {
   // The next term of the error is smaller than the leading one by a few times ω h ~ 0.06.
   CHECK(order_of(Integration::velocity_verlet, 0) == Approx(2).margin(0.25));
   CHECK(order_of(Integration::velocity_verlet, 20) == Approx(2).margin(0.25));
@@ -64,11 +64,11 @@ TEST_CASE("each integrator has the order that it claims, with and without a dash
   CHECK(order_of(Integration::predictor_corrector, 20) >= 1.75);
 }
 
-TEST_CASE("the fourth order is worth its five evaluations on elastic motion") {
+TEST_CASE("the fourth order pays for its five evaluations in elastic motion") {
   CHECK(error_at(Integration::fourth_order, 64, 0) < error_at(Integration::velocity_verlet, 5 * 64, 0) / 10);
 }
 
-TEST_CASE("each integrator is stable up to its share of velocity Verlet's longest step") {
+TEST_CASE("each integrator is stable up to its stated multiple of velocity Verlet's longest step") {
   // The amplitude after so many steps that a growth of 2 % a step would show.
   for (const scree::IntegrationTraits& traits : scree::integrations())
     for (const double damping_ratio : {0.02, 0.1, 0.3, 1.0}) {
@@ -82,7 +82,7 @@ TEST_CASE("each integrator is stable up to its share of velocity Verlet's longes
     }
 }
 
-TEST_CASE("velocity Verlet grows beyond its longest step, which the guard knows") {
+TEST_CASE("velocity Verlet is unstable beyond the longest step of the step guard") {
   for (const double damping_ratio : {0.1, 1.0}) {
     const double omega = std::sqrt(stiffness / mass), g = 2 * damping_ratio * omega;
     const double limit = 2 / (std::sqrt(g * g + omega * omega) + g);
@@ -96,7 +96,7 @@ TEST_CASE("velocity Verlet grows beyond its longest step, which the guard knows"
   }
 }
 
-TEST_CASE("free flight is exact and the books of an elastic bounce close with every integrator") {
+TEST_CASE("free flight is exact and the energy balance of an elastic bounce closes with every integrator") {
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     INFO(traits.name);
     Scene scene = scree::test::scene(
@@ -117,7 +117,7 @@ TEST_CASE("free flight is exact and the books of an elastic bounce close with ev
   }
 }
 
-TEST_CASE("mixed precision differs from double by roundings of a float, and the books say so") {
+TEST_CASE("mixed precision differs from double by float rounding, and so does its energy balance") {
   // Two spheres meet off centre, with friction; every force is rounded to 6e-8 of itself.
   const auto end = [](scree::Precision precision) {
     std::vector<Body> bodies = {scree::test::body(1, 0.01, 0.01, {{0, 0, 0}}, {{0, 0, 0}}),
@@ -141,7 +141,7 @@ TEST_CASE("mixed precision differs from double by roundings of a float, and the 
   CHECK(std::abs(mixed->energy_residual() - full->energy_residual()) < 1e-5);
 }
 
-TEST_CASE("walls that a stage sets in motion or stops are where they belong with every integrator") {
+TEST_CASE("walls that a stage starts or stops have the right position with every integrator") {
   // Nothing but a plane whose program is changed twice; 0.05 m in 0.1 s, then held.
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     INFO(traits.name);
@@ -162,7 +162,7 @@ TEST_CASE("walls that a stage sets in motion or stops are where they belong with
   }
 }
 
-TEST_CASE("the energy books hold at the top of a flight and across periodic faces") {
+TEST_CASE("the energy balance closes at the top of a flight and across periodic faces") {
   Scene scene = scree::test::scene(3, 1e-3, {scree::test::body(1, 0.1, 1, {{0, 0, 0}}, {{0, 0, 10}})},
                                    {{"normal_stiffness", {1e3}}, {"normal_damping", {0}}});
   scree::test::add_body_force(scene, "gravity", {{"acceleration", {0, 0, -10}}});

@@ -176,7 +176,7 @@ TEST_CASE("a sticking spring on a plane returns to its start when velocities are
   CHECK(norm(back.spin + body.spin) <= allowed * 60);
 }
 
-TEST_CASE("a constant torque turns a body uniformly faster") {
+TEST_CASE("a constant torque gives a constant angular acceleration") {
   // A body that slides along a plane at the pressure of its weight: friction is μ m g, its arm R − δ/2.
   const double stiffness = 1e5, mass = 2, radius = 0.5, gravity = 10, friction = 0.2, speed = 5, step = 1e-3;
   for (const int dimension : {2, 3}) {

@@ -45,7 +45,7 @@ TEST_CASE("the direction of a sliding spring turns towards a steady slip, at sec
   CHECK(std::log2(error(40) / error(160)) / 2 == Approx(2).margin(0.2));
 }
 
-TEST_CASE("a slip that turns steadily is followed at its exact lag, also in steps that forget the old one",
+TEST_CASE("a steadily turning slip is followed with the exact lag, also in steps longer than the memory",
           "[friction]") {
   // α' = (k v/C) sin(ωt − α): in the long run α = ωt − asin(ω C/(k v)).
   const double omega = 5, time = 2;
@@ -67,8 +67,7 @@ TEST_CASE("a slip that turns steadily is followed at its exact lag, also in step
   }
 }
 
-TEST_CASE("forces obey Coulomb's law, and spring and dashpot lose energy only, whatever the step",
-          "[friction]") {
+TEST_CASE("forces obey Coulomb's law, and spring and dashpot only dissipate, for any step", "[friction]") {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> exponent(-3, 3), direction(-1, 1);
   const auto vector = [&](double size) {

@@ -30,13 +30,13 @@ void check_rate(const Program& p, double time, double third_derivative, double s
 
 }  // namespace
 
-TEST_CASE("a program that is not given says so") {
+TEST_CASE("a program that is not given reports it") {
   CHECK_FALSE(Program().given());
   const std::vector<double> data = {0, 3.5};
   CHECK(program(data).given());
 }
 
-TEST_CASE("a constant has its value and no rate at any time") {
+TEST_CASE("a constant has its value and zero derivative at any time") {
   const std::vector<double> data = {0, 3.5};
   for (const double t : {-1.0, 0.0, 1e9}) {
     CHECK(program(data)(t) == 3.5);
@@ -120,7 +120,7 @@ TEST_CASE("a table of one point is a constant") {
   }
 }
 
-TEST_CASE("a table that jumps takes the later value at the jump") {
+TEST_CASE("a table with a jump has the later value at the jump") {
   const std::vector<double> data = {4, 0, 1, 1, 1, 1, 5, 2, 5};
   const Program p = program(data);
   CHECK(p(0.999) == 1);

@@ -33,12 +33,12 @@ void check_roots(int low, int high) {
 
 }  // namespace
 
-TEST_CASE("roots are right to the last place over the whole range") {
+TEST_CASE("roots are correct to the last place over the whole range") {
   check_roots<double>(-1000, 1000);
   check_roots<float>(-120, 120);
 }
 
-TEST_CASE("the root of nothing is nothing, and its reciprocal finite") {
+TEST_CASE("the root of zero is zero, and its reciprocal finite") {
   CHECK(root_of(0.0).value == 0);
   CHECK(std::isfinite(root_of(0.0).inverse));
   CHECK(std::isfinite(inverse_fourth_root(0.0)));

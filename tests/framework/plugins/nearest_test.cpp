@@ -4,7 +4,7 @@
 
 using namespace scree;
 
-TEST_CASE("the nearest word is found among near ones only") {
+TEST_CASE("only close words are suggested") {
   const std::vector<std::string> keys = {"friction", "restitution", "youngs_modulus", "plugin", "a", "step"};
   CHECK(nearest_word("frction", keys) == "friction");
   CHECK(nearest_word("rfiction", keys) == "friction");

@@ -80,7 +80,7 @@ std::string incomplete(const std::vector<std::string>& keys) {
 
 }  // namespace
 
-TEST_CASE("values reach the author's members, defaults stay where nothing is given") {
+TEST_CASE("values are assigned to the author's members, which otherwise keep their defaults") {
   Parameters p(plugin());
   p.set("stiffness", {5});
   p.set("restitution", {0.5});
@@ -113,7 +113,7 @@ TEST_CASE("values reach the author's members, defaults stay where nothing is giv
   CHECK(changed.load(1) == 15);
 }
 
-TEST_CASE("numbers out of range are refused, ends as declared") {
+TEST_CASE("numbers out of range are refused, with the bounds as declared") {
   CHECK(problem("stiffness", {1e-300}) == "none");
   CHECK_THAT(problem("stiffness", {0}), Catch::Contains("author.stiffness = 0 is out of range") &&
                                             Catch::Contains("number above 0 (N/m)"));
@@ -144,7 +144,7 @@ TEST_CASE("values of the wrong shape are refused, because plug-ins read them unc
   CHECK_THAT(problem("shape", {3}), Catch::Contains("round, square, flat"));
 }
 
-TEST_CASE("programs are checked for what they reach and for their shape") {
+TEST_CASE("programs are checked for their range of values and their shape") {
   CHECK(problem("load", {0, 5}) == "none");
   CHECK(problem("load", {1, 5, 4, 10, 0}) == "none");
   CHECK_THAT(problem("load", {1, 5, 6, 10, 0}), Catch::Contains("reaches -1") && Catch::Contains("(Pa)"));
@@ -153,7 +153,7 @@ TEST_CASE("programs are checked for what they reach and for their shape") {
   CHECK_THAT(problem("load", {3, -3, 5, 1}), Catch::Contains("reaches -3"));
   CHECK(problem("load", {4, 0, 1, 1, 2}) == "none");
   CHECK_THAT(problem("load", {4, 0, 1, 1, -2}), Catch::Contains("reaches -2"));
-  CHECK_THAT(problem("load", {0, not_a_number}), Catch::Contains("not a finite number"));
+  CHECK_THAT(problem("load", {0, not_a_number}), Catch::Contains("not finite"));
   // Too short or too long for their kind, of no kind, with no length in time, or with times that go back.
   const std::vector<std::vector<double>> wrong = {{0},
                                                   {0, 1, 2},
@@ -181,7 +181,7 @@ TEST_CASE("programs are checked for what they reach and for their shape") {
   }
 }
 
-TEST_CASE("unknown keys are refused, found ones described") {
+TEST_CASE("unknown keys are refused, known ones described") {
   Parameters p(plugin());
   CHECK_THROWS_AS(p.set("stifness", {1}), Error);
   CHECK_THROWS_AS(p.given("stifness"), Error);
@@ -191,7 +191,7 @@ TEST_CASE("unknown keys are refused, found ones described") {
   CHECK(scree::choices_of(*p.find("shape")) == std::vector<std::string>{"round", "square", "flat"});
 }
 
-TEST_CASE("what is required must be given, and of two that exclude each other exactly one") {
+TEST_CASE("required parameters must be given, and exactly one of two alternatives") {
   CHECK(incomplete({"stiffness", "damping"}) == "none");
   CHECK(incomplete({"stiffness", "restitution"}) == "none");
   CHECK_THAT(incomplete({"damping"}),
@@ -201,7 +201,7 @@ TEST_CASE("what is required must be given, and of two that exclude each other ex
              Catch::Contains("are both given; keep one"));
 }
 
-TEST_CASE("the word that was most likely meant is the nearest one, if it is near") {
+TEST_CASE("the closest word is suggested, if it is close") {
   const std::vector<std::string> words = {"normal_stiffness", "normal_damping", "mass", "gap"};
   CHECK(scree::nearest_word("normal_stifness", words) == "normal_stiffness");
   CHECK(scree::nearest_word("Normal-Damping", words) == "normal_damping");

@@ -95,7 +95,7 @@ TEST_CASE("an unknown name is refused with the nearest known one") {
   CHECK(nowhere.names(SCREE_CONTACT_LAW).empty());
 }
 
-TEST_CASE("a name leads nowhere outside of the directories") {
+TEST_CASE("a name cannot lead out of the directories") {
   const Folder outside;
   outside.copy("body_force/gravity.so", "trusted/body_force/gravity.so");
   outside.copy("body_force/gravity.so", "evil.so");
@@ -112,7 +112,7 @@ TEST_CASE("a name leads nowhere outside of the directories") {
   }
 }
 
-TEST_CASE("the first directory that holds a name wins") {
+TEST_CASE("the first directory that contains a name wins") {
   const Folder first, second;
   second.copy("body_force/gravity.so", "body_force/gravity.so");
   second.copy("body_force/background_damping.so", "body_force/background_damping.so");
@@ -124,7 +124,7 @@ TEST_CASE("the first directory that holds a name wins") {
   CHECK(host.names(SCREE_BODY_FORCE) == std::vector<std::string>{"background_damping", "gravity"});
 }
 
-TEST_CASE("the best build that the processor runs is taken, or the one that the user names") {
+TEST_CASE("the best build that the processor supports is loaded, or the one that the user selects") {
   const Folder folder;
   const std::string file = std::string(law) + ".so", base = "contact/" + file;
   folder.copy(base, base);
@@ -148,7 +148,7 @@ TEST_CASE("the best build that the processor runs is taken, or the one that the 
 #endif
 }
 
-TEST_CASE("libraries that cannot be used are refused with the reason, and stop no other") {
+TEST_CASE("unusable libraries are refused with the reason and do not affect the others") {
   const Folder folder;
   folder.copy("body_force/gravity.so", "body_force/gravity.so");
   folder.copy("body_force/gravity.so", "body_force/other_name.so");
@@ -200,7 +200,7 @@ TEST_CASE("a plug-in's own refusal is passed on with its name") {
   }
 }
 
-TEST_CASE("a library that was cut off is refused, wherever the cut is") {
+TEST_CASE("a truncated library is refused, wherever it ends") {
   const Folder folder;
   folder.copy("body_force/gravity.so", "body_force/gravity.so");
   const fs::path library = folder.path() / "body_force" / "gravity.so";
@@ -213,13 +213,13 @@ TEST_CASE("a library that was cut off is refused, wherever the cut is") {
   }
 }
 
-TEST_CASE("a name too long for a file is no plug-in") {
+TEST_CASE("a name too long for a file is reported as unknown") {
   PluginHost host({SCREE_TEST_PLUGINS});
   CHECK_THAT(refusal(host, std::string(5000, 'x'), SCREE_BODY_FORCE),
              Catch::Contains("no body force plug-in"));
 }
 
-TEST_CASE("an instruction level that the processor does not run is refused, not tried") {
+TEST_CASE("an instruction level that the processor does not support is refused") {
   setenv("SCREE_LEVEL", "x86-64-v9", 1);
   PluginHost host({SCREE_TEST_PLUGINS});
   const std::string line = refusal(host, law, SCREE_CONTACT_LAW);

@@ -127,7 +127,7 @@ const double* history_of(const Simulation& s, std::uint32_t a, std::uint32_t b, 
 
 }  // namespace
 
-TEST_CASE("no contact of a fast gas is ever missed") {
+TEST_CASE("no contact of a fast gas is missed") {
   const int dimension = GENERATE(2, 3);
   const Walls walls = GENERATE(box, periodic);
   const double skin = GENERATE(0.003, 0.05, 0.5, 3.0);
@@ -154,7 +154,7 @@ TEST_CASE("a fast wall misses no body at rest") {
   }
 }
 
-TEST_CASE("walls make the same bits for any skin") {
+TEST_CASE("contacts with walls give the same bits for any skin") {
   // A listed pair that does not touch adds an exact zero, so that without images no rounding depends on the
   // skin.
   for (const int dimension : {2, 3}) {
@@ -168,7 +168,7 @@ TEST_CASE("walls make the same bits for any skin") {
   }
 }
 
-TEST_CASE("periodic bodies go the same way for any skin, to round-off") {
+TEST_CASE("periodic motion is the same for any skin, to round-off") {
   for (const int dimension : {2, 3}) {
     // Searches come at other times and round positions when they wrap them, by half an ulp of the edge.
     // Collisions make differences grow: how much is measured with a displacement that is far above round-off.
@@ -191,7 +191,7 @@ TEST_CASE("periodic bodies go the same way for any skin, to round-off") {
   }
 }
 
-TEST_CASE("springs under load survive searches that a far body forces") {
+TEST_CASE("loaded springs survive searches caused by a distant body") {
   // Two discs on the ground with a third on top stand by friction alone: all springs are stretched.
   const double radius = 0.5, mass = 1, stiffness = 1e4, gravity = 1, spread = 1.2 * radius;
   const auto pile = [&](double skin) {

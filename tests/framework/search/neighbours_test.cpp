@@ -111,7 +111,7 @@ double box_edge(int dimension, std::size_t count, double radius) {
 
 }  // namespace
 
-TEST_CASE("neighbours are those of brute force, for all kinds of packings, sizes and domains") {
+TEST_CASE("neighbours equal those of brute force, for all kinds of packings, sizes and domains") {
   struct Case {
     Sizes sizes;
     std::size_t count;
@@ -157,7 +157,7 @@ TEST_CASE("few bodies in any number of cells, also across a periodic face") {
     }
 }
 
-TEST_CASE("bodies on the faces of a periodic domain find their images") {
+TEST_CASE("bodies on the faces of a periodic domain are paired with their images") {
   const double edge = 10, inside = 0.4;
   const std::vector<double> coordinates = {0, inside, edge - inside, edge};
   std::vector<Body> bodies;
@@ -169,7 +169,7 @@ TEST_CASE("bodies on the faces of a periodic domain find their images") {
   CHECK(check(3, bodies, periodic({true, true, true}, 0, edge), 0.1) == 16 * 15 / 2);
 }
 
-TEST_CASE("heaps far apart, and a few bodies all over, share cells and find their own") {
+TEST_CASE("distant heaps and scattered bodies share cells and still have the right neighbours") {
   const double distance = GENERATE(30.0, 1e3, 1e6, 1e9);
   CAPTURE(distance);
   for (const int dimension : {2, 3}) {
@@ -186,7 +186,7 @@ TEST_CASE("heaps far apart, and a few bodies all over, share cells and find thei
   }
 }
 
-TEST_CASE("one body very far out hides no pair") {
+TEST_CASE("one very distant body hides no pair") {
   for (const int dimension : {2, 3}) {
     Dealer dealer(dimension, 3);
     std::vector<Body> bodies = dealer.uniform(300, {0.5, 1}, 0, box_edge(dimension, 300, 1));
@@ -216,7 +216,7 @@ TEST_CASE("bodies at one point, in a line and in a plane") {
   }
 }
 
-TEST_CASE("the order in which bodies are named does not matter to who is found") {
+TEST_CASE("the order of the bodies does not change the neighbours") {
   Dealer dealer(3, 11);
   std::vector<Body> bodies = dealer.uniform(300, {0.05, 1}, 0, 12);
   const std::size_t found = check(3, bodies, {}, 0.1);

@@ -33,7 +33,7 @@ std::size_t listed(const Simulation& s) {
 
 }  // namespace
 
-TEST_CASE("where nothing moves the skin becomes thin, and a stated one stays") {
+TEST_CASE("the skin becomes thin where nothing moves, and a given one is kept") {
   // Half of the pairs of neighbours do not touch: 4 % of the diameter apart, within the first skin of 5 %.
   Simulation own(lattice(0.04, 0)), stated(lattice(0.04, 0, 0.05));
   CHECK(listed(own) == 180);
@@ -47,7 +47,7 @@ TEST_CASE("where nothing moves the skin becomes thin, and a stated one stays") {
   CHECK(stated.rebuilds() == 1);
 }
 
-TEST_CASE("where bodies fly far the skin becomes thick, and the motion is the same for every skin") {
+TEST_CASE("the skin becomes thick where bodies are fast, and the motion is the same for every skin") {
   Simulation own(lattice(0.04, 3)), stated(lattice(0.04, 3, 0.02));
   for (int k = 0; k < 2000; ++k) own.step(), stated.step();
   CHECK(own.skin() > 0.05);
@@ -55,7 +55,7 @@ TEST_CASE("where bodies fly far the skin becomes thick, and the motion is the sa
   CHECK(own.state_hash() == stated.state_hash());
 }
 
-TEST_CASE("the skin costs least: s² = 2 u C/ρ, within a factor of 2 of the last") {
+TEST_CASE("the skin minimises the cost: s² = 2 u C/ρ, within a factor of 2 of the last") {
   // u = 1e-4 a step, C = 15 × 1000 pair evaluations, ρ = 1e5 pairs/m: s = 5.5e-3, a hundredth to five times
   // 0.1.
   const SkinChoice::ListStatistics list = {0.01, 0.01, 100, 2000, 1000, 1000};

@@ -136,7 +136,7 @@ TEST_CASE("every build of the law gives the same bits") {
   CHECK(builds.size() == levels_of_this_processor().size());  // they were different libraries
 }
 
-TEST_CASE("steps that nobody looks between have the bits of steps one by one") {
+TEST_CASE("fused steps have the same bits as single steps") {
   const int dimension = GENERATE(2, 3);
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     CAPTURE(dimension, traits.name);
@@ -190,7 +190,7 @@ TEST_CASE("the last bit of any state changes the hash") {
   CHECK(s.state_hash() != hash);
 }
 
-TEST_CASE("the hash tells apart which spring of a contact is stretched") {
+TEST_CASE("the hash distinguishes which spring of a contact is stretched") {
   Simulation s(heap(3, true));
   scree::test::run(s, 100);
   auto& contacts = const_cast<scree::Contacts&>(s.contacts());
@@ -205,7 +205,7 @@ TEST_CASE("the hash tells apart which spring of a contact is stretched") {
     }
 }
 
-TEST_CASE("hashes tell apart order, sign of zero and length") {
+TEST_CASE("hashes distinguish order, sign of zero and length") {
   const auto hash = [](const std::vector<double>& data) {
     scree::StateHash h;
     h.add(data.data(), data.size());

@@ -87,22 +87,22 @@ void check(const Carries& c) {
 
 }  // namespace
 
-TEST_CASE("a frictionless scene carries no spin and no history, a flat one no z") {
+TEST_CASE("a frictionless scene carries no spin and no history, a 2D one no z") {
   for (const int dimension : {2, 3}) check({.dimension = dimension});
 }
 
-TEST_CASE("friction brings spins and springs") {
+TEST_CASE("friction adds spins and springs") {
   for (const int dimension : {2, 3}) check({.dimension = dimension, .friction = true});
 }
 
-TEST_CASE("spinning bodies, or a later stage with friction, bring spins but no springs") {
+TEST_CASE("spinning bodies, or a later stage with friction, add spins but no springs") {
   for (const int dimension : {2, 3}) {
     check({.dimension = dimension, .spinning = true});
     check({.dimension = dimension, .later_stage = true});
   }
 }
 
-TEST_CASE("periodic scenes count images") {
+TEST_CASE("periodic scenes carry image counters") {
   for (const int dimension : {2, 3})
     for (const bool friction : {false, true})
       check({.dimension = dimension, .friction = friction, .periodic = true});

@@ -44,7 +44,7 @@ std::string blow_up(const std::function<void()>& call) { return error_of(call, s
 
 }  // namespace
 
-TEST_CASE("a velocity that is not finite stops the run at once, with body, time and cure") {
+TEST_CASE("a velocity that is not finite stops the run at once, with body, time and remedy") {
   for (const double bad : {not_a_number, infinite, -infinite})
     for (int axis = 0; axis < 3; ++axis) {
       Simulation s(scene_of(three_apart()));
@@ -58,7 +58,7 @@ TEST_CASE("a velocity that is not finite stops the run at once, with body, time 
     }
 }
 
-TEST_CASE("a scene that cannot be is refused by the name of what is wrong") {
+TEST_CASE("an invalid scene is refused with the name of the fault") {
   const auto refused = [](const std::function<void(Scene&)>& spoil) {
     Scene scene = scene_of(three_apart());
     scree::test::add_boundary(scene, "plane", {{"point", {0, 0, -2}}, {"normal", {0, 0, 1}}}, "floor");
@@ -122,7 +122,7 @@ TEST_CASE("a body faster than the limit stops the run") {
                  Catch::Contains("above the limit of 49 m/s") && Catch::Contains("raise limits.speed"));
 }
 
-TEST_CASE("unless told otherwise a body may not pass the smallest radius in a step") {
+TEST_CASE("by default a body may not move by the smallest radius in a step") {
   Scene scene = scene_of(three_apart());
   // Speeds are measured against walls; without any, against the mean velocity.
   scree::test::add_boundary(scene, "plane", {{"point", {0, 0, -1e6}}, {"normal", {0, 0, 1}}});
@@ -162,7 +162,7 @@ TEST_CASE("an overlap beyond the bound stops the run and names both partners") {
                  Catch::Contains("above the limit of 0.5") && Catch::Contains("raise limits.overlap_ratio"));
 }
 
-TEST_CASE("overlaps are looked at from the start, walls included") {
+TEST_CASE("overlaps are checked from the start, walls included") {
   Scene scene = scene_of({scree::test::body(5, 1, 1, {{0, 0, 0.25}})});
   scree::test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}}, "floor");
   CHECK_THAT(blow_up([&] { Simulation s(scene); }),
@@ -172,7 +172,7 @@ TEST_CASE("overlaps are looked at from the start, walls included") {
   CHECK_NOTHROW(Simulation(scene));
 }
 
-TEST_CASE("a step far too long ends in a report, not in numbers") {
+TEST_CASE("a far too long step is reported and gives no results") {
   // ω h = √(k/m*) h = 4.5: velocity Verlet is unstable from 2 on.
   Scene scene = scene_of({scree::test::body(1, 1, 1, {{0, 0, 0}}), scree::test::body(2, 1, 1, {{1.9, 0, 0}})},
                          0.032, 1e4);
@@ -190,7 +190,7 @@ TEST_CASE("a step far too long ends in a report, not in numbers") {
   CHECK_THAT(blow_up([&] { scree::test::run(s, 1000); }), Catch::Contains("time.step"));
 }
 
-TEST_CASE("a wall that leaves for infinity is reported as well") {
+TEST_CASE("a wall that diverges is reported too") {
   Scene scene = scene_of({scree::test::body(1, 1, 1, {{0, 0, 0}})});
   // Nothing but its own mass holds it, and that is next to nothing.
   scree::test::add_boundary(scene, "box", {{"gap", {1}}, {"stress", {0, 1e10}}, {"mass", {1e-305}}});
@@ -199,7 +199,7 @@ TEST_CASE("a wall that leaves for infinity is reported as well") {
 }
 
 TEST_CASE(
-    "a wall that slides along itself infinitely fast is reported, although its normal speed is no number") {
+    "a wall that slides along itself infinitely fast is reported, although its normal speed is not a number") {
   Scene scene = scene_of({scree::test::body(1, 1, 1, {{0, 0, 5}})});
   scree::test::add_boundary(scene, "plane",
                             {{"point", {0, 0, 0}},

@@ -133,7 +133,7 @@ TEST_CASE("a condition ends a stage when kinetic over elastic energy has fallen 
   CHECK(t.time() <= at_least + 100.5 * step);
 }
 
-TEST_CASE("bodies that fly free have no elastic energy and are not settled") {
+TEST_CASE("bodies in free flight have no elastic energy and do not fulfil the condition") {
   Simulation s(scree::test::scene(2, step, {scree::test::body(0, 1, 1, {}, {}, {}, 2)}, spring(0)));
   StageRunner runner(s, {settling(1e-6, 0, 1)});
   CHECK_THROWS_AS(
@@ -143,7 +143,7 @@ TEST_CASE("bodies that fly free have no elastic energy and are not settled") {
       Error);
 }
 
-TEST_CASE("a condition that has not come in time is a failure with stage, number and cure") {
+TEST_CASE("a condition not fulfilled in time is a failure with stage, value and remedy") {
   Simulation s(disc(0, 1, 0, 0));  // slides for ever
   StageRunner runner(s, {settling(1e-3, 0, 0.25)});
   int steps = 0;
@@ -158,7 +158,7 @@ TEST_CASE("a condition that has not come in time is a failure with stage, number
                        Catch::Contains("raise until.at_most"));
 }
 
-TEST_CASE("friction switched on finds the spins that it needs, and its springs appear") {
+TEST_CASE("friction can be switched on when spins are carried, and its springs appear") {
   Scene scene = disc(0, 1, 3);
   scene.spin = true;
   Simulation s(scene);
@@ -203,7 +203,7 @@ TEST_CASE("springs are kept when a stage changes other parameters of their law")
   CHECK(stretched() != 0);
 }
 
-TEST_CASE("friction that comes in a scene without spins is refused") {
+TEST_CASE("switching on friction in a scene without spins is refused") {
   Simulation s(disc(0, 1));
   CHECK_FALSE(s.particles().has_spin());
   const std::string text = error_of([&] { StageRunner(s, {lasting("grip", 1, {friction_change(0.5)})}); },

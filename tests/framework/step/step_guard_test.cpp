@@ -45,7 +45,7 @@ Scene lattice(double share_of_limit) {
 
 }  // namespace
 
-TEST_CASE("a lone pair may take the step at which it is stable, with and without a dashpot") {
+TEST_CASE("the limit of an isolated pair is its stability limit, with and without a dashpot") {
   for (const double damping : {0.0, 50.0, 1000.0}) {
     const Simulation s(scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law(damping)));
     const double g = damping / (mass / 2), square = stiffness / (mass / 2);
@@ -53,20 +53,20 @@ TEST_CASE("a lone pair may take the step at which it is stable, with and without
   }
 }
 
-TEST_CASE("where several contacts may hold a body, four times their stiffness and damping count") {
+TEST_CASE("for bodies with several contacts, four times the stiffness and damping count") {
   const double damping = 300;
   const Simulation s(scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3), ball(3, 6)}, law(damping)));
   const double g = 4 * damping / (mass / 2), square = 4 * stiffness / (mass / 2);
   CHECK(shortest_limit(s).longest_step == Approx(2 / (std::sqrt(g * g + square) + g)));
 }
 
-TEST_CASE("one body on a wall is judged by its own mass") {
+TEST_CASE("the limit of one body on a wall follows from its own mass") {
   Scene scene = scree::test::scene(3, 1e-6, {ball(1, 0, 3)}, law());
   scree::test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
   CHECK(shortest_limit(Simulation(scene)).longest_step == Approx(2 / std::sqrt(stiffness / mass)));
 }
 
-TEST_CASE("the integrator's own stability counts") {
+TEST_CASE("the limit depends on the stability of the integrator") {
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     Scene scene = scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law());
     scene.integration = traits.integration;
@@ -75,7 +75,7 @@ TEST_CASE("the integrator's own stability counts") {
   }
 }
 
-TEST_CASE("drag, fast bodies, light and viscous walls bound the step and are named") {
+TEST_CASE("drag, fast bodies, light and viscous walls limit the step and are named") {
   Scene drag = scree::test::scene(3, 1e-6, {ball(1, 0)}, law());
   scree::test::add_body_force(drag, "background_damping", {{"translational", {1e6}}});
   CHECK(shortest_limit(Simulation(drag)).longest_step == Approx(mass / 1e6));
@@ -99,7 +99,7 @@ TEST_CASE("drag, fast bodies, light and viscous walls bound the step and are nam
   CHECK_THAT(box(1, 1e7).cause, Catch::Contains("viscosity"));
 }
 
-TEST_CASE("a cloud is judged alike however fast it flies as a whole, but not against walls") {
+TEST_CASE("the limit of a cloud does not depend on its mean velocity, unless there are walls") {
   const auto limit = [](double boost, bool wall) {
     Scene s = scree::test::scene(3, 1e-9, {ball(1, 0), ball(2, 3)}, law());
     for (Body& body : s.bodies) body.velocity[0] += boost;
@@ -125,7 +125,7 @@ TEST_CASE("a strongly damped lattice stays at rest at the longest step, and expl
   CHECK_THROWS_WITH(energy_after(3), Catch::Contains("overlap is "));
 }
 
-TEST_CASE("a moving wall that nothing is near to yet is judged by the law of its own material") {
+TEST_CASE("the limit of a moving wall without neighbours follows from the law of its own material") {
   Scene s = scree::test::scene(3, 1e-9, {ball(1, 0)}, law());
   s.materials = {"grain", "wall"};
   s.law_of = {0, 1, 1, 0};

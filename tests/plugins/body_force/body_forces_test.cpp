@@ -13,7 +13,7 @@ const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
 
 }  // namespace
 
-TEST_CASE("gravity: a thrown body flies its parabola and keeps its energy", "[gravity]") {
+TEST_CASE("gravity: a projectile follows its parabola and conserves energy", "[gravity]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.1, 2, {}, {{3, 0, 4}})}, elastic);
   add_body_force(sc, "gravity", {{"acceleration", {0, 0, -9.81}}});
   Simulation s(sc);
@@ -48,7 +48,7 @@ TEST_CASE("background damping: velocity and spin decay exponentially, to second 
   CHECK(std::log2(coarse / fine) == Approx(2).margin(0.2));
 }
 
-TEST_CASE("a scene without spin takes rotational damping without carrying spin", "[background_damping]") {
+TEST_CASE("rotational damping does not make a scene carry spin", "[background_damping]") {
   Scene sc = scene(3, 1e-4, {body(1, 0.005, 1e-3, {}, {{1, 0, 0}})}, elastic);
   add_body_force(sc, "background_damping", {{"translational", {0.1}}, {"rotational", {0.1}}});
   Simulation s(sc);

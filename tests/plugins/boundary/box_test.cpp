@@ -28,7 +28,7 @@ Scene empty_box(double edge, double step, const Values& box, int dimension = 3) 
 
 }  // namespace
 
-TEST_CASE("a wall under stress moves as m s'' = p A − γ s' says", "[box]") {
+TEST_CASE("a stress-controlled wall obeys m s'' = p A − γ s'", "[box]") {
   // One wall moves, the others are fixed, so that its area stays L².
   const double edge = 0.1, m = 2, gamma = 200, p = 1000, step = 1e-5;
   Simulation s(empty_box(edge, step,
@@ -112,7 +112,7 @@ TEST_CASE("in 2D a wall's area is its length, 1 m deep", "[box]") {
   CHECK(-wall(s, x_high).velocity[0] == Approx(7 * 0.1 / 1 * s.time()).epsilon(1e-12));
 }
 
-TEST_CASE("the work of the walls and their viscosity close the books", "[box]") {
+TEST_CASE("the work of the walls and their viscosity close the energy balance", "[box]") {
   Simulation s(empty_box(0.1, 1e-5, {{"mass", {2}}, {"viscosity", {200}}, {"stress", {0, 1000}}}));
   run(s, 3000);
   const scree_energy e = s.energy();

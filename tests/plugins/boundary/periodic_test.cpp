@@ -15,7 +15,7 @@ void make_periodic(Scene& sc, double axes, double length) {
 
 }  // namespace
 
-TEST_CASE("a body that leaves a periodic axis comes in at the other side", "[periodic]") {
+TEST_CASE("a body that crosses a periodic face re-enters at the opposite one", "[periodic]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.1, 1, {{0.9, 0.5, 0.5}}, {{1, 1, -1}})}, elastic);
   make_periodic(sc, 3, 1);  // x and y
   Simulation s(sc);
@@ -52,7 +52,7 @@ TEST_CASE("bodies collide through a periodic face as they do inside", "[periodic
   }
 }
 
-TEST_CASE("a periodic axis needs a length, an axis of the scene, and to be named once", "[periodic]") {
+TEST_CASE("a periodic axis must have a length, exist in the scene, and be given once", "[periodic]") {
   Scene flat = scene(2, 1e-3, {body(1, 0.1, 1, {{0.5, 0.5, 0}}, {}, {}, 2)}, elastic);
   make_periodic(flat, 2, 1);
   CHECK_THROWS_WITH(Simulation(flat), Catch::Contains("no z axis"));
@@ -65,7 +65,7 @@ TEST_CASE("a periodic axis needs a length, an axis of the scene, and to be named
   CHECK_THROWS_WITH(Simulation(twice), Catch::Contains("already periodic"));
 }
 
-TEST_CASE("a wall must not face along a periodic axis", "[periodic]") {
+TEST_CASE("a wall must not be normal to a periodic axis", "[periodic]") {
   const auto with_plane = [](const std::vector<double>& normal) {
     Scene sc = scene(3, 1e-3, {body(1, 0.1, 1, {{0.5, 0.5, 0.5}})}, elastic);
     make_periodic(sc, 0, 1);

@@ -54,7 +54,7 @@ TEST_CASE("a plane follows its program: sine, cycle, ramp, table", "[plane]") {
   }
 }
 
-TEST_CASE("a plane that does not move reflects a body elastically, at any angle", "[plane]") {
+TEST_CASE("a fixed plane reflects a body elastically, at any angle", "[plane]") {
   for (const double angle : {0.0, 30.0, 60.0, 85.0}) {
     const double a = angle * pi / 180, speed = 1;
     Scene sc = scene(
@@ -71,7 +71,7 @@ TEST_CASE("a plane that does not move reflects a body elastically, at any angle"
   }
 }
 
-TEST_CASE("a moving plane gives a body twice its speed, and the work shows in the books", "[plane]") {
+TEST_CASE("a moving plane adds twice its velocity to a body, and the work is in the balance", "[plane]") {
   const double speed = 0.5;
   Scene sc = scene(3, 1e-6, {body(1, 0.01, 0.01, {{0, 0, 0.0101}})}, elastic);
   add_boundary(sc, "plane",
@@ -84,7 +84,7 @@ TEST_CASE("a moving plane gives a body twice its speed, and the work shows in th
   CHECK(std::abs(e.residual) < 1e-6 * e.work);
 }
 
-TEST_CASE("a plane that rests, moves and rests again knows its load each time it starts", "[plane]") {
+TEST_CASE("a plane that stops and restarts uses its present load each time it starts", "[plane]") {
   const double step = 1e-6, speed = 1, frequency = 1e3;
   const Values still = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}};
   Values moving = still;
@@ -113,7 +113,7 @@ TEST_CASE("a plane that rests, moves and rests again knows its load each time it
   CHECK(std::abs(e.residual) < frequency * frequency * step * step * e.work);
 }
 
-TEST_CASE("a plane has a direction of its own and wants a normal with a length", "[plane]") {
+TEST_CASE("a plane can move in its own direction and must have a nonzero normal", "[plane]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.01, 0.01, {{0, 0, 1}})}, elastic);
   add_boundary(sc, "plane",
                {{"point", {0, 0, 0}},

@@ -84,7 +84,7 @@ TEST_CASE("Chung & Ooi 1 to 3: overlap, force and time of elastic impacts", "[he
   }
 }
 
-TEST_CASE("the restitution asked for is reached at every speed, in both conventions", "[hertz]") {
+TEST_CASE("the given restitution is reached at every speed, in both conventions", "[hertz]") {
   for (const double tension : {0.0, 1.0})
     for (const double asked : {0.1, 0.5, 0.95, 1.0})
       for (const double speed : {0.01, 1.0, 100.0}) {
@@ -131,7 +131,7 @@ TEST_CASE("[L2]-[L5] for one contact, by hand", "[hertz]") {
   }
 }
 
-TEST_CASE("dashpots take back what the predicted velocity overshoots by, ½ h² K/m* of it", "[damping]") {
+TEST_CASE("dashpots correct the overshoot of the predicted velocity, a fraction ½ h² K/m*", "[damping]") {
   const double m = 1e-3, R = 5e-3, delta = 1e-5, v = -0.3, Y = 1e9;
   const auto force = [&](const std::string& plugin, const Values& law, double h) {
     LawBatch c(plugin, law);
@@ -161,7 +161,7 @@ TEST_CASE("dashpots take back what the predicted velocity overshoots by, ½ h² 
     }
 }
 
-TEST_CASE("tangential springs while the overlap cycles: who invents energy", "[hertz]") {
+TEST_CASE("tangential springs under cyclic overlap: which forms create energy", "[hertz]") {
   // A loop in (δ, ξ): load δ, shear, unload δ, shear back. The work of a force law that has a potential
   // vanishes.
   const auto work_of_loop = [](double form) {

@@ -105,7 +105,7 @@ const std::vector<Vec3> spins = {{}, {{0, -150, 0}}, {{200, 50, 80}}};  // none,
 
 }  // namespace
 
-TEST_CASE("every option together: motion, energy and each column of the books are those of the laws",
+TEST_CASE("all options together: motion, energy and each column of the energy balance follow the laws",
           "[grid]") {
   double coarse_squares = 0, fine_squares = 0, coarse_residual = 0, fine_residual = 0;
   each_impact({1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, spins, [&](const ImpactCase& c) {
@@ -157,7 +157,7 @@ TEST_CASE("restitution of damped contacts at a fiftieth of a contact, both tensi
       }
 }
 
-TEST_CASE("impacts that slide: friction's impulse to a per mille at a fiftieth of a contact", "[grid]") {
+TEST_CASE("sliding impacts: frictional impulse to a per mille at a fiftieth of a contact", "[grid]") {
   double worst = 0, worst_kinked = 0;
   double coarse_squares[2] = {}, fine_squares[2] = {};
   each_impact({1, 0.9, 0.7, 0.5, 0.3}, {0.1, 0.3}, {75, 80}, {{}}, [&](const ImpactCase& c) {
@@ -190,7 +190,7 @@ TEST_CASE("impacts that slide: friction's impulse to a per mille at a fiftieth o
   }
 }
 
-TEST_CASE("impacts that stick from first touch: sixty steps a contact for a per mille, every history",
+TEST_CASE("impacts that stick from first touch: sixty steps per contact for a per mille, every history",
           "[grid]") {
   // What is left of a spring goes when the normal force vanishes: with μ = 1 within a few steps, with 10 in
   // less than one, a jump in mid-step, which is of first order.
@@ -211,7 +211,7 @@ TEST_CASE("impacts that stick from first touch: sixty steps a contact for a per 
   }
 }
 
-TEST_CASE("discs: every option together", "[grid]") {
+TEST_CASE("discs: all options together", "[grid]") {
   each_impact({1, 0.5}, {0.3, 1}, {20, 45, 70}, {{}, {{0, 0, 150}}}, [&](ImpactCase c) {
     c.dimension = 2;
     const ImpactPair pair(c);
@@ -222,8 +222,7 @@ TEST_CASE("discs: every option together", "[grid]") {
   });
 }
 
-TEST_CASE("the slip rule of David et al., by the total force: impacts that slide from first to last",
-          "[grid]") {
+TEST_CASE("the slip rule of David et al., by the total force: impacts that slide throughout", "[grid]") {
   double coarse_squares = 0, fine_squares = 0;
   for (const double e : {0.9, 0.5})
     for (const Tension tension : {Tension::allowed, Tension::cut})

@@ -50,7 +50,7 @@ TEST_CASE("[D1]: f_n = k δ + γ δ'", "[equations]") {
   CHECK(c.output(SCREE_DISSIPATED_NORMAL) == Approx(gamma_n * 0.09));
 }
 
-TEST_CASE("[D3]: while it sticks the force is that of the moved spring and the dashpot", "[equations]") {
+TEST_CASE("[D3]: in stick the force is that of the trial spring and the dashpot", "[equations]") {
   LawBatch c = contact();
   const Vec3 old = {{1e-4, 0, 0}}, moved = {{2e-5, 3e-5, 0}}, slip = {{0.1, -0.2, 0}};
   set_spring(c, old);
@@ -65,7 +65,7 @@ TEST_CASE("[D3]: while it sticks the force is that of the moved spring and the d
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0).margin(1e-20));
 }
 
-TEST_CASE("the spring is projected into the present tangent plane", "[equations]") {
+TEST_CASE("the spring is projected onto the present tangent plane", "[equations]") {
   LawBatch c = contact();
   const double angle = 0.1;
   c.set(SCREE_NORMAL, {{std::sin(angle), 0, std::cos(angle)}});
@@ -75,7 +75,7 @@ TEST_CASE("the spring is projected into the present tangent plane", "[equations]
   check_equal(spring_of(c), old - dot(n, old) * n, 1e-4);
 }
 
-TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset with the dashpot's share",
+TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset including the dashpot force",
           "[equations]") {
   LawBatch c = contact();
   const Vec3 old = {{3e-3, 1e-3, 0}}, slip = {{0.5, -1, 0}};
@@ -92,8 +92,7 @@ TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset w
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(-dot(f_t, old - spring_of(c))));
 }
 
-TEST_CASE("[D4]: the spring makes up for the whole dashpot, whatever its weight around first touch",
-          "[equations]") {
+TEST_CASE("[D4]: the spring compensates the whole dashpot force, whatever its onset weight", "[equations]") {
   LawBatch c = contact();
   const Vec3 old = {{3e-3, 1e-3, 0}}, slip = {{0.5, -1, 0}};
   set_spring(c, old);
@@ -104,8 +103,7 @@ TEST_CASE("[D4]: the spring makes up for the whole dashpot, whatever its weight 
   check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
 }
 
-TEST_CASE("[D3]: the force obeys Coulomb's law also where dashpots are weighted around first touch",
-          "[equations]") {
+TEST_CASE("[D3]: the force obeys Coulomb's law also with onset weights", "[equations]") {
   for (const double weight : {0.1, 0.7, 1.4}) {
     LawBatch c = contact();
     // It sticks: the test force without weights is below the limit, to which the normal dashpot adds.
@@ -120,7 +118,7 @@ TEST_CASE("[D3]: the force obeys Coulomb's law also where dashpots are weighted 
   }
 }
 
-TEST_CASE("by the spring: while it sticks the force is that of spring and dashpot, shortened to the limit",
+TEST_CASE("by the spring: in stick the force is that of spring and dashpot, limited by Coulomb's law",
           "[equations]") {
   LawBatch c = contact(by_spring);
   const Vec3 old = {{1e-3, 0, 0}}, slip = {{3, 4, 0}};
@@ -143,7 +141,7 @@ TEST_CASE("by the spring: while it sticks the force is that of spring and dashpo
         Approx(dot((mu_s * f_n / norm(more)) * (-1.0 * more) - k_t * old, 10 * slip)));
 }
 
-TEST_CASE("by the spring: a spring that slides keeps μ_d f_n, and the dashpot works against it",
+TEST_CASE("by the spring: in slip the spring force stays μ_d f_n, and the dashpot acts against the motion",
           "[equations]") {
   LawBatch c = contact(by_spring);
   const double f_n = k * overlap, excess = 1e-3;
@@ -161,7 +159,7 @@ TEST_CASE("by the spring: a spring that slides keeps μ_d f_n, and the dashpot w
   CHECK(c.output(SCREE_DISSIPATED_RELEASE) == 0);
 }
 
-TEST_CASE("between μ_d and μ_s the state in memory decides", "[equations]") {
+TEST_CASE("between μ_d and μ_s the previous state decides between stick and slip", "[equations]") {
   const double f_n = k * overlap;
   const Vec3 spring = {{0.4 * f_n / k_t, 0, 0}};
   LawBatch sticking = contact();
@@ -181,7 +179,7 @@ TEST_CASE("between μ_d and μ_s the state in memory decides", "[equations]") {
   CHECK(again.history[3][0] == 0);
 }
 
-TEST_CASE("a pair that does not touch feels nothing and lets its spring go, on the books", "[equations]") {
+TEST_CASE("an open pair has no force, and the energy of its spring counts as released", "[equations]") {
   LawBatch c = contact();
   set_spring(c, {{1e-4, 0, 0}}, true);
   c.input(SCREE_OVERLAP) = -1e-6;
@@ -194,7 +192,7 @@ TEST_CASE("a pair that does not touch feels nothing and lets its spring go, on t
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
 }
 
-TEST_CASE("friction costs nothing where there is none", "[equations]") {
+TEST_CASE("frictionless scenes pay nothing for friction", "[equations]") {
   const LawBatch smooth("linear_spring_dashpot", {{"normal_stiffness", {k}}, {"normal_damping", {gamma_n}}});
   CHECK(smooth.instance().history_width == 0);
   CHECK(smooth.instance().tangential == 0);

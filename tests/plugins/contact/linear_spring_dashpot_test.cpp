@@ -91,7 +91,7 @@ TEST_CASE("restitution and contact time converge at second order", "[restitution
   CHECK(order(&Outcome::contact_time) == Approx(2).margin(0.3));
 }
 
-TEST_CASE("a restitution that is asked for is reached in both conventions, for every mass", "[restitution]") {
+TEST_CASE("the given restitution is reached in both conventions, for every mass", "[restitution]") {
   for (const double tension : {0.0, 1.0})
     for (const double asked : {0.1, 0.5, 0.9, 1.0}) {
       const Values law = {
@@ -117,7 +117,7 @@ TEST_CASE("cutting the tension at the same damping raises the restitution", "[re
   CHECK(collide(cut, step, 0).restitution == Approx(expected).margin(1e-4));
 }
 
-TEST_CASE("the numbers of David et al. come out of describe's closed forms", "[closed-forms]") {
+TEST_CASE("the closed forms of describe reproduce the numbers of David et al.", "[closed-forms]") {
   const Parameters p = parameters("linear_spring_dashpot", SCREE_CONTACT_LAW,
                                   {{"normal_stiffness", {5000}}, {"normal_damping", {0.05}}});
   constexpr double nowhere[3] = {};
@@ -198,7 +198,7 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
   CHECK(largest_sliding == Approx(mu_d).epsilon(1e-12));
 }
 
-TEST_CASE("turning a touching pair as a whole leaves the tangential spring alone", "[objectivity]") {
+TEST_CASE("rotating a touching pair as a whole does not change the tangential spring", "[objectivity]") {
   // Two spheres fly past each other with spins equal to the rate at which the line of centres turns: over a
   // small angle a rigid rotation. Springs are so soft that the bodies move freely.
   const double rate = 5, distance = 2 * radius - 0.02 * radius, soft = 1e-9;
@@ -247,7 +247,7 @@ TEST_CASE("a frictional collision conserves momentum and angular momentum to rou
   }
 }
 
-TEST_CASE("parameters that contradict each other are refused", "[parameters]") {
+TEST_CASE("contradictory parameters are refused", "[parameters]") {
   const auto configure = [](const Values& values) {
     constexpr double nowhere[3] = {};
     ConfiguredLaw(parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, values), 3, nowhere, nowhere);

@@ -53,7 +53,7 @@ Scene corner() {
 
 }  // namespace
 
-TEST_CASE("contact: overlap, forces and normal in the order that the scene asks for", "[probe]") {
+TEST_CASE("contact: overlap, forces and normal in the order of the parameters", "[probe]") {
   const Simulation s(corner());
   const Recorder c(s, "contact", {{"pairs", {3, 7, 7, 3, 5, 7}}, {"at_walls", {7, 2, 3, 2}}});
   const double distance = std::hypot(2 * radius - 1e-4, 3e-4), overlap = 2 * radius - distance;
@@ -69,7 +69,7 @@ TEST_CASE("contact: overlap, forces and normal in the order that the scene asks 
     CHECK(c[open] == 0);
 }
 
-TEST_CASE("contact and walls: a sliding body pulls with the friction of its normal force", "[probe]") {
+TEST_CASE("contact and walls: a sliding body exerts the friction of its normal force", "[probe]") {
   Simulation s(corner());
   run(s, 40);  // moved by 4e-4 m at least, 1.3 times the spring that slides
   const Recorder c(s, "contact", {{"at_walls", {7, 2}}});
@@ -81,7 +81,7 @@ TEST_CASE("contact and walls: a sliding body pulls with the friction of its norm
   CHECK(w["normal_force_1"] == 0);
 }
 
-TEST_CASE("walls: position and velocity along the normal of a wall that is moved", "[probe]") {
+TEST_CASE("walls: position and velocity along the normal of a moving wall", "[probe]") {
   Scene moving = corner();
   add_boundary(moving, "plane",
                {{"point", {2, 0, 0}}, {"normal", {-1, 0, 0}}, {"displacement", {3, 0, 0.5, 10}}}, "piston");
@@ -103,7 +103,7 @@ TEST_CASE("contact: in 2D the normal has two components", "[probe]") {
   CHECK(c["normal_y_1_wall1"] == 1);
 }
 
-TEST_CASE("body_energy: the share of translation and rotation that is left", "[probe]") {
+TEST_CASE("body_energy: the remaining fraction of translational and rotational energy", "[probe]") {
   for (const int dimension : {2, 3}) {
     const double gyration = dimension == 2 ? 0.5 : 0.4;
     const auto of = [&](double v, double spin) { return v * v + gyration * radius * radius * spin * spin; };
@@ -124,7 +124,7 @@ TEST_CASE("body_energy: the share of translation and rotation that is left", "[p
   }
 }
 
-TEST_CASE("body probes: what is not there is refused", "[probe]") {
+TEST_CASE("body probes: missing bodies and walls are refused", "[probe]") {
   const Simulation s(corner());
   const auto refusal = [&](const std::string& plugin, const Values& values, const std::string& says) {
     CHECK_THROWS_WITH(Recorder(s, plugin, values), Catch::Contains(says));
@@ -132,11 +132,11 @@ TEST_CASE("body probes: what is not there is refused", "[probe]") {
   refusal("contact", {{"pairs", {3, 8}}}, "does not exist");
   refusal("contact", {{"pairs", {3, 3}}}, "twice");
   refusal("contact", {{"pairs", {3, 7, 5}}}, "odd number");
-  refusal("contact", {}, "no contact is named");
+  refusal("contact", {}, "no contact is selected");
   refusal("contact", {{"at_walls", {3, 3}}}, "does not exist");
-  refusal("contact", {{"at_walls", {4, 1}}}, "no body");
-  refusal("walls", {{"walls", {1.5}}}, "no wall");
-  refusal("walls", {{"walls", {3}}}, "no wall");
-  refusal("body_energy", {{"ids", {9}}}, "no body");
+  refusal("contact", {{"at_walls", {4, 1}}}, "does not exist");
+  refusal("walls", {{"walls", {1.5}}}, "does not exist");
+  refusal("walls", {{"walls", {3}}}, "does not exist");
+  refusal("body_energy", {{"ids", {9}}}, "does not exist");
   refusal("body_energy", {{"ids", {5}}}, "at rest");
 }

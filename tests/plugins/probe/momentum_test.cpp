@@ -48,7 +48,7 @@ TEST_CASE("momentum: discs have I = m R²/2 and one axis of rotation", "[probe]"
   CHECK(m["angular_momentum_z"] == Approx(-4 - 18 + 0.5 * 0.25 * 10));
 }
 
-TEST_CASE("momentum: another point changes the angular momentum by −x_0 × p", "[probe]") {
+TEST_CASE("momentum: another reference point changes the angular momentum by −x_0 × p", "[probe]") {
   const Simulation s(pair_of_bodies(3));
   const Sampled origin = sample(s, "momentum"), other = sample(s, "momentum", {{"about", {1, -2, 3}}});
   const Vec3 change = cross(Vec3{{-1, 2, -3}}, Vec3{{1, 4, -2}});
@@ -58,7 +58,7 @@ TEST_CASE("momentum: another point changes the angular momentum by −x_0 × p",
   CHECK(other["angular_momentum_z"] - origin["angular_momentum_z"] == Approx(change[2]));
 }
 
-TEST_CASE("momentum: a scene without spins has angular momentum of translation alone", "[probe]") {
+TEST_CASE("momentum: without spins only translation contributes to the angular momentum", "[probe]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.5, 2, {{0, 1, 0}}, {{3, 0, 0}})},
                    {{"normal_stiffness", {5000}}, {"normal_damping", {0}}});
   const Simulation s(sc);
@@ -66,7 +66,7 @@ TEST_CASE("momentum: a scene without spins has angular momentum of translation a
   CHECK(sample(s, "momentum")["angular_momentum_z"] == -6);
 }
 
-TEST_CASE("momentum: a frictional collision keeps both", "[probe]") {
+TEST_CASE("momentum: a frictional collision conserves both", "[probe]") {
   Scene sc = scene(3, 1e-6,
                    {body(1, 0.005, 1e-3, {{0, 0, 0}}, {{1, 0.3, 0}}, {{50, -200, 100}}),
                     body(2, 0.004, 5e-4, {{0.0088, 0.001, -0.0005}}, {{-1, 0, 0.5}})},

@@ -47,7 +47,7 @@ TEST_CASE("box: lengths, stresses from forces over areas, solid fraction", "[pro
   CHECK(box["solid_fraction"] == Approx(4 * 4.0 / 3.0 * M_PI * std::pow(0.005, 3) / (0.0296 * 0.04 * 0.05)));
 }
 
-TEST_CASE("box: strain is taken from the first sample", "[probe]") {
+TEST_CASE("box: strain is relative to the first sample", "[probe]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0.5, 0.5, 0.5}})}, law);
   add_boundary(sc, "box",
                {{"lower", {0, 0, 0}},
@@ -69,7 +69,7 @@ TEST_CASE("box: strain is taken from the first sample", "[probe]") {
   CHECK(box["deviatoric_strain"] == Approx(0.01).epsilon(1e-10));
 }
 
-TEST_CASE("box: walls must face each other on every axis", "[probe]") {
+TEST_CASE("box: every axis must have opposite walls", "[probe]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0, 0, 0.5}})}, law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   const Simulation s(sc);
@@ -89,7 +89,7 @@ TEST_CASE("contacts: coordination, overlaps, forces, rattlers", "[probe]") {
   CHECK(c["sliding_fraction"] == 0);
 }
 
-TEST_CASE("contacts: a body with one contact bears no load and is left out with its contact", "[probe]") {
+TEST_CASE("contacts: a body with one contact is a rattler and excluded with its contact", "[probe]") {
   Scene sc = row_in_box();
   sc.bodies[3].position = {{0.005 - 1e-4, 0.02, 0.0298}};  // touches body 1 from above
   const Simulation s(sc);
@@ -102,7 +102,7 @@ TEST_CASE("contacts: a body with one contact bears no load and is left out with 
   CHECK(strict["coordination_without_rattlers"] == Approx(3.0));
 }
 
-TEST_CASE("contacts: a contact dragged beyond friction counts as sliding", "[probe]") {
+TEST_CASE("contacts: a contact loaded beyond the Coulomb limit counts as sliding", "[probe]") {
   Scene sc = scene(3, 1e-5, {body(1, 0.005, 1e-3, {{0, 0, 0.0049}}, {{1, 0, 0}}, {{0, -1000, 0}})}, law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   Simulation s(sc);
@@ -110,7 +110,7 @@ TEST_CASE("contacts: a contact dragged beyond friction counts as sliding", "[pro
   CHECK(sample(s, "contacts")["sliding_fraction"] == 1);
 }
 
-TEST_CASE("energy: the reservoirs of a scene at rest and in motion", "[probe]") {
+TEST_CASE("energy: the stored energies of a scene at rest and in motion", "[probe]") {
   Scene sc = row_in_box();
   sc.bodies[3].velocity = {{2, 0, 0}};
   sc.bodies[3].spin = {{0, 0, 100}};
@@ -123,7 +123,7 @@ TEST_CASE("energy: the reservoirs of a scene at rest and in motion", "[probe]") 
   CHECK(e["residual"] == 0);
 }
 
-TEST_CASE("particles: columns of the chosen ids, in 2D and 3D", "[probe]") {
+TEST_CASE("particles: columns of the selected ids, in 2D and 3D", "[probe]") {
   Scene sc = row_in_box();
   sc.bodies[3].spin = {{1, 2, 3}};
   const Simulation s(sc);
