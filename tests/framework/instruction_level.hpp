@@ -6,7 +6,7 @@
 
 namespace scree::test {
 
-// Which build of a plug-in a host loads, for as long as this lives; null leaves the choice to the host.
+// Selects the build of plug-ins that a host loads, during its lifetime; null: chosen by the host.
 class InstructionLevel {
  public:
   explicit InstructionLevel(const char* name) {

@@ -7,7 +7,7 @@
 #include <scree/particles.hpp>
 #include <scree/plugin/abi.h>
 
-// A slow second implementation of one step, written from the documentation of the linear law and of the
+// A slow, independent implementation of one step, written from the documentation of the linear law and of the
 // integrator: one contact after the other, always in three dimensions (a disc moves in z = 0 and turns about
 // z), contact points and their velocities by rigid-body motion. It shares nothing with the kernel but Vec3.
 
@@ -21,7 +21,7 @@ struct ReferenceLaw {
 struct ReferenceContact {
   std::size_t a = 0;
   int b = -1;       // < 0: the plane below
-  Vec3 shift = {};  // what takes b to its image that touches a
+  Vec3 shift = {};  // shift from b to its image that touches a
   Vec3 plane_point = {}, plane_normal = {};
   Vec3 spring = {};
   bool sliding = false;
@@ -56,15 +56,15 @@ class ReferenceStep {
   const std::vector<ReferenceContact>& contacts() const { return contacts_; }
 
  private:
-  struct Meeting {
+  struct ContactGeometry {
     double overlap;
     Vec3 normal, arm_a, arm_b;  // from the centres to the contact point
     Vec3 velocity;              // of a's contact point relative to b's
   };
 
-  Meeting meet(const std::vector<Body>& bodies, const ReferenceContact& c) const {
+  ContactGeometry geometry_of(const std::vector<Body>& bodies, const ReferenceContact& c) const {
     const Body& a = bodies[c.a];
-    Meeting m = {};
+    ContactGeometry m = {};
     if (c.b < 0) {
       m.normal = c.plane_normal;
       m.overlap = a.radius - dot(a.position - c.plane_point, c.plane_normal);
@@ -85,23 +85,23 @@ class ReferenceStep {
 
   static Vec3 in_plane(const Vec3& v, const Vec3& n) { return cross(n, cross(v, n)); }
 
-  Vec3 force_of(ReferenceContact& c, const Meeting& m, double h) const {
+  Vec3 force_of(ReferenceContact& c, const ContactGeometry& m, double h) const {
     if (m.overlap <= 0) {
       c.spring = {};
       c.sliding = false;
       return {};
     }
-    // A dashpot fades in over the first two steps' way: 3s/2, then 2 − s/2, then 1; and out again, unless
-    // tension is cut.
-    const double closing = -dot(m.velocity, m.normal), way = std::abs(closing) * h;
-    const double s = m.overlap < 2 * way ? m.overlap / way : 2;
+    // Onset weight of a dashpot over the first two steps: 3s/2, then 2 − s/2, then 1; and likewise at the
+    // end, unless tension is cut.
+    const double closing = -dot(m.velocity, m.normal), travel = std::abs(closing) * h;
+    const double s = m.overlap < 2 * travel ? m.overlap / travel : 2;
     const double share = law_.tension_cut && closing < 0 ? 1 : s < 1 ? 1.5 * s : 2 - 0.5 * s;
     double normal_force = law_.k * m.overlap + share * law_.gamma * closing;
     const double pressing = std::max(normal_force, 0.0);
     if (law_.tension_cut) normal_force = pressing;
     if (law_.static_friction == 0) return normal_force * m.normal;
 
-    const Meeting halfway = meet(mid, c);
+    const ContactGeometry halfway = geometry_of(mid, c);
     const double touched = m.overlap < closing * h ? m.overlap / (closing * h) : 1;
     const Vec3 moved = (h * touched) * in_plane(halfway.velocity, halfway.normal);
     const Vec3 spring = in_plane(c.spring + moved, m.normal);
@@ -110,7 +110,7 @@ class ReferenceStep {
     c.sliding = norm(spring) > most;
     c.spring = spring;
     const double limit = (c.sliding ? law_.dynamic_friction * pressing : most * law_.k_t);
-    if (c.sliding) {  // the spring turns towards the slip within the step
+    if (c.sliding) {  // the spring turns towards the slip direction within the step
       const double excess = std::pow(norm(spring) * law_.k_t / limit, 2);
       const Vec3 towards = spring + (0.25 * h * (excess - 1)) * in_plane(m.velocity, m.normal);
       c.spring = (limit / law_.k_t / norm(towards)) * towards;
@@ -127,7 +127,7 @@ class ReferenceStep {
     force.assign(now.size(), {});
     torque.assign(now.size(), {});
     for (ReferenceContact& c : contacts_) {
-      const Meeting m = meet(now, c);
+      const ContactGeometry m = geometry_of(now, c);
       c.force = force_of(c, m, h);
       force[c.a] += c.force;
       torque[c.a] += cross(m.arm_a, c.force);

@@ -13,7 +13,7 @@ inline document::Document document_of(std::string_view text) {
   return document::Document::parse(text, "scene.toml");
 }
 
-// The one line of the Error that the action throws; every one of them is bad input.
+// The line of the Error that the action throws, which must have the status bad_input.
 template <class Action>
 std::string message(Action&& action) {
   try {

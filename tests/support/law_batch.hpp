@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// One contact handed to a law directly, without a kernel.
+// One contact passed to a law directly, without the kernel.
 
 namespace scree::test {
 

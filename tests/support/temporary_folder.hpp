@@ -8,7 +8,7 @@
 
 namespace scree::test {
 
-// A folder of its own, removed at the end.
+// A temporary folder, removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -8,7 +8,7 @@
 
 #include <scree/energy.hpp>
 
-// Book-keeping with small binary fractions is exact, so that these tests compare with ==.
+// Sums of small binary fractions are exact, so that these tests compare with ==.
 
 using scree::BodySums;
 using scree::ContactSums;
@@ -26,7 +26,7 @@ TEST_CASE("powers are integrated by the trapezoidal rule, frictional work is add
   scree_energy e = audit.balance(0, 0, {});
   CHECK(e.dissipated_normal == 0.25 * (2 + 6));
   CHECK(e.dissipated_tangential == 0.25 * (4 + 0));
-  CHECK(e.dissipated_friction == 0.5);  // what a restated evaluation lost is not counted
+  CHECK(e.dissipated_friction == 0.5);  // dissipation of set_stored is not counted
   CHECK(e.dissipated_translation == 0.25 * (8 + 0));
   CHECK(e.dissipated_rotation == 0.25 * (16 + 32));
 
@@ -54,7 +54,7 @@ TEST_CASE("stored energy is that of the last evaluation, and the residual is the
   CHECK(scree::elastic_energy(e) == 4);
   CHECK(e.dissipated_boundary == 7);
   CHECK(e.work == 5);
-  // 66 now and then 63 stored, 1 of the dashpot and 7 of the boundary lost, 5 put in.
+  // Stored 66, at the start 63; dissipated 1 by the dashpot and 7 by the boundary; work 5.
   CHECK(e.residual == 66 + 4 - 4 - 63 + 1 + 7 - 5);
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("a jump of the stored energy between stages counts as work and leaves 
   CHECK(e.work == 5.5);
   CHECK(e.residual == 0);
 
-  // Rates start afresh from the new parameters.
+  // Powers are integrated from the new parameters on.
   audit.set_stored({.elastic_normal = 8, .dissipated_normal = 16}, {});
   audit.add_step(0.5, {.elastic_normal = 8}, {});
   e = audit.balance(2, 0, {});
@@ -90,12 +90,12 @@ TEST_CASE("turnover is the work, or kinetic, stored and dissipated energy if tha
   audit.set_stored({}, {.potential = 5});
   audit.start(1, 0, {});
   scree_energy e = {};
-  CHECK(audit.turnover(e) == 1);  // what moved at the start
+  CHECK(audit.turnover(e) == 1);  // kinetic at the start
   e.kinetic_translation = 1, e.elastic_normal = 2, e.dissipated_friction = 4;
   CHECK(audit.turnover(e) == 7);
   e.work = -9;
   CHECK(audit.turnover(e) == 9);
-  audit.add_step(1, {.elastic_normal = 6}, {.potential = 8});  // 6 in springs and 3 by height
+  audit.add_step(1, {.elastic_normal = 6}, {.potential = 8});  // 6 in springs and 3 in potentials
   audit.add_step(1, {}, {.potential = 5});
   CHECK(audit.turnover(e) == 13);
 }
@@ -114,10 +114,9 @@ TEST_CASE("the energy balance of an elastic bounce under gravity closes to the i
     }
     return largest;
   };
-  // Velocity Verlet keeps v²/2 + (1 − (ωh)²/4) ω²x²/2: the energy is off by (ωh)²/4 of the spring's, here at
-  // most 5 J and what gravity does on the way down, 10 N × 0.11 m. The spring starts within a step, and what
-  // it should have done since, up to k(vh)²/8 as the chord of a parabola, is missing: ω² = 1000/s², v² = 10
-  // m²/s².
+  // Velocity Verlet conserves v²/2 + (1 − (ωh)²/4) ω²x²/2: the error is (ωh)²/4 of the spring energy, which
+  // is at most 5 J plus the work of gravity, 10 N × 0.11 m. First touch is within a step, and the work of the
+  // spring since then, up to k(vh)²/8 as the chord of a parabola, is missing: ω² = 1000/s², v² = 10 m²/s².
   const auto bound = [](double h) { return (1e3 * 6.2 / 4 + 1e3 * 10 / 8) * h * h; };
   const double fine = residual(1e-4), coarse = residual(4e-4);
   CHECK(fine < bound(1e-4));
@@ -138,6 +137,6 @@ TEST_CASE("without an audit all energies are zero") {
   CHECK(without.energy().dissipated_normal == 0);
   CHECK(without.energy_residual() == 0);
   CHECK(with.energy().dissipated_normal > 0);
-  // Keeping books does not change the motion.
+  // The audit does not change the motion.
   CHECK(with.state_hash() == without.state_hash());
 }

@@ -13,8 +13,8 @@ using scree::spatial_order;
 
 TEST_CASE("the spatial order contains each body once and keeps neighbours together") {
   // A lattice of 16³ in random order. Along the curve, cells of 2 x 2 x 2 follow each other: seven of eight
-  // steps stay within one, so that the mean way is a few spacings rather than the third of the box of a
-  // random order.
+  // steps stay within one, so that the mean distance of neighbours is a few spacings rather than the third of
+  // the box of a random order.
   std::vector<Body> bodies;
   for (int i = 0; i < 16 * 16 * 16; ++i)
     bodies.push_back(scree::test::body(i, 0.5, 1, {{double(i % 16), double(i / 16 % 16), double(i / 256)}}));
@@ -22,11 +22,11 @@ TEST_CASE("the spatial order contains each body once and keeps neighbours togeth
   const std::vector<std::uint32_t> order = spatial_order(bodies, 3);
   std::vector<std::uint32_t> sorted = order;
   std::sort(sorted.begin(), sorted.end());
-  double way = 0;
+  double distance = 0;
   for (std::uint32_t i = 0; i < sorted.size(); ++i) REQUIRE(sorted[i] == i);
   for (std::size_t i = 1; i < order.size(); ++i)
-    way += norm(bodies[order[i]].position - bodies[order[i - 1]].position);
-  CHECK(way / double(order.size()) < 2);
+    distance += norm(bodies[order[i]].position - bodies[order[i - 1]].position);
+  CHECK(distance / double(order.size()) < 2);
 }
 
 TEST_CASE("distant bodies and an empty scene have an order") {

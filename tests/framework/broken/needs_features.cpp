@@ -1,10 +1,10 @@
-// A plug-in that asks the host for what it does not have.
+// A plug-in that requires features that the host does not have.
 #include <scree/plugin/body_force.hpp>
 
 namespace {
 
 struct NeedsFeatures {
-  static constexpr scree::About about = {"needs_features", "asks too much", "f = 0", "—"};
+  static constexpr scree::About about = {"needs_features", "requires too much", "f = 0", "—"};
   void declare(scree::Declaration&) {}
   void act(const scree::BodyState&, scree::BodyResponse&) const {}
 };

@@ -1,4 +1,4 @@
-// A plug-in that has nothing to say.
+// A plug-in without a manifest.
 #include <scree/plugin/abi.h>
 
 extern "C" __attribute__((visibility("default"))) const scree_plugin* scree_plugin_query(void) {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t bodies = 40, planes = 3;
 constexpr std::uint32_t width[] = {3, 5};  // history columns of the two laws
 
-// Materials 0, 1, 2; law 1 acts between unlike materials. All bodies and planes take materials in turn.
+// Materials 0, 1, 2; law 1 acts between different materials. Bodies and planes have the materials in turn.
 struct Table {
   std::vector<std::uint32_t> law_of = {0, 1, 1, 1, 0, 1, 1, 1, 0};
   std::vector<std::uint32_t> body_material, plane_material;
@@ -41,7 +41,7 @@ struct Pairs {
   std::vector<PlanePair> plane;
 };
 
-// Each possible pair is there with this probability; sorted, as a search gives them.
+// Each possible pair is listed with this probability; sorted, as by a search.
 Pairs some_pairs(double probability, unsigned seed) {
   std::mt19937 generator(seed);
   std::bernoulli_distribution present(probability);
@@ -65,7 +65,7 @@ void rebuild(Contacts& contacts, const Table& table, const Pairs& pairs) {
 
 using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;  // law, plane, a, b
 
-// A number that tells pair and column.
+// A number that identifies pair and column.
 double mark(const Key& key, std::uint32_t column) {
   const auto [law, plane, a, b] = key;
   return 1 + column + 10.0 * (law + 2 * plane) + 100.0 * double(a + bodies * b);
@@ -185,8 +185,7 @@ TEST_CASE("when a law changes its history width, the common columns are kept") {
 }
 
 TEST_CASE("each pair of materials or walls has its own law") {
-  // Two materials, a law for each combination, told apart by its stiffness; overlaps of a tenth in clean
-  // pairs.
+  // Two materials, a law with its own stiffness for each combination; overlaps of a tenth in separate pairs.
   const double radius = 1, overlap = 0.125, stiffness[] = {1000, 2000, 4000};
   std::vector<scree::Body> all;
   for (int pair = 0; pair < 3; ++pair)

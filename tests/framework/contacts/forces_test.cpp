@@ -45,7 +45,7 @@ class Dealer {
     for (;;)
       if (const Vec3 v = vector(1); norm(v) > 0.1 && norm(v) < 1) return (1 / norm(v)) * v;
   }
-  // Slip over a few steps is far above and far below what friction holds, at random.
+  // Slip over a few steps is far above or far below the Coulomb limit, at random.
   Body body(std::int64_t id, const Vec3& position) {
     const double radius = between(0.3, 1);
     Vec3 spin = dimension_ == 3 ? vector(3) : Vec3{{0, 0, between(-3, 3)}};
@@ -57,9 +57,9 @@ class Dealer {
   std::mt19937_64 generator_;
 };
 
-// What a force may be off: every coordinate, up to `edge` plus an image, carries some roundings per step, and
-// k makes a force of them; terms of the force itself are smaller. 64 ulps for the dozen operations from
-// position to force and their sum over 2 contacts, once per step.
+// Tolerance of a force (N): every coordinate, up to `edge` plus an image, has some roundings per step, times
+// k; rounding of the force itself is smaller. 64 ulps for the dozen operations from position to force and
+// their sum over 2 contacts, once per step.
 double force_tolerance(const ReferenceLaw& law, int steps) {
   return 64 * epsilon * (steps + 1) * (law.k + law.k_t) * 2 * edge;
 }
@@ -178,7 +178,7 @@ TEST_CASE("forces on a body between a wall and another body add up") {
       const Vec3 normal = {{0, 1, 0}}, point = {{0, bodies[0].position[1] - bodies[0].radius + 0.03, 0}};
       Scene scene = scree::test::scene(dimension, step, bodies, values(law));
       scree::test::add_boundary(scene, "plane", {{"point", {0, point[1], 0}}, {"normal", {0, 1, 0}}});
-      scene.limits.overlap_ratio = 100;  // the other may lie through the wall
+      scene.limits.overlap_ratio = 100;  // the other body may overlap the wall
       std::vector<ReferenceContact> contacts = {{.a = 0, .b = 1}};
       for (const std::size_t i : {0u, 1u})
         contacts.push_back({.a = i, .plane_point = point, .plane_normal = normal});
@@ -189,7 +189,7 @@ TEST_CASE("forces on a body between a wall and another body add up") {
 TEST_CASE("an isolated frictional cluster conserves momentum and angular momentum to round-off") {
   const int dimension = GENERATE(2, 3);
   CAPTURE(dimension);
-  // A heap that flies apart while bodies collide, roll and slide on each other.
+  // A cluster that flies apart while bodies collide, roll and slide on each other.
   Dealer deal(dimension, 9);
   std::vector<Body> bodies;
   const int per_axis = dimension == 2 ? 8 : 4, steps = 3000;
@@ -198,7 +198,7 @@ TEST_CASE("an isolated frictional cluster conserves momentum and angular momentu
     for (int k = 0, rest = i; k < dimension; ++k, rest /= per_axis)
       x[k] = 1.6 * (rest % per_axis - 0.5 * per_axis);
     Body b = deal.body(i, x + deal.vector(0.1));
-    b.velocity = b.velocity - 1.5 * x;  // towards the middle
+    b.velocity = b.velocity - 1.5 * x;  // towards the centre
     bodies.push_back(b);
   }
   ReferenceLaw law = laws[3];
@@ -224,7 +224,7 @@ TEST_CASE("an isolated frictional cluster conserves momentum and angular momentu
   // is linear.
   const double allowed = 16 * epsilon * (exchanged + steps * size);
   const double allowed_angular = 16 * epsilon * (moment + steps * spin_size);
-  REQUIRE(exchanged > 2 * size);  // it was a heap indeed
+  REQUIRE(exchanged > 2 * size);  // the bodies did collide
   CHECK(norm(scree::test::momentum(s) - momentum) <= allowed);
   CHECK(norm(scree::test::angular_momentum(s) - angular) <= allowed_angular);
 }

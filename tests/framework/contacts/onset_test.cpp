@@ -14,9 +14,9 @@ namespace {
 
 constexpr double step = 1e-4;
 
-// Pairs that close at 1 m/s (or open, at −1) with overlaps of `ways` times what they go in a step, and slide
+// Pairs that close at 1 m/s (or open, at −1), with overlaps of `depths` times the travel per step, and slide
 // at 1 m/s, with forces that begin and end as t to these powers.
-std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& ways, double closing,
+std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, double closing,
                                             double touching = 0, double parting = 0) {
   auto w = std::make_unique<BlockColumns<double>>();
   const std::vector<double> radius_sums(block_size, 1.0);
@@ -26,17 +26,18 @@ std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& ways, dou
     w->input[SCREE_NORMAL][i] = w->separation[0][i] = w->distance[i] = 1;
     w->velocity[0][i] = -closing;
     w->mid_velocity[1][i] = 1;
-    w->input[SCREE_OVERLAP][i] = i < ways.size() ? ways[i] * step : -1;
+    w->input[SCREE_OVERLAP][i] = i < depths.size() ? depths[i] * step : -1;
   }
   if (resolve_motion<3, false, false, true>(true, radius_sums.data(), step, block_size, *w) > 0)
     resolve_onsets<3, false, false, true>(true, radius_sums.data(), step, OnsetWeights::of_power(touching),
                                           OnsetWeights::of_power(parting), block_size, *w);
-  else  // what a block without such pairs is given
+  else  // onset weights of a block without such pairs
     std::fill_n(w->input[SCREE_ONSET_WEIGHT], block_size, 1.0);
   return w;
 }
 
-// Share of the step that a pair slid for; sliding turns the normal, by half a way, which takes 2.5e-9 off.
+// Fraction of the step during which a pair slid; sliding rotates the normal, by half a displacement, which
+// reduces it by 2.5e-9.
 double touched(const BlockColumns<double>& w, std::uint32_t pair) {
   return w.input[SCREE_TANGENTIAL_INCREMENT + 1][pair] / step;
 }
@@ -74,9 +75,9 @@ TEST_CASE("weighted samples of t^p add up to its integral wherever in a step fir
     for (const bool parts : {false, true})
       for (const double fraction : {0.001, 0.1, 0.37, 0.5, 0.8, 0.999}) {
         constexpr int samples = 40;
-        std::vector<double> ways;
-        for (int n = 0; n < samples; ++n) ways.push_back(fraction + n);
-        const auto w = parts ? pairs(ways, -1, 1, power) : pairs(ways, 1, power, 1);
+        std::vector<double> depths;
+        for (int n = 0; n < samples; ++n) depths.push_back(fraction + n);
+        const auto w = parts ? pairs(depths, -1, 1, power) : pairs(depths, 1, power, 1);
         double sum = 0;
         for (int n = 0; n < samples; ++n)
           sum += w->input[SCREE_ONSET_WEIGHT][n] * std::pow(fraction + n, power);

@@ -16,8 +16,8 @@ using scree::Vec3;
 
 namespace {
 
-// A shaken lattice between two walls and periodic faces; each body touches its neighbours. They are numbered
-// at random, so that most pairs cross tiles, or line by line.
+// A perturbed lattice between two walls and periodic faces; each body touches its neighbours. They are
+// numbered at random, so that most pairs cross tiles, or line by line.
 Scene crowd(int dimension, int per_axis, unsigned threads, bool at_random = true) {
   const int all = dimension == 2 ? per_axis * per_axis : per_axis * per_axis * per_axis;
   std::mt19937_64 generator(5);
@@ -66,7 +66,7 @@ TEST_CASE("scenes of several tiles have the same bits for any number of threads"
   }
 }
 
-// 16 tiles: two threads settle bodies of some while contacts of others go on.
+// 16 tiles: two threads finish some tiles while contacts of others are evaluated.
 TEST_CASE("scenes of many tiles have the same bits for any number of threads") {
   for (const bool at_random : {false, true}) {
     std::vector<std::uint64_t> hashes;

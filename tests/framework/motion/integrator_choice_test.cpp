@@ -69,7 +69,7 @@ TEST_CASE("the fourth order pays for its five evaluations in elastic motion") {
 }
 
 TEST_CASE("each integrator is stable up to its stated multiple of velocity Verlet's longest step") {
-  // The amplitude after so many steps that a growth of 2 % a step would show.
+  // The amplitude after enough steps to detect a growth of 2 % per step.
   for (const scree::IntegrationTraits& traits : scree::integrations())
     for (const double damping_ratio : {0.02, 0.1, 0.3, 1.0}) {
       const double omega = std::sqrt(stiffness / mass), damping = 2 * damping_ratio * omega * mass;
@@ -118,7 +118,7 @@ TEST_CASE("free flight is exact and the energy balance of an elastic bounce clos
 }
 
 TEST_CASE("mixed precision differs from double by float rounding, and so does its energy balance") {
-  // Two spheres meet off centre, with friction; every force is rounded to 6e-8 of itself.
+  // Oblique collision of two spheres with friction; every force is rounded to 6e-8 relative.
   const auto end = [](scree::Precision precision) {
     std::vector<Body> bodies = {scree::test::body(1, 0.01, 0.01, {{0, 0, 0}}, {{0, 0, 0}}),
                                 scree::test::body(2, 0.01, 0.01, {{0.021, 0.004, 0}}, {{-1, 0, 0}})};
@@ -135,14 +135,15 @@ TEST_CASE("mixed precision differs from double by float rounding, and so does it
   const Vec3 v = scree::test::velocity(*full, 0), w = scree::test::velocity(*mixed, 0);
   REQUIRE(norm(v) > 0.1);
   CHECK(v != w);
-  // Some 100 steps of contact, whose roundings add up at worst; sliding begins and ends a rounding earlier.
+  // About 100 steps of contact, whose roundings add up in the worst case; slip begins and ends a rounding
+  // earlier.
   CHECK(norm(v - w) <= 100 * 6e-8 * norm(v) * 4);
   CHECK(mixed->footprint().bytes_per_pair < full->footprint().bytes_per_pair);
   CHECK(std::abs(mixed->energy_residual() - full->energy_residual()) < 1e-5);
 }
 
 TEST_CASE("walls that a stage starts or stops have the right position with every integrator") {
-  // Nothing but a plane whose program is changed twice; 0.05 m in 0.1 s, then held.
+  // Only a plane whose program is changed twice: 0.05 m in 0.1 s, then held.
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     INFO(traits.name);
     Scene scene = scree::test::scene(3, 1e-3, {scree::test::body(1, 0.1, 1, {{0, 0, 5}})},

@@ -19,8 +19,8 @@ Values spring(double stiffness, double damping = 0) {
   return {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}};
 }
 
-// A body on a horizontal plane with weight m g; it rests at overlap m g/k and swings about it while it stays
-// down.
+// A body on a horizontal plane with weight m g; it rests at overlap m g/k and oscillates about it while in
+// contact.
 Scene on_a_plane(double step, const Body& body, const Values& law, double gravity, int dimension = 3) {
   Scene s = scree::test::scene(dimension, step, {body}, law);
   const bool flat = dimension == 2;
@@ -32,7 +32,7 @@ Scene on_a_plane(double step, const Body& body, const Values& law, double gravit
 }
 
 void negate_velocities(Simulation& s) {
-  // The simulation is ours and not const; it only shows its state as such.
+  // The simulation itself is not const; only its accessor is.
   auto& particles = const_cast<scree::Particles&>(s.particles());
   for (const auto& vectors : {particles.velocity(), particles.spin()})
     for (int k = 0; k < 3; ++k)
@@ -43,7 +43,7 @@ void negate_velocities(Simulation& s) {
 
 TEST_CASE("free flight is exact") {
   for (const int dimension : {2, 3}) {
-    // Velocity × step is a multiple of 2^-12 and every position of 2^-20 below 2^20: nothing is ever rounded.
+    // Velocity × step is a multiple of 2^-12 and every position of 2^-20 below 2^20: no rounding occurs.
     const Vec3 x = {{3.25, -17.5, dimension == 3 ? 0.125 : 0}}, v = {{0.5, -3.75, dimension == 3 ? 2.25 : 0}};
     const Vec3 spin = {{dimension == 3 ? 0.3 : 0, dimension == 3 ? -0.7 : 0, 1.1}};
     const double step = 1.0 / 1024;
@@ -77,14 +77,14 @@ TEST_CASE("a projectile is on its parabola at the end of each step") {
 }
 
 TEST_CASE("harmonic motion has the frequency with sin(w' h/2) = w h/2 and no other error") {
-  // A pair between two walls, moving against each other: each is held by its wall's spring and twice the
-  // pair's.
+  // A pair between two walls, in antiphase: each body is bound by its wall's spring and twice that of the
+  // pair.
   const double stiffness = 100, mass = 2, radius = 1, squeeze = 0.125, amplitude = 0.0625;
   const double omega = std::sqrt(3 * stiffness / mass);
   for (const double omega_step : {0.01, 0.1, 0.5, 1.0, 1.9}) {
     const double step = omega_step / omega, shifted = 2 * std::asin(omega_step / 2) / step;
-    const double rest = radius - squeeze / 2;  // of each from the middle
-    // The walls push with k δ_w = k × squeeze when the bodies rest there.
+    const double rest = radius - squeeze / 2;  // distance of each from the middle
+    // At rest the walls exert k δ_w = k × squeeze.
     const double wall = rest + radius - squeeze;
     Scene scene = scree::test::scene(2, step,
                                      {scree::test::body(0, radius, mass, {{-rest - amplitude, 5, 0}}),
@@ -139,7 +139,7 @@ TEST_CASE("frictionless motion returns to its start when velocities are reversed
   const auto there_and_back = [&](double nudge) {
     Simulation s(scene);
     scree::test::run(s, 1500);
-    const bool met = norm(scree::test::velocity(s, 0) - bodies[0].velocity) > 0.1;
+    const bool collided = norm(scree::test::velocity(s, 0) - bodies[0].velocity) > 0.1;
     negate_velocities(s);
     const auto x = const_cast<scree::Particles&>(s.particles()).position()[0];
     x[0] += nudge;
@@ -147,7 +147,7 @@ TEST_CASE("frictionless motion returns to its start when velocities are reversed
     double away = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
       away = std::max(away, norm(scree::test::position(s, i) - bodies[i].position));
-    REQUIRE(met);
+    REQUIRE(collided);
     return away;
   };
   // A rounding of a coordinate, up to an ulp of 8 m, in each of the 3000 steps grows as a nudge does.

@@ -97,7 +97,7 @@ TEST_CASE("forces obey Coulomb's law, and spring and dashpot only dissipate, for
     // Power of the dashpot, and work of the spring's force on slip.
     CHECK(-dot(slip.force + stiffness * slip.spring, velocity) >= -round_off * bound * norm(velocity));
     if (!slip.slides) CHECK(slip.spring == moved);
-    // Along a straight way the spring slips forwards.
+    // On a straight path the spring slips forwards.
     CHECK(dot(slip.spring, moved - slip.spring) >= -round_off * dot(moved, moved));
   }
   CHECK(slid > 5000);

@@ -12,8 +12,8 @@ namespace {
 const double pi = std::acos(-1.0);
 constexpr double epsilon = 2.220446049250313e-16;
 
-// Opaque to the compiler, which would else see how short the data is and warn of the kinds that it does not
-// hold.
+// Opaque to the compiler, which would otherwise see the length of the data and warn about the kinds that do
+// not hold.
 [[gnu::noipa]] Program program(const std::vector<double>& data) {
   return Program({data.data(), data.size()});
 }

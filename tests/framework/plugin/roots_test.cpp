@@ -45,6 +45,6 @@ TEST_CASE("the root of zero is zero, and its reciprocal finite") {
   CHECK(std::isfinite(inverse_fourth_root(0.0f)));
   CHECK(root_of(0.0f).value == 0);
   CHECK(std::isfinite(root_of(0.0f).inverse));
-  // Below the normal numbers the guess falls short, but stays a number.
+  // For subnormal numbers the guess is inaccurate, but finite.
   CHECK(std::isfinite(root_of(std::numeric_limits<double>::denorm_min()).inverse));
 }

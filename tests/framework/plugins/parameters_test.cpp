@@ -48,7 +48,7 @@ const scree_plugin& plugin() {
   return manifest;
 }
 
-// What an author's struct gets from these parameters.
+// The members of an author's struct, for these parameters.
 Author read(const std::vector<scree_value>& values) {
   Author author;
   scree::Declaration declaration(values.data());
@@ -154,7 +154,7 @@ TEST_CASE("programs are checked for their range of values and their shape") {
   CHECK(problem("load", {4, 0, 1, 1, 2}) == "none");
   CHECK_THAT(problem("load", {4, 0, 1, 1, -2}), Catch::Contains("reaches -2"));
   CHECK_THAT(problem("load", {0, not_a_number}), Catch::Contains("not finite"));
-  // Too short or too long for their kind, of no kind, with no length in time, or with times that go back.
+  // Too short or too long for their kind, of unknown kind, of zero duration, or with decreasing times.
   const std::vector<std::vector<double>> wrong = {{0},
                                                   {0, 1, 2},
                                                   {1, 5, 4, 10},
@@ -207,7 +207,7 @@ TEST_CASE("the closest word is suggested, if it is close") {
   CHECK(scree::nearest_word("Normal-Damping", words) == "normal_damping");
   CHECK(scree::nearest_word("mas", words) == "mass");
   CHECK(scree::nearest_word("masss", words) == "mass");
-  CHECK(scree::nearest_word("amss", words) == "mass");  // two letters swapped are one slip
+  CHECK(scree::nearest_word("amss", words) == "mass");  // swapping two letters is one edit
   CHECK_FALSE(scree::nearest_word("friction", words));
   CHECK_FALSE(scree::nearest_word("", words));
   CHECK_FALSE(scree::nearest_word("mass", {}));

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* law = "linear_spring_dashpot";
 
-// A directory of plug-ins that goes with the test.
+// A temporary directory of plug-ins.
 class Folder {
  public:
   Folder() {
@@ -90,9 +90,9 @@ TEST_CASE("an unknown name is refused with the nearest known one") {
              Catch::Contains("there are: ") && Catch::Contains("gravity"));
   CHECK_THAT(refusal(host, "gravity", SCREE_CONTACT_LAW), Catch::Contains("'gravity' is a body force"));
   CHECK_THAT(refusal(host, "", SCREE_CONTACT_LAW), Catch::Contains("no contact law plug-in ''"));
-  PluginHost nowhere({});
-  CHECK_THAT(refusal(nowhere, law, SCREE_CONTACT_LAW), Catch::Contains("in any directory"));
-  CHECK(nowhere.names(SCREE_CONTACT_LAW).empty());
+  PluginHost empty({});
+  CHECK_THAT(refusal(empty, law, SCREE_CONTACT_LAW), Catch::Contains("in any directory"));
+  CHECK(empty.names(SCREE_CONTACT_LAW).empty());
 }
 
 TEST_CASE("a name cannot lead out of the directories") {
@@ -134,7 +134,7 @@ TEST_CASE("the best build that the processor supports is loaded, or the one that
     return fs::relative(library_of(host.find(law, SCREE_CONTACT_LAW)), folder.path()).string();
   };
   CHECK(loaded(nullptr) == base);
-  CHECK(loaded("x86-64-v3") == base);  // not there: the baseline serves
+  CHECK(loaded("x86-64-v3") == base);  // missing: the baseline is loaded
 #if defined(__x86_64__)
   const bool v3 = __builtin_cpu_supports("x86-64-v3"), v4 = __builtin_cpu_supports("x86-64-v4");
   const std::string at_v3 = "contact/x86-64-v3/" + file, at_v4 = "contact/x86-64-v4/" + file;
@@ -170,7 +170,7 @@ TEST_CASE("unusable libraries are refused with the reason and do not affect the 
              Catch::Contains("interface version " + std::to_string(SCREE_ABI_VERSION + 1) +
                              ", this program has " + std::to_string(SCREE_ABI_VERSION)));
   CHECK_THAT(refusal(host, "needs_features", SCREE_BODY_FORCE), Catch::Contains("needs features 0x8"));
-  // A second try is refused again, for the same reason.
+  // A second attempt is refused for the same reason.
   CHECK_THAT(refusal(host, "no_query", SCREE_BODY_FORCE), Catch::Contains("lacks the symbol"));
 
   std::vector<PluginHost::Broken> broken;
@@ -191,9 +191,9 @@ TEST_CASE("a plug-in's own refusal is passed on with its name") {
   const scree::Parameters wrong = scree::test::parameters(
       law, SCREE_CONTACT_LAW,
       {{"normal_stiffness", {1}}, {"normal_damping", {0}}, {"static_friction", {0.5}}});
-  const double nowhere[3] = {};
+  const double no_box[3] = {};
   try {
-    const scree::ConfiguredLaw configured(wrong, 3, nowhere, nowhere);
+    const scree::ConfiguredLaw configured(wrong, 3, no_box, no_box);
     FAIL("not refused");
   } catch (const Error& error) {
     CHECK_THAT(error.what(), Catch::StartsWith(std::string(law) + ": friction needs tangential_stiffness"));

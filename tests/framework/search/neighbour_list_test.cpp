@@ -22,7 +22,7 @@ constexpr double edge = 10, step = 1e-3;
 
 enum Walls { box, periodic };
 
-// A dilute gas of fast bodies of two sizes: the fastest pass a hundredth of a radius in a step.
+// A dilute gas of fast bodies of two sizes: the fastest move by a hundredth of a radius per step.
 Scene gas(int dimension, Walls walls, double skin, double perturbation = 0) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -57,7 +57,7 @@ double nearest_image(double x) { return x - edge * std::round(x / edge); }
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
-// Overlapping bodies, or bodies and walls, by looking at all of them.
+// Overlapping bodies, or bodies and walls, by brute force.
 Pairs overlapping(const Simulation& s, bool planes) {
   Pairs pairs;
   const bool wraps = s.domain().any_periodic();
@@ -88,7 +88,7 @@ Pairs listed(const Simulation& s, bool planes) {
   return pairs;
 }
 
-// Steps, and counts overlaps on the way; fails when one is not listed.
+// Takes steps and counts overlaps; fails if one is not listed.
 std::size_t watch(Simulation& s, int steps) {
   std::size_t overlaps = 0;
   for (int k = 0; k < steps; ++k) {
@@ -105,7 +105,7 @@ std::size_t watch(Simulation& s, int steps) {
   return overlaps;
 }
 
-// Largest distance between the same bodies of two gases, images of each other being the same.
+// Largest distance between the same bodies of two gases, with the minimum-image convention.
 double distance(const Simulation& s, const Simulation& t) {
   double largest = 0;
   for (std::size_t i = 0; i < s.particles().size(); ++i) {
@@ -171,7 +171,7 @@ TEST_CASE("contacts with walls give the same bits for any skin") {
 TEST_CASE("periodic motion is the same for any skin, to round-off") {
   for (const int dimension : {2, 3}) {
     // Searches come at other times and round positions when they wrap them, by half an ulp of the edge.
-    // Collisions make differences grow: how much is measured with a displacement that is far above round-off.
+    // Collisions amplify differences; the factor is measured with a displacement far above round-off.
     const int steps = 300;
     const double displacement = 1e-10;
     Simulation reference(gas(dimension, periodic, 0.05)),
@@ -179,7 +179,7 @@ TEST_CASE("periodic motion is the same for any skin, to round-off") {
     scree::test::run(reference, steps);
     scree::test::run(displaced, steps);
     const double growth = distance(reference, displaced) / displacement;
-    REQUIRE(growth < 1e5);  // else the comparison would say nothing
+    REQUIRE(growth < 1e5);  // otherwise the comparison would be meaningless
     for (const double skin : {0.003, 0.5, 3.0}) {
       Simulation s(gas(dimension, periodic, skin));
       scree::test::run(s, steps);
@@ -226,7 +226,7 @@ TEST_CASE("loaded springs survive searches caused by a distant body") {
   std::vector<double> springs;
   for (const auto& c : contacts)
     for (std::uint32_t k = 0; k < 2; ++k) {
-      // Same bits: a search moves no spring.
+      // Same bits: a search changes no spring.
       REQUIRE(history_of(often, c.a, c.b, c.planes, k));
       springs.push_back(*history_of(often, c.a, c.b, c.planes, k));
       CHECK(springs.back() == *history_of(rarely, c.a, c.b, c.planes, k));

@@ -11,8 +11,8 @@
 
 #include <scree/error.hpp>
 
-// Lists are compared exactly: a pair whose distance lies within rounding of its reach is as good in as out,
-// but with random coordinates none does, and the hand-made scenes stay away from it.
+// Lists are compared exactly: a pair whose distance equals its reach within rounding may be listed or not,
+// but random coordinates do not produce such pairs, and the constructed scenes avoid them.
 
 using scree::Body;
 using scree::Domain;
@@ -34,7 +34,7 @@ struct Sizes {
   double smallest, largest;
 };
 
-// Deals out random bodies; radii uniform in their logarithm, so that all levels of a hierarchy are filled.
+// Random bodies; the logarithm of the radius is uniform, so that all levels of the hierarchy are filled.
 class Dealer {
  public:
   Dealer(int dimension, unsigned seed) : dimension_(dimension), generator_(seed) {}
@@ -56,7 +56,7 @@ class Dealer {
       bodies.push_back(scree::test::body(std::int64_t(i), radius(sizes), 1, point(low, high)));
     return bodies;
   }
-  // Heaps of bodies around a few centres, many of them overlapping.
+  // Clusters of bodies around a few centres, many of them overlapping.
   std::vector<Body> clustered(std::size_t count, const Sizes& sizes, double low, double high) {
     std::vector<Body> bodies;
     const Vec3 centres[] = {point(low, high), point(low, high), point(low, high)};
@@ -73,7 +73,7 @@ class Dealer {
   std::mt19937_64 generator_;
 };
 
-// All pairs by looking at all pairs and all 27 images.
+// All neighbours, by testing all pairs and all 27 images.
 std::vector<NeighbourPair> brute_force(int dimension, const std::vector<Body>& bodies, const Domain& domain,
                                        double skin) {
   std::vector<NeighbourPair> pairs;
@@ -95,7 +95,7 @@ std::vector<NeighbourPair> brute_force(int dimension, const std::vector<Body>& b
 std::size_t check(int dimension, const std::vector<Body>& bodies, const Domain& domain, double skin) {
   const Particles particles(dimension, false, domain.any_periodic(), bodies);
   const std::vector<NeighbourPair> expected = brute_force(dimension, bodies, domain, skin);
-  // brute_force goes through a, then b: equality says sorted and each pair once as well.
+  // brute_force loops over a, then b: equality implies sorted and each pair once.
   CHECK(find_neighbours(particles, domain, skin) == expected);
   return expected.size();
 }
@@ -104,7 +104,7 @@ Domain periodic(std::array<bool, 3> axes, double low, double high) {
   return {axes, {{low, low, low}}, {{high, high, high}}};
 }
 
-// Edge of a box with so many bodies of this size at a medium density.
+// Edge of a box that contains this number of bodies of this size at a medium density.
 double box_edge(int dimension, std::size_t count, double radius) {
   return 2.2 * radius * std::pow(double(count), 1.0 / dimension);
 }
@@ -123,7 +123,7 @@ TEST_CASE("neighbours equal those of brute force, for all kinds of packings, siz
   const bool clustered = GENERATE(false, true);
   CAPTURE(dimension, c.sizes.smallest, skin, clustered);
 
-  // Large enough for the longest reach to fit twice.
+  // At least twice the longest reach.
   const double half =
       std::max(0.5 * box_edge(dimension, c.count, 0.6 * c.sizes.largest), 2 * c.sizes.largest + skin);
   const double low = -half + 0.3, high = half + 0.3;
@@ -149,7 +149,7 @@ TEST_CASE("few bodies in any number of cells, also across a periodic face") {
   for (const int dimension : {2, 3})
     for (unsigned seed = 0; seed < 200; ++seed) {
       Dealer dealer(dimension, seed);
-      // From two reaches, the shortest domain that there may be, to eight.
+      // From two reaches, the shortest allowed domain, to eight.
       const double edge = dealer.between(4.2, 17), skin = 0.1;
       const std::vector<Body> bodies = dealer.uniform(2 + seed % 9, {0.5, 1}, 0, edge);
       check(dimension, bodies, {}, skin);
@@ -193,7 +193,7 @@ TEST_CASE("one very distant body hides no pair") {
     const std::size_t without = check(dimension, bodies, {}, 0.1);
     bodies.push_back(scree::test::body(300, 1, 1, {{1e6, -1e6, dimension == 3 ? 1e6 : 0}}));
     CHECK(check(dimension, bodies, {}, 0.1) == without);
-    // Nor does one that is far larger than the others.
+    // The same with one far larger than the others.
     bodies.push_back(scree::test::body(301, 1e3, 1, {{-1e3, 0, 0}}));
     CHECK(check(dimension, bodies, {}, 0.1) > without);
   }

@@ -39,7 +39,7 @@ TEST_CASE("the skin becomes thin where nothing moves, and a given one is kept") 
   CHECK(listed(own) == 180);
   for (int k = 0; k < 2000; ++k) own.step(), stated.step();
   CHECK(own.skin() < 0.04);
-  // A later stage is not judged by how thin the skin has become.
+  // The step limit of a later stage does not depend on how thin the skin has become.
   CHECK(own.first_skin() == Approx(0.05));
   CHECK(listed(own) == 0);
   CHECK(own.rebuilds() == 2);

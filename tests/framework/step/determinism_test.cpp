@@ -28,8 +28,8 @@ std::vector<const char*> levels_of_this_processor() {
   return levels;
 }
 
-// Bodies of two sizes that fall into a box and knock against each other: normal, sliding and sticking
-// contacts, walls, a body force, several blocks of pairs, searches on the way.
+// Bodies of two sizes that fall into a box and collide: normal, sliding and sticking contacts, walls, a body
+// force, several blocks of pairs, several searches.
 Scene heap(int dimension, bool frictional) {
   std::mt19937_64 generator(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -60,7 +60,7 @@ Scene heap(int dimension, bool frictional) {
 std::uint64_t hash_after(const Scene& scene, int steps) {
   Simulation s(scene);
   scree::test::run(s, std::uint64_t(steps));
-  // There is something to be different: more than one block of contacts, and searches on the way.
+  // The scene covers the cases: more than one block of contacts, and several searches.
   REQUIRE(s.contact_list().size() > 256);
   REQUIRE(s.rebuilds() > 3);
   return s.state_hash();
@@ -115,7 +115,7 @@ TEST_CASE("every build of the law gives the same bits") {
   const bool frictional = GENERATE(false, true);
   std::set<std::uint64_t> hashes;
   std::set<const scree_plugin*> builds;
-  // All hosts stay, so that no build's code takes the place of another's.
+  // All hosts are kept, so that no build is loaded at the address of another.
   std::vector<std::unique_ptr<PluginHost>> hosts;
   for (const char* name : levels_of_this_processor()) {
     const scree::test::InstructionLevel level(name);
@@ -133,7 +133,7 @@ TEST_CASE("every build of the law gives the same bits") {
     builds.insert(&law.plugin());
   }
   CHECK(hashes.size() == 1);
-  CHECK(builds.size() == levels_of_this_processor().size());  // they were different libraries
+  CHECK(builds.size() == levels_of_this_processor().size());  // the libraries differ
 }
 
 TEST_CASE("fused steps have the same bits as single steps") {
@@ -150,9 +150,9 @@ TEST_CASE("fused steps have the same bits as single steps") {
     CHECK(together.state_hash() == one_by_one.state_hash());
     CHECK(together.energy().residual == one_by_one.energy().residual);
     CHECK(together.momentum_residual() == one_by_one.momentum_residual());
-    // Told to stop in the course of a step, it ends with that step, whole.
-    int asked = 0;
-    CHECK(stopped.run(1000, [&] { return ++asked < 300; }) == 300);
+    // If `proceed` returns false, the step is completed.
+    int polls = 0;
+    CHECK(stopped.run(1000, [&] { return ++polls < 300; }) == 300);
     CHECK(stopped.state_hash() == one_by_one.state_hash());
   }
 }
@@ -162,7 +162,7 @@ TEST_CASE("the last bit of any state changes the hash") {
   Simulation s(heap(dimension, true));
   scree::test::run(s, 100);
   const std::uint64_t hash = s.state_hash();
-  // The simulation is ours and not const; it only shows its state as such.
+  // The simulation itself is not const; only its accessor is.
   auto& particles = const_cast<scree::Particles&>(s.particles());
   auto& contacts = const_cast<scree::Contacts&>(s.contacts());
   auto& planes = const_cast<std::vector<scree_plane>&>(s.planes());

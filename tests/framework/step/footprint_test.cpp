@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-// A scene pays for the axes, spins, histories and images that it needs and for no more.
+// A scene carries only the axes, spins, histories and images that it needs.
 
 using scree::Footprint;
 using scree::Particles;
@@ -66,14 +66,14 @@ void check(const Carries& c) {
   const std::size_t dimension = std::size_t(c.dimension), spins = !spin ? 0 : flat ? 1 : 3;
   const Footprint footprint = s.footprint();
   CHECK(footprint.degrees_of_freedom == p.size() * (dimension + spins));
-  // 32 bytes each for place, velocity, mid-step velocity and force, in 3D with spin also for spin, mid-step
-  // spin and torque; mass, inertia, images, id and material.
+  // 32 bytes each for position, velocity, mid-step velocity and force, in 3D with spin also for spin,
+  // mid-step spin and torque; mass, inertia, images, id and material.
   const std::size_t records = 4 + (spin && !flat ? 3 : 0), images = c.periodic ? dimension : 0;
   CHECK(footprint.bytes_per_body == 32 * records + (spin ? 16 : 8) + 4 * images + 8 + 4);
   // Springs in the dimension's axes and whether the contact slides.
   CHECK(footprint.history_width == (c.friction ? dimension + 1 : 0));
-  // Two bodies, an image, a slot for each of the bodies at 4 bytes; force, sum of the radii, and what
-  // the law asks for: the root of the reduced mass.
+  // Two bodies, an image, a slot for each of the bodies at 4 bytes; force, sum of the radii, and the root of
+  // the reduced mass, which the law reads.
   const std::size_t indices =
       sizeof(s.contacts().a[0]) + sizeof(s.contacts().b[0]) + sizeof(s.contacts().image[0]);
   const std::size_t doubles = dimension + 2 + footprint.history_width;

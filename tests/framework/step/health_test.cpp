@@ -49,7 +49,7 @@ TEST_CASE("a velocity that is not finite stops the run at once, with body, time 
     for (int axis = 0; axis < 3; ++axis) {
       Simulation s(scene_of(three_apart()));
       scree::test::run(s, 4);
-      // The simulation is ours and not const; it only shows its state as such.
+      // The simulation itself is not const; only its accessor is.
       const_cast<scree::Particles&>(s.particles()).velocity()[axis][1] = bad;
       CHECK_THAT(blow_up([&] { s.step(); }),
                  Catch::StartsWith("particle 101: position, velocity or spin is not a number") &&
@@ -124,7 +124,7 @@ TEST_CASE("a body faster than the limit stops the run") {
 
 TEST_CASE("by default a body may not move by the smallest radius in a step") {
   Scene scene = scene_of(three_apart());
-  // Speeds are measured against walls; without any, against the mean velocity.
+  // Speeds are relative to the walls; without walls, to the mean velocity.
   scree::test::add_boundary(scene, "plane", {{"point", {0, 0, -1e6}}, {"normal", {0, 0, 1}}});
   scene.bodies[0].radius = 0.25;  // 250 m/s
   scene.bodies[2].velocity = {{0, 249, 0}};
@@ -192,14 +192,13 @@ TEST_CASE("a far too long step is reported and gives no results") {
 
 TEST_CASE("a wall that diverges is reported too") {
   Scene scene = scene_of({scree::test::body(1, 1, 1, {{0, 0, 0}})});
-  // Nothing but its own mass holds it, and that is next to nothing.
+  // Only its own mass, which is tiny, limits its motion.
   scree::test::add_boundary(scene, "box", {{"gap", {1}}, {"stress", {0, 1e10}}, {"mass", {1e-305}}});
   Simulation s(scene);
   CHECK_THAT(blow_up([&] { scree::test::run(s, 100); }), Catch::Contains("wall box."));
 }
 
-TEST_CASE(
-    "a wall that slides along itself infinitely fast is reported, although its normal speed is not a number") {
+TEST_CASE("a wall that slides along itself infinitely fast is reported, although its normal speed is NaN") {
   Scene scene = scene_of({scree::test::body(1, 1, 1, {{0, 0, 5}})});
   scree::test::add_boundary(scene, "plane",
                             {{"point", {0, 0, 0}},

@@ -31,7 +31,7 @@ Values spring(double damping, double friction = 0) {
           {"static_friction", {friction}}};
 }
 
-// A disc lying on the ground and moving along it.
+// A disc on the ground, moving along it.
 Scene disc(double friction, double speed, double spin = 0, double damping = 20) {
   Scene s =
       scree::test::scene(2, step,
@@ -102,7 +102,7 @@ TEST_CASE("stages last their durations, to the step, and follow each other") {
   CHECK(runner.finished());
   CHECK(s.steps() == 150);
   CHECK(runner.progress() == Approx(1));
-  CHECK(StageRunner(s, {}).finished());  // a run without stages is over at once
+  CHECK(StageRunner(s, {}).finished());  // a run without stages is finished at once
 }
 
 TEST_CASE("a condition ends a stage when kinetic over elastic energy has fallen below it") {
@@ -122,9 +122,9 @@ TEST_CASE("a condition ends a stage when kinetic over elastic energy has fallen 
     runner.step();
   }
   CHECK(ratio(s) < condition);
-  CHECK(before >= condition);  // at the look before this one it was not met yet
+  CHECK(before >= condition);  // at the previous test it was not fulfilled
 
-  // Not before at_least, even if it is met.
+  // Not before at_least, even if it is fulfilled.
   Simulation t(scene);
   const double at_least = s.time() + 1;
   StageRunner patient(t, {settling(condition, at_least, {})});
@@ -144,7 +144,7 @@ TEST_CASE("bodies in free flight have no elastic energy and do not fulfil the co
 }
 
 TEST_CASE("a condition not fulfilled in time is a failure with stage, value and remedy") {
-  Simulation s(disc(0, 1, 0, 0));  // slides for ever
+  Simulation s(disc(0, 1, 0, 0));  // slides without end
   StageRunner runner(s, {settling(1e-3, 0, 0.25)});
   int steps = 0;
   const std::string text = error_of(
@@ -167,7 +167,7 @@ TEST_CASE("friction can be switched on when spins are carried, and its springs a
   CHECK(history_width(s) == 0);
   while (runner.current() == 0) runner.step();
   CHECK(scree::test::velocity(s, 0)[0] == 1);
-  CHECK(history_width(s) == 3);  // the change is in force with the stage: two springs and the sliding state
+  CHECK(history_width(s) == 3);  // applies from the start of the stage: two springs, sliding state
   while (runner.current() == 1) {
     runner.step();
     if (s.steps() == 51) {
@@ -182,7 +182,7 @@ TEST_CASE("friction can be switched on when spins are carried, and its springs a
   CHECK(spin < 3);
   CHECK(speed < 1);
   while (!runner.finished()) runner.step();
-  CHECK(spin_of(s) == spin);  // nothing turns it now
+  CHECK(spin_of(s) == spin);  // no torque acts now
   CHECK(std::abs(scree::test::velocity(s, 0)[0] - speed) <= 0.5 * step * 0.5 * gravity * (1 + 1e-9));
 }
 
@@ -246,5 +246,5 @@ TEST_CASE(
   CHECK(s.planes()[0].velocity[1] == Approx(1));
   while (!runner.finished()) runner.step();
   CHECK(std::abs(height() - (0.05 - 2 * 0.02)) <= 70 * 2.3e-16 * 0.4);
-  CHECK(s.particles().force()[1][0] >= 0);  // the wall still pushes, or lets go, but nothing pulls down
+  CHECK(s.particles().force()[1][0] >= 0);  // the wall still pushes, or not, but no force acts downwards
 }

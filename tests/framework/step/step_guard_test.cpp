@@ -24,7 +24,8 @@ Values law(double damping = 0) { return {{"normal_stiffness", {stiffness}}, {"no
 
 Body ball(int id, double x, double y = 0) { return scree::test::body(id, radius, mass, {{x, y, 0}}); }
 
-// Layers of a triangular lattice of discs, periodic, pressed together, with a speed like a rounding error.
+// Layers of a triangular lattice of discs, periodic and compressed, with speeds of the size of rounding
+// errors.
 Scene lattice(double share_of_limit) {
   std::vector<Body> bodies;
   const int per_row = 6, rows = 6;
@@ -83,7 +84,7 @@ TEST_CASE("drag, fast bodies, light and viscous walls limit the step and are nam
 
   Scene fast = scree::test::scene(3, 1e-9, {ball(1, 0), ball(2, 3)}, law());
   fast.bodies[0].velocity = {{-1e5, 0, 0}};
-  // Against the mean velocity of both.
+  // Relative to the mean velocity of both.
   CHECK(shortest_limit(Simulation(fast)).longest_step == Approx(0.1 * radius / 0.5e5));
 
   const auto box = [](double wall_mass, double viscosity) {
@@ -120,7 +121,7 @@ TEST_CASE("a strongly damped lattice stays at rest at the longest step, and expl
     scree::test::run(s, 400);
     return scree::kinetic_energy(s.energy());
   };
-  // It starts with speeds of 1e-9 m/s, and a residual pressure of 1 % of a radius that it cannot follow.
+  // It starts with speeds of 1e-9 m/s and a pressure, from an overlap of 1 % of a radius, that cannot relax.
   CHECK(energy_after(1) < 1e-15);
   CHECK_THROWS_WITH(energy_after(3), Catch::Contains("overlap is "));
 }

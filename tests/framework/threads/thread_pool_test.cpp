@@ -37,7 +37,7 @@ TEST_CASE("writes of one round are visible to all workers in the next") {
     std::vector<std::uint64_t> now(257), next(257);
     std::iota(now.begin(), now.end(), 0u);
     std::vector<std::uint64_t> expected = now;
-    // Every element is summed with its neighbours of the round before, which other workers wrote.
+    // Every element is summed with its neighbours of the previous round, which other workers wrote.
     const auto mix = [](const std::vector<std::uint64_t>& in, std::size_t i) {
       return in[i] * 3 + in[(i + 1) % in.size()] + in[(i + in.size() - 1) % in.size()];
     };
@@ -63,7 +63,7 @@ TEST_CASE("workers take part in long rounds, also after they slept") {
   ThreadPool pool(3);
   for (int round = 0; round < 3; ++round) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    // Two items that wait for each other: no single thread could do both.
+    // Two items that wait for each other: one thread alone could not complete both.
     std::atomic<int> begun = 0;
     pool.each(2, [&](std::size_t, unsigned) {
       begun.fetch_add(1);
@@ -77,7 +77,7 @@ TEST_CASE("a delayed worker does not delay the others: its unstarted items are s
   ThreadPool pool(2);
   std::atomic<bool> others_done = false;
   std::atomic<int> done = 0;
-  // Item 50 waits for all others, those of the same share as well.
+  // Item 50 waits for all others, including those of its own share.
   pool.each(100, [&](std::size_t item, unsigned) {
     if (item == 50)
       while (!others_done.load()) std::this_thread::yield();

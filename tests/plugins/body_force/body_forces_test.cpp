@@ -36,7 +36,7 @@ TEST_CASE("background damping: velocity and spin decay exponentially, to second 
     const double inertia = 0.4 * m * radius * radius;
     const Vec3 v = velocity(s, 0), w = s.particles().body(0).spin;
     const double spin_rate = gamma_r * radius * radius / inertia;
-    // Books: what is lost is what the bodies had, to the same order.
+    // Energy balance: the dissipated energy is what the bodies lost, to the same order.
     CHECK(std::abs(s.energy().residual) < 1e-2 * s.energy().dissipated_translation);
     return std::max(norm(v - std::exp(-gamma / m * 0.01) * Vec3{{1, 2, 3}}),
                     norm(w - std::exp(-spin_rate * 0.01) * Vec3{{10, -20, 30}}) / 10);

@@ -42,9 +42,9 @@ TEST_CASE("a stress-controlled wall obeys m s'' = p A − γ s'", "[box]") {
                           {"z_high", {1}}}));
   run(s, 2000);
   const double terminal = p * edge * edge / gamma, rate = gamma / m, t = s.time();
-  const double way = terminal * (t - (1 - std::exp(-rate * t)) / rate);
+  const double distance = terminal * (t - (1 - std::exp(-rate * t)) / rate);
   // Step error: (γΔt/m)² / 12 = 1e-7 relative.
-  CHECK(edge / 2 - wall(s, x_high).point[0] == Approx(way).epsilon(1e-6));
+  CHECK(edge / 2 - wall(s, x_high).point[0] == Approx(distance).epsilon(1e-6));
   CHECK(-wall(s, x_high).velocity[0] == Approx(terminal * (1 - std::exp(-rate * t))).epsilon(1e-6));
   CHECK(wall(s, x_low).point[0] == -edge / 2);
 }

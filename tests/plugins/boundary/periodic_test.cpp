@@ -20,7 +20,7 @@ TEST_CASE("a body that crosses a periodic face re-enters at the opposite one", "
   make_periodic(sc, 3, 1);  // x and y
   Simulation s(sc);
   run(s, 3350);
-  // Positions are folded back at neighbour searches, at most a skin after the crossing.
+  // Positions are folded in neighbour searches, at most one skin after the crossing.
   const Vec3 x = position(s, 0);
   CHECK(x[0] == Approx(0.25).margin(0.01));
   CHECK(x[1] == Approx(0.85).margin(0.01));
@@ -42,7 +42,7 @@ TEST_CASE("bodies collide through a periodic face as they do inside", "[periodic
     return std::pair{velocity(s, 0), velocity(s, 1)};
   };
   const auto inside = outcome(0);
-  REQUIRE(inside.first[0] < 0);  // they bounced
+  REQUIRE(inside.first[0] < 0);  // they have collided
   for (const double shift : {0.4, 0.5, 0.6}) {
     const auto through = outcome(shift);
     // Coordinates of order 1 are rounded differently: 1e-16 in the overlap, over k Δt / m = 0.1 /s per step

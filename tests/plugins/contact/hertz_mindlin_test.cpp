@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-// Two-body encounters of Hertz–Mindlin contacts against closed forms; Chung & Ooi, Granular Matter 13, 643,
+// Two-body collisions of Hertz–Mindlin contacts against closed forms; Chung & Ooi, Granular Matter 13, 643,
 // tests 1 to 3.
 
 using namespace scree;
@@ -22,7 +22,7 @@ struct Impact {
   double largest_overlap = 0, largest_force = 0, contact_time = 0, restitution = 0;
 };
 
-// Head-on impact of two equal spheres, or of one on a plane, with so many steps in the contact.
+// Head-on impact of two equal spheres, or of one on a plane, with this number of steps in the contact.
 Impact collide(double youngs, double poisson, double density, double radius, double speed, bool on_plane,
                double steps, const Values& more = {}) {
   Values law = {{"youngs_modulus", {youngs}}, {"poissons_ratio", {poisson}}};
@@ -74,8 +74,8 @@ TEST_CASE("Chung & Ooi 1 to 3: overlap, force and time of elastic impacts", "[he
     const double steps = 2000;
     const Impact impact = collide(c.youngs, c.poisson, c.density, c.radius, c.speed, c.on_plane, steps);
     INFO(c.name);
-    // Step error: (π/steps)² = 2.5e-6 from the integrator and as much from the deepest overlap falling
-    // between steps; the time is told to the end of the last step, whose speed differs from the first by
+    // Step error: (π/steps)² = 2.5e-6 from the integrator and as much because the largest overlap is between
+    // two steps; the contact time is known to the end of the last step, whose speed differs from the first by
     // (Δt/t_c)^1.
     CHECK(impact.largest_overlap == Approx(c.overlap).epsilon(5e-6));
     CHECK(impact.largest_force == Approx(c.force).epsilon(7.5e-6));
@@ -86,13 +86,13 @@ TEST_CASE("Chung & Ooi 1 to 3: overlap, force and time of elastic impacts", "[he
 
 TEST_CASE("the given restitution is reached at every speed, in both conventions", "[hertz]") {
   for (const double tension : {0.0, 1.0})
-    for (const double asked : {0.1, 0.5, 0.95, 1.0})
+    for (const double given : {0.1, 0.5, 0.95, 1.0})
       for (const double speed : {0.01, 1.0, 100.0}) {
-        INFO("e = " << asked << ", " << speed << " m/s, tension " << (tension > 0 ? "cut" : "allowed"));
+        INFO("e = " << given << ", " << speed << " m/s, tension " << (tension > 0 ? "cut" : "allowed"));
         const Impact impact = collide(4.8e10, 0.2, 2800, 0.01, speed, false, 1000,
-                                      {{"restitution", {asked}}, {"tension", {tension}}});
+                                      {{"restitution", {given}}, {"tension", {tension}}});
         // (ωΔt)² = 1e-5 times the logarithmic decrement, at most 2.3.
-        CHECK(impact.restitution == Approx(asked).margin(2.3e-5));
+        CHECK(impact.restitution == Approx(given).margin(2.3e-5));
       }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("[L2]-[L5] for one contact, by hand", "[hertz]") {
     const double k_n = 4.0 / 3.0 * E * std::sqrt(R * delta), k_t = 8 * G * std::sqrt(R * delta);
     const double gamma_n = 2 * beta * std::pow(R * delta, 0.25) * std::sqrt(5.0 / 3.0 * m * E);
     const double gamma_t = 4 * beta * std::pow(R * delta, 0.25) * std::sqrt(10.0 / 6.0 * m * G);
-    // What the spring has become: rescaled, 2/3 of the way is taken, the mean of √δ since first touch.
+    // The spring afterwards: rescaled, 2/3 of the displacement, the mean of √δ since first touch.
     const Vec3 spring = (form == 1 ? 2.0 / 3 : 1.0) * xi;
     const double extra = form == 2 ? 0.25 * k_t / delta * dot(spring, spring) : 0;
     INFO("history form " << form);
@@ -192,11 +192,11 @@ TEST_CASE("tangential springs under cyclic overlap: which forms create energy", 
   };
   // Trapezoidal sums over 2000 parts of curves that bend by a factor of 1.4: (1/2000)²/12.
   CHECK(std::abs(work_of_loop(2)) < 1e-6);
-  // Displacement: sheared at low δ, unsheared at high δ, it gives back √2 of what it took: energy out of
-  // nothing.
+  // Displacement: sheared at low δ, unsheared at high δ, it returns √2 times the work done on it: energy is
+  // created.
   CHECK(work_of_loop(0) == Approx(std::sqrt(2.0) - 1).epsilon(1e-3));
-  // Rescaled: the force is kept while k_t grows, so that ξ = shear/√2 meets the way back; energy is only
-  // lost.
+  // Rescaled: the force is kept while k_t grows, so that the return path starts from ξ = shear/√2; energy is
+  // only dissipated.
   CHECK(work_of_loop(1) <= 1e-6);
 }
 

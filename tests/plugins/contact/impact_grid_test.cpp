@@ -26,15 +26,15 @@ constexpr std::size_t every = 1;
 // (ω h)²: the step error of an oscillator whose half period, the contact, takes so many steps.
 double step_error(double steps) { return std::pow(std::numbers::pi / steps, 2); }
 
-// What all phases of an impact add up to.
+// Errors over all phases of an impact.
 struct Deviation {
   double motion = 0;           // rms error
-  double across = 0;           // of the velocity across the normal at first touch alone
-  double impulse = 0;          // the same over what friction changes that velocity by
-  double largest_gain = -1;    // of kinetic energy, over that before
-  double column = 0;           // largest error of any column of the books, over the kinetic energy before
-  double residual = 0;         // rms of the books' residual, likewise
-  double largest_created = 0;  // largest energy that the law has created, likewise
+  double across = 0;           // of the velocity component perpendicular to the normal at first touch
+  double impulse = 0;          // the same, relative to the change of that component by friction
+  double largest_gain = -1;    // of kinetic energy, relative to that before
+  double column = 0;           // largest error of any energy column, relative to the kinetic energy before
+  double residual = 0;         // rms of the residual of the energy balance, likewise
+  double largest_created = 0;  // largest energy created by the law, likewise
 };
 
 double column_error(const scree_energy& e, const reference::Outcome& o) {
@@ -61,9 +61,9 @@ Deviation deviation(const ImpactPair& pair, const reference::Outcome& exact, dou
     const Vec3 across = tangential_part(off, pair.normal());
     d.across += dot(across, across) / phases;
     d.largest_gain = std::max(d.largest_gain, r.kinetic_after / r.kinetic_before - 1);
-    d.column = std::max(d.column, column_error(r.books, exact) / r.kinetic_before);
-    d.residual += std::pow(r.books.residual / r.kinetic_before, 2) / phases;
-    d.largest_created = std::max(d.largest_created, r.books.created / r.kinetic_before);
+    d.column = std::max(d.column, column_error(r.balance, exact) / r.kinetic_before);
+    d.residual += std::pow(r.balance.residual / r.kinetic_before, 2) / phases;
+    d.largest_created = std::max(d.largest_created, r.balance.created / r.kinetic_before);
   }
   d.motion = std::sqrt(d.motion), d.across = std::sqrt(d.across), d.residual = std::sqrt(d.residual);
   d.impulse = d.across / impulse;
@@ -94,7 +94,7 @@ void each_impact(const std::vector<double>& restitutions, const std::vector<doub
           for (const double angle : angles)
             for (const Vec3& spin : spins)
               for (const bool wall : {true, false}) {
-                if (e == 1 && tension == Tension::cut) continue;  // nothing to cut
+                if (e == 1 && tension == Tension::cut) continue;  // without a dashpot there is no tension
                 c.restitution = e, c.tension = tension, c.friction = mu;
                 c.angle = angle * std::numbers::pi / 180, c.spin = spin, c.wall = wall;
                 if (count++ % every == 0) visit(c);
@@ -118,21 +118,22 @@ TEST_CASE("all options together: motion, energy and each column of the energy ba
     const bool peak = c.hertz && c.history == History::potential;
     CHECK(coarse.motion < (peak ? 2 : 1) * step_error(50));
     CHECK(fine.motion < step_error(200));
-    // An energy is a square, and so is twice as far off; the books add up powers by trapezoids once more.
+    // Energies are squares, with twice the relative error; the balance sums powers by the trapezoidal rule as
+    // well.
     CHECK(coarse.column < 3 * step_error(50));
     CHECK(fine.column < 3 * step_error(200));
     CHECK(fine.residual < 3 * step_error(200));
-    // Velocity Verlet holds an oscillator's energy to (ω h)²/4 of itself.
+    // Velocity Verlet keeps an oscillator's energy to (ω h)²/4 relative.
     CHECK(coarse.largest_gain < 0.25 * step_error(50));
     if (c.history != History::displacement || !c.hertz) CHECK(fine.largest_created < 1e-12);
     coarse_squares += coarse.motion * coarse.motion, fine_squares += fine.motion * fine.motion;
     coarse_residual += coarse.residual * coarse.residual, fine_residual += fine.residual * fine.residual;
   });
   const double motion = order(coarse_squares, fine_squares, 16),
-               books = order(coarse_residual, fine_residual, 16);
-  WARN("rms over the grid: order of motion " << motion << ", of the books' residual " << books);
+               balance = order(coarse_residual, fine_residual, 16);
+  WARN("rms over the grid: order of motion " << motion << ", of the energy residual " << balance);
   CHECK(motion > 1.8);
-  CHECK(books > 1.8);
+  CHECK(balance > 1.8);
 }
 
 TEST_CASE("restitution of damped contacts at a fiftieth of a contact, both tensions", "[grid]") {
@@ -152,7 +153,8 @@ TEST_CASE("restitution of damped contacts at a fiftieth of a contact, both tensi
              << (tension == Tension::cut ? " cut" : " allowed") << " e = " << e << ": error " << at_fifty
              << ", order " << order(at_fifty, fine, 8));
         CHECK(at_fifty < (e == 0.5 ? 1.5e-3 : 3e-4));
-        // Far below that, it is the moment of first touch within a step that is left: at most (h/t_c)².
+        // Where this is small, the error from the time of first touch within a step remains: at most
+        // (h/t_c)².
         CHECK(fine < std::pow(1.0 / 400, 2) * 3);
       }
 }
@@ -167,8 +169,7 @@ TEST_CASE("sliding impacts: frictional impulse to a per mille at a fiftieth of a
     INFO(name_of(c));
     // Two laws have a kink within the first steps, where the spring reaches the limit: without a tangential
     // dashpot friction grows until then, while the limit jumps; and the extra normal force of the potential
-    // form has its peak there. At fifty steps they do not resolve it, and are off by less than a step's
-    // share.
+    // form peaks there. Fifty steps do not resolve this; the error is less than the contribution of one step.
     const bool kinked =
         c.hertz ? c.history == History::potential : !c.tangential_damping && c.restitution < 1;
     coarse_squares[kinked] += coarse.impulse * coarse.impulse;
@@ -177,7 +178,7 @@ TEST_CASE("sliding impacts: frictional impulse to a per mille at a fiftieth of a
     CHECK(coarse.impulse < (kinked ? 1.0 / 50 : 1e-3));
     double& largest = kinked ? worst_kinked : worst;
     largest = std::max(largest, coarse.impulse);
-    // All of it is μ times what pushes: with the tension cut μ (1 + e) v_n.
+    // The impulse is μ times that of the normal force: with cut tension μ (1 + e) v_n.
     if (!kinked && c.wall && c.tension == Tension::cut)
       CHECK(norm(ImpactPair::vec(exact.tangential_impulse)) / exact.a.mass ==
             Approx(c.friction * (1 + c.restitution) * std::cos(c.angle)).epsilon(1e-6));
@@ -192,8 +193,8 @@ TEST_CASE("sliding impacts: frictional impulse to a per mille at a fiftieth of a
 
 TEST_CASE("impacts that stick from first touch: sixty steps per contact for a per mille, every history",
           "[grid]") {
-  // What is left of a spring goes when the normal force vanishes: with μ = 1 within a few steps, with 10 in
-  // less than one, a jump in mid-step, which is of first order.
+  // The remaining spring is released when the normal force vanishes: with μ = 1 within a few steps, with 10
+  // in less than one, a jump within a step, which is an error of first order.
   for (const double mu : {1.0, 10.0}) {
     double coarse_squares = 0, fine_squares = 0, worst = 0;
     each_impact({1, 0.9, 0.5, 0.3}, {mu}, {10, 20, 30}, {{}}, [&](const ImpactCase& c) {

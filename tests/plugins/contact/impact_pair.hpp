@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-// One impact twice: with the kernel in steps, and by the reference, which shares no code with it.
+// One impact, computed by the kernel and by the reference, which share no code.
 
 namespace scree::test {
 
@@ -39,11 +39,11 @@ inline std::string name_of(const ImpactCase& c) {
   return text;
 }
 
-// What comes out of an impact, of the body a.
+// Result of an impact, for body a.
 struct ImpactResult {
   Vec3 velocity = {}, spin = {};
   double kinetic_before = 0, kinetic_after = 0;  // of all bodies (J)
-  scree_energy books = {};
+  scree_energy balance = {};
 };
 
 class ImpactPair {
@@ -60,7 +60,8 @@ class ImpactPair {
                     0.2);
   }
 
-  // The kernel, with so many steps in the contact time; surfaces meet after `phase` of a step.
+  // The kernel, with this number of steps per contact time; first touch is after the fraction `phase` of a
+  // step.
   ImpactResult run(double steps, double phase) const {
     const double step = contact_time() / steps;
     std::vector<scree::Body> bodies;
@@ -80,8 +81,8 @@ class ImpactPair {
     const scree::Body a = simulation.particles().body(0);
     r.velocity = a.velocity;
     r.spin = a.spin;
-    r.books = simulation.energy();
-    r.kinetic_after = kinetic(r.books);
+    r.balance = simulation.energy();
+    r.kinetic_after = kinetic(r.balance);
     return r;
   }
 
@@ -117,18 +118,19 @@ class ImpactPair {
   double reduced_mass() const { return case_.wall ? mass : mass * mass_ratio / (1 + mass_ratio); }
   double effective_radius() const { return case_.wall ? radius : radius * size_ratio / (1 + size_ratio); }
 
-  // Both bodies so long after first touch, on straight ways; the total momentum of a pair is 0.
+  // Both bodies at a time after first touch, in free flight; the total momentum of a pair is 0.
   std::vector<reference::Body> bodies_at(double time) const {
     const reference::Vector x = {1, 0, 0};
-    const reference::Vector way = speed * std::sin(case_.angle) * x - speed * std::cos(case_.angle) * up();
+    const reference::Vector approach =
+        speed * std::sin(case_.angle) * x - speed * std::cos(case_.angle) * up();
     const double share = case_.wall ? 1 : mass_ratio / (1 + mass_ratio);
-    reference::Body a{case_.dimension, radius,      mass,
-                      radius * up(),   share * way, {case_.spin[0], case_.spin[1], case_.spin[2]}};
+    reference::Body a{case_.dimension, radius,           mass,
+                      radius * up(),   share * velocity, {case_.spin[0], case_.spin[1], case_.spin[2]}};
     a.position = a.position + time * a.velocity;
     if (case_.wall) return {a};
-    reference::Body b{case_.dimension,   size_ratio * radius,
-                      mass_ratio * mass, -size_ratio * radius * up(),
-                      (share - 1) * way, {}};
+    reference::Body b{case_.dimension,        size_ratio * radius,
+                      mass_ratio * mass,      -size_ratio * radius * up(),
+                      (share - 1) * velocity, {}};
     b.position = b.position + time * b.velocity;
     return {a, b};
   }

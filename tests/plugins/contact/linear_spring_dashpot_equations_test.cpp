@@ -81,7 +81,7 @@ TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset i
   const Vec3 old = {{3e-3, 1e-3, 0}}, slip = {{0.5, -1, 0}};
   set_spring(c, old);
   c.set(SCREE_RELATIVE_VELOCITY, slip);
-  c.evaluate(0);  // no time in which the direction of slip could turn
+  c.evaluate(0);  // with step 0 the slip direction cannot turn
   const double f_n = k * overlap;
   const Vec3 f_0 = -k_t * old - gamma_t * slip;
   REQUIRE(norm(f_0) > mu_s * f_n);
@@ -134,7 +134,7 @@ TEST_CASE("by the spring: in stick the force is that of spring and dashpot, limi
   c.evaluate(step);
   const Vec3 more = -k_t * old - 10 * gamma_t * slip;
   check_equal(c.force(), Vec3{{0, 0, f_n}} + (mu_s * f_n / norm(more)) * more, 5);
-  check_equal(spring_of(c), old, 1e-4);  // the dashpot never makes the spring slip
+  check_equal(spring_of(c), old, 1e-4);  // the dashpot never causes slip
   CHECK(c.history[3][0] == 0);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
   CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) ==

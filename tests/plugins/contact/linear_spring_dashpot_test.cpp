@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-// Two-body encounters against the closed forms of David et al. 2005, [D1]-[D4].
+// Two-body collisions against the closed forms of David et al. 2005, [D1]-[D4].
 
 using namespace scree;
 using namespace scree::test;
@@ -63,8 +63,8 @@ Outcome largest_error(const Values& law, double steps_per_contact, const Outcome
 }  // namespace
 
 TEST_CASE("restitution and contact time of [D1] hold to 1e-3 at a fiftieth of the contact", "[restitution]") {
-  // The bound is what users of such codes ask of a fiftieth; the corners of the force at first and last touch
-  // alone make (ωΔt)²/8 = 5e-4 of it.
+  // The bound is usual for a step of t_c/50; the corners of the force at first touch and parting alone
+  // contribute (ωΔt)²/8 = 5e-4.
   for (const double damping : {0.05, 0.2, 0.5}) {
     const Outcome exact = closed_form(damping);
     const Outcome error =
@@ -93,14 +93,14 @@ TEST_CASE("restitution and contact time converge at second order", "[restitution
 
 TEST_CASE("the given restitution is reached in both conventions, for every mass", "[restitution]") {
   for (const double tension : {0.0, 1.0})
-    for (const double asked : {0.1, 0.5, 0.9, 1.0}) {
+    for (const double given : {0.1, 0.5, 0.9, 1.0}) {
       const Values law = {
-          {"normal_stiffness", {stiffness}}, {"restitution", {asked}}, {"tension", {tension}}};
+          {"normal_stiffness", {stiffness}}, {"restitution", {given}}, {"tension", {tension}}};
       const double step = pi / std::sqrt(2 * stiffness / mass) / 400;
-      INFO("asked " << asked << ", tension " << (tension > 0 ? "cut" : "allowed"));
+      INFO("given " << given << ", tension " << (tension > 0 ? "cut" : "allowed"));
       // Step error: second order, (ωΔt)² = 6e-5, times the logarithmic decrement −ln r <= 2.3 and a factor of
       // a few.
-      CHECK(collide(law, step, 0).restitution == Approx(asked).margin(1e-3));
+      CHECK(collide(law, step, 0).restitution == Approx(given).margin(1e-3));
     }
 }
 
@@ -120,8 +120,8 @@ TEST_CASE("cutting the tension at the same damping raises the restitution", "[re
 TEST_CASE("the closed forms of describe reproduce the numbers of David et al.", "[closed-forms]") {
   const Parameters p = parameters("linear_spring_dashpot", SCREE_CONTACT_LAW,
                                   {{"normal_stiffness", {5000}}, {"normal_damping", {0.05}}});
-  constexpr double nowhere[3] = {};
-  const ConfiguredLaw law(p, 3, nowhere, nowhere);
+  constexpr double no_box[3] = {};
+  const ConfiguredLaw law(p, 3, no_box, no_box);
   const double m = 2000 * 4.0 / 3.0 * pi * std::pow(0.005, 3);
   const scree_encounter encounter = {m / 2, 0.0025, 1, 1};
   scree_closed_form forms[2];
@@ -159,7 +159,7 @@ TEST_CASE("a sphere thrown onto a plane slides, then rolls at 5/7 of its speed",
 
 TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d until it sticks again",
           "[friction]") {
-  // A sphere held down by gravity on a plane that moves sideways slowly; it cannot turn away: a huge inertia.
+  // A sphere held by gravity on a plane that moves sideways slowly; a huge inertia keeps it from rolling.
   const double g = 10, m = 1, k_n = 1e5, k_t = 1e4, mu_s = 0.5, mu_d = 0.3, plane_speed = 0.01, step = 1e-4;
   Body heavy = body(1, 0.1, m, {{0, 0, 0.1 - m * g / k_n}});
   heavy.inertia = 1e12;
@@ -175,7 +175,7 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
                 {"direction", {1, 0, 0}},
                 {"displacement", {3, 0, 10, 10 / plane_speed}}});
   add_body_force(sc, "gravity", {{"acceleration", {0, 0, -g}}});
-  // Drag holds it back against the plane.
+  // Drag keeps it from moving with the plane.
   add_body_force(sc, "background_damping", {{"translational", {1e4}}});
   Simulation s(sc);
   double largest_sticking = 0, smallest_sliding = 1e9, largest_sliding = 0;
@@ -199,8 +199,8 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
 }
 
 TEST_CASE("rotating a touching pair as a whole does not change the tangential spring", "[objectivity]") {
-  // Two spheres fly past each other with spins equal to the rate at which the line of centres turns: over a
-  // small angle a rigid rotation. Springs are so soft that the bodies move freely.
+  // Two spheres pass each other with spins equal to the angular velocity of the line of centres: over a small
+  // angle a rigid rotation. Springs are so soft that the bodies move nearly freely.
   const double rate = 5, distance = 2 * radius - 0.02 * radius, soft = 1e-9;
   const Vec3 spin = {{0, 0, rate}};
   const auto at = [&](double x) { return Vec3{{x, 0, 0}}; };
@@ -240,7 +240,7 @@ TEST_CASE("a frictional collision conserves momentum and angular momentum to rou
     const Vec3 p0 = momentum(s), l0 = angular_momentum(s);
     const Vec3 v0 = velocity(s, 0);
     run(s, 3000);
-    REQUIRE(norm(velocity(s, 0) - v0) > 0.1);  // they did meet
+    REQUIRE(norm(velocity(s, 0) - v0) > 0.1);  // they did collide
     // 3000 steps of round-off on 1e-3 kg m/s and on 5e-6 kg m²/s.
     CHECK(norm(momentum(s) - p0) < 3000 * 1e-16 * 1e-3);
     CHECK(norm(angular_momentum(s) - l0) < 3000 * 1e-16 * 5e-6);
@@ -249,8 +249,8 @@ TEST_CASE("a frictional collision conserves momentum and angular momentum to rou
 
 TEST_CASE("contradictory parameters are refused", "[parameters]") {
   const auto configure = [](const Values& values) {
-    constexpr double nowhere[3] = {};
-    ConfiguredLaw(parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, values), 3, nowhere, nowhere);
+    constexpr double no_box[3] = {};
+    ConfiguredLaw(parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, values), 3, no_box, no_box);
   };
   CHECK_THROWS_WITH(configure({{"normal_stiffness", {1}}}),
                     Catch::Contains("normal_damping") && Catch::Contains("restitution"));

@@ -38,7 +38,7 @@ struct Recorder {
   std::vector<double> row;
 };
 
-// Body 7 lies 2e-4 m deep in the floor, body 3 leans on it from the side and a little above; body 5 floats
+// Body 7 overlaps the floor by 2e-4 m, body 3 touches it from the side and slightly above; body 5 floats
 // free.
 Scene corner() {
   Scene s = scene(
@@ -71,7 +71,7 @@ TEST_CASE("contact: overlap, forces and normal in the order of the parameters", 
 
 TEST_CASE("contact and walls: a sliding body exerts the friction of its normal force", "[probe]") {
   Simulation s(corner());
-  run(s, 40);  // moved by 4e-4 m at least, 1.3 times the spring that slides
+  run(s, 40);  // displaced by at least 4e-4 m, 1.3 times the spring at slip
   const Recorder c(s, "contact", {{"at_walls", {7, 2}}});
   CHECK(c["sliding_7_wall2"] == 1);
   CHECK(c["tangential_force_7_wall2"] == Approx(friction * c["normal_force_7_wall2"]));
