@@ -121,11 +121,11 @@ struct HertzMindlin : scree::ContactLaw {
   double critical_step(const scree_encounter& e, double overlap) const {
     const double a = std::sqrt(e.effective_radius * overlap), m = e.reduced_mass;
     const double beta = damping_ratio * std::sqrt(5.0 / 3.0 * a / m);
-    const double light = friction > 0 ? scree::tangential_lightness : 0;
-    return scree::critical_step(
-        {2 * effective_modulus * a / m, 2 * beta * std::sqrt(effective_modulus)},
-        {light * 8 * effective_shear_modulus * a / m, light * 4 * beta * std::sqrt(effective_shear_modulus)},
-        e.network);
+    const double inverse_mass = friction > 0 ? scree::tangential_inverse_mass : 0;
+    return scree::critical_step({2 * effective_modulus * a / m, 2 * beta * std::sqrt(effective_modulus)},
+                                {inverse_mass * 8 * effective_shear_modulus * a / m,
+                                 inverse_mass * 4 * beta * std::sqrt(effective_shear_modulus)},
+                                e.network);
   }
 
   double rayleigh_time(const scree_encounter& e) const {

@@ -106,9 +106,10 @@ struct LinearSpringDashpot : scree::ContactLaw {
     // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
     const double contact_time =
         zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
-    const double light = static_friction > 0 ? scree::tangential_lightness / m : 0;
+    const double inverse_mass = static_friction > 0 ? scree::tangential_inverse_mass / m : 0;
     const double critical_step = scree::critical_step(
-        {k / m, 2 * zeta * omega_0}, {light * tangential_stiffness, light * tangential_damping}, e.network);
+        {k / m, 2 * zeta * omega_0}, {inverse_mass * tangential_stiffness, inverse_mass * tangential_damping},
+        e.network);
     const scree_closed_form all[] = {
         {"contact_time", "s", "t_c = π/ω, ω² = k/m* − η², η = γ/2m* (tension cut: until f_n = 0)",
          contact_time},

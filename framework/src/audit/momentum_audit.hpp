@@ -15,7 +15,7 @@ class MomentumAudit {
   // Contact forces of one evaluation (N): their sum, and the sum of the magnitudes of their components.
   struct Sums {
     Vec3 force = {};
-    double size = 0;
+    double magnitude = 0;
 
     // Adds the loads of bodies; must be called before body forces are added to them.
     void add(const Particles& particles, BodyRange bodies);

@@ -50,31 +50,31 @@ class TileSchedule {
   void run_as_ready(const kernel::Tiles& tiles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
                     const FinishPart& finish_part) {
     const std::size_t count = tiles.tiles().size();
-    await_all(tiles);
+    reset_pending(tiles);
     const auto finish_if_ready = [&](std::size_t tile, unsigned worker) {
       std::uint32_t none = 0;
-      if (awaited_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
+      if (pending_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
         tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
     };
     threads.each(count, [&](std::size_t tile, unsigned worker) {
       evaluate_tile(tile, worker);
       for (const std::uint32_t reached : tiles.tiles()[tile].reached)
-        awaited_[reached].fetch_sub(1, std::memory_order_acq_rel);
+        pending_[reached].fetch_sub(1, std::memory_order_acq_rel);
       finish_if_ready(tile, worker);
     });
     threads.each(count, finish_if_ready);
   }
 
-  void await_all(const kernel::Tiles& tiles) {
+  void reset_pending(const kernel::Tiles& tiles) {
     const std::size_t count = tiles.tiles().size();
-    if (count_ != count) awaited_ = std::make_unique<std::atomic<std::uint32_t>[]>(count_ = count);
+    if (count_ != count) pending_ = std::make_unique<std::atomic<std::uint32_t>[]>(count_ = count);
     for (std::size_t tile = 0; tile < count; ++tile)
-      awaited_[tile].store(tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
+      pending_[tile].store(tiles.tiles()[tile].reached_by, std::memory_order_relaxed);
   }
 
   // For each tile: number of tiles that reach it and are not yet evaluated; `finished` once a thread has
   // claimed it.
-  std::unique_ptr<std::atomic<std::uint32_t>[]> awaited_;
+  std::unique_ptr<std::atomic<std::uint32_t>[]> pending_;
   std::size_t count_ = 0;
 };
 

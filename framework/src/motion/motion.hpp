@@ -43,7 +43,7 @@ class Motions {
         flat_(particles.dimension() == 2),
         spin_(particles.has_spin()) {}
 
-  std::size_t each_body() const { return !flat_ && spin_ ? 2 : 1; }
+  std::size_t per_body() const { return !flat_ && spin_ ? 2 : 1; }
   // 1 for the components of a position record that move, 0 for the others.
   kernel::Four axes() const { return kernel::Four{1, 1, flat_ ? 0.0 : 1.0, 0}; }
 

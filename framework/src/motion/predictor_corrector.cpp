@@ -9,7 +9,7 @@ using namespace kernel;
 // Third and fourth derivatives start at 0; the first steps build them up.
 void PredictorCorrector::prepare(Particles& particles, double step) {
   const Motions motions(particles);
-  const std::size_t numbers = 4 * particles.size() * motions.each_body();
+  const std::size_t numbers = 4 * particles.size() * motions.per_body();
   if (second_.size() == numbers) return;
   for (auto* column : {&second_, &third_, &fourth_}) column->assign(numbers, 0.0);
   motions.each({0, particles.size()}, [&](const Motion& m) SCREE_INLINE_LAMBDA {

@@ -65,13 +65,13 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   plane_travel_ += plane_speed * step;
   // The integrated largest speed overestimates the displacement; measure it before searching.
   ++steps_;
-  const bool review = choice_.due(steps_);
-  if (review || exhausted()) measure(particles, boundaries);
-  const bool search = exhausted();
+  const bool review = choice_.review_due(steps_);
+  if (review || skin_used_up()) measure(particles, boundaries);
+  const bool search = skin_used_up();
   if (!review && !search) return;
   if (!choice_.fixed()) {
     const SkinChoice::ListStatistics list = list_statistics(particles, boundaries, contacts);
-    const double skin = search ? choice_.after(list) : choice_.review(list);
+    const double skin = search ? choice_.next_skin(list) : choice_.reviewed_skin(list);
     if (!search && skin == skin_) return;
     skin_ = skin;
   }
@@ -91,27 +91,27 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     double square = 0;
     for (int k = 0; k < p.dimension(); ++k) {
-      const double moved = p.position()[k][i] - searched_[i].position[k];
+      const double moved = p.position()[k][i] - bodies_at_search_[i].position[k];
       square += moved * moved;
     }
     largest = std::max(largest, square);
   }
   body_travel_ = std::sqrt(largest);
   plane_travel_ = 0;
-  for (std::size_t w = 0; w < searched_planes_.size(); ++w) {
+  for (std::size_t w = 0; w < planes_at_search_.size(); ++w) {
     double moved = 0;
-    const scree_plane &now = boundaries.planes()[w], &then = searched_planes_[w];
+    const scree_plane &now = boundaries.planes()[w], &then = planes_at_search_[w];
     for (int k = 0; k < p.dimension(); ++k) moved += (now.point[k] - then.point[k]) * then.normal[k];
     plane_travel_ = std::max(plane_travel_, std::abs(moved));
   }
 }
 
 void NeighbourList::record_positions(Particles& p, const Domain& domain) {
-  searched_.resize(p.size());
+  bodies_at_search_.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (domain.any_periodic()) fold(p, i, domain);
-    searched_[i] = {{}, p.radius()[i]};
-    for (int k = 0; k < p.dimension(); ++k) searched_[i].position[k] = p.position()[k][i];
+    bodies_at_search_[i] = {{}, p.radius()[i]};
+    for (int k = 0; k < p.dimension(); ++k) bodies_at_search_[i].position[k] = p.position()[k][i];
   }
 }
 
@@ -122,9 +122,9 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
   const int dimension = particles.dimension();
-  contacts.rebuild(search_.find(searched_, dimension, boundaries.domain(), skin_, threads),
-                   near_planes(searched_, boundaries.planes(), dimension, skin_), lookup);
-  searched_planes_ = boundaries.planes();
+  contacts.rebuild(search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads),
+                   near_planes(bodies_at_search_, boundaries.planes(), dimension, skin_), lookup);
+  planes_at_search_ = boundaries.planes();
   body_travel_ = plane_travel_ = 0;
   steps_ = 0;
   ++rebuilds_;

@@ -33,7 +33,7 @@ class NeighbourList {
   std::uint64_t rebuilds() const { return rebuilds_; }
 
  private:
-  bool exhausted() const { return body_travel_ + std::max(body_travel_, plane_travel_) >= skin_; }
+  bool skin_used_up() const { return body_travel_ + std::max(body_travel_, plane_travel_) >= skin_; }
   void record_positions(Particles& particles, const Domain& domain);
   void measure(const Particles& particles, const Boundaries& boundaries);
   SkinChoice::ListStatistics list_statistics(const Particles& particles, const Boundaries& boundaries,
@@ -45,8 +45,8 @@ class NeighbourList {
   Contacts::Lookup lookup_;
   NeighbourSearch search_;
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
-  Column<Sphere> searched_;                    // bodies at the last search
-  std::vector<scree_plane> searched_planes_;
+  Column<Sphere> bodies_at_search_;            // bodies at the last search
+  std::vector<scree_plane> planes_at_search_;
   std::uint64_t rebuilds_ = 0;
 };
 

@@ -17,20 +17,20 @@ constexpr double min_skin_ratio = 1e-2;
 // Cost per step for a skin s, in pair evaluations: n + ρ s for n touching pairs and ρ further listed pairs
 // per skin; a list lasts s/(2u) steps at a travel u per step, so that a search of cost C adds 2u C/s.
 // Minimum: s² = 2u C/ρ.
-double SkinChoice::best(const ListStatistics& list) const {
+double SkinChoice::optimal_skin(const ListStatistics& list) const {
   const double per_skin = std::max(list.listed - list.touching, 1.0) / list.skin;
   const double travel = list.travelled / double(std::max<std::uint64_t>(list.steps, 1));
   const double skin = std::sqrt(2 * travel * search_per_body * list.bodies / per_skin);
   return std::clamp(skin, min_skin_ratio * first_, max_skin_);
 }
 
-double SkinChoice::after(const ListStatistics& list) {
+double SkinChoice::next_skin(const ListStatistics& list) {
   next_review_ = first_review;
-  return std::clamp(best(list), 0.5 * list.skin, std::min(2 * list.skin, max_skin_));
+  return std::clamp(optimal_skin(list), 0.5 * list.skin, std::min(2 * list.skin, max_skin_));
 }
 
-double SkinChoice::review(const ListStatistics& list) {
-  const double skin = best(list);
+double SkinChoice::reviewed_skin(const ListStatistics& list) {
+  const double skin = optimal_skin(list);
   const double saved = (list.listed - list.touching) * (1 - skin / list.skin) * double(list.steps);
   if (saved < search_per_body * list.bodies) {
     next_review_ *= 4;

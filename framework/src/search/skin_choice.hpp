@@ -23,15 +23,15 @@ class SkinChoice {
   double first() const { return first_; }
   bool fixed() const { return fixed_; }
   // Whether the skin should be reviewed after this many steps; the interval grows while nothing changes.
-  bool due(std::uint64_t steps) const { return !fixed_ && steps == next_review_; }
+  bool review_due(std::uint64_t steps) const { return !fixed_ && steps == next_review_; }
   // The skin of the next search when the list is used up (m); within a factor of 2 of the last.
-  double after(const ListStatistics& list);
+  double next_skin(const ListStatistics& list);
   // The better skin (m) if an early search would save more than it costs, assuming that the list would last
   // as long again; otherwise the present skin.
-  double review(const ListStatistics& list);
+  double reviewed_skin(const ListStatistics& list);
 
  private:
-  double best(const ListStatistics& list) const;
+  double optimal_skin(const ListStatistics& list) const;
 
   static constexpr std::uint64_t first_review = 32;
   double first_, max_skin_;

@@ -50,8 +50,8 @@ void ThreadPool::stop() {
 
 // A round is open while its task may be called. A worker registers as active before it tests whether the
 // round is open, and the caller closes the round before it tests for active workers: at least one of the two
-// sees the other, so that no worker calls a task after share_out has returned.
-void ThreadPool::share_out(std::size_t count, Call call, const void* task) {
+// sees the other, so that no worker calls a task after distribute has returned.
+void ThreadPool::distribute(std::size_t count, Call call, const void* task) {
   if (count > capacity_) {
     claimed_ = std::make_unique<std::atomic<std::uint64_t>[]>(count);
     capacity_ = count;
@@ -70,7 +70,7 @@ void ThreadPool::share_out(std::size_t count, Call call, const void* task) {
   if (failed_.exchange(false)) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
-void ThreadPool::do_item(std::size_t item, unsigned worker) noexcept {
+void ThreadPool::run_item(std::size_t item, unsigned worker) noexcept {
   try {
     call_(task_, item, worker);
   } catch (...) {
@@ -98,12 +98,12 @@ bool ThreadPool::claim(std::size_t item, std::uint64_t round) {
 void ThreadPool::work(std::uint64_t round, unsigned worker) {
   const auto share_begin = [this](unsigned w) { return count_ * w / size(); };
   for (std::size_t item = share_begin(worker); item < share_begin(worker + 1); ++item)
-    if (claim(item, round)) do_item(item, worker);
+    if (claim(item, round)) run_item(item, worker);
   // Steal unstarted items from the end of the other shares.
   for (unsigned k = 1; k < size(); ++k) {
     const unsigned other = (worker + k) % size();
     for (std::size_t item = share_begin(other + 1); item-- > share_begin(other);)
-      if (claim(item, round)) do_item(item, worker);
+      if (claim(item, round)) run_item(item, worker);
   }
 }
 

@@ -31,7 +31,7 @@ class ThreadPool {
       for (std::size_t item = 0; item < count; ++item) task(item, 0u);
       return;
     }
-    share_out(
+    distribute(
         count,
         [](const void* t, std::size_t item, unsigned worker) {
           (*static_cast<const Task*>(t))(item, worker);
@@ -41,12 +41,12 @@ class ThreadPool {
 
  private:
   using Call = void (*)(const void*, std::size_t, unsigned);
-  void share_out(std::size_t count, Call call, const void* task);
+  void distribute(std::size_t count, Call call, const void* task);
   void wait_for_work(unsigned worker);
   void stop();
   void work(std::uint64_t round, unsigned worker);
   bool claim(std::size_t item, std::uint64_t round);
-  void do_item(std::size_t item, unsigned worker) noexcept;
+  void run_item(std::size_t item, unsigned worker) noexcept;
 
   std::vector<std::thread> workers_;
   Call call_ = nullptr;

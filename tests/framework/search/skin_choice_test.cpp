@@ -59,9 +59,9 @@ TEST_CASE("the skin minimises the cost: s² = 2 u C/ρ, within a factor of 2 of 
   // u = 1e-4 a step, C = 15 × 1000 pair evaluations, ρ = 1e5 pairs/m: s = 5.5e-3, a hundredth to five times
   // 0.1.
   const SkinChoice::ListStatistics list = {0.01, 0.01, 100, 2000, 1000, 1000};
-  CHECK(SkinChoice(0.1, 0.5).after(list) == Approx(std::sqrt(2 * 1e-4 * 15e3 / 1e5)));
+  CHECK(SkinChoice(0.1, 0.5).next_skin(list) == Approx(std::sqrt(2 * 1e-4 * 15e3 / 1e5)));
   SkinChoice::ListStatistics slow = list;
   slow.travelled = 0;
-  CHECK(SkinChoice(0.1, 0.5).after(slow) == Approx(0.005));
+  CHECK(SkinChoice(0.1, 0.5).next_skin(slow) == Approx(0.005));
   CHECK(SkinChoice(0.1, 0).fixed());
 }

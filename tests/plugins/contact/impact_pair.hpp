@@ -125,12 +125,12 @@ class ImpactPair {
         speed * std::sin(case_.angle) * x - speed * std::cos(case_.angle) * up();
     const double share = case_.wall ? 1 : mass_ratio / (1 + mass_ratio);
     reference::Body a{case_.dimension, radius,           mass,
-                      radius * up(),   share * velocity, {case_.spin[0], case_.spin[1], case_.spin[2]}};
+                      radius * up(),   share * approach, {case_.spin[0], case_.spin[1], case_.spin[2]}};
     a.position = a.position + time * a.velocity;
     if (case_.wall) return {a};
     reference::Body b{case_.dimension,        size_ratio * radius,
                       mass_ratio * mass,      -size_ratio * radius * up(),
-                      (share - 1) * velocity, {}};
+                      (share - 1) * approach, {}};
     b.position = b.position + time * b.velocity;
     return {a, b};
   }

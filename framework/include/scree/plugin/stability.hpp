@@ -29,6 +29,6 @@ inline double critical_step(const Stiffness& normal, const Stiffness& tangential
 
 // Ratio of normal to tangential effective mass, since a tangential force also turns the bodies: 1 + m R²/I
 // with arms of a full radius, 7/2 for spheres; 3 for discs.
-inline constexpr double tangential_lightness = 3.5;
+inline constexpr double tangential_inverse_mass = 3.5;
 
 }  // namespace scree

@@ -21,9 +21,9 @@ SCREE_HOT void set_lanes(T (*columns)[block_size], std::uint32_t lane, const Vec
 // n × (arm_a ω_a + arm_b ω_b): contribution of the spins to the velocity of a's contact point relative to b's
 // (equation 2 of David et al., see plugins/contact/linear_spring_dashpot.cpp).
 template <int D, class T>
-SCREE_HOT Vec<D, T> turning(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
-                            const Vec<spin_components<D>, T>& spin_a,
-                            const Vec<spin_components<D>, T>& spin_b) {
+SCREE_HOT Vec<D, T> rotational_velocity(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
+                                        const Vec<spin_components<D>, T>& spin_a,
+                                        const Vec<spin_components<D>, T>& spin_b) {
   const auto spin = fused(arm_a, spin_a, arm_b * spin_b);
   if constexpr (D == 2)
     return -cross(spin, n);
@@ -87,8 +87,8 @@ SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double 
   }
   if constexpr (spin) {
     const auto arms = Arms<planes, T>::of(to_contact_point, distance, radius_sum, block.radius_difference[i]);
-    slip += turning(mid_normal, arms.a, arms.b, lanes_of<S>(block.mid_spin[0], i),
-                    lanes_of<S>(block.mid_spin[1], i));
+    slip += rotational_velocity(mid_normal, arms.a, arms.b, lanes_of<S>(block.mid_spin[0], i),
+                                lanes_of<S>(block.mid_spin[1], i));
   }
   set_lanes<D>(block.input + SCREE_TANGENTIAL_INCREMENT, i,
                (h * touched) * tangential_part(slip, mid_normal));
@@ -110,7 +110,7 @@ SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_su
       const auto arms = Arms<planes, T>::of(to_contact_point, block.distance[i], T(radius_sum[i]),
                                             block.radius_difference[i]);
       const Vec<S, T> spin_a = lanes_of<S>(block.spin[0], i), spin_b = lanes_of<S>(block.spin[1], i);
-      v += turning(n, arms.a, arms.b, spin_a, spin_b);
+      v += rotational_velocity(n, arms.a, arms.b, spin_a, spin_b);
       set_lanes<S>(block.input + SCREE_RELATIVE_SPIN, i, spin_a - spin_b);
     }
     set_lanes<D>(block.input + SCREE_RELATIVE_VELOCITY, i, v);
