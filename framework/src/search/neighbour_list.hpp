@@ -16,13 +16,11 @@ namespace scree {
 // than the skin.
 class NeighbourList {
  public:
-  // skin: that of the first search (m); it may later grow to max_skin (m) if that costs less. max_skin = 0:
-  // fixed.
+  // skin: that of the first search (m); it may grow to max_skin (m) if that costs less. max_skin = 0: fixed.
   NeighbourList(double skin, double max_skin, Contacts::Lookup lookup)
       : skin_(skin), choice_(skin, max_skin), lookup_(lookup) {}
 
-  // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if the skin is used
-  // up.
+  // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if that is too large.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
               const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
   // Searches now and folds positions into the periodic domain.

@@ -26,8 +26,8 @@ class Stepper {
 
   // Takes one time step. Returns whether the state is sound: finite, no speed and no overlap above its limit.
   bool step(Next next);
-  // Evaluates the forces at the present positions; springs advance by `elapsed` since the last evaluation
-  // (s).
+  // Evaluates the forces at the present positions; springs advance by `elapsed` (s) since the last
+  // evaluation.
   void reevaluate_forces(double elapsed);
   // Evaluates forces and springs at the end of the step if the integrator evaluates them at mid-step.
   void synchronise();

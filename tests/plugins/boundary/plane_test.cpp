@@ -106,8 +106,8 @@ TEST_CASE("a plane that stops and restarts uses its present load each time it st
   }
   CHECK(plane_velocity() == 0);
   CHECK(height(s) == Approx(600 * step * speed));
-  // Step error of the energy balance, (ωΔt)². A stale load from before a rest would cause an error of F v
-  // Δt/2, a thousandth of the energy.
+  // Step error of the energy balance, (ωΔt)². A stale load from before a rest would cause an error of
+  // F v Δt/2, a thousandth of the energy.
   const scree_energy e = s.energy();
   REQUIRE(e.work > 0);
   CHECK(std::abs(e.residual) < frequency * frequency * step * step * e.work);

@@ -13,8 +13,8 @@ namespace scree {
 //   |k ξ| = C:  s = σ ξ/|ξ|, σ >= 0 such that |k ξ| = C holds as C changes: slip
 //   f_t = −P(k ξ + γ v_t)          P(f): projection of f onto the ball of radius C, the Coulomb limit
 // The spring slips when its own force reaches the limit; the dashpot never causes slip, and is limited so
-// that the sum obeys Coulomb's law. Both can only dissipate: k ξ · s = C σ >= 0, and (P(k ξ + γ v) − k ξ) · v
-// >= 0, because k ξ = P(k ξ) and a projection onto a convex set is monotone.
+// that the sum obeys Coulomb's law. Both can only dissipate: k ξ · s = C σ >= 0, and
+// (P(k ξ + γ v) − k ξ) · v >= 0, because k ξ = P(k ξ) and a projection onto a convex set is monotone.
 
 // Result: tangential spring and force at the end of a step.
 template <int D, class T>
@@ -37,10 +37,11 @@ struct SlipStep {
 
 // Returns spring and force after slip. The slip direction turns within the step, from the direction of the
 // old spring towards v_t: a radial return of the trial spring ξ alone lags by half a step. To second order in
-// the step h, and for any amount of slip, the direction is that of p = ξ + ½ y h v_t with y = slip/|ξ| = ½
-// (ξ²/L² − 1), L = C/k. The code computes 4 L² p, which saves a division. The total force is along k ξ + γ
-// v_t = (C/|p|) (p + |p| γ/C v_t), where |p| = ½ L (1 + ξ²/L²) to second order avoids waiting for the square
-// root. damped = false: compiled without the dashpot.
+// the step h, and for any amount of slip, the direction of the new spring is that of
+//   p = ξ + ½ y h v_t,   y = slip/|ξ| = ½ (ξ²/L² − 1),   L = C/k;
+// the code computes 4 L² p, which saves a division. The total force is along
+//   k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t),   |p| = ½ L (1 + ξ²/L²) to second order,
+// which avoids waiting for the square root. damped = false: compiled without the dashpot.
 template <bool damped = true, int D, class T>
 inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   const T longest = in.limit * in.inverse_stiffness, square = dot(in.trial_spring, in.trial_spring);

@@ -12,12 +12,14 @@ inline double critical_step(double stiffness_over_mass, double damping_over_mass
   return 2 / (std::sqrt(g * g + stiffness_over_mass) + g);
 }
 
-// Longest stable step (s) of a contact with these stiffnesses and damping in normal and tangential direction.
-// For an isolated pair (network = 1) the shorter of the two steps; in a network `network` times stiffer than
-// the pair both add up, since they act on the same bodies.
-struct Stiffness {                      // divided by mass
-  double over_mass, damping_over_mass;  // (1/s²), (1/s)
+// Stiffness and damping of a contact in one direction, divided by its effective mass: (1/s²), (1/s).
+struct Stiffness {
+  double over_mass, damping_over_mass;
 };
+
+// Longest stable step (s) of a contact. For an isolated pair (network = 1) the shorter step of the normal and
+// the tangential motion; in a network `network` times stiffer than the pair both add up, since they act on
+// the same bodies.
 inline double critical_step(const Stiffness& normal, const Stiffness& tangential, double network) {
   if (network > 1)
     return critical_step(network * (normal.over_mass + tangential.over_mass),
