@@ -77,17 +77,17 @@ TEST_CASE("what has finished is not run again, a changed value reruns what it ch
           "[campaign]\nscenario = 'scene.toml'\nseeds = [1, 2]\n[set]\ntime.duration = [1e-4, 3e-4]\n");
   const Outcome list = w.scree(call + "--list");
   CHECK(list.status == 0);
-  CHECK(
-      list.out ==
-      "campaign: 4 runs, 2 values of time.duration x 2 seeds\n"
-      "finished     duration=0.0001,seed=1\n"
-      "missing      duration=0.0001,seed=2\n"
-      "missing      duration=0.0003,seed=1\n"
-      "missing      duration=0.0003,seed=2\n"
-      "2 runs of earlier values still there, in no table: duration=0.0002,seed=1  duration=0.0002,seed=2\n");
+  CHECK(list.out ==
+        "campaign: 4 runs, 2 values of time.duration x 2 seeds\n"
+        "finished     duration=0.0001,seed=1\n"
+        "missing      duration=0.0001,seed=2\n"
+        "missing      duration=0.0003,seed=1\n"
+        "missing      duration=0.0003,seed=2\n"
+        "2 runs with values no longer in the campaign, not in the tables: duration=0.0002,seed=1  "
+        "duration=0.0002,seed=2\n");
   CHECK_FALSE(w.has("out/duration=0.0003,seed=1"));
   const Outcome again = w.scree(call + "--quiet");
-  CHECK(contains(again.out, "4 finished (1 of them before)\n"));
+  CHECK(contains(again.out, "4 finished (1 of them in an earlier call)\n"));
   CHECK(wall("duration=0.0001,seed=1") == before);
   w.write("scene.toml", with(discs, "random_velocity = 0.1", "random_velocity = 0.2"));
   CHECK(contains(w.scree(call + "--list").out, "changed      duration=0.0003,seed=2\n"));
@@ -166,7 +166,7 @@ TEST_CASE("without --out a campaign has a directory of its own and goes on in it
   const CampaignWorkspace w("");
   CHECK(contains(w.scree("campaign campaign.toml").out, "results in campaigns/campaign: "));
   CHECK(w.record("campaigns/campaign/run")["status"] == "finished");
-  CHECK(contains(w.scree("campaign campaign.toml").out, "1 finished (1 of them before)\n"));
+  CHECK(contains(w.scree("campaign campaign.toml").out, "1 finished (1 of them in an earlier call)\n"));
 }
 
 TEST_CASE("a directory that holds something else is left alone", "[tools]") {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Two campaigns in one directory would take turns in replacing each other's runs.
+// Two campaigns in one directory would replace each other's runs.
 void check_owner(const fs::path& path, const Campaign& campaign) {
   std::ifstream file(path / "campaign.json", std::ios::binary);
   if (!file) return;
@@ -26,10 +26,10 @@ void check_owner(const fs::path& path, const Campaign& campaign) {
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return;
   const std::string owner = json["file"];
   std::error_code failed;
-  // Both may have been moved together, with all above them.
+  // Campaign file and directory may have been moved together.
   const bool elsewhere = fs::exists(owner, failed) && !fs::equivalent(owner, campaign.source, failed);
   if (elsewhere || fs::path(owner).filename() != campaign.source.filename())
-    throw Error(fmt::format("{}: holds the campaign of {}; give another --out", path.string(),
+    throw Error(fmt::format("{}: contains the campaign of {}; give another --out", path.string(),
                             files::one_line(owner)));
 }
 
@@ -43,7 +43,7 @@ Error in_use(const fs::path& path) {
 CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bool alone)
     : files_(std::move(path), true, run::RunDirectory::Kind::campaign) {
   check_owner(files_.path(), campaign);
-  in_use_ = !take();
+  in_use_ = !lock();
   if (alone && in_use_) throw in_use(files_.path());
 }
 
@@ -51,14 +51,14 @@ CampaignDirectory::~CampaignDirectory() {
   if (lock_ >= 0) close(lock_);
 }
 
-bool CampaignDirectory::take() {
+bool CampaignDirectory::lock() {
   lock_ = open(files_.path().c_str(), O_RDONLY | O_DIRECTORY);
   return lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 void CampaignDirectory::create() {
   files_.create();
-  if (lock_ < 0 && !take()) throw in_use(files_.path());
+  if (lock_ < 0 && !lock()) throw in_use(files_.path());
 }
 
 std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign) const {
@@ -75,7 +75,7 @@ Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point)
 
 std::vector<std::string> CampaignDirectory::leftovers(const Campaign& campaign) const {
   std::vector<std::string> names;
-  std::error_code failed;  // nothing to tell where it cannot be read
+  std::error_code failed;  // an unreadable directory has no leftovers
   for (const auto& entry : fs::directory_iterator(files_.path(), failed)) {
     const std::string name = entry.path().filename().string();
     const auto is_there = [&](const Point& point) { return point.name == name; };

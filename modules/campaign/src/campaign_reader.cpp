@@ -40,8 +40,8 @@ std::vector<std::int64_t> read_seeds(const Table& table) {
   if (seeds.empty()) throw table.error("seeds", "the list of seeds is empty", seeds_form);
   for (std::size_t k = 0; k < seeds.size(); ++k)
     if (std::find(seeds.begin(), seeds.end(), seeds[k]) < seeds.begin() + std::ptrdiff_t(k))
-      throw table.error("seeds", k, fmt::format("seed {} stands twice in the list", seeds[k]),
-                        "leave one out; the same seed gives the same run");
+      throw table.error("seeds", k, fmt::format("seed {} appears twice in the list", seeds[k]),
+                        "remove one; the same seed gives the same run");
   return seeds;
 }
 
@@ -50,10 +50,10 @@ std::vector<Case> read_cases(const Table& root) {
   std::set<std::string> names;
   for (const Table& table : root.tables("case")) {
     Case one{table.string("name"), {}};
-    if (one.name.empty()) throw table.error("name", "the name of the case is empty", "give a word");
+    if (one.name.empty()) throw table.error("name", "the name of the case is empty", "give a name");
     if (!names.insert(one.name).second)
-      throw table.error("name", fmt::format("the case name '{}' is taken", one_line(one.name)),
-                        "give each a name of its own");
+      throw table.error("name", fmt::format("the case name '{}' is already in use", one_line(one.name)),
+                        "give each a different name");
     if (const auto set = table.optional_table("set")) one.settings = read_case_settings(*set);
     cases.push_back(std::move(one));
   }
@@ -61,18 +61,18 @@ std::vector<Case> read_cases(const Table& root) {
 }
 
 Error set_elsewhere(const Setting& setting, const char* where) {
-  return Error(fmt::format("{}: '{}' is set by {} too; keep one of the two", setting.place,
+  return Error(fmt::format("{}: '{}' is also set by {}; keep one of the two", setting.place,
                            one_line(setting.key), where));
 }
 
-// Each value has one source, so that the columns of a table tell what was run.
+// Each key must have a single source, so that the table columns are unambiguous.
 void check_sources(const Campaign& c) {
   std::set<std::string> keys;
   for (const Setting& setting : c.fixed) keys.insert(setting.key);
   for (const Parameter& parameter : c.parameters) {
     keys.insert(parameter.key);
     if (parameter.key == "scene.seed")
-      throw Error(fmt::format("{}: seeds do not go into [set]; write seeds = [...] in [campaign]",
+      throw Error(fmt::format("{}: scene.seed cannot be in [set]; write seeds = [...] in [campaign]",
                               parameter.values.front().place));
   }
   const auto check = [&](const Setting& setting) {
@@ -86,7 +86,7 @@ void check_sources(const Campaign& c) {
     }
 }
 
-// Whether it is there; whether it is good is a question of each run.
+// Checks only that the file can be read; its content is checked for each run.
 void check_scenario(const Campaign& c) {
   try {
     Document::load(c.scenario);

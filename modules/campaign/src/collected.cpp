@@ -18,7 +18,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-// A column by its name without the unit behind; empty if there is none.
+// A column by its name without unit; empty if it does not exist.
 std::vector<double> column_of(const std::filesystem::path& series, const std::string& name) {
   std::ifstream file(series, std::ios::binary);
   std::string line;

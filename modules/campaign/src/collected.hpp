@@ -7,7 +7,7 @@
 
 namespace scree::campaign {
 
-// Quantities "<probe>.<column>.<statistic>" from the series of a run, those left out that are not there.
+// Values of quantities "<probe>.<column>.<statistic>" from the series of a run; missing ones are omitted.
 std::vector<std::pair<std::string, double>> collected(const std::filesystem::path& directory,
                                                       const std::vector<std::string>& names);
 

@@ -30,26 +30,26 @@ class Executor {
   }
 
   void check(PluginHost& host) const {
-    // What is collected may be new though every run has finished.
+    // `collect` may have changed even if all runs have finished.
     if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host);
     std::size_t checked = 0;
     for (const std::size_t k : waiting_) {
       if (stopped()) return;
       if (options_.on_check) options_.on_check(checked++, to_do_);
       check_point(campaign_, campaign_.points[k], host);
-      // As the run itself will: other files may stand where it is to go.
+      // The same check as by the run itself: the directory may contain other files.
       run::RunDirectory(directory_.run(campaign_.points[k]), true);
     }
   }
 
   Execution run() {
-    if (stopped()) return end();  // before anything was written
+    if (stopped()) return end();  // before anything is written
     directory_.create();
     write_report(campaign_, result_.outcomes, directory_);
     while (!(stopped() || waiting_.empty()) || pool_.size() > 0) {
       fill();
-      constexpr double seconds_between_looks = 0.2;
-      for (const ProcessPool::Ended& ended : pool_.wait(seconds_between_looks)) take(ended);
+      constexpr double poll_interval = 0.2;  // (s)
+      for (const ProcessPool::Ended& ended : pool_.wait(poll_interval)) take(ended);
       if (stopped()) interrupt();
       report();
     }
@@ -70,7 +70,7 @@ class Executor {
       const std::size_t k = waiting_.front();
       waiting_.pop_front();
       const Point& point = campaign_.points[k];
-      std::error_code failed;  // shows when the log is opened
+      std::error_code failed;  // a failure is reported when the log is opened
       fs::create_directories(directory_.run(point), failed);
       pool_.start(k, command(point), directory_.log(point));
       result_.outcomes[k] = {State::running, "", {}, {}};
@@ -100,16 +100,16 @@ class Executor {
     ++done_;
     Outcome outcome = directory_.outcome(campaign_, point);
     if (outcome.state == State::changed && ended.how.empty())
-      outcome.problem = "the scenario changed while the campaign ran; call it again";
+      outcome.problem = "the scenario changed during the campaign; run the campaign again";
     else if (outcome.problem.empty() && outcome.state != State::finished)
       outcome.problem = problem_of(directory_.log(point), ended.how);
-    // What was told to stop has not failed.
+    // A run that was interrupted has not failed.
     if (outcome.state != State::finished && outcome.state != State::failed)
       outcome.state = interrupted_ ? State::interrupted : State::failed;
     if (outcome.state != State::failed) outcome.problem.clear();
     failed_ += outcome.state == State::failed;
     result_.outcomes[ended.id] = std::move(outcome);
-    save_now_and_then();
+    save_periodically();
   }
 
   void interrupt() {
@@ -128,8 +128,8 @@ class Executor {
         {result_.outcomes.size(), result_.count(State::finished), pool_.size(), failed_, share, wall()});
   }
 
-  // So that a table can be looked at meanwhile, and is there if the computer fails.
-  void save_now_and_then() {
+  // Keeps the tables up to date during the campaign, also in case the computer fails.
+  void save_periodically() {
     constexpr double seconds_between_tables = 10;
     if (wall() - last_table_ < seconds_between_tables) return;
     last_table_ = wall();
@@ -144,7 +144,7 @@ class Executor {
   std::vector<std::size_t> running_;               // points
   std::size_t to_do_ = 0, done_ = 0, failed_ = 0;  // of this call
   ProcessPool pool_;
-  bool interrupted_ = false;  // the runs have been told
+  bool interrupted_ = false;  // the runs have received SIGINT
   Clock::time_point started_ = Clock::now();
   double last_table_ = 0;  // (s) of wall time
 };

@@ -53,7 +53,7 @@ std::string means_csv(const Campaign& campaign, const std::vector<Outcome>& outc
   header.push_back("runs");
   for (const std::string& name : names) append(header, {name + "_mean", name + "_standard_error"});
   std::string text = csv_line(header);
-  // Seeds are the fastest factor of the product.
+  // Points that differ only in the seed are consecutive, as the seed varies fastest.
   const std::size_t seeds = std::max<std::size_t>(1, campaign.seeds.size());
   for (std::size_t k = 0; k < outcomes.size(); k += seeds) {
     std::vector<std::string> row = point_cells(campaign, campaign.points[k]);

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// A file of bodies is no part of the resolved scenario; newer than the run, it counts as another one.
+// The resolved scenario does not include the file of bodies: a file newer than the run counts as changed.
 bool is_newer(const fs::path& packing, const fs::path& record) {
   std::error_code failed;
   const auto of_packing = fs::last_write_time(packing, failed), of_record = fs::last_write_time(record);

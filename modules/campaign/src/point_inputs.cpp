@@ -10,14 +10,14 @@ namespace scree::campaign {
 
 namespace {
 
-// The place of the setting that a line blames; else that of the scenario.
-std::string blamed_place(const Campaign& campaign, const Point& point, const std::string& line) {
+// Position of the setting that an error message refers to, else that of the scenario.
+std::string position_of_cause(const Campaign& campaign, const Point& point, const std::string& line) {
   for (const Setting& setting : point.settings)
     if (line.starts_with("--set " + setting.key + "=")) return setting.place;
   return campaign.scenario_place;
 }
 
-// The commonest slip: [0, 0, -9.81] taken for three values instead of one.
+// Hint for a common error: [0, 0, -9.81] in [set] means three values, not one vector.
 std::string bracket_hint(const Campaign& campaign, const Point& point, const std::string& line) {
   if (line.find("give an array") == std::string::npos) return "";
   for (const Parameter& parameter : campaign.parameters)
@@ -26,15 +26,15 @@ std::string bracket_hint(const Campaign& campaign, const Point& point, const std
   return "";
 }
 
-// Puts what is wrong with the scenario of a point where the campaign file asks for it.
+// Runs `action`; prefixes an error in the scenario of a point with the position in the campaign file.
 template <class Action>
 auto placed(const Campaign& campaign, const Point& point, Action&& action) {
   try {
     return action();
   } catch (const Error& error) {
     const std::string line = error.what();
-    throw Error(fmt::format("{}: in run '{}' {}{}", blamed_place(campaign, point, line), point.name, line,
-                            bracket_hint(campaign, point, line)));
+    throw Error(fmt::format("{}: in run '{}' {}{}", position_of_cause(campaign, point, line), point.name,
+                            line, bracket_hint(campaign, point, line)));
   }
 }
 

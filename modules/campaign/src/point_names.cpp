@@ -14,9 +14,9 @@ namespace scree::campaign {
 
 namespace {
 
-constexpr std::size_t longest_name = 120;  // (bytes); file systems take 255
+constexpr std::size_t max_name_length = 120;  // (bytes) below the 255 of file systems
 
-// Readable as part of a file name: "[5, 5, 8]" becomes "5_5_8", "1000.0" becomes "1000".
+// Converts a value to a readable part of a file name: "[5, 5, 8]" becomes "5_5_8", "1000.0" becomes "1000".
 std::string file_safe(std::string_view text) {
   if (text.ends_with(".0")) text.remove_suffix(2);
   std::string safe;
@@ -30,7 +30,7 @@ std::string file_safe(std::string_view text) {
   return safe;
 }
 
-// The last part of each key, or all of it where another key ends alike.
+// Last part of each key, or the whole key if another one has the same last part.
 std::vector<std::string> labels_of(const std::vector<Parameter>& parameters) {
   std::vector<std::string> labels;
   std::map<std::string, int> count = {{"seed", 1}, {"case", 1}};
@@ -46,7 +46,7 @@ std::vector<std::string> labels_of(const std::vector<Parameter>& parameters) {
 std::string with_hash(std::string name, const std::string& exact) {
   StateHash hash;
   for (const char c : exact) hash.add(std::uint64_t(static_cast<unsigned char>(c)));
-  std::size_t end = std::min(name.size(), longest_name);
+  std::size_t end = std::min(name.size(), max_name_length);
   while (end < name.size() && end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u) --end;
   return fmt::format("{}-{:016x}", name.substr(0, end), hash.value());
 }
@@ -72,7 +72,7 @@ void name_points(const Campaign& campaign, std::vector<Point>& points) {
     ++count[point.name];
   }
   for (std::size_t k = 0; k < points.size(); ++k)
-    if (points[k].name.size() > longest_name || count[points[k].name] > 1)
+    if (points[k].name.size() > max_name_length || count[points[k].name] > 1)
       points[k].name = with_hash(points[k].name, exact[k]);
 }
 

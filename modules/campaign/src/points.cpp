@@ -8,7 +8,7 @@ namespace scree::campaign {
 
 namespace {
 
-// How many choices each factor of the product has, the slowest first: cases, parameters, seeds.
+// Number of choices of each factor of the product, slowest first: cases, parameters, seeds.
 std::vector<std::size_t> factors_of(const Campaign& c) {
   std::vector<std::size_t> factors = {std::max<std::size_t>(1, c.cases.size())};
   for (const Parameter& parameter : c.parameters) factors.push_back(parameter.values.size());
@@ -38,10 +38,10 @@ Point make_point(const Campaign& c, const std::vector<std::size_t>& choices, con
 
 }  // namespace
 
-std::size_t count_points(const Campaign& c, std::size_t most) {
+std::size_t count_points(const Campaign& c, std::size_t max) {
   std::size_t count = 1;
   for (const std::size_t factor : factors_of(c)) {
-    if (factor > most / count) return most + 1;
+    if (factor > max / count) return max + 1;
     count *= factor;
   }
   return count;

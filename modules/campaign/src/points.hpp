@@ -6,10 +6,10 @@
 
 namespace scree::campaign {
 
-// How many runs the product has, at most one more than `most`.
-std::size_t count_points(const Campaign& campaign, std::size_t most);
+// Number of runs of the product, or `max` + 1 if there are more than `max`.
+std::size_t count_points(const Campaign& campaign, std::size_t max);
 
-// The product of cases, parameters and seeds, seeds fastest, with names.
+// All points of the product of cases, parameters and seeds, seeds fastest, with names.
 std::vector<Point> make_points(const Campaign& campaign, const std::string& seeds_place);
 
 }  // namespace scree::campaign

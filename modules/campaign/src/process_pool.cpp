@@ -18,7 +18,7 @@ namespace scree::campaign {
 
 namespace {
 
-// A descriptor that is closed at the end.
+// Closes a file descriptor at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -39,45 +39,45 @@ Error no_process(int code) {
                ExitStatus::failure);
 }
 
-// No signal reaches this process while one lives: in a new process the handlers of its parent would take it,
-// and exec would forget that it came.
-class SignalsHeld {
+// Blocks all signals during its lifetime: between fork and exec a signal would be handled by the handlers of
+// the parent in the child, and then be lost.
+class SignalBlock {
  public:
-  SignalsHeld() {
+  SignalBlock() {
     sigset_t all;
     sigfillset(&all);
     sigprocmask(SIG_SETMASK, &all, &before_);
   }
-  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  ~SignalBlock() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalBlock(const SignalBlock&) = delete;
+  SignalBlock& operator=(const SignalBlock&) = delete;
   const sigset_t& before() const { return before_; }
 
  private:
   sigset_t before_;
 };
 
-// What the new process does: between fork and exec nothing may allocate.
-[[noreturn]] void become(char* const* words, pid_t parent, int log, int alive, const sigset_t& signals) {
+// Body of the child process. No allocation is allowed between fork and exec.
+[[noreturn]] void run_child(char* const* words, pid_t parent, int log, int alive, const sigset_t& signals) {
   setpgid(0, 0);
   for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   sigprocmask(SIG_SETMASK, &signals, nullptr);
-  const int nothing = open("/dev/null", O_RDONLY);
-  const bool ready = getppid() == parent && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
+  const int null_device = open("/dev/null", O_RDONLY);
+  const bool ready = getppid() == parent && null_device >= 0 && dup2(null_device, STDIN_FILENO) >= 0 &&
                      dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0 &&
                      fcntl(alive, F_SETFD, 0) == 0;
   if (ready) execv(words[0], words);
   constexpr std::string_view missing = "scree: the program cannot be started; install it again\n",
                              too_long =
-                                 "scree: a value is too long to be handed to a run; put it into the "
-                                 "scenario instead of [set] (128 KiB at most)\n";
+                                 "scree: a value is too long for a command line (128 KiB); put it into the "
+                                 "scenario instead of [set]\n";
   const std::string_view line = errno == E2BIG ? too_long : missing;
   if (write(log, line.data(), line.size()) < 0) _exit(126);
   _exit(127);
 }
 
-std::string how_it_ended(int status) {
+std::string exit_description(int status) {
   if (WIFSIGNALED(status))
     return fmt::format("killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("exit status {}", WEXITSTATUS(status));
@@ -112,9 +112,9 @@ void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
   std::vector<char*> words;
   for (std::string& word : copies) words.push_back(word.data());
   words.push_back(nullptr);
-  const SignalsHeld signals;
+  const SignalBlock signals;
   const pid_t parent = getpid(), process = fork();
-  if (process == 0) become(words.data(), parent, output.get(), held.get(), signals.before());
+  if (process == 0) run_child(words.data(), parent, output.get(), held.get(), signals.before());
   if (process < 0) throw no_process(errno);
   running_.push_back({id, process, alive.release()});
 }
@@ -130,7 +130,7 @@ std::vector<ProcessPool::Ended> ProcessPool::wait(double seconds) {
       still.push_back(running_[k]);
       continue;
     }
-    ended.push_back({running_[k].id, how_it_ended(wait_for(running_[k].process))});
+    ended.push_back({running_[k].id, exit_description(wait_for(running_[k].process))});
     close(running_[k].alive);
   }
   running_ = std::move(still);

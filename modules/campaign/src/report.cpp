@@ -47,12 +47,13 @@ void write_expectations(const std::vector<Outcome>& outcomes, Out out) {
 }
 
 void write_failures(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
-  constexpr std::size_t most = 20;
-  std::size_t told = 0;
+  constexpr std::size_t max_listed = 20;
+  std::size_t count = 0;
   for (std::size_t k = 0; k < outcomes.size(); ++k)
-    if (outcomes[k].state == State::failed && ++told <= most)
+    if (outcomes[k].state == State::failed && ++count <= max_listed)
       fmt::format_to(out, "FAILED   {}: {}\n", campaign.points[k].name, outcomes[k].problem);
-  if (told > most) fmt::format_to(out, "         and {} more, see campaign.json\n", told - most);
+  if (count > max_listed)
+    fmt::format_to(out, "         and {} more, see campaign.json\n", count - max_listed);
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ std::string text_report(const Campaign& campaign, const Execution& execution) {
   const Out out(text);
   const std::size_t finished = execution.count(State::finished), failed = execution.count(State::failed);
   fmt::format_to(out, "{} finished", finished);
-  if (execution.finished_before) fmt::format_to(out, " ({} of them before)", execution.finished_before);
+  if (execution.finished_before)
+    fmt::format_to(out, " ({} of them in an earlier call)", execution.finished_before);
   if (failed) fmt::format_to(out, ", {} failed", failed);
   const std::size_t rest = execution.outcomes.size() - finished - failed;
   if (rest) fmt::format_to(out, ", {} to do", rest);
@@ -82,12 +84,13 @@ std::string list_report(const Campaign& campaign, const std::vector<Outcome>& ou
 }
 
 std::string leftover_report(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 5;
+  constexpr std::size_t max_listed = 5;
   if (names.empty()) return "";
-  const std::vector<std::string> told(names.begin(), names.begin() + std::min(most, names.size()));
-  return fmt::format("{} of earlier values still there, in no table: {}{}\n", counted(names.size(), "run"),
-                     files::one_line(fmt::format("{}", fmt::join(told, "  ")), 400),
-                     names.size() > most ? " ..." : "");
+  const std::vector<std::string> listed(names.begin(), names.begin() + std::min(max_listed, names.size()));
+  return fmt::format("{} with values no longer in the campaign, not in the tables: {}{}\n",
+                     counted(names.size(), "run"),
+                     files::one_line(fmt::format("{}", fmt::join(listed, "  ")), 400),
+                     names.size() > max_listed ? " ..." : "");
 }
 
 void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
@@ -98,7 +101,7 @@ void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes
   std::error_code failed;
   if (campaign.seeds.size() > 1)
     files.write_file("means.csv", means_csv(campaign, outcomes));
-  else  // of the campaign as it was
+  else  // from an earlier version of the campaign
     std::filesystem::remove(files.path() / "means.csv", failed);
 }
 

@@ -15,11 +15,11 @@ namespace scree::campaign {
 
 namespace {
 
-// The lines that are not blank among the last few thousand bytes.
+// Non-blank lines among the last 8192 bytes.
 std::vector<std::string> last_lines(const std::filesystem::path& log) {
-  constexpr std::streamoff most = 8192;
+  constexpr std::streamoff max_bytes = 8192;
   std::ifstream file(log, std::ios::binary | std::ios::ate);
-  file.seekg(std::max<std::streamoff>(0, std::streamoff(file.tellg()) - most));
+  file.seekg(std::max<std::streamoff>(0, std::streamoff(file.tellg()) - max_bytes));
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);)
     if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
@@ -29,14 +29,16 @@ std::vector<std::string> last_lines(const std::filesystem::path& log) {
 }  // namespace
 
 std::string problem_of(const std::filesystem::path& log, const std::string& how) {
-  constexpr std::string_view sign = "scree: ";
-  constexpr std::size_t longest = 1000;
+  constexpr std::string_view prefix = "scree: ";
+  constexpr std::size_t max_length = 1000;
   const std::vector<std::string> lines = last_lines(log);
-  const auto told =
-      std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) { return line.starts_with(sign); });
-  std::string problem = told != lines.rend() ? told->substr(sign.size()) : lines.empty() ? "" : lines.back();
+  const auto reported =
+      std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) { return line.starts_with(prefix); });
+  std::string problem = reported != lines.rend() ? reported->substr(prefix.size())
+                        : lines.empty()          ? ""
+                                                 : lines.back();
   if (!how.empty()) problem = problem.empty() ? how : fmt::format("{} ({})", problem, how);
-  return problem.empty() ? "it left no result" : files::one_line(problem, longest);
+  return problem.empty() ? "the run has no result" : files::one_line(problem, max_length);
 }
 
 double share_in(const std::filesystem::path& log) {

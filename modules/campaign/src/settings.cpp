@@ -48,8 +48,8 @@ class Reader {
       if (std::find(values.begin(), values.begin() + std::ptrdiff_t(k), values[k]) <
           values.begin() + std::ptrdiff_t(k))
         throw table.error(
-            key, k, fmt::format("{} stands twice in the list of '{}'", one_line(values[k]), one_line(path)),
-            "leave one out; a value that is itself a list goes in brackets of its own, [[...]]");
+            key, k, fmt::format("{} appears twice in the list of '{}'", one_line(values[k]), one_line(path)),
+            "remove one; a value that is itself a list needs its own brackets, [[...]]");
       parameter.values.push_back({path, values[k], table.place(key, k)});
     }
     return parameter;

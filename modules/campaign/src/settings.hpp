@@ -8,17 +8,17 @@
 
 namespace scree::campaign {
 
-// What a table sets, in file order. Tables that are not written inline, as [set.contact], are parts of the
-// keys.
+// Settings of a table, in file order. Names of sub-tables that are not inline, as [set.contact], are parts of
+// the keys.
 struct Settings {
   std::vector<Setting> fixed;
   std::vector<Parameter> parameters;
 };
 
-// Of [set]: every list is a parameter. Throws Error at a list that is empty or holds a value twice, and at a
-// key that is given twice.
+// Settings of [set]: every list is a parameter. Throws Error at an empty list, at a repeated value in a list
+// and at a repeated key.
 Settings read_settings(const document::Table& table);
-// Of a case: a list is a value.
+// Settings of a case: a list is a value.
 std::vector<Setting> read_case_settings(const document::Table& table);
 
 }  // namespace scree::campaign

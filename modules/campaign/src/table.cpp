@@ -13,7 +13,7 @@ std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outc
   std::vector<std::string> header = {"run"};
   append(header, point_header(campaign));
   append(header, {"seed", "status", "expectations", "expectations_met"});
-  // The seed of the scenario where the campaign gives none.
+  // The seed of the scenario, if the campaign has no seeds.
   const auto listed = [](const std::string& name) { return name != "seed"; };
   for (const std::string& name : names)
     if (listed(name)) header.push_back(name);

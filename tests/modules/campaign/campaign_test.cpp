@@ -71,7 +71,7 @@ TEST_CASE("in a case a list is a value", "[campaign]") {
   CHECK(c.points[0].overrides() == Texts{"particles.lattice.count=[2, 2]"});
 }
 
-TEST_CASE("names of runs stay apart and stay the same when values are added", "[campaign]") {
+TEST_CASE("names of runs are unique and do not change when values are added", "[campaign]") {
   const auto names = [](const std::string& set) { return names_of(CampaignFolder("[set]\n" + set).read()); };
   CHECK(names("a.gap = [1]\nb.gap = [2]\nb.seed = ['x/y']") == Texts{"a.gap=1,b.gap=2,b.seed=x_y"});
   const Texts alike = names("scene.title = ['a b', 'ab', 'a/b', '../../etc']");
@@ -87,35 +87,35 @@ TEST_CASE("names of runs stay apart and stay the same when values are added", "[
   CHECK(before[0] == after[1]);
 }
 
-TEST_CASE("a mistake in a campaign is told with its place and cure", "[campaign]") {
+TEST_CASE("an error in a campaign file is reported with position and cure", "[campaign]") {
   starts(refusal("sead = 3\n"), "campaign.toml:3:1: unknown key 'sead' in [campaign]");
   starts(refusal("seeds = 3\n"),
          "campaign.toml:3:9: seeds is neither a list nor a table; give whole numbers");
   starts(refusal("seeds = []\n"), "campaign.toml:3:9: the list of seeds is empty; ");
-  starts(refusal("seeds = [1, 2, 1]\n"), "campaign.toml:3:16: seed 1 stands twice in the list; ");
+  starts(refusal("seeds = [1, 2, 1]\n"), "campaign.toml:3:16: seed 1 appears twice in the list; ");
   starts(refusal("seeds = [1.5]\n"), "campaign.toml:3:10: ");
   starts(refusal("seeds = { count = 0 }\n"), "campaign.toml:3:19: campaign.seeds.count = 0 is below 1; ");
   starts(refusal("[set]\na.b = []\n"), "campaign.toml:4:7: the list of 'a.b' is empty; ");
-  starts(refusal("[set]\na.b = [1, 1]\n"), "campaign.toml:4:11: 1 stands twice in the list of 'a.b'; ");
+  starts(refusal("[set]\na.b = [1, 1]\n"), "campaign.toml:4:11: 1 appears twice in the list of 'a.b'; ");
   starts(refusal("[set]\na.b = 1\n\"a.b\" = 2\n"), "campaign.toml:5:9: 'a.b' is set twice; ");
-  starts(refusal("[set]\nscene.seed = [1, 2]\n"), "campaign.toml:4:15: seeds do not go into [set]; ");
+  starts(refusal("[set]\nscene.seed = [1, 2]\n"), "campaign.toml:4:15: scene.seed cannot be in [set]; ");
   starts(refusal("seeds = [1]\n[set]\nscene.seed = 1\n"),
-         "campaign.toml:5:14: 'scene.seed' is set by seeds too; ");
+         "campaign.toml:5:14: 'scene.seed' is also set by seeds; ");
   starts(refusal("[set]\na.b = 1\n[[case]]\nname = 'x'\nset.a.b = 2\n"),
-         "campaign.toml:7:11: 'a.b' is set by [set] too; ");
+         "campaign.toml:7:11: 'a.b' is also set by [set]; ");
   starts(refusal("[[case]]\nname = 'x'\n[[case]]\nname = 'x'\n"),
-         "campaign.toml:6:8: the case name 'x' is taken; ");
+         "campaign.toml:6:8: the case name 'x' is already in use; ");
   starts(refusal("seeds = { count = 100000 }\n[set]\na.b = [1, 2]\n"),
          "campaign.toml:1:1: the campaign has more than 100000 runs; ");
 }
 
-TEST_CASE("a scenario that is not there is refused where it is named", "[campaign]") {
+TEST_CASE("a missing scenario is refused at the key that names it", "[campaign]") {
   const test::TemporaryFolder folder;
   const auto file = folder.write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n");
   CHECK(test::message([&] { read_campaign(file); }).find(":2:12: ") != std::string::npos);
 }
 
-TEST_CASE("a run that would be refused is told at the value to blame", "[campaign]") {
+TEST_CASE("a run that would be refused is reported at the value that causes it", "[campaign]") {
   starts(refusal("[set]\n\"contact.normal_stiffness\" = [1e4, -1]\n"),
          "campaign.toml:4:36: in run 'normal_stiffness=-1' --set contact.normal_stiffness=-1: ");
   starts(refusal("[set]\n\"contact.normal_stiffness\" = 1e14\n"),

@@ -32,7 +32,7 @@ Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path
 
 }  // namespace
 
-TEST_CASE("a run counts for the point whose resolved scenario it has, and no other", "[campaign]") {
+TEST_CASE("a run counts only for the point with the same resolved scenario", "[campaign]") {
   const CampaignFolder folder("collect = ['energy.time.max']\n[set]\ntime.duration = [1e-4, 2e-4]\n");
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
@@ -48,7 +48,7 @@ TEST_CASE("a run counts for the point whose resolved scenario it has, and no oth
   CHECK(outcome_of(c, 1, out).numbers.empty());
 }
 
-TEST_CASE("a record that makes no sense counts as no run, one that broke off as interrupted", "[campaign]") {
+TEST_CASE("an invalid run.json counts as missing, an incomplete run as interrupted", "[campaign]") {
   const CampaignFolder folder("");
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
@@ -66,7 +66,7 @@ TEST_CASE("a record that makes no sense counts as no run, one that broke off as 
   CHECK(state_with(record.substr(0, record.size() / 2)) == State::missing);
 }
 
-TEST_CASE("a file of bodies newer than the run makes it another run", "[campaign]") {
+TEST_CASE("a run older than its file of bodies counts as changed", "[campaign]") {
   const std::string scene =
       test::with(test::with(test::discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n",
                             "file = 'bodies.csv'\n"),
@@ -85,7 +85,7 @@ TEST_CASE("a file of bodies newer than the run makes it another run", "[campaign
   CHECK(outcome_of(c, 0, out).state == State::changed);
 }
 
-TEST_CASE("one campaign at a time uses a directory, and only its own", "[campaign]") {
+TEST_CASE("a directory is used by one campaign at a time, and only by its own", "[campaign]") {
   const CampaignFolder folder("");
   const Campaign c = folder.read();
   const auto path = folder.folder() / "out";
@@ -98,12 +98,12 @@ TEST_CASE("one campaign at a time uses a directory, and only its own", "[campaig
     first.files().write_file("campaign.json", "{ \"file\": \"other.toml\" }");
   }
   CHECK_THROWS_WITH(CampaignDirectory(path, c, true),
-                    Catch::Contains("holds the campaign of other.toml; give"));
+                    Catch::Contains("contains the campaign of other.toml; give"));
   // One of the same name, that is there, and one that is not, for all has moved.
   const test::TemporaryFolder elsewhere;
   const std::string other = elsewhere.write("campaign.toml", "").string();
   folder.folder().write("out/campaign.json", "{ \"file\": \"" + other + "\" }");
-  CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("holds the campaign of " + other));
+  CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("contains the campaign of " + other));
   std::filesystem::remove(other);
   CHECK_NOTHROW(CampaignDirectory(path, c, true));
   std::filesystem::remove(path / "campaign.json");
@@ -112,7 +112,7 @@ TEST_CASE("one campaign at a time uses a directory, and only its own", "[campaig
                     Catch::Contains("contains files that are not part of a scree campaign"));
 }
 
-TEST_CASE("runs of values that a campaign no longer has are told", "[campaign]") {
+TEST_CASE("runs with values that a campaign no longer has are reported", "[campaign]") {
   const CampaignFolder folder("[set]\ntime.duration = [1e-4, 2e-4]\n");
   const Campaign c = folder.read();
   CampaignDirectory directory(folder.folder() / "campaign", c, true);
@@ -126,6 +126,6 @@ TEST_CASE("runs of values that a campaign no longer has are told", "[campaign]")
   fewer.points.erase(fewer.points.begin());
   CHECK(directory.leftovers(fewer) == std::vector<std::string>{c.points[0].name});
   CHECK(leftover_report(directory.leftovers(fewer)) ==
-        "1 run of earlier values still there, in no table: duration=0.0001\n");
+        "1 run with values no longer in the campaign, not in the tables: duration=0.0001\n");
   CHECK(leftover_report({}) == "");
 }

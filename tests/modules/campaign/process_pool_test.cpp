@@ -25,7 +25,7 @@ std::vector<std::string> shell(const std::string& text) { return {"/bin/sh", "-c
 
 }  // namespace
 
-TEST_CASE("processes run side by side, write their logs and tell how they ended", "[campaign]") {
+TEST_CASE("processes run concurrently, write their logs and report how they ended", "[campaign]") {
   const TemporaryFolder folder;
   ProcessPool pool;
   // Each waits for the other: one after the other they would never end.
@@ -46,7 +46,8 @@ TEST_CASE("processes run side by side, write their logs and tell how they ended"
   CHECK(text_of(folder / "4.txt").starts_with("scree: the program cannot be started; "));
 }
 
-TEST_CASE("a signal reaches every process of a pool, and those that run at its end are ended", "[campaign]") {
+TEST_CASE("a signal reaches every process of a pool, and the pool terminates running processes at its end",
+          "[campaign]") {
   const TemporaryFolder folder;
   {
     ProcessPool pool;

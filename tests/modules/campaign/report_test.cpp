@@ -19,7 +19,7 @@ Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met =
 
 }  // namespace
 
-TEST_CASE("the table has a row per run, and numbers of what has finished only", "[campaign]") {
+TEST_CASE("the table has a row per run, with numbers of finished runs only", "[campaign]") {
   const Campaign c =
       CampaignFolder("seeds = [7, 9]\n[set]\nscene.title = ['plain', 'with, \"quotes\"']\n").read();
   const std::vector<Outcome> outcomes = {finished({{"work", 0.1}, {"seed", 7}}),
@@ -39,7 +39,7 @@ TEST_CASE("the table has a row per run, and numbers of what has finished only", 
   CHECK(json["runs"][3]["set"]["scene.seed"] == 9);
 }
 
-TEST_CASE("means and standard errors are over the seeds of each point", "[campaign]") {
+TEST_CASE("means and standard errors are taken over the seeds of each point", "[campaign]") {
   const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5, 2e-5, 3e-5]\n").read();
   std::vector<Outcome> outcomes(9);
   // Mean 4 and standard error √((9 + 1 + 4)/2/3).
@@ -52,12 +52,12 @@ TEST_CASE("means and standard errors are over the seeds of each point", "[campai
                     std::sqrt(14.0 / 2 / 3)));
 }
 
-TEST_CASE("the summary tells what varies, which expectations hold and why runs failed", "[campaign]") {
+TEST_CASE("the summary lists varied keys, expectations and failed runs with their reasons", "[campaign]") {
   const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5]\n").read();
   Execution execution{{finished({}), finished({}, false), {State::failed, "it broke", {}, {}}}, 1, false};
   CHECK(text_report(c, execution) ==
         "campaign: 3 runs, 1 value of time.step x 3 seeds\n"
-        "2 finished (1 of them before), 1 failed\n"
+        "2 finished (1 of them in an earlier call), 1 failed\n"
         "NOT MET  in 1 of 2: It holds\n"
         "FAILED   step=1e-5,seed=3: it broke\n");
   CHECK(list_report(c, execution.outcomes) ==

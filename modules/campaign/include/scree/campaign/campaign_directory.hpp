@@ -9,34 +9,35 @@
 
 namespace scree::campaign {
 
-// The directory of a campaign: one run directory per point, table.csv, means.csv, campaign.json. One campaign
-// at a time writes there; the runs that it started hold the directory too, until the last has ended.
+// The directory of a campaign: one run directory per point, table.csv, means.csv, campaign.json. It is locked
+// by one campaign at a time, and by the runs it started until the last of them has ended.
 class CampaignDirectory {
  public:
-  // Touches nothing. Throws Error if it holds other files or another campaign, or cannot be created; if it is
-  // in use, only where `alone`.
+  // Changes nothing. Throws Error if the directory contains other files or another campaign, cannot be
+  // created, or, with `alone`, is in use.
   CampaignDirectory(std::filesystem::path path, const Campaign& campaign, bool alone);
   ~CampaignDirectory();
   CampaignDirectory(const CampaignDirectory&) = delete;
   CampaignDirectory& operator=(const CampaignDirectory&) = delete;
 
-  // Creates it where it is not there. Throws Error if another campaign was faster.
+  // Creates it if it does not exist. Throws Error if another campaign has locked it meanwhile.
   void create();
 
   const run::RunDirectory& files() const { return files_; }
   std::filesystem::path run(const Point& point) const { return files_.path() / point.name; }
   std::filesystem::path log(const Point& point) const { return run(point) / run::RunDirectory::log_name; }
 
-  // What is there of each point. Throws Error where the settings of one do not fit the scenario.
+  // Outcome of each point so far. Throws Error if the settings of a point do not fit the scenario.
   std::vector<Outcome> outcomes(const Campaign& campaign) const;
-  // The same of one; a run said to be running has been killed unless somebody uses the directory.
+  // Outcome of one point. A run recorded as running counts as interrupted if the directory is not in use.
   Outcome outcome(const Campaign& campaign, const Point& point) const;
-  // Runs of values that the campaign no longer has, by name.
+  // Names of runs whose values are no longer part of the campaign.
   std::vector<std::string> leftovers(const Campaign& campaign) const;
 
  private:
-  // Whether nobody else uses the directory; true too where it is not there or the file system knows no locks.
-  bool take();
+  // Locks the directory; false if it is in use. Also true if it does not exist or the file system has no
+  // locks.
+  bool lock();
 
   run::RunDirectory files_;
   int lock_ = -1;  // descriptor of the directory, inherited by the runs

@@ -10,36 +10,36 @@
 
 namespace scree::campaign {
 
-// How far a campaign has come.
+// Progress of a campaign.
 struct Tally {
   std::size_t total = 0, finished = 0, running = 0, failed = 0;
-  double share = 0;  // 0 to 1, of the work that this call has to do
+  double share = 0;  // 0 to 1, of the work of this call
   double wall = 0;   // (s) since the start
 };
 
 struct ExecutionOptions {
-  unsigned jobs = 1;     // runs side by side
+  unsigned jobs = 1;     // concurrent runs
   unsigned threads = 1;  // of each run
-  bool again = false;    // also what has finished
+  bool again = false;    // repeat finished runs
   std::vector<std::string> plugin_directories;
-  std::filesystem::path program = "/proc/self/exe";        // that is called as `scree run`; this one
-  const std::atomic<bool>* stop = nullptr;                 // set by Ctrl-C: runs save what they have and end
-  std::function<void(const Tally&)> on_progress;           // called a few times a second
-  std::function<void(std::size_t, std::size_t)> on_check;  // points checked so far, of how many
+  std::filesystem::path program = "/proc/self/exe";        // called as `scree run`; default: this program
+  const std::atomic<bool>* stop = nullptr;                 // set by Ctrl-C: runs save their results and end
+  std::function<void(const Tally&)> on_progress;           // called a few times per second
+  std::function<void(std::size_t, std::size_t)> on_check;  // points checked so far, and in total
 };
 
-// What a campaign came to, outcomes in the order of its points.
+// Result of a campaign; outcomes in the order of its points.
 struct Execution {
   std::vector<Outcome> outcomes;
-  std::size_t finished_before = 0;  // and not run again
+  std::size_t finished_before = 0;  // not run again
   bool interrupted = false;
 
   std::size_t count(State state) const;
 };
 
-// Runs what has not finished, each in a process of its own, and keeps the tables of the directory up to date.
-// Throws Error (bad_input) before anything is written if any point is refused; Error (failure) if the
-// directory cannot be written, with all runs ended.
+// Runs all unfinished points, each in its own process, and updates the tables in the directory. Throws Error
+// (bad_input) before anything is written if any point is refused; Error (failure) if the directory cannot be
+// written, after all runs have ended.
 Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
                   PluginHost& host);
 

@@ -9,10 +9,10 @@
 
 namespace scree::campaign {
 
-// What the directory of a point holds.
+// State of the run of a point.
 enum class State {
   missing,
-  changed,      // a run of other settings, another scenario or an older file of bodies
+  changed,      // run with other settings, another scenario or an older file of bodies
   interrupted,  // stopped or killed before its end
   running,
   failed,
@@ -22,8 +22,8 @@ const char* state_name(State state);
 
 struct Outcome {
   State state = State::missing;
-  std::string problem;  // one line, of a run that failed
-  // Of a run that finished: what is collected, the numbers of run.json, those of its expectations; by name.
+  std::string problem;  // one line, if the run failed
+  // Of a finished run, by name: collected quantities, numbers of run.json, values of its expectations.
   std::vector<std::pair<std::string, double>> numbers;
   struct Judged {
     std::string requirement;
@@ -34,8 +34,8 @@ struct Outcome {
   std::size_t unmet() const;
 };
 
-// Reads the run.json of a directory, and what is collected from its series. Anything that it cannot make
-// sense of counts as missing.
+// Reads run.json and the collected quantities from the directory of a run. An unreadable or invalid file
+// counts as missing.
 Outcome read_outcome(const std::filesystem::path& directory, const Inputs& inputs,
                      const std::vector<std::string>& collect);
 

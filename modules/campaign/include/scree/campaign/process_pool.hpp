@@ -8,8 +8,8 @@
 
 namespace scree::campaign {
 
-// Processes that run side by side, each in a process group of its own, so that Ctrl-C on the terminal reaches
-// them through signal() alone. They are told to end if this process dies. For one thread.
+// Concurrent child processes, each in its own process group, so that Ctrl-C on the terminal reaches them only
+// through signal(). They receive SIGTERM if this process dies. Not thread-safe.
 class ProcessPool {
  public:
   struct Ended {
@@ -18,16 +18,16 @@ class ProcessPool {
   };
 
   ProcessPool() = default;
-  // Ends those that still run, and waits for them.
+  // Terminates the running processes and waits for them.
   ~ProcessPool();
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
 
-  // Starts command[0], a path, with its output in the file log. The id is the caller's. Throws Error
-  // (failure) where the log cannot be written or no process can be made.
+  // Starts the program at the path command[0], with its output in the file `log`; `id` identifies it in
+  // Ended. Throws Error (failure) if the log cannot be written or no process can be started.
   void start(std::size_t id, const std::vector<std::string>& command, const std::filesystem::path& log);
-  // Those that have ended since the last call; waits for one, at most so many seconds, less if a signal
-  // comes.
+  // Processes that have ended since the last call. Waits for at least one, at most `seconds` (s) or until a
+  // signal.
   std::vector<Ended> wait(double seconds);
   void signal(int number) const;
 
@@ -37,7 +37,7 @@ class ProcessPool {
   struct Running {
     std::size_t id;
     pid_t process;
-    int alive;  // a pipe that closes with the process
+    int alive;  // read end of a pipe that closes when the process ends
   };
   std::vector<Running> running_;
 };

@@ -8,25 +8,24 @@
 namespace scree::campaign {
 
 // One row per point: run, case, the keys that vary, seed, status, expectations, expectations_met, then every
-// number of the runs that have finished.
+// quantity of the finished runs.
 std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
-// One row for each group of points that differ in their seeds alone: case, the keys that vary, runs
-// (finished), then <number>_mean and <number>_standard_error (empty for a single run) of every number.
+// One row per group of points that differ only in their seed: case, the keys that vary, number of finished
+// runs, then <quantity>_mean and <quantity>_standard_error (empty for a single run) of every quantity.
 std::string means_csv(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
-// What was asked for and what is there, as JSON.
+// Settings and outcomes of all points, as JSON.
 std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
-// Writes table.csv, campaign.json and, where there are several seeds, means.csv. Throws Error (failure) where
-// it cannot.
+// Writes table.csv, campaign.json and, with several seeds, means.csv. Throws Error (failure) if it cannot.
 void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                   const CampaignDirectory& directory);
 
-// For a terminal: what varies, what finished, the expectations, the runs that failed with their reasons.
+// For a terminal: varied keys, number of finished runs, expectations, failed runs with their reasons.
 std::string text_report(const Campaign& campaign, const Execution& execution);
 
-// For a terminal: runs that are no longer of the campaign; nothing where there are none.
+// For a terminal: runs that are no longer part of the campaign; empty if there are none.
 std::string leftover_report(const std::vector<std::string>& names);
 
 // For a terminal: each point with its state.
