@@ -1,21 +1,21 @@
 # cmake -DSCREE=<program> -DSCENE=<file> -DOUT=<directory> -P refused.cmake
-# Fails unless the scene is refused as bad input (2) or stops as blown up (3), with one line that matches
-# the scene's comment `# refused: <regex>`.
+# Fails unless the scene is refused (exit status 2) or stopped as unstable (3) with a one-line message that matches
+# the comment `# refused: <regex>` of the scene.
 
 file(STRINGS ${SCENE} line REGEX "^# refused: " LIMIT_COUNT 1)
 if(NOT line)
-  message(FATAL_ERROR "${SCENE}: no line '# refused: <regex>' tells how it is refused")
+  message(FATAL_ERROR "${SCENE}: no line '# refused: <regex>'")
 endif()
-string(REGEX REPLACE "^# refused: " "" wanted "${line}")
+string(REGEX REPLACE "^# refused: " "" expected "${line}")
 
 execute_process(COMMAND ${SCREE} run ${SCENE} --out ${OUT} --overwrite --quiet
-  RESULT_VARIABLE status ERROR_VARIABLE said)
+  RESULT_VARIABLE status ERROR_VARIABLE output)
 if(NOT status MATCHES "^[23]$")
-  message(FATAL_ERROR "exit status ${status}, not 2 or 3; said: ${said}")
+  message(FATAL_ERROR "exit status ${status}, not 2 or 3; output: ${output}")
 endif()
-if(NOT said MATCHES "^scree: [^\n]+\n$")
-  message(FATAL_ERROR "not refused with one line: ${said}")
+if(NOT output MATCHES "^scree: [^\n]+\n$")
+  message(FATAL_ERROR "not refused with one line: ${output}")
 endif()
-if(NOT said MATCHES "${wanted}")
-  message(FATAL_ERROR "'${wanted}' is not in: ${said}")
+if(NOT output MATCHES "${expected}")
+  message(FATAL_ERROR "'${expected}' is not in: ${output}")
 endif()

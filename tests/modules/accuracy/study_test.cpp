@@ -142,5 +142,5 @@ TEST_CASE("a study that is stopped before its reference is complete is an error"
   const std::atomic<bool> stop = true;
   StudyOptions options = quick();
   options.stop = &stop;
-  CHECK_THROWS_WITH(study(closed_form_plan(), options), Catch::Contains("before there was a reference"));
+  CHECK_THROWS_WITH(study(closed_form_plan(), options), Catch::Contains("before the reference was complete"));
 }
