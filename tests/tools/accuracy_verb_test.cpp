@@ -4,7 +4,7 @@
 
 using scree::test::Workspace;
 
-TEST_CASE("accuracy tells the cheapest setting and writes table, summary and charts", "[tools]") {
+TEST_CASE("accuracy prints the cheapest setting and writes table, summary and charts", "[tools]") {
   const Workspace w;
   const auto outcome = w.scree("accuracy scene.toml --out study --count 3 --coarsest 1 --tolerance 1e-2");
   INFO(outcome.err);
@@ -15,10 +15,10 @@ TEST_CASE("accuracy tells the cheapest setting and writes table, summary and cha
   CHECK(w.has("study/accuracy.csv"));
   CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["orders"].size() == 8);
   CHECK(w.has("study/charts/worst_error.png") == bool(SCREE_TEST_PICTURES));
-  CHECK(w.scree("accuracy scene.toml --out study").status == 2);  // holds a study already
+  CHECK(w.scree("accuracy scene.toml --out study").status == 2);  // already contains a study
 }
 
-TEST_CASE("accuracy refuses what makes no sense and writes nothing", "[tools]") {
+TEST_CASE("accuracy refuses invalid options and writes nothing", "[tools]") {
   const Workspace w;
   for (const std::string options : {"--tolerance 0", "--count 1", "--coarsest -1", "--integrator euler"}) {
     INFO(options);

@@ -5,14 +5,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Refusal of the discs with one part of the text replaced.
+// Checks the refusal of the discs scene with one part of the text replaced.
 void refused(const std::string& part, const std::string& other, const std::string& begin,
              const std::string& end) {
   const Workspace w(with(discs, part, other));
   check_refused(w, w.run(), begin, end);
 }
 
-// Refusal of the discs with options of the command line.
+// Checks the refusal of the discs scene with command-line options.
 void refused_options(const std::string& options, const std::string& begin, const std::string& end) {
   const Workspace w;
   check_refused(w, w.run(options), begin, end);
@@ -20,7 +20,7 @@ void refused_options(const std::string& options, const std::string& begin, const
 
 }  // namespace
 
-TEST_CASE("a key, type or value that is wrong is told with its place and a cure", "[tools]") {
+TEST_CASE("a wrong key, type or value is reported with position and cure", "[tools]") {
   refused("radius = 0.01", "radius = 0.01\nrandom_velocty = 1",
           "scene.toml:16:1: unknown key 'random_velocty' in [particles]; did you mean 'random_velocity'? ",
           "random_velocity, velocity, file, radius, lattice");
@@ -44,7 +44,7 @@ TEST_CASE("a mass of zero is refused", "[tools]") {
   check_refused(w, w.run(), "scene.toml:19:8: particle.mass = 0 kg is zero; ", "give a mass above 0");
 }
 
-TEST_CASE("a file that is no scene is refused", "[tools]") {
+TEST_CASE("a file that is not a scenario is refused", "[tools]") {
   for (const auto& [text, begin, end] :
        {std::array{"", "scene.toml:1:1: the file holds no key; ",
                    "write a scene: [scene], [time], [particles], ..."},
@@ -67,7 +67,7 @@ TEST_CASE("a file that is no scene is refused", "[tools]") {
           "add a table [time]");
 }
 
-TEST_CASE("options that make no sense are told in one line", "[tools]") {
+TEST_CASE("invalid options are reported in one line", "[tools]") {
   refused_options("--threads 0", "--threads: ", "; see scree run --help");
   refused_options("--threads many", "--threads: ", "; see scree run --help");
   refused_options("--frobnicate", "The following argument was not expected: --frobnicate",
@@ -102,7 +102,7 @@ TEST_CASE("output that cannot be written is refused before the run", "[tools]") 
   CHECK(w.text("mine/letter.txt") == "dear");
 }
 
-TEST_CASE("a run that is there stays unless it may be replaced", "[tools]") {
+TEST_CASE("an existing run is kept unless --overwrite is given", "[tools]") {
   const Workspace w;
   REQUIRE(w.run("--set scene.seed=1").status == 0);
   const std::string before = w.text("out/run.json");
@@ -117,8 +117,8 @@ TEST_CASE("a run that is there stays unless it may be replaced", "[tools]") {
   CHECK(w.record()["seed"] == 2);
 }
 
-// A limit on the size of files stands for a full disk; a block has 512 bytes.
-TEST_CASE("a disk that takes not even the first file leaves nothing behind", "[tools]") {
+// A limit on file sizes simulates a full disk; a block has 512 bytes.
+TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]") {
   const Workspace w;
   const Outcome full = w.shell("trap '' XFSZ; ulimit -f 2; scree run scene.toml --out out/deep");
   CHECK(full.status == 1);
@@ -126,7 +126,7 @@ TEST_CASE("a disk that takes not even the first file leaves nothing behind", "[t
   CHECK_FALSE(w.has("out"));
 }
 
-TEST_CASE("a disk that fills up stops the run and keeps what was written", "[tools]") {
+TEST_CASE("a disk that fills up stops the run and keeps the files written before", "[tools]") {
   const Workspace w;
   const Outcome full = w.shell(
       "trap '' XFSZ; ulimit -f 16; scree run scene.toml --out out "

@@ -6,7 +6,7 @@
 
 using scree::test::Workspace;
 
-TEST_CASE("bench adds a row per call to a CSV with one header, and tells phases", "[tools]") {
+TEST_CASE("bench appends a row per call to a CSV with one header, and prints phases", "[tools]") {
   const Workspace w;
   const auto first = w.scree("bench scene.toml --seconds 0.01 --repeats 1 --csv bench.csv");
   INFO(first.err);
@@ -31,9 +31,9 @@ TEST_CASE("bench adds a row per call to a CSV with one header, and tells phases"
   CHECK(refused.err.find("old.csv: has other columns") != std::string::npos);
 }
 
-TEST_CASE("bench begins a scene that ends anew, and starts where it is told to", "[tools]") {
+TEST_CASE("bench restarts a scene that ends, and starts at the given time", "[tools]") {
   const Workspace w;
-  // 8 steps, and 9 to warm and 3 times 9 to time.
+  // 8 steps to --start, 9 for warm-up and 3 times 9 timed.
   const std::string call = "bench scene.toml --set time.duration=8e-5 --set time.step=1e-5 --repeats 2";
   const auto first = w.scree(call + " --steps 9");
   INFO(first.err);
@@ -47,7 +47,7 @@ TEST_CASE("bench begins a scene that ends anew, and starts where it is told to",
   CHECK(never.err.find("the scene ends at 8e-05 s; give --start below that") != std::string::npos);
 }
 
-TEST_CASE("bench knows its scenes by name and suggests the nearest", "[tools]") {
+TEST_CASE("bench accepts its scenes by name and suggests the nearest", "[tools]") {
   const Workspace w;
   const auto known = w.scree("bench discs-16 --seconds 0.01 --repeats 1");
   CHECK(known.status == 0);

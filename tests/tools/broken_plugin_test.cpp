@@ -18,7 +18,7 @@ std::string library(const std::string& name) { return broken + "/contact/" + nam
 
 }  // namespace
 
-TEST_CASE("a plug-in that is not there is refused with the nearest name", "[tools]") {
+TEST_CASE("a missing plug-in is refused with the nearest name", "[tools]") {
   refused("linear_spring_dashpt", "no contact law plug-in 'linear_spring_dashpt' in " + broken + "/contact, ",
           "; did you mean 'linear_spring_dashpot'?");
   refused("gravity", "no contact law plug-in 'gravity' in ", "");
@@ -36,11 +36,11 @@ TEST_CASE("a library without the query symbol is refused by name", "[tools]") {
           "export the plug-in with one of the SCREE_*_PLUGIN macros");
 }
 
-TEST_CASE("a text that poses as a library is refused by name", "[tools]") {
+TEST_CASE("a text file named as a library is refused by name", "[tools]") {
   refused("text", library("text") + "not a usable plug-in library (", "); rebuild it");
 }
 
-TEST_CASE("broken libraries hinder neither the others nor their list", "[tools]") {
+TEST_CASE("broken libraries affect neither other plug-ins nor their list", "[tools]") {
   const Workspace w;
   CHECK(w.run(options).status == 0);
   const Outcome list = w.scree("describe " + options);
@@ -50,7 +50,7 @@ TEST_CASE("broken libraries hinder neither the others nor their list", "[tools]"
   CHECK(list.out.find("  linear_spring_dashpot ") != std::string::npos);
 }
 
-TEST_CASE("plug-ins are found through the environment too", "[tools]") {
+TEST_CASE("plug-ins are also found through the environment", "[tools]") {
   const Workspace w(with(discs, "linear_spring_dashpot", "no_query"));
   const Outcome outcome =
       w.shell("SCREE_PLUGIN_PATH='" + broken + "'; export SCREE_PLUGIN_PATH; scree check scene.toml");

@@ -6,7 +6,7 @@ using namespace scree::test;
 
 namespace {
 
-// A folder with scene.toml and a campaign of it.
+// A folder with scene.toml and a campaign file.
 struct CampaignWorkspace : Workspace {
   explicit CampaignWorkspace(const std::string& rest, const std::string& scene = discs) : Workspace(scene) {
     write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n" + rest);
@@ -15,7 +15,7 @@ struct CampaignWorkspace : Workspace {
 
 const std::string call = "campaign campaign.toml --out out ";
 
-// The cells of a column, counted from 0 behind the name of the run, which stands in quotes.
+// Cells of a column, counted from 0 after the quoted name of the run.
 std::vector<std::string> column(const std::string& csv, std::size_t number) {
   std::istringstream stream(csv);
   std::vector<std::string> cells;
@@ -40,7 +40,7 @@ const std::string two_by_two = "seeds = [1, 2]\n[set]\ntime.duration = [1e-4, 2e
 
 }  // namespace
 
-TEST_CASE("a campaign runs every point and collects what they came to", "[tools]") {
+TEST_CASE("a campaign runs every point and collects the results", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   const Outcome outcome = w.scree(call + "--jobs 2");
   INFO(outcome.err);
@@ -60,14 +60,14 @@ TEST_CASE("a campaign runs every point and collects what they came to", "[tools]
   CHECK(nlohmann::json::parse(w.text("out/campaign.json"))["runs"].size() == 4);
 }
 
-TEST_CASE("a run of a campaign has the bits of the same run by hand", "[tools]") {
+TEST_CASE("a run of a campaign has the same bits as the same single run", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   REQUIRE(w.scree(call).status == 0);
   REQUIRE(w.scree("run scene.toml --out hand --set time.duration=2e-4 --set scene.seed=2").status == 0);
   CHECK(w.record("hand")["state_hash"] == w.record("out/duration=0.0002,seed=2")["state_hash"]);
 }
 
-TEST_CASE("what has finished is not run again, a changed value reruns what it changes", "[tools]") {
+TEST_CASE("finished runs are not repeated, a changed value repeats only its runs", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   REQUIRE(w.scree(call).status == 0);
   const auto wall = [&](const std::string& run) { return w.record("out/" + run)["wall_s"].get<double>(); };
@@ -95,7 +95,7 @@ TEST_CASE("what has finished is not run again, a changed value reruns what it ch
   CHECK(contains(w.scree(call + "--overwrite").out, "\n4 finished\n"));
 }
 
-TEST_CASE("a run that fails does not stop the others and is told with its reason", "[tools]") {
+TEST_CASE("a failed run does not stop the others and is reported with its reason", "[tools]") {
   const CampaignWorkspace w(
       "[set]\n\"time.step_guard\" = false\ntime.duration = 0.1\nparticles.random_velocity = [50, 0.1]\n");
   const Outcome outcome = w.scree(call + "--jobs 1");
@@ -107,7 +107,7 @@ TEST_CASE("a run that fails does not stop the others and is told with its reason
   CHECK(contains(w.scree(call + "--list").out, "failed       random_velocity=50: contact of particle "));
 }
 
-TEST_CASE("an expectation that is not met everywhere is told and gives status 1", "[tools]") {
+TEST_CASE("an expectation not met by all runs is reported and gives status 1", "[tools]") {
   const CampaignWorkspace w(
       two_by_two,
       std::string(discs) + "[[expect]]\nrequirement = 'Short'\nquantity = 'steps'\nat_most = 10\n");
@@ -117,7 +117,7 @@ TEST_CASE("an expectation that is not met everywhere is told and gives status 1"
   CHECK(column(w.text("out/table.csv"), 4) == Cells{"1", "1", "0", "0"});
 }
 
-TEST_CASE("nothing is written when any run is refused", "[tools]") {
+TEST_CASE("nothing is written if any run is refused", "[tools]") {
   const CampaignWorkspace w("[set]\ncontact.normal_stiffness = [1e4, 0]\n");
   check_refused(w, w.scree(call), "campaign.toml:4:34: in run 'normal_stiffness=0' --set ",
                 "give a number above 0 (N/m)");
@@ -126,7 +126,7 @@ TEST_CASE("nothing is written when any run is refused", "[tools]") {
   check_refused(w, w.scree(call + "--jobs 0"), "--jobs: ", "see scree campaign --help");
 }
 
-TEST_CASE("Ctrl-C lets the runs save, writes the table so far, and the same call goes on", "[tools]") {
+TEST_CASE("after Ctrl-C runs are saved, the table is written, and the same command continues", "[tools]") {
   const std::string rest = "[set]\ntime.duration = [1e-4, 5000, 6000]\n";
   const CampaignWorkspace w(rest);
   const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
@@ -162,14 +162,14 @@ TEST_CASE("runs end when their campaign is killed", "[tools]") {
   CHECK(outcome.out.ends_with("interrupted  duration=5000\n"));
 }
 
-TEST_CASE("without --out a campaign has a directory of its own and goes on in it", "[tools]") {
+TEST_CASE("without --out a campaign uses its own directory and continues there", "[tools]") {
   const CampaignWorkspace w("");
   CHECK(contains(w.scree("campaign campaign.toml").out, "results in campaigns/campaign: "));
   CHECK(w.record("campaigns/campaign/run")["status"] == "finished");
   CHECK(contains(w.scree("campaign campaign.toml").out, "1 finished (1 of them in an earlier call)\n"));
 }
 
-TEST_CASE("a directory that holds something else is left alone", "[tools]") {
+TEST_CASE("a directory with other files is not changed", "[tools]") {
   const CampaignWorkspace w("");
   REQUIRE(w.run().status == 0);
   const Outcome outcome = w.scree(call + "--overwrite");
@@ -179,7 +179,7 @@ TEST_CASE("a directory that holds something else is left alone", "[tools]") {
   CHECK(w.record()["status"] == "finished");
 }
 
-TEST_CASE("files that stand where a run is to go are left alone", "[tools]") {
+TEST_CASE("files in the directory of a run are not changed", "[tools]") {
   const CampaignWorkspace w("");
   REQUIRE(w.scree(call).status == 0);
   std::filesystem::remove(w / "out/run/run.json");

@@ -24,7 +24,7 @@ TEST_CASE("the help of each verb shows an example and every option", "[tools]") 
   CHECK(w.scree("--version").out.starts_with("scree 0."));
 }
 
-TEST_CASE("check tells what a scene is and writes nothing", "[tools]") {
+TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   const Workspace w(with(discs, "[scene]", "[scene]\ntitle = 'Nine discs'"));
   const Outcome good = w.scree("check scene.toml --set time.duration=0.5");
   CHECK(good.status == 0);
@@ -33,7 +33,7 @@ TEST_CASE("check tells what a scene is and writes nothing", "[tools]") {
   CHECK_FALSE(w.has("runs"));
 }
 
-TEST_CASE("check finds what run would", "[tools]") {
+TEST_CASE("check finds the same errors as run", "[tools]") {
   const Workspace w;
   check_refused(w, w.scree("check scene.toml --set time.step=-1"),
                 "--set time.step=-1: ", "give a step above 0");
@@ -56,7 +56,7 @@ TEST_CASE("describe lists all plug-ins by kind", "[tools]") {
   CHECK_FALSE(contains(list.out, "cannot be used"));
 }
 
-TEST_CASE("describe tells equations, parameters and closed forms", "[tools]") {
+TEST_CASE("describe prints equations, parameters and closed forms", "[tools]") {
   const Workspace w;
   const Outcome law = w.scree("describe linear_spring_dashpot");
   for (const char* part :
@@ -80,7 +80,7 @@ TEST_CASE("describe shows all plug-ins of a name, or the one of a kind", "[tools
   CHECK_FALSE(contains(one.out, "boundary: "));
 }
 
-TEST_CASE("describe refuses what it cannot make sense of", "[tools]") {
+TEST_CASE("describe refuses unknown names and options", "[tools]") {
   const Workspace w;
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
     check_refused(w, w.scree("describe " + arguments), begin, end);
@@ -101,7 +101,7 @@ TEST_CASE("describe refuses what it cannot make sense of", "[tools]") {
 }
 
 #if SCREE_TEST_PICTURES
-TEST_CASE("render draws the snapshots of a run anew", "[tools]") {
+TEST_CASE("render redraws the snapshots of a run", "[tools]") {
   const Workspace w(std::string(discs) + "[snapshot]\nevery = 1e-4\n");
   REQUIRE(w.run().status == 0);
   const Outcome drawn = w.scree("render out --out pictures --color-by speed --width 300 --height 200");
@@ -113,7 +113,7 @@ TEST_CASE("render draws the snapshots of a run anew", "[tools]") {
 }
 #endif
 
-TEST_CASE("output that cannot be written is not passed off as success", "[tools]") {
+TEST_CASE("a failure to write the output gives a failure status", "[tools]") {
   const Outcome full = Workspace().shell("scree describe > /dev/full");
   CHECK(full.status == 1);
   CHECK(full.err == "scree: standard output cannot be written; free disk space or send it elsewhere\n");

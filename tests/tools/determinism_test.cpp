@@ -12,7 +12,7 @@ TEST_CASE("the 16 discs end with the same bits for any number of threads and eve
   std::set<std::string> hashes;
   for (const std::string threads : {"1", "2", "4"})
     for (const std::string level : {"baseline", ""}) {
-      // No level asked for: the best that this processor runs.
+      // Without a given level: the best one of this processor.
       const std::string environment = level.empty() ? "" : "SCREE_LEVEL=" + level + " ";
       const auto outcome = w.shell(
           environment +

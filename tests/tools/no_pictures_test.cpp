@@ -13,8 +13,7 @@ const std::string cure = "build it with VTK (preset release)";
 
 }  // namespace
 
-TEST_CASE("a scene that asks for pictures is refused where there are none, with the way to run it",
-          "[tools]") {
+TEST_CASE("without pictures a scene that requests them is refused, with a command to run it", "[tools]") {
   for (const std::string& tables : {snapshots, chart, snapshots + chart}) {
     const Workspace w(discs + tables);
     for (const char* call : {"run scene.toml --out out", "check scene.toml"})
@@ -23,7 +22,7 @@ TEST_CASE("a scene that asks for pictures is refused where there are none, with 
   }
 }
 
-TEST_CASE("a scene that asks for pictures runs without them when told to leave them out", "[tools]") {
+TEST_CASE("a scene that requests pictures runs if they are switched off", "[tools]") {
   const Workspace w(discs + snapshots + chart);
   CHECK(w.run("--set snapshot={} --set chart=[]").status == 0);
   CHECK(w.has("out/series/energy.csv"));
@@ -31,7 +30,7 @@ TEST_CASE("a scene that asks for pictures runs without them when told to leave t
   CHECK_FALSE(w.has("out/charts"));
 }
 
-TEST_CASE("render and accuracy say that there are no pictures", "[tools]") {
+TEST_CASE("render and accuracy report that there are no pictures", "[tools]") {
   const Workspace w;
   check_refused(w, w.scree("render ."), reason + "; ", cure);
   const Outcome study = w.scree("accuracy scene.toml --out study --count 2 --coarsest 1");

@@ -12,18 +12,18 @@
 
 namespace scree::test {
 
-// How a call of the program came out.
+// Result of a call of the program.
 struct Outcome {
-  int status = -1;  // exit status, 128 + signal where one ended it
+  int status = -1;  // exit status; 128 + signal if killed by a signal
   std::string out, err;
 };
 
-// A folder with scene.toml in which the program is called.
+// A temporary folder with scene.toml in which the program is called.
 class Workspace {
  public:
   explicit Workspace(const std::string& scene = discs) { folder_.write("scene.toml", scene); }
 
-  // Runs shell text in which `scree` is the program.
+  // Runs a shell command in which `scree` is the program.
   Outcome shell(const std::string& text) const {
     folder_.write("call.sh", "scree() { '" SCREE_TEST_PROGRAM "' \"$@\"; }\n" + text + "\n");
     const std::string call =
@@ -49,7 +49,7 @@ class Workspace {
   TemporaryFolder folder_;
 };
 
-// Checks that the program refused its input: status 2, one line that begins and ends as given, nothing
+// Checks that the program refused its input: status 2, one line with the given beginning and end, nothing
 // written.
 inline void check_refused(const Workspace& w, const Outcome& outcome, const std::string& begin,
                           const std::string& end) {

@@ -38,7 +38,7 @@ TEST_CASE("a run writes the series of each probe with names and units", "[tools]
   CHECK(std::stod(walls[3]) == Approx(1e-4));
 }
 
-TEST_CASE("the record of a run says what it was and how it went", "[tools]") {
+TEST_CASE("run.json has the inputs and results of a run", "[tools]") {
   const Workspace w(expectation("at_most = 10"));
   CHECK(w.run("--set scene.seed=3").status == 0);
   const nlohmann::json record = w.record();
@@ -63,7 +63,7 @@ TEST_CASE("the record of a run says what it was and how it went", "[tools]") {
   CHECK(record["expect"][0]["met"] == true);
 }
 
-TEST_CASE("the program says what the scene carries, once", "[tools]") {
+TEST_CASE("the program prints the size of the scene once", "[tools]") {
   const Workspace w;
   const Outcome outcome = w.run();
   CHECK(outcome.out.starts_with("9 bodies in 2D, 18 degrees of freedom; "));
@@ -74,7 +74,8 @@ TEST_CASE("the program says what the scene carries, once", "[tools]") {
   CHECK(quiet.out.starts_with("results in out\n"));
 }
 
-TEST_CASE("the state has the same bits for any number of threads, and others for another seed", "[tools]") {
+TEST_CASE("the state has the same bits for any number of threads, and different ones for another seed",
+          "[tools]") {
   const Workspace w(with(discs, "duration = 1e-4", "duration = 0.05"));
   const auto hash = [&](const std::string& options) {
     REQUIRE(w.run("--overwrite " + options).status == 0);
@@ -96,8 +97,7 @@ TEST_CASE("an expectation that is not met gives status 1 and keeps the run", "[t
   CHECK(w.record()["expect"][0]["met"] == false);
 }
 
-TEST_CASE("a run that blows up tells particle, contact, time and advice, and keeps what it wrote",
-          "[tools]") {
+TEST_CASE("a run that blows up reports particle, contact, time and cure, and keeps its output", "[tools]") {
   const Workspace w(with(discs, "duration = 1e-4", "duration = 0.1"));
   const auto check = [&](const std::string& options, const std::vector<std::string>& parts) {
     const Outcome outcome = w.run("--overwrite --quiet " + options);
@@ -111,13 +111,13 @@ TEST_CASE("a run that blows up tells particle, contact, time and advice, and kee
   };
   check("--set time.step_guard=false --set particles.random_velocity=50",
         {"contact of particle ", "of the smaller radius at t = ", "; use a "});
-  // The fastest disc starts at 0.34138 m/s; a collision makes one faster.
+  // The fastest disc starts at 0.34138 m/s; a collision makes a disc faster.
   check("--set limits.speed=0.35", {"particle ", " moves at ", " m/s at t = ", "; use a shorter time.step"});
   check("--set time.step_guard=false --set particles.random_velocity=1e100 --set limits.speed=1e300",
         {"particle ", " at t = ", "; use a "});
 }
 
-TEST_CASE("bodies that start beyond the limit of speed are bad input", "[tools]") {
+TEST_CASE("bodies that start above the speed limit are bad input", "[tools]") {
   const Workspace w{std::string(discs)};
   const Outcome outcome = w.run("--set limits.speed=1e-3");
   CHECK(outcome.status == 2);

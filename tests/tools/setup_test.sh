@@ -8,14 +8,14 @@ installed=""
 is_installed() { [[ " $installed " == *" $1 "* ]]; }
 
 failures=0
-# check <what> <expected exit status> <pattern of what is said> <call...>
+# check <what> <expected exit status> <pattern of the output> <call...>
 check() {
-  local said status
-  said=$("${@:4}" 2>&1)
+  local output status
+  output=$("${@:4}" 2>&1)
   status=$?
   # shellcheck disable=SC2053  # a pattern
-  [[ $status == "$2" && $said == $3 ]] && return
-  printf '%s: status %s, said: %s\n' "$1" "$status" "$said"
+  [[ $status == "$2" && $output == $3 ]] && return
+  printf '%s: status %s, output: %s\n' "$1" "$status" "$output"
   failures=1
 }
 

@@ -1,4 +1,4 @@
-"""Cases of `tools/bench/peers --error`: contact laws, bodies at the start, and what is known of the result."""
+"""Cases of `tools/bench/peers --error`: contact laws, initial bodies, and known results."""
 import csv
 import dataclasses
 import math
@@ -10,14 +10,14 @@ import packings
 RADIUS, DENSITY, PHASES = 0.005, 2500.0, 8
 MASS = DENSITY * 4 / 3 * math.pi * RADIUS**3
 YOUNG, POISSON = 5e8, 0.25  # LIGGGHTS refuses more than 1e9 Pa
-STIFFNESS = 1e8  # so much that the line of centres turns little during a sliding contact
-SPACING = 8 * RADIUS  # between pairs, far enough that they never meet
-WAIT = 2  # steps before the first of the phases touches
+STIFFNESS = 1e8  # high, so that the line of centres rotates little during a sliding contact
+SPACING = 8 * RADIUS  # between pairs, which never interact
+WAIT = 2  # steps before the first contact begins
 
 
 @dataclasses.dataclass
 class Law:
-    """One contact law, told to each code in its own words by error_codes."""
+    """One contact law, translated for each code by error_codes."""
     kind: str  # "linear" or "hertz"
     restitution: float
     friction: float = 0.0
@@ -28,12 +28,12 @@ class Law:
     lammps_history: str = "mindlin_rescale/force"
 
     def damping(self):
-        """Damping ratio for which a contact whose dashpot may pull has the restitution."""
+        """Damping ratio for the restitution of a contact with tensile dashpot force."""
         log = math.log(self.restitution)
         return -log / math.hypot(math.pi, log)
 
     def dashpots(self):
-        """Linear contacts, kg/s: normal, tangential."""
+        """Damping coefficients of linear contacts, kg/s: normal, tangential."""
         normal = 2 * self.damping() * math.sqrt(self.stiffness * self.mass)
         return normal, 0.5 * normal
 
@@ -41,12 +41,12 @@ class Law:
         return 2 / 7 * self.stiffness
 
     def tangential_over_normal(self):
-        """Dashpots of Hertz contacts as scree and LIGGGHTS have them: 2 sqrt(G*/E*)."""
+        """Ratio of tangential to normal damping of Hertz contacts in scree and LIGGGHTS: 2 sqrt(G*/E*)."""
         modulus, shear = self.young / (2 * (1 - POISSON**2)), self.young / (4 * (2 - POISSON) * (1 + POISSON))
         return 2 * math.sqrt(shear / modulus)
 
     def contact_time(self, speed, reduced_radius=RADIUS / 2):
-        """Of an elastic contact, s."""
+        """Contact time of an elastic contact, s."""
         if self.kind == "linear":
             return math.pi * math.sqrt(self.mass / self.stiffness)
         stiffness = self.young / (2 * (1 - POISSON**2)) * math.sqrt(reduced_radius)
@@ -64,14 +64,14 @@ class Body:
 
 @dataclasses.dataclass
 class Scene:
-    """What every code starts from."""
+    """Initial state for every code."""
     bodies: list
     bounds: list  # (low, high) of each axis
     periodic: bool
     law: Law
     step: float
     steps: int
-    skin: float  # of the neighbour lists of LIGGGHTS and LAMMPS; scree finds its own
+    skin: float  # of the neighbour lists of LIGGGHTS and LAMMPS; scree chooses its own
 
 
 @dataclasses.dataclass
@@ -79,15 +79,15 @@ class Case:
     name: str
     title: str
     law: Law
-    ladder: list  # steps a contact, coarse to fine
-    reference: int  # steps a contact of what each code converges to
-    scene: typing.Callable  # (case, steps a contact, copies) -> Scene
+    ladder: list  # steps per contact, coarse to fine
+    reference: int  # steps per contact of the converged run of each code
+    scene: typing.Callable  # (case, steps per contact, copies) -> Scene
     error: typing.Callable  # (case, state, reference) -> relative error
     contact_time: float
-    timed: tuple  # steps a contact and copies with which steps are timed
-    unit: tuple  # of what time is given, in which unit, how many microseconds that has
-    known: typing.Callable = lambda case, state: ""  # what is known of the converged result
-    duration: int = 1  # of what time is given for, in contacts
+    timed: tuple  # steps per contact and copies for the timing
+    unit: tuple  # time per what, its unit, microseconds per unit
+    known: typing.Callable = lambda case, state: ""  # comparison of the converged result with theory
+    duration: int = 1  # duration of the timed unit, in contacts
 
 
 # --- impacts of two spheres -------------------------------------------------------------------------------------------
@@ -100,12 +100,12 @@ class Impact(Case):
 
 
 def impact_scene(case, fineness, copies):
-    """PHASES pairs, times copies, that touch at moments spread over a step; pairs meet along x."""
+    """PHASES x copies pairs that collide along x, with the start of contact spread over a step."""
     step = case.contact_time / fineness
     pairs, bodies = PHASES * copies, []
     row = math.ceil(math.sqrt(pairs))
     for k in range(pairs):
-        touch = (WAIT + (k % PHASES + 0.37) / PHASES) * step  # never at the end of a step, where round-off decides
+        touch = (WAIT + (k % PHASES + 0.37) / PHASES) * step  # never at the end of a step, where round-off matters
         centre = (0.0, SPACING * (k % row), SPACING * (k // row))
         for side in (-1, 1):
             velocity = [-side * case.normal / 2, -side * case.tangential / 2, 0.0]
@@ -134,7 +134,7 @@ def impact_error(case, state, reference):
 
 
 def impact_known(case, state):
-    """What tells how far restitution and sliding impulse are from their closed forms."""
+    """Deviation of restitution and sliding impulse from their closed forms."""
     mean = [sum(column) / PHASES for column in zip(*outcomes(state))]
     normal, tangential = mean[6] - mean[0], case.tangential - (mean[1] - mean[7])
     if not case.tangential:
@@ -145,7 +145,7 @@ def impact_known(case, state):
     return f"friction impulse {tangential / case.tangential:.4f} v_t"
 
 
-# No whole numbers: with these a contact ends as far into a step as it began, and errors of both ends cancel.
+# Not integers: with these a contact would end at the same phase of a step as it began, and errors of both ends cancel.
 LADDER = [4.2 * 1.5**k for k in range(21)]
 
 
@@ -160,7 +160,7 @@ def impact(name, title, law, tangential=0.0):
 
 @dataclasses.dataclass
 class Many(Case):
-    scale: float = 1.0  # that differences of positions are relative to, m
+    scale: float = 1.0  # reference length of position errors, m
     start: tuple = ()  # bodies, period
 
 
@@ -182,7 +182,7 @@ def many_known(case, state):
 
 
 def gas_start(count=6, spacing=2.6, seed=1):
-    """A lattice of count^3 spheres, moved a little, with random velocities and spins; spacing in radii."""
+    """A lattice of count^3 spheres with small displacements, random velocities and spins; spacing in radii."""
     pick, period = random.Random(seed), count * spacing * RADIUS
     bodies = [Body([(c + 0.5) * spacing * RADIUS + pick.uniform(-0.25, 0.25) * RADIUS for c in cell],
                    [pick.gauss(0, 0.5) for _ in range(3)], [pick.gauss(0, 50) for _ in range(3)])
@@ -198,7 +198,7 @@ def gas():
 
 
 def assembly_start(seed=1):
-    """The packing of scenes/beads-256.csv, whose bodies are given small velocities."""
+    """The packing of scenes/beads-256.csv with small initial velocities."""
     pick = random.Random(seed)
     with open(packings.SCENES / "beads-256.csv") as lines:
         period = float(lines.readline().split()[-1])
@@ -213,7 +213,7 @@ def assembly():
     depths = packings.overlaps([(*body.position, body.radius) for body in bodies], [period] * 3)
     overlap, radius = sum(depths) / len(depths), sum(body.radius for body in bodies) / len(bodies)
     law = Law("hertz", 0.9, 0.22, young=2e8, mass=DENSITY * 2 / 3 * math.pi * radius**3)
-    # The period of the stiffest motion that beads have on their contacts, half of it, plays the contact time.
+    # Half the period of the fastest oscillation of beads on their contacts serves as contact time.
     stiffness = 2 * law.young / (2 * (1 - POISSON**2)) * math.sqrt(radius / 2 * overlap)
     time = math.pi * math.sqrt(law.mass / stiffness)
     return Many("assembly", "256 beads, Hertz-Mindlin, e = 0.9, μ = 0.22", law, LADDER[:15], 20480, many_scene,
@@ -222,13 +222,13 @@ def assembly():
 
 
 def all_cases():
-    """By name, in the order of the table."""
+    """All cases by name, in the order of the table."""
     to_20, to_45, to_75 = (math.tan(math.radians(angle)) for angle in (20, 45, 75))
     damped = (0.5, 0.9)
     cases = [impact(f"linear-{e}", f"linear, e = {e}", Law("linear", e)) for e in damped]
     cases += [impact(f"sliding-{e}", f"linear, sliding at 75°, e = {e}", Law("linear", e, 0.3), to_75) for e in damped]
     cases += [impact(f"hertz-{e}", f"Hertz, e = {e}", Law("hertz", e)) for e in damped]
-    # A friction that is never reached, which needs e = 1: with tension there is a moment without friction.
+    # Friction so high that nothing slides; requires e = 1, as under tension the friction limit is 0.
     cases.append(impact("sticking-1", "Hertz-Mindlin, sticking at 45°, e = 1", Law("hertz", 1.0, 1000.0), to_45))
     cases.append(impact("sticking-0.9", "Hertz-Mindlin, 20°, e = 0.9, μ = 0.8", Law("hertz", 0.9, 0.8), to_20))
     cases.append(impact("elastic-linear", "linear, e = 1", Law("linear", 1.0)))

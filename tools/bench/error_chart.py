@@ -1,6 +1,6 @@
-"""Draws error against time from what `tools/bench/peers --error --record` keeps.
+"""Draws error against time from the files of `tools/bench/peers --error --record`.
 
-Called with the table, the ladder, the chart to write, and the name of the machine."""
+Arguments: table, ladder, chart to write, name of the machine."""
 import csv
 import math
 import sys
@@ -24,7 +24,7 @@ def read(path):
 
 
 def verdict(axes, table, case):
-    """The ratios of times at one error, in the corner where no curve goes."""
+    """Ratios of times at one error, in a corner without curves."""
     row = next((r for r in table if r["case"] == case and r["error"] == "1e-3"), None)
     if not row:
         return
@@ -37,7 +37,7 @@ def verdict(axes, table, case):
 
 
 def curve(axes, rows, code):
-    """Points, hollow where the reference is no better than they are, and a line through all."""
+    """Points, hollow if not resolved by the reference, and a line through all."""
     _, colour, marker = CODES[code]
     points = [(float(r["time"]), float(r["value"]), r["resolved"] == "yes") for r in rows if r["code"] == code]
     points = [point for point in points if math.isfinite(point[1])]
@@ -63,7 +63,7 @@ def panel(axes, rows, limits):
 
 
 def limits(ladder, of):
-    """One axis for all panels of a kind, so that they can be compared; what is below the panels counts not."""
+    """Equal axes for all panels of a kind, for comparison; points below the panels are ignored."""
     times = [float(row["time"]) for row in ladder if row["of"] == of and 1e-5 <= float(row["value"]) <= 1]
     return min(times) / 1.5, max(times) * 1.5
 

@@ -1,4 +1,4 @@
-"""The codes of `tools/bench/peers --error`: each runs a scene of error_cases from the same data file and is timed."""
+"""The codes of `tools/bench/peers --error`: each runs and times a scene of error_cases from the same data file."""
 import csv
 import re
 
@@ -9,7 +9,7 @@ COLUMNS = "id x y z radius vx vy vz omegax omegay omegaz"
 
 
 def write_data(path, scene):
-    """A data file of atom style sphere, which all three codes read, with 17 digits."""
+    """Data file of atom style sphere with 17 digits, read by all three codes."""
     bodies = [(*body.position, body.radius) for body in scene.bodies]
     packings.write_data(path, bodies, error_cases.DENSITY, scene.bounds)
     with open(path, "a") as out:
@@ -58,7 +58,7 @@ class Scree:
         return file
 
     def run(self, scene):
-        """Bodies at the end."""
+        """Final bodies."""
         file, out = self.write(scene), self.codes.work / "error-run"
         self.codes.run([self.codes.scree_program, "run", file, "--out", out, "--overwrite", "--quiet"], 1)
         with open(out / "final_packing.csv") as lines:
@@ -70,10 +70,10 @@ class Scree:
                                  *number(row, "radius")) for row in rows]
 
     def time(self, scene):
-        """Seconds a step, without what a run writes."""
+        """Seconds per step, without output."""
         file, table = self.write(scene), self.codes.work / "error-bench.csv"
         table.unlink(missing_ok=True)
-        # It begins after a step at least.
+        # --start must be at least one step.
         options = ["--start", scene.step, "--steps", scene.steps - 2, "--repeats", 1]
         self.codes.run([self.codes.scree_program, "bench", file, *options, "--csv", table], 1)
         with open(table) as lines:
@@ -81,7 +81,7 @@ class Scree:
 
 
 class Peer:
-    """What scripts of LIGGGHTS and LAMMPS have in common."""
+    """Common part of LIGGGHTS and LAMMPS scripts."""
 
     def __init__(self, codes):
         self.codes = codes
@@ -124,7 +124,7 @@ class Liggghts(Peer):
         else:
             pair["coefficientRestitution"] = law.restitution
             single = {"youngsModulus": law.young, "poissonsRatio": error_cases.POISSON}
-        # Also without friction: "tangential off" is not among the models that it was compiled for and takes longer.
+        # Also without friction: "tangential off" is not a precompiled model combination and is slower.
         words += " tangential history" + (" absolute_damping on" if law.kind == "linear" else "")
         lines = [f"fix {name} all property/global {name} peratomtypepair 1 {value!r}" for name, value in pair.items()]
         lines += [f"fix {name} all property/global {name} peratomtype {value!r}" for name, value in single.items()]
@@ -145,7 +145,7 @@ class Lammps(Peer):
                 ratio = tangential / normal if normal else 0.0
                 sliding = f"linear_history {law.tangential_stiffness()!r} {ratio!r} {law.friction!r}"
         else:
-            elastic = law.restitution == 1  # the fit of tsuji has a little damping for 1
+            elastic = law.restitution == 1  # the fit of tsuji has slight damping for 1
             pushing = f"hertz/material {law.young!r} {0.0 if elastic else law.restitution!r} {error_cases.POISSON!r}"
             damping = "velocity" if elastic else "tsuji"
             if law.friction:

@@ -1,4 +1,4 @@
-"""Keeps what `tools/bench/peers --error` measured in tools/bench/results: two tables of this machine and a chart."""
+"""Writes the results of `tools/bench/peers --error` to tools/bench/results: two tables of this machine and a chart."""
 import csv
 import datetime
 import pathlib
@@ -16,7 +16,7 @@ FIELDS = {
 
 
 def keep(kind, machine, lines, order):
-    """Lines of the measured cases instead of those that were known of this machine."""
+    """Replaces the lines of the measured cases in the table of this machine."""
     file = BENCH / "results" / f"{machine['file']}-{kind}.csv"
     file.parent.mkdir(exist_ok=True)
     known = []
@@ -33,7 +33,7 @@ def keep(kind, machine, lines, order):
 
 
 def record(summary, ladder, machine, version, order):
-    """The files that were written; order: names of all cases."""
+    """Writes all files and returns their names; order: names of all cases."""
     stamp = [datetime.date.today().isoformat(), version]
     files = [keep(kind, machine, [line + stamp for line in lines], order)
              for kind, lines in (("error", summary), ("error-ladder", ladder))]
@@ -41,7 +41,7 @@ def record(summary, ladder, machine, version, order):
 
 
 def draw(files, machine):
-    """The chart, by a Python that has matplotlib: Debian's package is for Debian's Python."""
+    """Draws the chart with a Python that has matplotlib: the Debian package is for the Python of Debian."""
     for python in (sys.executable, "/usr/bin/python3"):
         if subprocess.run([python, "-c", "import matplotlib"], capture_output=True).returncode == 0:
             chart = BENCH / "results" / "error-against-time.png"

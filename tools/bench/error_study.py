@@ -1,12 +1,12 @@
 """Steps and time that scree, LIGGGHTS and LAMMPS need for an error of 1e-2, 1e-3 and 1e-4.
 
-Each code runs the same bodies with steps from 4 a contact on. Its error is the difference from what it converges to
-itself, with steps at least 16 times finer than the finest of the ladder, so that differences between contact laws do
-not count. Impacts: velocities and spins, relative to the change of velocity, root mean square over 8 moments of first
-touch within a step. Packings: positions, relative to the mean overlap (assembly) or the radius (gas). Steps: the fewest
-from which on the error stays below. Time: steps times the time of a step, of which the codes are timed in turn on one
-core; of a contact, or of a run of a packing. All cases take about ten minutes. Needs a release build (tools/run once)
-and Debian's liggghts and lammps; --record draws a chart if there is python3-matplotlib."""
+Each code runs the same bodies with 4 and more steps per contact. Its error is the difference from its own converged
+result, with steps at least 16 times finer than the finest of the ladder, so that differences between contact laws do
+not count. Impacts: velocities and spins, relative to the change of velocity, root mean square over 8 phases of the
+start of contact within a step. Packings: positions, relative to the mean overlap (assembly) or the radius (gas). Steps:
+smallest number from which on the error stays below the target. Time: steps times the time per step, timed alternately
+on one core; per contact, or per run of a packing. All cases take about ten minutes. Requires a release build (tools/run
+once) and liggghts and lammps of Debian; --record draws a chart if python3-matplotlib is installed."""
 import argparse
 import dataclasses
 import math
@@ -22,17 +22,17 @@ import error_record
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 TARGETS = (1e-2, 1e-3, 1e-4)
-RESOLVED = 3  # errors count that are as many times what the two finest runs differ by
-LAWS = """The laws, as far as they differ (all let dashpots pull at the end of a contact):
-  scree     its own slip rule with a limit of mu max(f_n, 0); Hertz-Mindlin history as by default
-  LIGGGHTS  hooke/stiffness or hertz, tangential history: the spring is tested without its dashpot against mu |f_n|;
-            while it sticks the dashpot acts beside it without a limit, while it slides not at all; it keeps the
-            displacement when its stiffness changes
+RESOLVED = 3  # minimum error in units of the difference between the two finest runs
+LAWS = """Differences of the contact laws (all with tensile dashpot forces at the end of a contact):
+  scree     its own slip rule with the limit mu max(f_n, 0); default Hertz-Mindlin history
+  LIGGGHTS  hooke/stiffness or hertz, tangential history: the spring without its dashpot is compared with
+            mu |f_n|; the dashpot acts without limit while the contact sticks, and not while it slides; the
+            displacement is kept when the stiffness changes
   LAMMPS    granular, hooke or hertz/material: spring and dashpot together are limited by mu |f_n|;
-            mindlin_rescale/force; the fit behind its tsuji damping gives another restitution than asked for;
+            mindlin_rescale/force; the fit behind its tsuji damping gives a slightly different restitution;
             arms of the slip velocity are R, those of the others R - overlap/2
 steps: of an elastic contact of that length (assembly: half the period of a pair under load);
-"<": already the longest steps of the ladder suffice; ">": more steps than the finest that could be judged;
+"<": the longest steps of the ladder already suffice; ">": more steps than the finest resolved run;
 "?": no error could be determined. ratio: LIGGGHTS/scree, then LAMMPS/scree, of steps and of times"""
 
 
@@ -42,7 +42,7 @@ def three_digits(number):
 
 @dataclasses.dataclass
 class Needed:
-    """Steps for an error; sign: so many do not suffice (>), the fewest tried do (<), nothing is known (?)."""
+    """Steps for an error; sign: lower bound (>), upper bound (<) or unknown (?)."""
     steps: float
     sign: str = ""
 
@@ -52,20 +52,20 @@ class Needed:
 
 @dataclasses.dataclass
 class Curve:
-    """A code's errors in a case."""
+    """Errors of a code in a case."""
     code: str
     points: list  # (steps, error)
-    floor: float  # how far its two finest runs are apart
+    floor: float  # difference between its two finest runs
     known: str
-    # Of a step, for each contact or of the whole packing. The fastest counts: other load makes codes only slower.
+    # Per step, for each contact or the whole packing; minimum over repeats, as other load only slows codes down.
     seconds: list = dataclasses.field(default_factory=list)
 
     def time(self, case):
-        """Of a run with one step a contact, in the case's unit."""
+        """Time of a run with one step per contact, in the unit of the case."""
         return min(self.seconds) * case.duration * 1e6 / case.unit[2]
 
     def resolves(self, error):
-        """Whether it is more than what the reference may be off."""
+        """Whether the error exceeds the uncertainty of the reference."""
         return error > RESOLVED * self.floor
 
     def needed(self, target):
@@ -83,7 +83,7 @@ class Curve:
 
 
 def ratio(theirs, ours, factor=1.0):
-    """Theirs over ours; "" if bounds leave it open."""
+    """Ratio of another code to scree; "" if undetermined because of bounds."""
     signs = {theirs.sign, {">": "<", "<": ">"}.get(ours.sign, ours.sign)} - {""}
     if len(signs) > 1 or "?" in signs:
         return ""
@@ -94,14 +94,14 @@ def ratio(theirs, ours, factor=1.0):
 
 
 def converge(case, code):
-    """The curve of a code without its times."""
+    """Error curve of a code, without times."""
     reference = code.run(case.scene(case, case.reference, 1))
     floor = case.error(case, code.run(case.scene(case, case.reference // 2, 1)), reference)
     points = []
     for steps in case.ladder:
         try:
             points.append((steps, case.error(case, code.run(case.scene(case, steps, 1)), reference)))
-        except SystemExit:  # the reference ran, so it is the step that a code gave up at
+        except SystemExit:  # the reference ran, so the step is too long for the code
             points.append((steps, math.inf))
     return Curve(code.name, points, floor, case.known(case, reference))
 
@@ -119,7 +119,7 @@ def measure(case, codes, kinds, repeats):
     return curves
 
 
-# --- printing and keeping ---------------------------------------------------------------------------------------------
+# --- printing and recording -------------------------------------------------------------------------------------------
 
 
 HEAD = ["case", "error", "steps scree", "LIGGGHTS", "LAMMPS", "ratio", "ratio",
@@ -128,7 +128,7 @@ LINE = "| {:<14} | {:>5} | {:>11} | {:>8} | {:>7} | {:>6} | {:>6} | {:>10} {:<2}
 
 
 def rows(case, curves):
-    """One for each target, of strings."""
+    """One row of strings per target."""
     times = [curve.time(case) for curve in curves]
     table = []
     for target in TARGETS:
@@ -151,7 +151,7 @@ def print_case(case, curves):
 
 
 def notes(case, curves):
-    """What each code converges to, and where its errors cannot be told from those of its reference."""
+    """Converged result of each code, and the limit below which its errors are not resolved."""
     for curve in curves:
         known = f"converges to {curve.known}; " if curve.known else ""
         seconds = min(curve.seconds)
@@ -161,7 +161,7 @@ def notes(case, curves):
 
 
 def kept(case, curves):
-    """Every point of the ladder, for the chart."""
+    """All points of the ladder, for the chart."""
     for curve in curves:
         time = curve.time(case)
         for steps, error in curve.points:
@@ -178,17 +178,17 @@ def arguments(words, cases):
                                      epilog="Example: tools/bench/peers --error hertz-0.9 gas --repeats 9")
     parser.add_argument("cases", nargs="*", metavar="CASE", help="cases, see --list (default all)")
     parser.add_argument("--list", action="store_true", help="list the cases")
-    parser.add_argument("--repeats", type=int, default=5, help="timings of which the fastest counts (default 5)")
+    parser.add_argument("--repeats", type=int, default=5, help="number of timings; the fastest is used (default 5)")
     parser.add_argument("--core", type=int, default=0, help="core to run on (default 0)")
     parser.add_argument("--scree", type=pathlib.Path, default=ROOT / "build/release/bin/scree",
                         help="program to measure")
-    parser.add_argument("--record", action="store_true", help="keep table, errors and chart in tools/bench/results")
+    parser.add_argument("--record", action="store_true", help="write table, errors and chart to tools/bench/results")
     chosen = parser.parse_args(words)
     unknown = [name for name in chosen.cases if name not in cases]
     if unknown:
-        parser.error(f"no case {', '.join(unknown)}; there are {', '.join(cases)}")
+        parser.error(f"no case {', '.join(unknown)}; choose from {', '.join(cases)}")
     if chosen.repeats < 1:
-        parser.error("--repeats is at least 1")
+        parser.error("--repeats must be at least 1")
     if chosen.core not in os.sched_getaffinity(0):
         parser.error(f"there is no core {chosen.core}")
     chosen.cases = chosen.cases or list(cases)
@@ -203,7 +203,7 @@ def refuse_missing(chosen):
 
 
 def main(words, make_codes, machine, version):
-    """make_codes: (program, cores, folder) -> what runs programs on the cores, Codes of peers."""
+    """make_codes: (program, cores, folder) -> Codes of peers, which runs programs on the cores."""
     cases = error_cases.all_cases()
     chosen = arguments(words, cases)
     if chosen.list:
@@ -223,9 +223,9 @@ def main(words, make_codes, machine, version):
     print(f"\n{LAWS}\n")
     print("\n".join(line for case, curves in measured for line in notes(case, curves)))
     if disturbed:
-        print(f"other programs ran on this core while these were timed: {', '.join(disturbed)}")
+        print(f"other programs ran on this core during the timing of: {', '.join(disturbed)}")
     if chosen.record:
         summary = [row for case, curves in measured for row in rows(case, curves)]
         ladder = [row for case, curves in measured for row in kept(case, curves)]
         for file in error_record.record(summary, ladder, machine, version, list(cases)):
-            print(f"kept in {file}")
+            print(f"written to {file}")

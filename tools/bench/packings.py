@@ -1,4 +1,4 @@
-"""Packings of tools/bench as bodies (x, y, z, radius), and what two codes made of one compared."""
+"""Packings of tools/bench as bodies (x, y, z, radius), and their comparison."""
 import csv
 import itertools
 import math
@@ -8,7 +8,7 @@ SCENES = pathlib.Path(__file__).resolve().parent / "scenes"
 
 
 def bead_file(repeat):
-    """pack4096.txt, repeated in x and z, and the size of its box."""
+    """Bodies of pack4096.txt, repeated in x and z, and the size of the box."""
     lines = (SCENES / "pack4096.txt").read_text().splitlines()
     _, length, height = (float(v) for v in lines[0].split())
     beads = [tuple(map(float, line.split())) for line in lines[1:] if line]
@@ -17,7 +17,7 @@ def bead_file(repeat):
 
 
 def csv_file(path):
-    """A packing of scree, as its ids go."""
+    """Bodies of a scree packing, sorted by id."""
     with open(path) as lines:
         table = csv.DictReader(line for line in lines if not line.startswith("#"))
         rows = sorted(table, key=lambda row: int(row["id"]))
@@ -26,7 +26,7 @@ def csv_file(path):
 
 
 def dump_file(path):
-    """The last frame of a LAMMPS or LIGGGHTS dump of id, x, y, z and radius, as the ids go."""
+    """Bodies of the last frame of a LAMMPS or LIGGGHTS dump of id, x, y, z and radius, sorted by id."""
     lines = pathlib.Path(path).read_text().splitlines()
     start = max(k for k, line in enumerate(lines) if line.startswith("ITEM: ATOMS")) + 1
     rows = sorted((line.split() for line in lines[start:]), key=lambda row: int(row[0]))
@@ -34,7 +34,7 @@ def dump_file(path):
 
 
 def write_data(path, bodies, density, bounds):
-    """A data file for LIGGGHTS; bounds: (low, high) of each axis."""
+    """Writes a data file for LIGGGHTS; bounds: (low, high) of each axis."""
     with open(path, "w") as out:
         out.write(f"packing\n\n{len(bodies)} atoms\n1 atom types\n\n")
         out.writelines(f"{low:.17g} {high:.17g} {axis}lo {axis}hi\n" for axis, (low, high) in zip("xyz", bounds))
@@ -47,7 +47,7 @@ def nearest(distance, period):
 
 
 def overlaps(bodies, periods):
-    """The overlaps of all pairs that touch; a period of 0 is none."""
+    """Overlaps of all touching pairs; period 0: not periodic."""
     width = 2 * max(body[3] for body in bodies)
     counts = [max(1, math.floor(period / width)) if period else 0 for period in periods]
     widths = [period / count if count else width for period, count in zip(periods, counts)]
@@ -73,6 +73,6 @@ def overlaps(bodies, periods):
 
 
 def difference(a, b, periods):
-    """Root mean square of how far bodies of one packing are from those of the other."""
+    """Root mean square distance between the bodies of two packings."""
     total = sum(nearest(p - q, period) ** 2 for one, other in zip(a, b) for p, q, period in zip(one, other, periods))
     return math.sqrt(total / len(a))
