@@ -30,7 +30,7 @@ inline constexpr const char* discs =
     "plugin = 'energy'\n"                                                     // 25
     "every = 2e-5\n";                                                         // 26
 
-// A text with the first occurrence of a part replaced.
+// Returns the text with the first occurrence of a part replaced.
 inline std::string with(std::string text, const std::string& part, const std::string& other) {
   return text.replace(text.find(part), part.size(), other);
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# setup_test.sh <root of the source>: what tools/setup.sh says where python3-paraview keeps libvtk9-dev out.
+# setup_test.sh <root of the source>: output of tools/setup.sh if python3-paraview conflicts with libvtk9-dev.
 set -u
 source "$1/tools/setup.sh"
 
-# In place of dpkg: the packages that are there.
+# Replaces the query of dpkg: the installed packages.
 installed=""
 is_installed() { [[ " $installed " == *" $1 "* ]]; }
 
@@ -20,12 +20,12 @@ check() {
 }
 
 installed="${scree_packages[*]} python3-paraview"
-check "ParaView's Python is in the way" 2 \
+check "python3-paraview conflicts with VTK" 2 \
   "scree: *python3-paraview;*apt-get remove python3-paraview*--without-pictures*" install_missing release
 check "nothing is missing without pictures" 0 "" install_missing no-pictures
 installed+=" libosmesa6-dev libvtk9-dev"
-check "nothing is missing where VTK is there" 0 "" install_missing release
+check "nothing is missing if VTK is installed" 0 "" install_missing release
 installed=${scree_packages[*]}
-check "VTK is missing and nothing is in its way" 0 "" refuse_conflict libosmesa6-dev libvtk9-dev
-check "the packages for pictures are asked for" 0 $'libosmesa6-dev\nlibvtk9-dev' missing_packages release
+check "VTK is missing and nothing conflicts with it" 0 "" refuse_conflict libosmesa6-dev libvtk9-dev
+check "the packages for pictures are listed as missing" 0 $'libosmesa6-dev\nlibvtk9-dev' missing_packages release
 exit $failures

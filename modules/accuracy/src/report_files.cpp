@@ -86,11 +86,11 @@ void write_report(const Study& study, const std::string& title, const run::RunDi
   files.write_file("accuracy.csv", csv_report(study));
   files.write_file("accuracy.json", json_report(study));
   if (!snapshot::has_pictures()) return;
-  constexpr std::size_t most_charts = 6;
+  constexpr std::size_t max_charts = 6;
   draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt),
        files.charts() / "worst_error.png");
   for (std::size_t k = 0; k < study.quantities.size(); ++k)
-    if (k < most_charts || k + 1 == study.quantities.size())
+    if (k < max_charts || k + 1 == study.quantities.size())
       draw(chart_of(study, title, fmt::format("error of {}", study.quantities[k].name), k),
            files.charts() / (study.quantities[k].name + ".png"));
 }

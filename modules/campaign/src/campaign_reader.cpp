@@ -20,13 +20,13 @@ using document::Range;
 using document::Table;
 using files::one_line;
 
-constexpr std::size_t most_runs = 100000;
+constexpr std::size_t max_runs = 100000;
 const char* const seeds_form = "give whole numbers, [1, 2, 3], or { first = 1, count = 20 }";
 
 // Seeds { first, count }.
 std::vector<std::int64_t> seed_range(const Table& table) {
   const std::int64_t first = table.integer("first", 1, Range::between(0, 1e15));
-  const std::int64_t count = table.integer("count", Range::between(1, double(most_runs)));
+  const std::int64_t count = table.integer("count", Range::between(1, double(max_runs)));
   std::vector<std::int64_t> seeds;
   for (std::int64_t k = 0; k < count; ++k) seeds.push_back(first + k);
   return seeds;
@@ -96,8 +96,8 @@ void check_scenario(const Campaign& c) {
 }
 
 void check_count(const Table& root, const Campaign& c) {
-  if (count_points(c, most_runs) <= most_runs) return;
-  throw root.error("campaign", fmt::format("the campaign has more than {} runs", most_runs),
+  if (count_points(c, max_runs) <= max_runs) return;
+  throw root.error("campaign", fmt::format("the campaign has more than {} runs", max_runs),
                    "give fewer values or seeds, or several campaigns");
 }
 

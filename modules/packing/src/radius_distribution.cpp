@@ -56,12 +56,12 @@ void check_distribution(const NormalRadius& d) {
                     "above 0, or a constant radius",
                     d.standard_deviation));
   }
-  const double share = acceptance(d);
-  if (share < min_acceptance) {
+  const double fraction = acceptance(d);
+  if (fraction < min_acceptance) {
     throw Error(
         fmt::format("radius distribution: only a fraction of {:.2g} of the normal distribution lies between "
                     "minimum {} m and maximum {} m; widen the range or move the mean into it",
-                    share, d.minimum, d.maximum));
+                    fraction, d.minimum, d.maximum));
   }
 }
 

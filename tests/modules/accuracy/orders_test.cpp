@@ -56,7 +56,8 @@ TEST_CASE("extrapolation is exact for pure first and second order, and estimates
     CHECK(limit.value == Approx(3).epsilon(1e-14));
     CHECK(limit.uncertainty < 1e-14);
   }
-  // A second order with a fourth behind it: what is left is the fourth's, between h/2 and h/4.
+  // Second order plus a fourth-order term: the remaining error is that of the fourth order, between h/2 and
+  // h/4.
   const auto at = [](double h) { return 3 + 0.7 * h * h + 5 * std::pow(h, 4); };
   const Limit limit = extrapolate(at(0.4), at(0.2), at(0.1));
   CHECK(std::abs(limit.value - 3) <= limit.uncertainty);
@@ -67,7 +68,7 @@ TEST_CASE("steps are adjusted to divide the durations of all stages", "[accuracy
   CHECK(fitting_step(plan_with_durations({1}), 0.3) == Approx(0.25));
   CHECK(fitting_step(plan_with_durations({1}), 0.25) == 0.25);
   CHECK(fitting_step(plan_with_durations({0.5, 2}), 0.3) == Approx(0.25));
-  CHECK(fitting_step(plan_with_durations({1, 1.1}), 0.3) == 0.3);  // no common measure near
+  CHECK(fitting_step(plan_with_durations({1, 1.1}), 0.3) == 0.3);  // no common divisor nearby
   CHECK(fitting_step(plan_with_durations({}), 0.3) == 0.3);
   CHECK(fitting_step(plan_with_durations({1}), 3) == 1);
 }

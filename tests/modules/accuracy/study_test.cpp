@@ -102,7 +102,7 @@ TEST_CASE("a step refused by the step guard is a row with the reason, and the st
 }
 
 TEST_CASE("a chaotic scene is compared at the time until which its reference is trustworthy", "[accuracy]") {
-  // Nine hard discs in a box, for many collisions each: a rounding grows by several per collision.
+  // Nine hard discs in a box, with many collisions each: a deviation grows severalfold per collision.
   const std::string chaos = test::with(test::discs, "duration = 1e-4", "duration = 10");
   StudyOptions options = quick();
   options.coarsest = 20;

@@ -9,7 +9,7 @@
 
 namespace scree::test {
 
-// A folder with scene.toml and campaign.toml, whose [campaign] names the scene.
+// A temporary folder with scene.toml and a campaign.toml for this scene.
 class CampaignFolder {
  public:
   explicit CampaignFolder(const std::string& rest, const std::string& scene = discs) {
@@ -19,7 +19,7 @@ class CampaignFolder {
   campaign::Campaign read() const { return campaign::read_campaign(folder_ / "campaign.toml"); }
   const TemporaryFolder& folder() const { return folder_; }
 
-  // What is said of the campaign, or of the first of its runs that is refused, without the folder.
+  // Error message for the campaign or its first refused run, without the path of the folder.
   std::string refusal() const {
     std::string line = message([&] {
       const campaign::Campaign read_in = read();

@@ -99,7 +99,7 @@ TEST_CASE("a directory is used by one campaign at a time, and only by its own", 
   }
   CHECK_THROWS_WITH(CampaignDirectory(path, c, true),
                     Catch::Contains("contains the campaign of other.toml; give"));
-  // One of the same name, that is there, and one that is not, for all has moved.
+  // Campaign files of the same name: one that exists, and one that does not because both were moved.
   const test::TemporaryFolder elsewhere;
   const std::string other = elsewhere.write("campaign.toml", "").string();
   folder.folder().write("out/campaign.json", "{ \"file\": \"" + other + "\" }");

@@ -13,7 +13,7 @@ using scree::test::text_of;
 
 namespace {
 
-// How each ended, by id, when all have.
+// Waits for all processes; returns how each ended, by id.
 std::map<std::size_t, std::string> end_of_all(ProcessPool& pool) {
   std::map<std::size_t, std::string> ends;
   while (pool.size() > 0)
@@ -28,14 +28,14 @@ std::vector<std::string> shell(const std::string& text) { return {"/bin/sh", "-c
 TEST_CASE("processes run concurrently, write their logs and report how they ended", "[campaign]") {
   const TemporaryFolder folder;
   ProcessPool pool;
-  // Each waits for the other: one after the other they would never end.
+  // Each waits for the other, so they would not end if run one after the other.
   const std::string a = (folder / "a").string(), b = (folder / "b").string();
   pool.start(1, shell("mkfifo " + a + " && cat " + b + "; echo first >&2"), folder / "1.txt");
   pool.start(2, shell("until test -p " + a + "; do :; done; echo hand > " + b + "; exit 3"),
              folder / "2.txt");
   pool.start(3, shell("kill -9 $$"), folder / "3.txt");
   pool.start(4, {"/no/such/program"}, folder / "4.txt");
-  pool.start(5, shell("cat"), folder / "5.txt");  // there is nothing to read
+  pool.start(5, shell("cat"), folder / "5.txt");  // standard input is empty
   const auto ends = end_of_all(pool);
   CHECK(ends.at(1).empty());
   CHECK(ends.at(2) == "exit status 3");

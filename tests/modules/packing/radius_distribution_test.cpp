@@ -83,8 +83,8 @@ TEST_CASE("listed radii are used in order or drawn by weight", "[packing]") {
              Contains("2 radii for 3 bodies"));
   const auto radii = draw_radii(ListedRadius{{1.0, 2.0, 3.0}, {1.0, 0.0, 3.0}}, count, random);
   CHECK(std::count(radii.begin(), radii.end(), 2.0) == 0);
-  const double share = double(std::count(radii.begin(), radii.end(), 3.0)) / double(count);
-  CHECK(std::abs(share - 0.75) < 5.0 * standard_error(0.75 * 0.25));
+  const double fraction = double(std::count(radii.begin(), radii.end(), 3.0)) / double(count);
+  CHECK(std::abs(fraction - 0.75) < 5.0 * standard_error(0.75 * 0.25));
 }
 
 TEST_CASE("the same seed draws the same radii, another seed others", "[packing]") {
@@ -123,7 +123,7 @@ TEST_CASE("invalid distributions are refused with a cure", "[packing]") {
 }
 
 TEST_CASE("a range with almost no deviates is refused in either tail", "[packing]") {
-  // The share beyond 4 standard deviations is 3.2e-5, beyond 3 it is 1.35e-3.
+  // The fraction beyond 4 standard deviations is 3.2e-5, beyond 3 it is 1.35e-3.
   CHECK_THAT(refusal(NormalRadius{1.0, 0.1, 1.4, 2.0}), Contains("3.2e-05") && Contains("widen the range"));
   CHECK_THAT(refusal(NormalRadius{1.0, 0.1, 0.1, 0.6}), Contains("3.2e-05"));
   CHECK_THAT(refusal(NormalRadius{1.0, 0.01, 5.0, 6.0}), Contains("widen the range"));

@@ -71,10 +71,10 @@ TEST_CASE("points in a ball fill it evenly", "[packing]") {
   double square = 0.0;
   for (int k = 0; k < count; ++k) {
     const Vec3 point = random.in_ball(2.0, dimension);
-    const double share = dot(point, point) / 4.0;
-    REQUIRE(share <= 1.0);
+    const double fraction = dot(point, point) / 4.0;
+    REQUIRE(fraction <= 1.0);
     if (dimension == 2) REQUIRE(point[2] == 0.0);
-    square += share;
+    square += fraction;
   }
   const double d = dimension;
   const double mean = d / (d + 2.0);

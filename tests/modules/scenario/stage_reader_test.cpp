@@ -8,7 +8,7 @@ using namespace scree::test;
 
 namespace {
 
-// The discs with stages in the place of a duration; the first stage begins in line 26.
+// The discs scene with stages instead of a duration; the first stage begins in line 26.
 std::string staged(const std::string& stages) { return with(discs, "duration = 1e-4\n", "") + stages; }
 
 }  // namespace

@@ -16,9 +16,9 @@ using Column = std::vector<double> ChartSeries::*;
 ChartScale scale_of(const ChartSpec& spec, Column column, bool logarithmic, double pad) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const ChartSeries& series : spec.series) {
-    const auto [least, most] = std::minmax_element((series.*column).begin(), (series.*column).end());
-    lower = std::min(lower, *least);
-    upper = std::max(upper, *most);
+    const auto [smallest, largest] = std::minmax_element((series.*column).begin(), (series.*column).end());
+    lower = std::min(lower, *smallest);
+    upper = std::max(upper, *largest);
   }
   return {lower, upper, logarithmic, pad};
 }
