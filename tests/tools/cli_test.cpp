@@ -85,7 +85,7 @@ TEST_CASE("describe refuses unknown names and options", "[tools]") {
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
     check_refused(w, w.scree("describe " + arguments), begin, end);
   };
-  refused("gravty", "no plug-in 'gravty'; ", "did you mean 'gravity'?");
+  refused("gravty", "no plug-in or table 'gravty'; ", "did you mean 'gravity'?");
   refused("linear_spring_dashpot normal_stifness=1",
           "'normal_stifness=1': linear_spring_dashpot has no parameter ", "did you mean 'normal_stiffness'?");
   refused("linear_spring_dashpot normal_stiffness", "'normal_stiffness': has no '='; ", "give KEY=VALUE");
@@ -117,4 +117,15 @@ TEST_CASE("a failure to write the output gives a failure status", "[tools]") {
   const Outcome full = Workspace().shell("scree describe > /dev/full");
   CHECK(full.status == 1);
   CHECK(full.err == "scree: standard output cannot be written; free disk space or send it elsewhere\n");
+}
+
+TEST_CASE("describe shows the keys of a table, and KEYS.md is what it prints of all", "[tools]") {
+  const Workspace w;
+  const Outcome time = w.scree("describe time");
+  CHECK(time.status == 0);
+  CHECK(contains(time.out, "number (s) above 0; required"));
+  CHECK(contains(w.scree("describe tme").err, "no plug-in or table 'tme'; did you mean 'time'?"));
+  // To renew: scree describe --all > scenarios/KEYS.md
+  CHECK(w.scree("describe --all").out ==
+        text_of(std::filesystem::path(SCREE_TEST_SOURCE) / "scenarios/KEYS.md"));
 }

@@ -1,3 +1,4 @@
+#include "describe_markdown.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <scree/document/message.hpp>
+#include <scree/scenario/keys.hpp>
 
 namespace scree::tool {
 
@@ -19,13 +21,21 @@ constexpr scree_kind kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FO
 
 struct DescribeArguments {
   std::string name;
+  bool all = false;
   std::vector<std::string> values;
   int dimension = 3;
   double radius = 0.005, density = 2000, speed = 1;
   PluginOptions plugins;
 };
 
+void list_tables() {
+  fmt::print("tables of a scenario\n");
+  for (const scenario::TableDescription& table : scenario::describe_tables())
+    fmt::print("  {:<24} {}\n", table.name, table.doc);
+}
+
 void list_all(PluginHost& host) {
+  list_tables();
   std::vector<PluginHost::Broken> broken;
   const auto plugins = host.load_all(broken);
   for (const scree_kind kind : kinds) {
@@ -36,16 +46,9 @@ void list_all(PluginHost& host) {
       if (plugin->kind == std::uint32_t(kind)) fmt::print("  {:<24} {}\n", plugin->name, plugin->summary);
   }
   for (const PluginHost::Broken& b : broken) fmt::print("cannot be used: {}\n", b.reason);
-  fmt::print("\nscree describe NAME tells the equations and parameters of one of them.\n");
-}
-
-// What holds when a parameter is not given.
-std::string when_absent(const scree_parameter& p) {
-  if (p.excludes) return fmt::format("this or {}", p.excludes);
-  if (p.flags & SCREE_REQUIRED) return "required";
-  if (p.flags & SCREE_OPTIONAL) return "optional";
-  if (p.type == SCREE_CHOICE) return "default " + choices_of(p)[std::size_t(p.default_value)];
-  return fmt::format("default {:g}", p.default_value);
+  fmt::print(
+      "\nscree describe NAME shows the keys of a table, or the equations and parameters of a plug-in;\n"
+      "scree describe --all prints all of them as Markdown.\n");
 }
 
 void print_parameters(const scree_plugin& plugin) {
@@ -55,6 +58,12 @@ void print_parameters(const scree_plugin& plugin) {
     fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", p.key, describe_range(p), when_absent(p), "", p.doc);
   }
   if (plugin.parameter_count == 0) fmt::print("  none\n");
+}
+
+void print_table(const scenario::TableDescription& table) {
+  fmt::print("{}, {}: {}\n\nkeys\n", table.name, table.header, table.doc);
+  for (const scenario::KeyDescription& key : table.keys)
+    fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", key.name, key.value, key.absent, "", key.doc);
 }
 
 Error wrong_value(const std::string& text, const std::string& problem, const std::string& cure) {
@@ -124,18 +133,28 @@ void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {
   print_forms("one of them and a wall", law, {mass, r, a.speed, 1});
 }
 
-// All plug-ins of a name; "probe/box" tells the kinds apart where a name stands for several.
-std::vector<const scree_plugin*> find_any(PluginHost& host, const std::string& name) {
+std::optional<scenario::TableDescription> find_table(const std::string& name) {
+  for (const scenario::TableDescription& table : scenario::describe_tables())
+    if (name == table.name || name == table.header) return table;
+  return std::nullopt;
+}
+
+// All plug-ins of a name; "probe/box" selects a kind where a name stands for several.
+std::vector<const scree_plugin*> find_plugins(PluginHost& host, const std::string& name) {
   std::vector<const scree_plugin*> found;
-  std::vector<std::string> all;
   for (const scree_kind kind : kinds)
-    for (const std::string& known : host.names(kind)) {
+    for (const std::string& known : host.names(kind))
       if (known == name || name == std::string(kind_folder(kind)) + "/" + known)
         found.push_back(&host.find(known, kind));
-      all.push_back(known);
-    }
-  if (found.empty()) throw Error(fmt::format("no plug-in '{}'; {}", name, document::name_cure(name, all)));
   return found;
+}
+
+[[noreturn]] void refuse_name(const PluginHost& host, const std::string& name) {
+  std::vector<std::string> all;
+  for (const scenario::TableDescription& table : scenario::describe_tables()) all.push_back(table.name);
+  for (const scree_kind kind : kinds)
+    for (const std::string& known : host.names(kind)) all.push_back(known);
+  throw Error(fmt::format("no plug-in or table '{}'; {}", name, document::name_cure(name, all)));
 }
 
 void print_equation(const char* text) {
@@ -157,12 +176,20 @@ void describe_one(const scree_plugin& plugin, const DescribeArguments& arguments
 
 ExitStatus describe(const DescribeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
+  if (arguments.all) {
+    print_markdown(host);
+    return ExitStatus::success;
+  }
   if (arguments.name.empty()) {
     list_all(host);
     return ExitStatus::success;
   }
-  const char* gap = "";
-  for (const scree_plugin* plugin : find_any(host, arguments.name)) {
+  const auto table = find_table(arguments.name);
+  const auto plugins = find_plugins(host, arguments.name);
+  if (!table && plugins.empty()) refuse_name(host, arguments.name);
+  if (table) print_table(*table);
+  const char* gap = table ? "\n" : "";
+  for (const scree_plugin* plugin : plugins) {
     fmt::print("{}", gap);
     describe_one(*plugin, arguments);
     gap = "\n";
@@ -173,11 +200,13 @@ ExitStatus describe(const DescribeArguments& arguments) {
 }  // namespace
 
 void add_describe_verb(CommandLine& line) {
-  Verb verb = line.verb("describe", "List plug-ins, or tell one's equations, parameters and closed forms");
+  Verb verb = line.verb(
+      "describe", "List tables and plug-ins, or show keys, equations, parameters and closed forms of one");
   auto a = std::make_shared<DescribeArguments>();
   verb.option("name", a->name,
-              "Plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
+              "Table or plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
   verb.option("values", a->values, "Parameters as KEY=VALUE, for the closed forms").shown_as("KEY=VALUE");
+  verb.flag("--all", a->all, "All tables and plug-ins as Markdown");
   verb.option("--dimension", a->dimension, "2 or 3 (default 3)").between(2, 3);
   verb.option("--radius", a->radius, "Radius of the bodies, m (default 0.005)").above_zero();
   verb.option("--density", a->density, "Density, kg/m^3 (default 2000)").above_zero();

@@ -1,5 +1,7 @@
 #include "contact_reader.hpp"
 
+#include "scene_keys.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -16,7 +18,7 @@ namespace {
 constexpr std::uint32_t no_law = ~0u;
 
 void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
-  const std::vector<std::string> names = t.strings("between");
+  const std::vector<std::string> names = t.strings(contact_keys.between);
   if (names.size() != 2)
     throw t.error("between", fmt::format("'between' has {} materials", names.size()),
                   "give two, such as [\"bead\", \"wall\"]");
@@ -52,7 +54,7 @@ void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, 
     const Stage::Change& read = read_instance(t, SCREE_CONTACT_LAW, host, scene, instances);
     const auto law = std::uint32_t(scene.laws.size());
     scene.laws.push_back({read.name, read.parameters});
-    if (t.has("between"))
+    if (t.has(contact_keys.between))
       assign_pair(t, law, scene);
     else if (for_the_rest)
       throw t.error("a second [[contact]] has no materials", "add between = [\"a\", \"b\"]");

@@ -1,6 +1,7 @@
 #include "lattice_reader.hpp"
 
 #include "plugin_parameters.hpp"
+#include "scene_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,33 +19,29 @@ namespace {
 constexpr double memory_per_body = 2000;
 
 packing::ListedRadius read_list(const document::Table& t) {
-  packing::ListedRadius list = {t.numbers("radii", document::Range::positive("m")), {}};
-  if (t.has("weights"))
-    list.weights = t.numbers("weights", list.radii.size(), document::Range::non_negative());
+  packing::ListedRadius list = {t.numbers(radius_keys.radii, radius_keys.radii.range), {}};
+  if (t.has(radius_keys.weights))
+    list.weights = t.numbers(radius_keys.weights, list.radii.size(), radius_keys.weights.range);
   return list;
 }
 
 packing::RadiusDistribution read_distribution(const document::Table& t) {
-  const document::Range length = document::Range::positive("m");
-  const std::string kind = t.choice("distribution", {"constant", "uniform", "normal", "bidisperse", "list"});
-  if (kind == "constant") return packing::ConstantRadius{t.number("radius", length)};
-  if (kind == "uniform")
-    return packing::UniformRadius{t.number("minimum", length), t.number("maximum", length)};
+  const RadiusKeys& keys = radius_keys;
+  const std::string kind = read(t, keys.distribution);
+  if (kind == "constant") return packing::ConstantRadius{read(t, keys.radius)};
+  if (kind == "uniform") return packing::UniformRadius{read(t, keys.minimum), read(t, keys.maximum)};
   if (kind == "normal") {
-    const double mean = t.number("mean", length);
-    const double deviation = t.number("standard_deviation", document::Range::non_negative("m"));
-    return packing::NormalRadius{mean, deviation, t.number("minimum", length),
-                                 t.number("maximum", 2 * mean + 10 * deviation, length)};
+    const double mean = read(t, keys.mean), deviation = read(t, keys.standard_deviation);
+    return packing::NormalRadius{mean, deviation, read(t, keys.minimum),
+                                 read_optional(t, keys.maximum).value_or(2 * mean + 10 * deviation)};
   }
   if (kind == "bidisperse")
-    return packing::BidisperseRadius{t.number("small", length), t.number("large", length),
-                                     t.number("large_fraction", document::Range::between(0, 1))};
+    return packing::BidisperseRadius{read(t, keys.small), read(t, keys.large), read(t, keys.large_fraction)};
   return read_list(t);
 }
 
 packing::RadiusDistribution read_radius(const document::Table& particles) {
-  if (!particles.is_table("radius"))
-    return packing::ConstantRadius{particles.number("radius", document::Range::positive("m"))};
+  if (!particles.is_table("radius")) return packing::ConstantRadius{read(particles, particles_keys.radius)};
   const packing::RadiusDistribution distribution = read_distribution(particles.table("radius"));
   placed(particles, "radius", [&] { packing::check(distribution); });
   return distribution;
@@ -63,7 +60,7 @@ void check_memory(const document::Table& t, double bodies) {
 std::array<std::int64_t, 3> read_count(const document::Table& t, int dimension) {
   std::array<std::int64_t, 3> count = {1, 1, 1};
   const std::vector<double> numbers =
-      t.numbers("count", std::size_t(dimension), document::Range::at_least(1));
+      t.numbers(lattice_keys.count, std::size_t(dimension), lattice_keys.count.range);
   double bodies = 1;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (numbers[k] != std::floor(numbers[k]))
@@ -81,18 +78,18 @@ packing::LatticeOptions read_lattice(const document::Table& t, int dimension) {
   const std::vector<std::string> kinds =
       dimension == 3 ? std::vector<std::string>{"simple_cubic", "face_centred_cubic", "hexagonal_close"}
                      : std::vector<std::string>{"square", "triangular"};
-  options.kind = packing::lattice_kind(t.choice("kind", kinds, kinds[0]));
+  options.kind = packing::lattice_kind(t.choice(lattice_keys.kind, kinds, kinds[0]));
   if (t.is_array("count")) {
     options.count = read_count(t, dimension);
   } else {
-    options.total = t.integer("count", document::Range::at_least(1));
+    options.total = read(t, lattice_keys.count);
     check_memory(t, double(*options.total));
   }
-  options.spacing = t.optional_number("spacing", document::Range::positive("m"));
-  options.gap = t.number("gap", 0.0, document::Range::non_negative());
-  options.displacement = t.number("displacement", 0.0, document::Range::non_negative("m"));
-  options.origin = read_vector(t, "origin", dimension, false);
-  options.centred = t.boolean("centred", false);
+  options.spacing = read_optional(t, lattice_keys.spacing);
+  options.gap = read(t, lattice_keys.gap);
+  options.displacement = read(t, lattice_keys.displacement);
+  options.origin = read_vector(t, lattice_keys.origin, dimension, false);
+  options.centred = read(t, lattice_keys.centred);
   return options;
 }
 

@@ -1,6 +1,7 @@
 #include "material_reader.hpp"
 
 #include "names.hpp"
+#include "scene_keys.hpp"
 
 namespace scree::scenario {
 
@@ -8,7 +9,7 @@ std::vector<Material> read_materials(const document::Table& root) {
   std::vector<Material> materials;
   UniqueNames names("material");
   for (const document::Table& t : root.tables("material")) {
-    materials.push_back({t.string("name"), t.number("density", document::Range::positive("kg/m^3"))});
+    materials.push_back({read(t, material_keys.name), read(t, material_keys.density)});
     names.add(t, materials.back().name);
   }
   if (materials.empty())

@@ -2,6 +2,7 @@
 
 #include "names.hpp"
 #include "plugin_parameters.hpp"
+#include "scene_keys.hpp"
 
 #include <algorithm>
 
@@ -19,10 +20,11 @@ namespace scree::scenario {
 
 namespace {
 
-double read_interval(const document::Table& t, std::string_view key, double step) {
-  const double every = t.number(key, document::Range::positive("s"));
+double read_interval(const document::Table& t, const Key& key, double step) {
+  const double every = t.number(key, key.range);
   if (every < 0.999 * step)
-    throw t.error(key, fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key, every, step),
+    throw t.error(key,
+                  fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key.name, every, step),
                   "increase it, or decrease time.step");
   return every;
 }
@@ -32,10 +34,10 @@ ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::ve
   ProbePlan probe{"", Parameters(find_plugin(t, SCREE_PROBE, host)), 0, {}, t.place("plugin")};
   read_parameters(t, scene.dimension, probe.parameters);
   check_complete(t, probe.parameters);
-  probe.name = t.string("name", probe.parameters.plugin().name);
+  probe.name = t.string(probe_keys.name, probe.parameters.plugin().name);
   check_file_name(t, probe.name);
-  probe.every = read_interval(t, "every", scene.step);
-  if (t.has("stages")) probe.stages = t.strings("stages");
+  probe.every = read_interval(t, probe_keys.every, scene.step);
+  if (t.has(probe_keys.stages)) probe.stages = t.strings(probe_keys.stages);
   for (std::size_t k = 0; k < probe.stages.size(); ++k)
     find_name(t, "stages", "stage", probe.stages[k], stages, k);
   placed(t, "plugin", [&] { Probe(probe.parameters, scene.dimension); });
@@ -57,7 +59,7 @@ Columns columns_of(const ProbePlan& probe, int dimension) {
 const ProbePlan& probe_named(const document::Table& t, const std::vector<ProbePlan>& probes) {
   std::vector<std::string> names;
   for (const ProbePlan& probe : probes) names.push_back(probe.name);
-  return probes[find_name(t, "probe", "probe", t.string("probe"), names)];
+  return probes[find_name(t, "probe", "probe", read(t, chart_keys.probe), names)];
 }
 
 std::string as_words(std::string name) {
@@ -73,14 +75,14 @@ std::string label_of(const Columns& columns, std::size_t k) {
 
 ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& probes, int dimension) {
   ChartPlan chart;
-  chart.name = t.string("name");
+  chart.name = read(t, chart_keys.name);
   check_file_name(t, chart.name);
   const ProbePlan& probe = probe_named(t, probes);
   const Columns columns = columns_of(probe, dimension);
-  const std::string x = t.string("x", "time");
+  const std::string x = read(t, chart_keys.x);
   chart.x_label = label_of(columns, find_name(t, "x", "column", x, columns.names));
-  const bool several = t.is_array("y");
-  const std::vector<std::string> ys = several ? t.strings("y") : std::vector{t.string("y")};
+  const bool several = t.is_array(chart_keys.y);
+  const std::vector<std::string> ys = several ? t.strings(chart_keys.y) : std::vector{t.string(chart_keys.y)};
   if (ys.empty()) throw t.error("y", "'y' has no columns", "give one or more columns of the probe");
   for (std::size_t k = 0; k < ys.size(); ++k) {
     const std::size_t at = find_name(t, "y", "column", ys[k], columns.names, k);
@@ -88,26 +90,26 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& pro
     chart.y_label = ys.size() == 1 ? label_of(columns, at) : columns.units[at];
     chart.curves.push_back({as_words(ys[k]), probe.name, x, ys[k]});
   }
-  chart.title = t.string("title", chart.name);
-  chart.x_label = t.string("x_label", chart.x_label);
-  chart.y_label = t.string("y_label", chart.y_label);
-  chart.log_x = t.boolean("log_x", false);
-  chart.log_y = t.boolean("log_y", false);
+  chart.title = t.string(chart_keys.title, chart.name);
+  chart.x_label = t.string(chart_keys.x_label, chart.x_label);
+  chart.y_label = t.string(chart_keys.y_label, chart.y_label);
+  chart.log_x = read(t, chart_keys.log_x);
+  chart.log_y = read(t, chart_keys.log_y);
   return chart;
 }
 
 Expectation read_expectation(const document::Table& t, const std::vector<std::string>& known) {
   Expectation e;
-  e.requirement = t.string("requirement");
-  e.quantity = t.string("quantity");
+  e.requirement = read(t, expect_keys.requirement);
+  e.quantity = read(t, expect_keys.quantity);
   if (const auto problem = quantity_problem(e.quantity, known))
     throw Error(fmt::format("{}: {}", t.place("quantity"), *problem));
-  e.reference = t.optional_number("reference");
-  e.tolerance = t.optional_number("tolerance", document::Range::non_negative());
-  e.at_most = t.optional_number("at_most");
-  e.at_least = t.optional_number("at_least");
-  e.of_step = t.boolean("of_step", false);
-  e.scale = t.optional_number("scale", document::Range::positive());
+  e.reference = read_optional(t, expect_keys.reference);
+  e.tolerance = read_optional(t, expect_keys.tolerance);
+  e.at_most = read_optional(t, expect_keys.at_most);
+  e.at_least = read_optional(t, expect_keys.at_least);
+  e.of_step = read(t, expect_keys.of_step);
+  e.scale = read_optional(t, expect_keys.scale);
   if (e.reference.has_value() != e.tolerance.has_value())
     throw t.error(e.reference ? "reference" : "tolerance", "reference and tolerance must both be given",
                   "give both, or at_most / at_least");
@@ -155,14 +157,14 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   SnapshotPlan plan;
   const auto t = root.optional_table("snapshot");
   if (!t) return plan;
-  if (t->has("every")) plan.every = read_interval(*t, "every", step);
-  if (t->has("image_every")) plan.image_every = read_interval(*t, "image_every", step);
-  plan.color_by =
-      t->choice("color_by", {snapshot::color_fields.begin(), snapshot::color_fields.end()}, "radius");
-  plan.view = t->choice("view", {snapshot::view_names.begin(), snapshot::view_names.end()}, "");
-  plan.show_contacts = t->boolean("contacts", false);
-  plan.width = int(t->integer("width", 1200, document::Range::between(200, 8000, "pixels")));
-  plan.height = int(t->integer("height", 900, document::Range::between(200, 8000, "pixels")));
+  if (t->has(snapshot_keys.every)) plan.every = read_interval(*t, snapshot_keys.every, step);
+  if (t->has(snapshot_keys.image_every))
+    plan.image_every = read_interval(*t, snapshot_keys.image_every, step);
+  plan.color_by = read(*t, snapshot_keys.color_by);
+  plan.view = t->choice(snapshot_keys.view, snapshot_keys.view.words, "");
+  plan.show_contacts = read(*t, snapshot_keys.contacts);
+  plan.width = int(read(*t, snapshot_keys.width));
+  plan.height = int(read(*t, snapshot_keys.height));
   return plan;
 }
 

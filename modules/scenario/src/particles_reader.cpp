@@ -3,6 +3,7 @@
 #include "lattice_reader.hpp"
 #include "names.hpp"
 #include "plugin_parameters.hpp"
+#include "scene_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +19,14 @@ namespace scree::scenario {
 
 namespace {
 
-constexpr double max_id = 1e15;  // ids are doubles in lists of probes, exact up to this number
-
 packing::Packing read_file(const document::Table& particles, int dimension,
                            const std::filesystem::path& folder, const std::vector<Material>& materials) {
   packing::ImportOptions options;
   // In a three-dimensional scene the file decides, so that a two-dimensional packing is detected below.
   if (dimension == 2) options.dimension = dimension;
   options.materials = names_of(materials);
-  options.timestep = particles.optional_integer("timestep");
-  const std::string file = particles.string("file");
+  options.timestep = particles.optional_integer(particles_keys.timestep);
+  const std::string file = read(particles, particles_keys.file);
   packing::Packing read =
       placed(particles, "file", [&] { return packing::read_packing(folder / file, options); });
   if (read.dimension != dimension)
@@ -38,11 +37,11 @@ packing::Packing read_file(const document::Table& particles, int dimension,
 
 // Repeats a periodic packing along each axis, one period apart.
 void repeat(const document::Table& particles, int dimension, packing::Packing& packing) {
-  if (!particles.has("repeat")) return;
+  if (!particles.has(particles_keys.repeat)) return;
   const std::vector<double> times =
-      particles.numbers("repeat", std::size_t(dimension), document::Range::between(1, 1e4));
+      particles.numbers(particles_keys.repeat, std::size_t(dimension), particles_keys.repeat.range);
   const std::vector<double> period =
-      particles.numbers("period", std::size_t(dimension), document::Range::positive("m"));
+      particles.numbers(particles_keys.period, std::size_t(dimension), particles_keys.period.range);
   for (const double n : times)
     if (n != std::floor(n))
       throw particles.error("repeat", fmt::format("{:g} is not a whole number", n),
@@ -61,8 +60,8 @@ void repeat(const document::Table& particles, int dimension, packing::Packing& p
 
 packing::Packing read_source(const document::Table& particles, int dimension, packing::Random& random,
                              const std::filesystem::path& folder, const std::vector<Material>& materials) {
-  if (!particles.has("file")) return read_lattice_bodies(particles, dimension, random);
-  if (particles.has("lattice"))
+  if (!particles.has(particles_keys.file)) return read_lattice_bodies(particles, dimension, random);
+  if (particles.has(particles_keys.lattice))
     throw particles.error("file", "both a file and a lattice are given", "keep one of them");
   packing::Packing packing = read_file(particles, dimension, folder, materials);
   repeat(particles, dimension, packing);
@@ -71,20 +70,19 @@ packing::Packing read_source(const document::Table& particles, int dimension, pa
 
 packing::Body read_inline(const document::Table& t, int dimension) {
   packing::Body body;
-  body.id = t.integer("id", 0, document::Range::between(1, max_id));
-  body.material = t.string("material", "");
-  body.radius = t.number("radius", document::Range::positive("m"));
-  if (const auto density = t.optional_number("density", document::Range::positive("kg/m^3")))
-    body.density = *density;
-  if (const auto mass = t.optional_number("mass", document::Range::positive("kg"))) body.mass = *mass;
+  body.id = read(t, particle_keys.id);
+  body.material = read(t, particle_keys.material);
+  body.radius = read(t, particle_keys.radius);
+  if (const auto density = read_optional(t, particle_keys.density)) body.density = *density;
+  if (const auto mass = read_optional(t, particle_keys.mass)) body.mass = *mass;
   if (!std::isnan(body.density) && !std::isnan(body.mass))
     throw t.error("mass", "mass and density are both given", "keep one of them");
-  body.position = read_vector(t, "position", dimension, true);
-  body.velocity = read_vector(t, "velocity", dimension, false);
+  body.position = read_vector(t, particle_keys.position, dimension, true);
+  body.velocity = read_vector(t, particle_keys.velocity, dimension, false);
   if (dimension == 2)
-    body.spin[2] = t.number("spin", 0.0);
+    body.spin[2] = t.number(particle_keys.spin, 0.0);
   else
-    body.spin = read_vector(t, "spin", dimension, false);
+    body.spin = read_vector(t, particle_keys.spin, dimension, false);
   return body;
 }
 
@@ -128,7 +126,7 @@ void add_inline(const document::Table& root, int dimension, const std::vector<Ma
   for (const Body& body : bodies) used.insert(body.id);
   for (const document::Table& t : root.tables("particle")) {
     bodies.push_back(complete(t, read_inline(t, dimension), dimension, materials));
-    if (t.has("id") && !used.insert(bodies.back().id).second)
+    if (t.has(particle_keys.id) && !used.insert(bodies.back().id).second)
       throw t.error("id", fmt::format("two bodies have the id {}", bodies.back().id),
                     "give every body a different id, or no id");
   }
@@ -160,10 +158,9 @@ std::vector<Body> read_bodies(const document::Table& root, int dimension,
   std::vector<Body> bodies;
   packing::Random random(seed);
   if (const auto particles = root.optional_table("particles")) {
-    const std::string material = particles->string("material", "");
-    const double velocity_deviation =
-        particles->number("random_velocity", 0.0, document::Range::non_negative("m/s"));
-    const Vec3 velocity = read_vector(*particles, "velocity", dimension, false);
+    const std::string material = read(*particles, particles_keys.material);
+    const double velocity_deviation = read(*particles, particles_keys.random_velocity);
+    const Vec3 velocity = read_vector(*particles, particles_keys.velocity, dimension, false);
     for (packing::Body& from : read_source(*particles, dimension, random, folder, materials).bodies) {
       if (from.material.empty()) from.material = material;
       from.velocity += velocity;

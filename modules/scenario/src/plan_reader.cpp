@@ -2,6 +2,7 @@
 #include "output_reader.hpp"
 #include "particles_reader.hpp"
 #include "plugin_parameters.hpp"
+#include "scene_keys.hpp"
 #include "stage_reader.hpp"
 
 #include <algorithm>
@@ -23,14 +24,13 @@ namespace {
 void read_header(const document::Table& root, Plan& plan) {
   const document::Table t = root.table_or_empty("scene");
   Scene& scene = plan.scene;
-  plan.title = t.string("title", "");
-  scene.dimension = int(t.integer("dimension", 3, document::Range::between(2, 3)));
-  plan.seed = std::uint64_t(t.integer("seed", 1, document::Range::non_negative()));
+  plan.title = read(t, scene_keys.title);
+  scene.dimension = int(read(t, scene_keys.dimension));
+  plan.seed = std::uint64_t(read(t, scene_keys.seed));
   const document::Table limits = root.table_or_empty("limits");
-  scene.limits.overlap_ratio =
-      limits.number("overlap_ratio", scene.limits.overlap_ratio, document::Range::positive());
-  scene.limits.speed = limits.number("speed", 0.0, document::Range::positive("m/s"));
-  scene.skin = root.table_or_empty("neighbours").number("skin", 0.0, document::Range::positive("m"));
+  scene.limits.overlap_ratio = read(limits, limits_keys.overlap_ratio);
+  scene.limits.speed = read_optional(limits, limits_keys.speed).value_or(0);
+  scene.skin = read_optional(root.table_or_empty("neighbours"), neighbours_keys.skin).value_or(0);
 }
 
 void read_materials_and_bodies(const document::Table& root, Plan& plan) {
@@ -47,8 +47,8 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
     const Stage::Change& read = read_instance(t, SCREE_BOUNDARY, host, scene, instances);
     const bool has_walls = plane_count({read.name, 0, read.parameters}, scene) > 0;
     const std::string material = scene.materials.size() > 1 && has_walls
-                                     ? t.string("material")
-                                     : t.string("material", scene.materials[0]);
+                                     ? t.string(boundary_keys.material)
+                                     : t.string(boundary_keys.material, scene.materials[0]);
     const auto index = std::uint32_t(find_name(t, "material", "material", material, scene.materials));
     scene.boundaries.push_back({read.name, index, read.parameters});
     // Checks all boundaries so far together: each can be valid alone but not in combination.
@@ -65,29 +65,27 @@ void read_body_forces(const document::Table& root, PluginHost& host, Scene& scen
 }
 
 Integration read_integration(const document::Table& time) {
-  std::vector<std::string> names;
-  for (const IntegrationTraits& traits : integrations()) names.emplace_back(traits.name);
-  const std::string name = time.choice("integrator", names, names[0]);
-  return integrations()[std::size_t(std::find(names.begin(), names.end(), name) - names.begin())].integration;
+  const std::string name = read(time, time_keys.integrator);
+  return std::find_if(integrations().begin(), integrations().end(),
+                      [&](const IntegrationTraits& traits) { return name == traits.name; })
+      ->integration;
 }
 
 void read_time(const document::Table& root, Plan& plan) {
   const document::Table t = root.table("time");
   Scene& scene = plan.scene;
-  plan.step_guard = t.boolean("step_guard", true);
+  plan.step_guard = read(t, time_keys.step_guard);
   plan.step_place = t.place("step");
-  scene.expected_speed = t.number("expected_speed", 0.0, document::Range::positive("m/s"));
-  scene.audit = t.boolean("energy_audit", true);
+  scene.expected_speed = read_optional(t, time_keys.expected_speed).value_or(0);
+  scene.audit = read(t, time_keys.energy_audit);
   scene.integration = read_integration(t);
-  scene.precision = t.choice("precision", {"double", "mixed"}, "double") == "mixed"
-                        ? Precision::mixed
-                        : Precision::double_precision;
-  if (!t.is_table("step")) {
-    scene.step = t.number("step", document::Range::positive("s"));
+  scene.precision = read(t, time_keys.precision) == "mixed" ? Precision::mixed : Precision::double_precision;
+  if (!t.is_table(time_keys.step)) {
+    scene.step = read(t, time_keys.step);
     return;
   }
-  const document::Table step = t.table("step");
-  const double fraction = step.number("fraction", document::Range::positive());
+  const document::Table step = t.table(time_keys.step);
+  const double fraction = read(step, step_keys.fraction);
   const double contact = shortest_contact_time(scene, expected_speed(scene));
   if (!std::isfinite(contact))
     throw step.error("fraction", "the scene has no pair of bodies to compute a contact time from",

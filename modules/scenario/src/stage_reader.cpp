@@ -1,6 +1,7 @@
 #include "stage_reader.hpp"
 
 #include "plugin_parameters.hpp"
+#include "scene_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -22,9 +23,9 @@ void check_steps(const document::Table& t, std::string_view key, double seconds,
 }
 
 void read_condition(const document::Table& until, double step, Stage& stage) {
-  stage.kinetic_over_elastic = until.number("kinetic_over_elastic", document::Range::positive());
-  stage.at_least = until.number("at_least", 0.0, document::Range::non_negative("s"));
-  stage.at_most = read_steps(until, "at_most", step);
+  stage.kinetic_over_elastic = read(until, until_keys.kinetic_over_elastic);
+  stage.at_least = read(until, until_keys.at_least);
+  stage.at_most = read_steps(until, until_keys.at_most, step);
   if (stage.at_least >= *stage.at_most)
     throw until.error(
         "at_least",
@@ -33,23 +34,24 @@ void read_condition(const document::Table& until, double step, Stage& stage) {
 }
 
 void read_end(const document::Table& t, double step, Stage& stage) {
-  const int given = int(t.has("duration")) + int(t.has("cycles")) + int(t.has("until"));
+  const int given =
+      int(t.has(stage_keys.duration)) + int(t.has(stage_keys.cycles)) + int(t.has(stage_keys.until));
   if (given != 1)
     throw t.error(given ? "the stage has more than one end condition" : "the stage has no end condition",
                   "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6, "
                   "at_most = <s> }");
-  if (t.has("duration")) stage.duration = read_steps(t, "duration", step);
-  if (t.has("until")) read_condition(t.table("until"), step, stage);
-  if (t.has("cycles")) {
-    const double period = read_steps(t, "period", step);
-    stage.duration = t.number("cycles", document::Range::positive()) * period;
+  if (t.has(stage_keys.duration)) stage.duration = read_steps(t, stage_keys.duration, step);
+  if (t.has(stage_keys.until)) read_condition(t.table(stage_keys.until), step, stage);
+  if (t.has(stage_keys.cycles)) {
+    const double period = read_steps(t, stage_keys.period, step);
+    stage.duration = read(t, stage_keys.cycles) * period;
     check_steps(t, "cycles", *stage.duration, step);
   }
 }
 
 void read_changes(const document::Table& t, const Scene& scene, std::vector<Stage::Change>& instances,
                   Stage& stage) {
-  const auto set = t.optional_table("set");
+  const auto set = t.optional_table(stage_keys.set);
   if (!set) return;
   std::vector<std::string> names;
   for (const Stage::Change& instance : instances) names.push_back(instance.name);
@@ -62,8 +64,8 @@ void read_changes(const document::Table& t, const Scene& scene, std::vector<Stag
 
 }  // namespace
 
-double read_steps(const document::Table& table, std::string_view key, double step) {
-  const double seconds = table.number(key, document::Range::positive("s"));
+double read_steps(const document::Table& table, const Key& key, double step) {
+  const double seconds = table.number(key, key.range);
   check_steps(table, key, seconds, step);
   return seconds;
 }
@@ -74,19 +76,19 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
   const document::Table time = root.table("time");
   for (const document::Table& t : root.tables("stage")) {
     Stage stage;
-    stage.name = t.string("name", fmt::format("stage {}", stages.size() + 1));
+    stage.name = t.string(stage_keys.name, fmt::format("stage {}", stages.size() + 1));
     names.add(t, stage.name);
     read_end(t, scene.step, stage);
     read_changes(t, scene, instances.all, stage);
     stages.push_back(std::move(stage));
   }
-  if (!stages.empty() && time.has("duration"))
+  if (!stages.empty() && time.has(time_keys.duration))
     throw time.error("duration", "both stages and time.duration are given",
                      "keep [[stage]] or time.duration");
   if (stages.empty()) {
     Stage stage;
     stage.name = "run";
-    stage.duration = read_steps(time, "duration", scene.step);
+    stage.duration = read_steps(time, time_keys.duration, scene.step);
     stages.push_back(std::move(stage));
   }
   return stages;

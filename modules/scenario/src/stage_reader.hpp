@@ -1,6 +1,7 @@
 #pragma once
 
 #include "instances.hpp"
+#include "table_keys.hpp"
 
 #include <vector>
 
@@ -13,6 +14,6 @@ namespace scree::scenario {
 std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances);
 
 // Reads a time (s). Throws Error unless it takes at least one step and at most 1e12.
-double read_steps(const document::Table& table, std::string_view key, double step);
+double read_steps(const document::Table& table, const Key& key, double step);
 
 }  // namespace scree::scenario

@@ -1,0 +1,72 @@
+#include "describe_markdown.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/scenario/keys.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+struct KindTitle {
+  scree_kind kind;
+  const char* title;
+};
+constexpr KindTitle titles[] = {{SCREE_CONTACT_LAW, "Contact laws, `[[contact]]`"},
+                                {SCREE_BOUNDARY, "Boundaries, `[[boundary]]`"},
+                                {SCREE_BODY_FORCE, "Body forces, `[[body_force]]`"},
+                                {SCREE_PROBE, "Probes, `[[probe]]`"}};
+
+// A bar would end the cell.
+std::string cell(std::string text) {
+  for (std::size_t k = 0; (k = text.find('|', k)) != std::string::npos; k += 2) text.insert(k, 1, '\\');
+  return text;
+}
+
+void print_row(const std::string& key, const std::string& value, const std::string& absent,
+               const std::string& doc) {
+  fmt::print("| `{}` | {} | {} | {} |\n", key, cell(value), cell(absent), cell(doc));
+}
+
+void print_header(const char* title) {
+  fmt::print("\n| {} | value | without it | meaning |\n|---|---|---|---|\n", title);
+}
+
+void print_plugin(const scree_plugin& plugin) {
+  fmt::print("\n### {}\n\n{}\n", plugin.name, plugin.summary);
+  if (plugin.parameter_count == 0) return;
+  print_header("parameter");
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    const scree_parameter& p = plugin.parameters[k];
+    print_row(p.key, describe_range(p), when_absent(p), p.doc);
+  }
+}
+
+}  // namespace
+
+std::string when_absent(const scree_parameter& p) {
+  if (p.excludes) return fmt::format("this or {}", p.excludes);
+  if (p.flags & SCREE_REQUIRED) return "required";
+  if (p.flags & SCREE_OPTIONAL) return "optional";
+  if (p.type == SCREE_CHOICE) return "default " + choices_of(p)[std::size_t(p.default_value)];
+  return fmt::format("default {:g}", p.default_value);
+}
+
+void print_markdown(PluginHost& host) {
+  fmt::print(
+      "# Keys of a scenario\n\nPrinted by `scree describe --all`, from the declarations that scenarios are checked with.\n\n## Tables\n");
+  for (const scenario::TableDescription& table : scenario::describe_tables()) {
+    fmt::print("\n### {}\n\n`{}`: {}\n", table.name, table.header, table.doc);
+    print_header("key");
+    for (const scenario::KeyDescription& key : table.keys)
+      print_row(key.name, key.value, key.absent, key.doc);
+  }
+  for (const KindTitle& title : titles) {
+    fmt::print("\n## {}\n", title.title);
+    for (const std::string& name : host.names(title.kind)) print_plugin(host.find(name, title.kind));
+  }
+}
+
+}  // namespace scree::tool
