@@ -19,7 +19,7 @@ void write_settings(const Study& study, Out out) {
                  "steps", "wall (s)", "error", "of");
   for (const Outcome& o : study.outcomes) {
     fmt::format_to(out, "{:<20} {:<7} {:>10.4g} ", traits_of(o.setting.integration).name,
-                   o.setting.precision == Precision::mixed ? "mixed" : "double", o.setting.step);
+                   precision_name(o.setting.precision), o.setting.step);
     if (!o.problem.empty()) {
       fmt::format_to(out, "{:>10} {:>10} {:>11}  {}\n", "-", "-", "-", o.problem);
       continue;
@@ -110,8 +110,7 @@ std::string csv_report(const Study& study) {
   fmt::format_to(out, ",problem\n");
   for (const Outcome& o : study.outcomes) {
     fmt::format_to(out, "{},{},{},{},{}", traits_of(o.setting.integration).name,
-                   o.setting.precision == Precision::mixed ? "mixed" : "double", o.setting.step, o.steps,
-                   o.wall);
+                   precision_name(o.setting.precision), o.setting.step, o.steps, o.wall);
     append_csv(out, o.problem.empty() ? o.worst() : NAN);
     for (std::size_t k = 0; k < study.quantities.size(); ++k) {
       append_csv(out, o.problem.empty() ? o.values[k] : NAN);

@@ -26,7 +26,7 @@ std::string json_report(const Study& study) {
                                   {"closed_form", q.closed_form}});
   for (const Order& o : study.orders)
     json["orders"].push_back({{"integrator", traits_of(o.method.integration).name},
-                              {"precision", o.method.precision == Precision::mixed ? "mixed" : "double"},
+                              {"precision", precision_name(o.method.precision)},
                               {"order", number_or_null(o.of_worst)},
                               {"order_of_positions", number_or_null(o.of_positions)}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

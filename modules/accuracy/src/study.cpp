@@ -207,9 +207,10 @@ class StudyRunner {
 
 }  // namespace
 
+const char* precision_name(Precision precision) { return precision == Precision::mixed ? "mixed" : "double"; }
+
 std::string method_name(const Setting& setting) {
-  return fmt::format("{}, {}", traits_of(setting.integration).name,
-                     setting.precision == Precision::mixed ? "mixed" : "double");
+  return fmt::format("{}, {}", traits_of(setting.integration).name, precision_name(setting.precision));
 }
 
 double Quantity::scale() const {
