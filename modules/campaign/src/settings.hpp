@@ -8,8 +8,8 @@
 
 namespace scree::campaign {
 
-// Settings of a table, in file order. Names of sub-tables that are not inline, as [set.contact], are parts of
-// the keys.
+// Settings of a table, in file order. Names of sub-tables ([set.contact]), unless inline,
+// are parts of the keys.
 struct Settings {
   std::vector<Setting> fixed;
   std::vector<Parameter> parameters;

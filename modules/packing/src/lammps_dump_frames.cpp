@@ -23,8 +23,7 @@ void require_si(TextReader& reader) {
 
 }  // namespace
 
-// Units and time precede the timestep, so a frame begins with the first item after the atoms of the previous
-// frame.
+// Units and time precede the timestep, so a frame begins with the first item after the previous atoms.
 std::vector<DumpFrame> find_frames(TextReader& reader) {
   std::vector<DumpFrame> frames;
   bool complete = true;

@@ -9,8 +9,7 @@ namespace scree::run {
 
 // Runs a simulation through its stages until they end or proceed(runner) returns false. Calls begin(stage
 // name) before the first step of each stage, and observe(stage name, steps since the start of the stage) at
-// the start and end of each stage and at the step that its last call returned. Returns the name of the last
-// stage.
+// the start and end of each stage and at the step that its last call returned. Returns the last stage name.
 template <class Begin, class Observe, class Proceed>
 std::string drive(StageRunner& runner, const Begin& begin, const Observe& observe, const Proceed& proceed) {
   std::size_t stage = 0;

@@ -20,8 +20,7 @@ class Pictures {
   // `start` determines the box of the camera. Throws Error if VTK is needed and cannot be loaded.
   Pictures(const scenario::Plan& plan, const Simulation& start, const RunDirectory& directory);
 
-  // Writes what is due `steps` after the start of a stage. Returns the step count at which the next output is
-  // due.
+  // Writes what is due `steps` after the start of a stage. Returns the step count of the next output.
   std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
   // Writes the final state, if the plan has snapshots or images.
   void take_last(const Simulation& simulation);

@@ -29,8 +29,7 @@ class Sampler {
   void open(const std::filesystem::path& folder);
   // Keeps the rows in memory only.
   void open();
-  // Takes the samples due `steps` after the start of a stage. Returns the step count at which the next are
-  // due.
+  // Takes the samples due `steps` after the start of a stage. Returns the step count of the next samples.
   std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
   // Takes a final sample of the probes of the stage at the end of a run.
   void sample_last(const Simulation& simulation, const std::string& stage);

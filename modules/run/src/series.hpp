@@ -11,8 +11,7 @@ namespace scree::run {
 // during the run. Functions that write throw Error (failure) if the file cannot be written.
 class Series {
  public:
-  // Header "time [s],<name> [<unit>],..."; numbers in the shortest decimal form that reads back to the same
-  // bits.
+  // Header "time [s],<name> [<unit>],..."; numbers in the shortest decimal form with the same bits.
   Series(const std::filesystem::path& file, std::vector<std::string> names,
          const std::vector<std::string>& units);
   explicit Series(std::vector<std::string> names);

@@ -23,8 +23,7 @@ struct Instances {
 const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
                                    const Scene& scene, Instances& instances);
 
-// The instance with the parameters of `table` (the changes of a stage) replaced, checked. Throws Error at the
-// wrong key.
+// The instance with the parameters in `table` (of a stage) replaced, checked. Throws Error at a wrong key.
 Stage::Change changed_instance(const document::Table& table, const Stage::Change& old, const Scene& scene);
 
 }  // namespace scree::scenario

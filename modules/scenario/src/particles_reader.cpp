@@ -96,8 +96,7 @@ std::uint32_t material_index(const document::Table& t, const std::string& name,
   return std::uint32_t(find_name(t, "material", "material", name, names));
 }
 
-// Adds material, mass and inertia to a body. Throws Error at `t` if mass or inertia is not positive and
-// finite.
+// Adds material, mass and inertia to a body. Throws Error at `t` unless both are positive and finite.
 Body complete(const document::Table& t, const packing::Body& from, int dimension,
               const std::vector<Material>& materials) {
   Body body = {.id = from.id, .material = material_index(t, from.material, materials), .radius = from.radius};

@@ -9,8 +9,7 @@ using Catch::Contains;
 
 namespace {
 
-// Columns of the plot area with a colour similar to the given one, and its lowest and highest row from the
-// top.
+// Columns of the plot area with a colour similar to the given one, its lowest and highest row from the top.
 struct Trace {
   int columns = 0;
   int first_row = -1;  // of the leftmost column

@@ -8,8 +8,7 @@
 namespace scree::snapshot {
 namespace {
 
-// Blue, vermilion, green, purple, orange, sky blue, black: distinguishable for colour-blind readers and in
-// grey.
+// Blue, vermilion, green, purple, orange, sky blue, black: distinct for colour-blind readers and in grey.
 constexpr std::array<double, 3> color_cycle[] = {{0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45},
                                                  {0.80, 0.47, 0.65}, {0.90, 0.62, 0.00}, {0.34, 0.71, 0.91},
                                                  {0.00, 0.00, 0.00}};

@@ -23,8 +23,7 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  // Draws the renderers, later ones on top, at `supersampling` times the size, and averages down to that
-  // size.
+  // Draws the renderers, later ones on top, at `supersampling` times the size, and averages down.
   Picture draw(int width, int height, const std::vector<vtkRenderer*>& renderers);
 
  private:

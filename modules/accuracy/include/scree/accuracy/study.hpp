@@ -86,8 +86,7 @@ Study study(const scenario::Plan& plan, const StudyOptions& options);
 // The cheapest outcome whose worst error is within the tolerance; null if none is.
 const Outcome* cheapest(const Study& study);
 // Pareto-optimal outcomes in wall time and the error of a quantity (or the largest error), sorted by wall
-// time; a slower outcome must reduce the error by more than 5 %, as smaller gains are within the timing
-// noise.
+// time; a slower outcome must reduce the error by more than 5 %, as less is timing noise.
 std::vector<const Outcome*> pareto_front(const Study& study,
                                          std::optional<std::size_t> quantity = std::nullopt);
 

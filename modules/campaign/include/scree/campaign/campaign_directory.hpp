@@ -35,8 +35,7 @@ class CampaignDirectory {
   std::vector<std::string> leftovers(const Campaign& campaign) const;
 
  private:
-  // Locks the directory; false if it is in use. Also true if it does not exist or the file system has no
-  // locks.
+  // Locks the directory; false if it is in use. Also true without directory or file locks.
   bool lock();
 
   run::RunDirectory files_;

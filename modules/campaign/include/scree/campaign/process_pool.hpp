@@ -26,8 +26,7 @@ class ProcessPool {
   // Starts the program at the path command[0], with its output in the file `log`; `id` identifies it in
   // Ended. Throws Error (failure) if the log cannot be written or no process can be started.
   void start(std::size_t id, const std::vector<std::string>& command, const std::filesystem::path& log);
-  // Processes that have ended since the last call. Waits for at least one, at most `seconds` (s) or until a
-  // signal.
+  // Processes ended since the last call. Waits for at least one, at most `seconds` or until a signal.
   std::vector<Ended> wait(double seconds);
   void signal(int number) const;
 

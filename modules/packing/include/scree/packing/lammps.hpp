@@ -20,8 +20,8 @@ Packing parse_lammps_data(std::string_view text, const std::string& name, const 
 
 // Writes such a file. Numbers in the shortest decimal form that reads back to the same bits; without bounds
 // the box encloses the bodies. A body given by its mass gets the density of a sphere. Throws Error for a body
-// without density, and for one outside the box along a non-periodic axis, which LAMMPS and LIGGGHTS would
-// lose.
+// without density, and for one outside the box along a non-periodic axis, which LAMMPS and
+// LIGGGHTS would lose.
 void write_lammps_data(const Packing& packing, const std::filesystem::path& path,
                        const ExportOptions& options = {});
 std::string format_lammps_data(const Packing& packing, const ExportOptions& options = {});

@@ -47,8 +47,7 @@ void check(const Packing& packing);
 // Bounding box of all bodies, including their surfaces (m). The packing must have a body.
 Bounds enclosing_bounds(const Packing& packing);
 
-// Density (kg/m³) of a sphere with the radius and mass of this body; unset if it has neither mass nor
-// density.
+// Density (kg/m³) of a sphere with the radius and mass of this body; unset if it has neither.
 double sphere_density(const Body& body);
 
 }  // namespace scree::packing

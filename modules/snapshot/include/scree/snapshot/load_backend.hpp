@@ -14,8 +14,7 @@ inline constexpr std::string_view no_pictures = "this scree was built without pi
 inline constexpr std::string_view no_pictures_cure = "build it with VTK (preset release)";
 
 // Loads libscree_snapshot_vtk.so, and with it VTK, from the build or install tree of the running program. The
-// library is loaded once and never unloaded. Throws scree::Error if it is missing, broken or of another
-// version.
+// library is loaded once and never unloaded. Throws scree::Error if it is missing, broken or outdated.
 std::shared_ptr<SnapshotBackend> load_backend();
 
 }  // namespace scree::snapshot
