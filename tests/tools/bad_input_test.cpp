@@ -77,10 +77,10 @@ TEST_CASE("invalid options are reported in one line", "[tools]") {
   refused_options("--set time.step", "--set time.step: has no '='; ", "write --set key=value");
   refused_options("--set time.stp=1", "--set time.stp=1: unknown key 'stp' in [time]; did you mean 'step'? ",
                   "step_guard, step, expected_speed, energy_audit, integrator, precision, duration");
-  refused_options("--plugins nowhere", "--plugins nowhere: is no directory; ",
+  refused_options("--plugins nowhere", "--plugins nowhere: is not a directory; ",
                   "boundary/, body_force/, probe/");
   const Workspace w;
-  check_refused(w, w.scree("rn scene.toml"), "no verb 'rn'; ", "did you mean 'run'?");
+  check_refused(w, w.scree("rn scene.toml"), "unknown command 'rn'; ", "did you mean 'run'?");
   check_refused(w, w.scree("run"), "scenario is required; ", "see scree run --help");
   check_refused(w, w.scree(""), "A subcommand is required; ", "see scree --help");
 }

@@ -11,7 +11,7 @@ TEST_CASE("bench appends a row per call to a CSV with one header, and prints pha
   const auto first = w.scree("bench scene.toml --seconds 0.01 --repeats 1 --csv bench.csv");
   INFO(first.err);
   CHECK(first.status == 0);
-  for (const char* part : {"9 particles", "ms a step", "neighbours", "gather", "law", "reduce", "audit"})
+  for (const char* part : {"9 particles", "ms per step", "neighbours", "gather", "law", "reduce", "audit"})
     CHECK(first.out.find(part) != std::string::npos);
   CHECK(w.scree("bench scene.toml --threads 2 --seconds 0.01 --repeats 1 --csv bench.csv").status == 0);
   std::istringstream csv(w.text("bench.csv"));
@@ -44,14 +44,14 @@ TEST_CASE("bench restarts a scene that ends, and starts at the given time", "[to
   CHECK(w.scree(call + " --start 8e-5").status == 2);
   const auto never = w.scree(call + " --start 9e-5");
   CHECK(never.status == 2);
-  CHECK(never.err.find("the scene ends at 8e-05 s; give --start below that") != std::string::npos);
+  CHECK(never.err.find("the scene ends at 8e-05 s; give a smaller --start") != std::string::npos);
 }
 
 TEST_CASE("bench accepts its scenes by name and suggests the nearest", "[tools]") {
   const Workspace w;
   const auto known = w.scree("bench discs-16 --seconds 0.01 --repeats 1");
   CHECK(known.status == 0);
-  CHECK(known.out.find("ns a contact") != std::string::npos);
+  CHECK(known.out.find("ns per contact") != std::string::npos);
   const auto outcome = w.scree("bench discs-61");
   CHECK(outcome.status == 2);
   CHECK(outcome.err.find("did you mean 'discs-16'?") != std::string::npos);

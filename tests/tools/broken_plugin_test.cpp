@@ -46,7 +46,7 @@ TEST_CASE("broken libraries affect neither other plug-ins nor their list", "[too
   const Outcome list = w.scree("describe " + options);
   CHECK(list.status == 0);
   for (const char* name : {"other_version", "no_query", "text"})
-    CHECK(list.out.find("cannot be used: " + library(name)) != std::string::npos);
+    CHECK(list.out.find("not usable: " + library(name)) != std::string::npos);
   CHECK(list.out.find("  linear_spring_dashpot ") != std::string::npos);
 }
 

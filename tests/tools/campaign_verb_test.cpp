@@ -141,7 +141,7 @@ TEST_CASE("after Ctrl-C runs are saved, the table is written, and the same comma
   CHECK(contains(outcome.out, "second 2\n"));
   CHECK(outcome.err == "scree: out: another campaign is running there; wait for it or give another --out\n");
   CHECK(contains(outcome.out, "\n1 finished, 2 to do\n"));
-  CHECK(contains(outcome.out, "interrupted; the same call goes on with what is left\n"));
+  CHECK(contains(outcome.out, "interrupted; run the same command again to continue\n"));
   CHECK(w.record("out/duration=5000")["status"] == "interrupted");
   CHECK(contains(w.text("out/table.csv"), "\nduration=5000,5000,,interrupted,"));
   w.write("scene.toml", with(discs, "step = 1e-5", "step = 1e-5\n"));

@@ -28,7 +28,7 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   const Workspace w(with(discs, "[scene]", "[scene]\ntitle = 'Nine discs'"));
   const Outcome good = w.scree("check scene.toml --set time.duration=0.5");
   CHECK(good.status == 0);
-  CHECK(good.out.starts_with("scene.toml: good, Nine discs\n  9 bodies in 2D, 4 walls, 1 contact laws, "));
+  CHECK(good.out.starts_with("scene.toml: valid, Nine discs\n  9 bodies in 2D, 4 walls, 1 contact laws, "));
   CHECK(contains(good.out, "  stage run: 0.5 s, 50000 steps\n"));
   CHECK_FALSE(w.has("runs"));
 }
@@ -89,14 +89,14 @@ TEST_CASE("describe refuses unknown names and options", "[tools]") {
   refused("linear_spring_dashpot normal_stifness=1",
           "'normal_stifness=1': linear_spring_dashpot has no parameter ", "did you mean 'normal_stiffness'?");
   refused("linear_spring_dashpot normal_stiffness", "'normal_stiffness': has no '='; ", "give KEY=VALUE");
-  refused("linear_spring_dashpot normal_stiffness=stiff", "'normal_stiffness=stiff': 'stiff' is no number; ",
-          "give one such as 5e3");
+  refused("linear_spring_dashpot normal_stiffness=stiff",
+          "'normal_stiffness=stiff': 'stiff' is not a number; ", "give a number such as 5e3");
   refused("linear_spring_dashpot normal_stiffness=nan",
           "linear_spring_dashpot.normal_stiffness = nan is out of range; ", "give a number above 0 (N/m)");
-  refused("linear_spring_dashpot tension=ct", "'tension=ct': 'ct' is none of the choices; ",
+  refused("linear_spring_dashpot tension=ct", "'tension=ct': 'ct' is not a valid choice; ",
           "did you mean 'cut'?");
-  refused("gravity acceleration=1", "'acceleration=1': gravity is a body force ", "leave the value out");
-  refused("linear_spring_dashpot --radius inf", "--radius: inf is no number above 0; ",
+  refused("gravity acceleration=1", "'acceleration=1': gravity is a body force ", "omit the value");
+  refused("linear_spring_dashpot --radius inf", "--radius: inf is not a number above 0; ",
           "see scree describe --help");
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("render redraws the snapshots of a run", "[tools]") {
 TEST_CASE("a failure to write the output gives a failure status", "[tools]") {
   const Outcome full = Workspace().shell("scree describe > /dev/full");
   CHECK(full.status == 1);
-  CHECK(full.err == "scree: standard output cannot be written; free disk space or send it elsewhere\n");
+  CHECK(full.err == "scree: standard output cannot be written; free disk space or redirect it elsewhere\n");
 }
 
 TEST_CASE("describe shows the keys of a table, and KEYS.md is what it prints of all", "[tools]") {

@@ -133,7 +133,7 @@ TEST_CASE("Ctrl-C saves the run and gives status 130", "[tools]") {
                                     "kill -" +
                                     std::string(signal) + " $run; wait $run");
     CHECK(outcome.status == 130);
-    CHECK(outcome.out.find("interrupted; what was computed is saved\n") != std::string::npos);
+    CHECK(outcome.out.find("interrupted; results so far are saved\n") != std::string::npos);
     CHECK(w.record()["status"] == "interrupted");
     CHECK(w.record()["steps"] > 10);
     CHECK(w.text("out/final_packing.csv").find("# time [s]: ") != std::string::npos);

@@ -83,21 +83,22 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
 }  // namespace
 
 void add_accuracy_verb(CommandLine& line) {
-  Verb verb = line.verb("accuracy", "Speed against error of a scenario, over steps, integrators, precisions");
+  Verb verb = line.verb(
+      "accuracy", "Compare run time and error of a scenario for several steps, integrators and precisions");
   auto a = std::make_shared<AccuracyArguments>();
-  verb.option("scenario", a->scenario, "Scenario file (TOML); compared is what its [[expect]]s name")
+  verb.option("scenario", a->scenario, "Scenario file (TOML); compares the quantities of its [[expect]]s")
       .required();
   verb.option("--out", a->out, "Directory of the study; default runs/<scenario>-accuracy").shown_as("DIR");
-  verb.option("--tolerance", a->tolerance,
-              "Relative error that the cheapest setting must meet (default 1e-3)")
+  verb.option("--tolerance", a->tolerance, "Maximum relative error of the cheapest setting (default 1e-3)")
       .above_zero();
-  verb.option("--coarsest", a->coarsest, "Longest step, in steps of the scenario (default 4)").above_zero();
-  verb.option("--count", a->count, "Number of steps, each half of the one before (default 6)").between(2, 20);
-  verb.option("--integrator", a->integrators, "Only this one, repeatable; default all")
+  verb.option("--coarsest", a->coarsest, "Longest step, in units of the scenario's step (default 4)")
+      .above_zero();
+  verb.option("--count", a->count, "Number of steps, each half of the previous (default 6)").between(2, 20);
+  verb.option("--integrator", a->integrators, "Use only this one; repeatable; default all")
       .one_of(integrator_names());
   verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
-  verb.flag("--overwrite", a->overwrite, "Replace the study that the directory holds");
-  verb.flag("--quiet", a->quiet, "No progress and no table, only the verdict");
+  verb.flag("--overwrite", a->overwrite, "Replace an existing study in the directory");
+  verb.flag("--quiet", a->quiet, "Print only the verdict");
   add_plugin_options(verb, a->plugins);
   verb.footer(
       "Example: scree accuracy scenarios/david2005/quickstart.toml --tolerance 1e-3 --out runs/accuracy");

@@ -49,7 +49,7 @@ class Course {
       stages_->run(std::uint64_t(std::min(left + 0.5, 1e15)), [] { return true; });
     }
     if (stages_->finished())
-      throw Error(fmt::format("the scene ends at {:g} s; give --start below that", simulation_->time()));
+      throw Error(fmt::format("the scene ends at {:g} s; give a smaller --start", simulation_->time()));
     simulation_->measure(profile_);
   }
 

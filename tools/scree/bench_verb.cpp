@@ -55,15 +55,15 @@ void print(const std::string& scene, const std::string& precision, unsigned thre
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
   fmt::print("{}: {} particles, {} contacts, {}, {} thread{}\n", scene, r.particles, r.contacts, precision,
              threads, threads > 1 ? "s" : "");
-  fmt::print("{:.4g} ms a step ({:.4g} to {:.4g} in {} repeat{} of {} steps from t = {:.4g} s on)\n",
+  fmt::print("{:.4g} ms per step ({:.4g} to {:.4g} in {} repeat{} of {} steps, starting at t = {:.4g} s)\n",
              1e3 * r.median(), 1e3 * *fastest, 1e3 * *slowest, r.s_per_step.size(),
              r.s_per_step.size() > 1 ? "s" : "", r.steps, r.first_time);
-  fmt::print("{:.3g} million particle-steps a second", 1e-6 * double(r.particles) / r.median());
-  if (r.contacts > 0) fmt::print(", {:.3g} ns a contact", ns_per_contact(r));
-  fmt::print("; {} bytes a particle, {} bytes a contact\n", r.bytes_per_particle, r.bytes_per_contact);
+  fmt::print("{:.3g} million particle-steps per second", 1e-6 * double(r.particles) / r.median());
+  if (r.contacts > 0) fmt::print(", {:.3g} ns per contact", ns_per_contact(r));
+  fmt::print("; {} bytes per particle, {} bytes per contact\n", r.bytes_per_particle, r.bytes_per_contact);
   double all = 0;
   for (int k = 0; k < Profile::phase_count; ++k) all += r.profile.seconds(Profile::Phase(k));
-  fmt::print("where the time goes{}, by one more repeat, slower for it looks at the clock:\n",
+  fmt::print("time per phase{}, from one extra repeat (includes timer overhead):\n",
              threads > 1 ? " on the first thread" : "");
   for (int k = 0; k < Profile::phase_count; ++k) {
     const double seconds = r.profile.seconds(Profile::Phase(k));
@@ -98,7 +98,7 @@ Table table_at(const std::filesystem::path& path) {
     const std::string text(std::istreambuf_iterator<char>(before), {});
     if (!text.empty() && text.substr(0, text.find('\n')) != csv_header())
       throw Error(
-          fmt::format("{}: has other columns than this version writes; give a new --csv", path.string()));
+          fmt::format("{}: has other columns than this version; give a new --csv file", path.string()));
     if (!text.empty()) t.before = text.back() == '\n' ? std::string() : "\n";
   }
   t.file.open(path, std::ios::app);
@@ -139,13 +139,13 @@ ExitStatus bench(const BenchArguments& a) {
 std::string footer() {
   return fmt::format(
       "Scenes: {}\n\n"
-      "A scenario is timed with its stages, but without probes and pictures; one that ends is begun anew. "
+      "A scenario is timed with its stages, but without probes and pictures; one that ends is restarted. "
       "The\n"
       "state of a scene that changes depends on --start and --steps: give them to compare machines or "
       "versions.\n\n"
       "Phases: boundaries (walls move), integrate (bodies move), neighbours (searches and what decides on "
       "them),\n"
-      "gather (bodies of pairs), geometry (overlaps, relative motion), law (the plug-in), reduce (torques, "
+      "gather (copy the bodies of pairs), geometry (overlaps, relative motion), law (the plug-in), reduce (torques, "
       "sums of\n"
       "forces and energies), body_forces (plug-ins), audit (momentum)\n\n"
       "Example: scree bench beads-4096 --threads 2 --csv bench.csv",
@@ -155,21 +155,22 @@ std::string footer() {
 }  // namespace
 
 void add_bench_verb(CommandLine& line) {
-  Verb verb = line.verb("bench", "Time steps of a scene, and where the time goes");
+  Verb verb = line.verb("bench", "Measure the time per step of a scene, and per phase");
   auto a = std::make_shared<BenchArguments>();
   BenchOptions& o = a->options;
   verb.option("scene", a->scene, "Name of a scene (see below), or a scenario file").required();
   verb.option("--threads", o.threads, "Threads (default 1)").between(1, 1024);
-  verb.option("--repeats", o.repeats, "Repeats, of which the median counts (default 5)").between(1, 1000);
+  verb.option("--repeats", o.repeats, "Number of repeats; the median is reported (default 5)")
+      .between(1, 1000);
   verb.option("--start", o.start,
               "Time in the scene to begin at, s: with one repeat that does not count (default: its start)")
       .above_zero();
   const Option seconds =
-      verb.option("--seconds", o.seconds, "About how long a repeat takes, s (default 0.5)").above_zero();
-  verb.option("--steps", o.steps, "Steps of a repeat, instead of --seconds")
+      verb.option("--seconds", o.seconds, "Approximate duration of a repeat, s (default 0.5)").above_zero();
+  verb.option("--steps", o.steps, "Steps per repeat, instead of --seconds")
       .between(1, 1e12)
       .excludes(seconds);
-  verb.option("--csv", a->csv, "File that a row is added to, with a header if it is new").shown_as("FILE");
+  verb.option("--csv", a->csv, "Append a row to this CSV file; a new file gets a header").shown_as("FILE");
   verb.option("--set", a->overrides, "Change a value of the scene").shown_as("KEY=VALUE");
   add_plugin_options(verb, a->plugins);
   verb.footer(footer);

@@ -71,7 +71,7 @@ ExitStatus run_campaign(const CampaignArguments& a) {
     fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n", path.string(),
                c.seeds.size() > 1 ? ", means.csv" : "");
   if (result.interrupted) {
-    fmt::print("interrupted; the same call goes on with what is left\n");
+    fmt::print("interrupted; run the same command again to continue\n");
     return ExitStatus::interrupted;
   }
   if (result.count(campaign::State::failed)) return ExitStatus::blow_up;
@@ -83,14 +83,14 @@ ExitStatus run_campaign(const CampaignArguments& a) {
 }  // namespace
 
 void add_campaign_verb(CommandLine& line) {
-  Verb verb = line.verb("campaign", "Run a scenario for many parameters and seeds, side by side");
+  Verb verb = line.verb("campaign", "Run a scenario for many parameters and seeds, several runs at a time");
   auto a = std::make_shared<CampaignArguments>();
   verb.option("file", a->file, "Campaign file (TOML): a scenario, seeds, lists of values").required();
   verb.option("--out", a->out, "Directory of the campaign; default campaigns/<file>").shown_as("DIR");
-  verb.option("--jobs", a->jobs, "Runs side by side (default: processors over threads)").between(1, 512);
+  verb.option("--jobs", a->jobs, "Concurrent runs (default: processors / threads)").between(1, 512);
   verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
-  verb.flag("--list", a->list, "Tell the runs and what is there of each; run nothing");
-  verb.flag("--overwrite", a->overwrite, "Run again also what has finished");
+  verb.flag("--list", a->list, "List each run and its status; run nothing");
+  verb.flag("--overwrite", a->overwrite, "Repeat finished runs too");
   verb.flag("--quiet", a->quiet, "No progress, only the summary");
   add_plugin_options(verb, a->plugins);
   verb.footer(
@@ -98,14 +98,14 @@ void add_campaign_verb(CommandLine& line) {
       "the\n"
       "file. A campaign file:\n"
       "  [campaign]\n"
-      "  scenario = \"../fall.toml\"               # from where this file is\n"
+      "  scenario = \"../fall.toml\"               # relative to this file\n"
       "  seeds = [1, 2, 3]                       # or { first = 1, count = 20 }\n"
       "  collect = [\"energy.work.last\"]          # quantities as in [[expect]], for the table\n"
       "  [set]                                   # keys as in scree run --set\n"
-      "  \"contact.static_friction\" = [0.1, 0.3]  # every list varies; all combinations are run\n"
+      "  \"contact.static_friction\" = [0.1, 0.3]  # a list of values; all combinations are run\n"
       "  \"particles.lattice.count\" = [[5, 5, 8]] # a value that is itself a list\n"
-      "  \"time.step\" = 1e-5                      # holds for all runs\n"
-      "  [[case]]                                # values that go together\n"
+      "  \"time.step\" = 1e-5                      # for all runs\n"
+      "  [[case]]                                # a named set of values\n"
       "  name = \"soft\"\n"
       "  set.contact.normal_stiffness = 1000\n"
       "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2");

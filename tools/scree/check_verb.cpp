@@ -31,7 +31,7 @@ void print_stages(const scenario::Plan& plan) {
 }
 
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
-  fmt::print("{}: good{}{}\n", file, plan.title.empty() ? "" : ", ", plan.title);
+  fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", plan.title);
   fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
              simulation.particles().size(), plan.scene.dimension, simulation.planes().size(),
              plan.scene.laws.size(), plan.scene.body_forces.size(), plan.probes.size());

@@ -18,7 +18,7 @@ namespace {
 std::string positive_and_finite(const std::string& word) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is no number above 0";
+  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is not a number above 0";
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void CommandLine::check_verb_name(const std::string& name) const {
   for (const CLI::App* verb : app_->get_subcommands([](const CLI::App*) { return true; }))
     verbs.push_back(verb->get_name());
   if (std::find(verbs.begin(), verbs.end(), name) != verbs.end()) return;
-  throw Error(fmt::format("no verb '{}'; {}", name, document::name_cure(name, verbs)));
+  throw Error(fmt::format("unknown command '{}'; {}", name, document::name_cure(name, verbs)));
 }
 
 ExitStatus CommandLine::run(int argc, char** argv) {

@@ -47,7 +47,7 @@ void print_plugin(const scree_plugin& plugin) {
 }  // namespace
 
 std::string when_absent(const scree_parameter& p) {
-  if (p.excludes) return fmt::format("this or {}", p.excludes);
+  if (p.excludes) return fmt::format("either this or {}", p.excludes);
   if (p.flags & SCREE_REQUIRED) return "required";
   if (p.flags & SCREE_OPTIONAL) return "optional";
   if (p.type == SCREE_CHOICE) return "default " + choices_of(p)[std::size_t(p.default_value)];

@@ -45,7 +45,7 @@ void list_all(PluginHost& host) {
     for (const scree_plugin* plugin : plugins)
       if (plugin->kind == std::uint32_t(kind)) fmt::print("  {:<24} {}\n", plugin->name, plugin->summary);
   }
-  for (const PluginHost::Broken& b : broken) fmt::print("cannot be used: {}\n", b.reason);
+  for (const PluginHost::Broken& b : broken) fmt::print("not usable: {}\n", b.reason);
   fmt::print(
       "\nscree describe NAME shows the keys of a table, or the equations and parameters of a plug-in;\n"
       "scree describe --all prints all of them as Markdown.\n");
@@ -75,13 +75,13 @@ double number_of(const scree_parameter& p, const std::string& text, const std::s
     const auto words = choices_of(p);
     const auto found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) return double(found - words.begin());
-    throw wrong_value(text, fmt::format("'{}' is none of the choices", word),
+    throw wrong_value(text, fmt::format("'{}' is not a valid choice", word),
                       document::name_cure(word, words));
   }
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
   if (word.empty() || *end)
-    throw wrong_value(text, fmt::format("'{}' is no number", word), "give one such as 5e3");
+    throw wrong_value(text, fmt::format("'{}' is not a number", word), "give a number such as 5e3");
   return value;
 }
 
@@ -108,7 +108,7 @@ std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, const DescribeAr
     throw wrong_value(
         a.values[0],
         fmt::format("{} is a {} and has no closed forms", plugin.name, kind_name(scree_kind(plugin.kind))),
-        "leave the value out");
+        "omit the value");
   Parameters parameters(plugin);
   for (const std::string& value : a.values) set_value(parameters, value);
   return ConfiguredLaw(parameters, a.dimension, no_bounds, no_bounds);
@@ -130,7 +130,7 @@ void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {
   print_forms(fmt::format("two equal {}, R = {:g} m, density {:g} kg/m^3",
                           a.dimension == 2 ? "discs" : "spheres", r, a.density),
               law, {mass / 2, r / 2, a.speed, 1});
-  print_forms("one of them and a wall", law, {mass, r, a.speed, 1});
+  print_forms("one body and a wall", law, {mass, r, a.speed, 1});
 }
 
 std::optional<scenario::TableDescription> find_table(const std::string& name) {

@@ -21,7 +21,7 @@ ExitStatus report(std::string_view line, ExitStatus status) {
 
 void add_plugin_options(Verb& verb, PluginOptions& options) {
   verb.option("--plugins", options.directories,
-              "Directory with plug-ins of your own, <DIR>/<kind>/<name>.so; also SCREE_PLUGIN_PATH=DIR:DIR")
+              "Directory with additional plug-ins, <DIR>/<kind>/<name>.so; also SCREE_PLUGIN_PATH=DIR:DIR")
       .shown_as("DIR");
 }
 
@@ -30,7 +30,7 @@ PluginHost make_host(const PluginOptions& options) {
   for (const auto& directory : directories)
     if (std::error_code failed; !std::filesystem::is_directory(directory, failed))
       throw Error(fmt::format(
-          "--plugins {}: is no directory; name the one that holds contact/, boundary/, body_force/, probe/",
+          "--plugins {}: is not a directory; give the one that contains contact/, boundary/, body_force/, probe/",
           directory.string()));
   if (const char* path = std::getenv("SCREE_PLUGIN_PATH")) {
     std::istringstream parts(path);
@@ -70,7 +70,8 @@ constexpr const char* footer =
 // Output that did not reach its file must not pass for success.
 ExitStatus flushed(ExitStatus status) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return status;
-  throw Error("standard output cannot be written; free disk space or send it elsewhere", ExitStatus::failure);
+  throw Error("standard output cannot be written; free disk space or redirect it elsewhere",
+              ExitStatus::failure);
 }
 
 ExitStatus main_of(int argc, char** argv) {
@@ -91,8 +92,9 @@ ExitStatus main_of(int argc, char** argv) {
     return report("out of memory; use fewer bodies, fewer samples or a computer with more",
                   ExitStatus::failure);
   } catch (const std::exception& error) {
-    return report(fmt::format("unforeseen: {}; please report this with the scenario", error.what()),
-                  ExitStatus::failure);
+    return report(
+        fmt::format("internal error: {}; please report it together with the scenario", error.what()),
+        ExitStatus::failure);
   }
 }
 

@@ -30,7 +30,7 @@ std::vector<fs::path> frames_of(const fs::path& source) {
   std::sort(frames.begin(), frames.end());
   if (frames.empty())
     throw Error(
-        fmt::format("{}: holds no particles_*.vtp; name a run that wrote snapshots ([snapshot] every = <s>)",
+        fmt::format("{}: contains no particles_*.vtp; give a run with snapshots ([snapshot] every = <s>)",
                     source.string()));
   return frames;
 }
@@ -53,15 +53,15 @@ ExitStatus render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render_verb(CommandLine& line) {
-  Verb verb = line.verb("render", "Draw the snapshots of a run anew, without a display");
+  Verb verb = line.verb("render", "Redraw the snapshots of a run; needs no display");
   auto a = std::make_shared<RenderArguments>();
   const std::vector<std::string> fields(snapshot::color_fields.begin(), snapshot::color_fields.end());
   const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
   verb.option("source", a->source, "Run directory, or one particles_*.vtp file").required().existing_path();
-  verb.option("--out", a->out, "Directory for the pictures; default the run's images/").shown_as("DIR");
+  verb.option("--out", a->out, "Directory for the images; default: images/ of the run").shown_as("DIR");
   verb.option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
       .one_of(fields);
-  verb.option("--view", a->options.view, "Direction of view (default iso, in 2D z)").one_of(views);
+  verb.option("--view", a->options.view, "View direction (default iso; always z in 2D)").one_of(views);
   verb.flag("--contacts", a->options.show_contacts, "Draw the contact network");
   verb.option("--width", a->options.width, "Pixels (default 1200)").between(200, 8000);
   verb.option("--height", a->options.height, "Pixels (default 900)").between(200, 8000);

@@ -24,7 +24,7 @@ struct RunArguments {
 
 void print_carried(const Simulation& simulation) {
   const Footprint f = simulation.footprint();
-  fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes a body, {} bytes a pair\n",
+  fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes per body, {} bytes per pair\n",
              simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
              f.bytes_per_pair);
   fmt::print("{}\n", run::describe_step(simulation));
@@ -41,7 +41,7 @@ void print_warnings(const run::RunResult& r, Precision precision) {
   constexpr double much = 0.05;
   if (quantity_of(r, "energy_residual") > much)
     fmt::print(
-        "WARNING: the energy books do not close; shorten time.step, or look for a law that makes energy\n");
+        "WARNING: the energy balance does not close; shorten time.step, or look for a law that creates energy\n");
   // Dissipations of 0 round to either side, in float by some 6e-8.
   const double rounding = precision == Precision::mixed ? 1e-6 : 1e-9;
   if (quantity_of(r, "energy_created") > rounding)
@@ -54,7 +54,7 @@ void print_warnings(const run::RunResult& r, Precision precision) {
 
 void print_result(const run::RunResult& r) {
   const auto quantity = [&](const char* name) { return quantity_of(r, name); };
-  fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps a second\n", quantity("steps"), r.wall,
+  fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps per second\n", quantity("steps"), r.wall,
              1e-6 * r.particle_steps_per_second);
   fmt::print(
       "energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the "
@@ -122,7 +122,7 @@ ExitStatus run_scenario(const RunArguments& arguments) {
   if (!arguments.quiet) print_result(result);
   print_warnings(result, plan.scene.precision);
   print_unmet(result);
-  if (result.interrupted) fmt::print("interrupted; what was computed is saved\n");
+  if (result.interrupted) fmt::print("interrupted; results so far are saved\n");
   print_places(result.directory);
   if (result.interrupted) return ExitStatus::interrupted;
   const bool met =
@@ -142,10 +142,10 @@ void add_run_verb(CommandLine& line) {
               "Change a value of the scenario, for example --set contact.static_friction=0.2")
       .shown_as("KEY=VALUE");
   verb.option("--threads", arguments->threads,
-              "Threads; the results have the same bits for any number (default 1)")
+              "Number of threads; results are bitwise identical for any number (default 1)")
       .between(1, 1024);
-  verb.flag("--overwrite", arguments->overwrite, "Replace the run that the directory holds");
-  verb.flag("--quiet", arguments->quiet, "No progress, only where the results are");
+  verb.flag("--overwrite", arguments->overwrite, "Replace an existing run in the directory");
+  verb.flag("--quiet", arguments->quiet, "Print only the location of the results");
   add_plugin_options(verb, arguments->plugins);
   verb.footer(
       "Example: scree run scenarios/david2005/quickstart.toml --out runs/first --set "
