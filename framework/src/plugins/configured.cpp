@@ -17,10 +17,10 @@ void check_instance(const char* name, const scree_contact_instance& i) {
                             name, i.history_width, SCREE_MAX_HISTORY));
   for (const double power : {i.onset_power, i.parting_power})
     if (!(power >= 0) || (power < 1 && std::fmod(4 * power, 1) != 0))
-      throw Error(fmt::format(
-          "plug-in {}: onset or parting power {:g} is not supported; use 0, 1/4, 1/2, 3/4, or 1 or more "
-          "for forces without onset weights",
-          name, power));
+      throw Error(
+          fmt::format("plug-in {}: onset or parting power {:g} is not supported; "
+                      "use 0, 1/4, 1/2, 3/4, or 1 or more for forces without onset weights",
+                      name, power));
 }
 template <class Instance>
 void check_instance(const char*, const Instance&) {}

@@ -21,8 +21,8 @@ void report_not_a_number(const Simulation& s, const Body& body) {
       std::isfinite(norm(body.spin)))
     return;
   stop(fmt::format(
-      "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) or "
-      "check for overlapping bodies at the start{}",
+      "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) "
+      "or check for overlapping bodies at the start{}",
       body.id, where(s), s.step_length(),
       s.scene().precision == Precision::mixed ? ", or use precision = \"double\"" : ""));
 }
@@ -30,8 +30,8 @@ void report_not_a_number(const Simulation& s, const Body& body) {
 void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
   if (speed <= limit) return;
   stop(
-      fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; use a shorter time.step "
-                  "(now {:g} s), or raise limits.speed if this speed is intended",
+      fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; "
+                  "use a shorter time.step (now {:g} s), or raise limits.speed if this speed is intended",
                   id, speed, where(s), limit, s.step_length()));
 }
 

@@ -109,8 +109,8 @@ void SimulationParts::configure_laws() {
     const scree_contact_instance& instance = configured_laws.back().instance();
     if (instance.tangential && !particles.has_spin())
       throw Error(
-          fmt::format("contact law '{}' now exerts torques, but the scene carries no spins; set its spin "
-                      "from the start",
+          fmt::format("contact law '{}' now exerts torques, but the scene carries no spins; "
+                      "set its spin from the start",
                       law.name));
     if (scene.precision == Precision::mixed && !instance.evaluate_single)
       throw Error(fmt::format("contact law '{}' does not support mixed precision; use double", law.name));

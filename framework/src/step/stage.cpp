@@ -75,8 +75,8 @@ std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>&
     const double elastic = elastic_energy(energy);
     throw Error(
         fmt::format(
-            "stage '{}': kinetic/elastic energy is {:.3g} after {:g} s and has not fallen below {:g}; raise "
-            "until.at_most or until.kinetic_over_elastic, or add damping",
+            "stage '{}': kinetic/elastic energy is {:.3g} after {:g} s and has not fallen below {:g}; "
+            "raise until.at_most or until.kinetic_over_elastic, or add damping",
             stage.name, elastic > 0 ? kinetic_energy(energy) / elastic : INFINITY,
             simulation_.time() - began_, *stage.kinetic_over_elastic),
         ExitStatus::failure);
