@@ -10,8 +10,8 @@
 //   void prepare(const scree::Setup&);              optional: derived values, refusals
 //   void describe(scree_boundary_instance&) const;  planes, state doubles, periodic axes
 //   void start(const scree_boundary_step&) const;   planes and state at the start
-//   void begin_step(const scree_boundary_step&) const;   planes from t to t + step
-//   void finish_step(const scree_boundary_step&) const;    velocities and energies at t + step
+//   void begin_step(const scree_boundary_step&) const;    planes from t to t + step
+//   void finish_step(const scree_boundary_step&) const;   velocities and energies at t + step
 //
 // `begin_step` also sets mid_velocity, displacement / step, and velocity, predicted for t + step.
 // `finish_step` receives the loads at t + step; it is called once with step 0 for the initial loads. Neither

@@ -58,6 +58,7 @@ struct Response {
 template <int D, class T>
 struct NoHistory {};
 
+// Bits of `reads`, for the members of Contact.
 inline constexpr std::uint32_t reads_normal = 1u << SCREE_NORMAL;
 inline constexpr std::uint32_t reads_overlap = 1u << SCREE_OVERLAP;
 inline constexpr std::uint32_t reads_relative_velocity = 1u << SCREE_RELATIVE_VELOCITY;

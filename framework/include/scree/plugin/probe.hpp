@@ -19,9 +19,10 @@
 
 namespace scree {
 
+// Name and unit of a column of a probe.
 struct ColumnName {
   std::string name;  // snake_case
-  std::string unit;  // "" when it has none
+  std::string unit;  // "" if dimensionless
 };
 
 // Index of the body with an id; body_count if there is none. Takes a linear search.

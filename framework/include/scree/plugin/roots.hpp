@@ -78,6 +78,7 @@ inline Root<T> root_of(const T& x) {
   return {fused(T(0.5) * inverse, fused(-value, value, x), value), inverse};
 }
 
+// |v| and 1/|v|.
 template <int D, class T>
 inline Root<T> length_of(const Vec<D, T>& v) {
   return root_of(dot(v, v));

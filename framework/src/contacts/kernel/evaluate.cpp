@@ -127,7 +127,7 @@ SCREE_HOT void scatter(const BlockTask<T>& task, BlockColumns<T>& block) {
     scatter_four<D, spin>(force, slot_a + i, slot_b + i, i, block, task.tile.slots);
 }
 
-// What the loops over the pairs of a block rely on.
+// Preconditions of the loops over the pairs of a block.
 template <class T>
 void assert_layout([[maybe_unused]] const BlockTask<T>& task) {
   assert(task.pairs.count <= block_size && task.pairs.count % SCREE_LANES == 0);

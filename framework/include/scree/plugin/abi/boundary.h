@@ -11,11 +11,11 @@
 extern "C" {
 #endif
 
-typedef struct scree_plane {
-  double point[3];        /* (m) */
-  double normal[3];       /* unit, pointing into the material */
-  double velocity[3];     /* (m/s) at the end of the step */
-  double mid_velocity[3]; /* (m/s) displacement in the step / step */
+typedef struct scree_plane { /* a wall */
+  double point[3];           /* (m) */
+  double normal[3];          /* unit, pointing to the bodies */
+  double velocity[3];        /* (m/s) at the end of the step */
+  double mid_velocity[3];    /* (m/s) displacement in the step / step */
 } scree_plane;
 
 typedef struct scree_load {
