@@ -209,7 +209,7 @@ TEST_CASE("each pair of materials or walls has its own law") {
   s.boundaries.back().material = 1;
   const scree::Simulation simulation(s);
 
-  // 2 − overlap and 1 − overlap are exact, the overlap of a pair is off by the rounding of one root.
+  // 2 − overlap and 1 − overlap are exact; the overlap of a pair has the rounding error of one root.
   const auto force = simulation.particles().force();
   for (std::size_t pair = 0; pair < 3; ++pair) {
     CHECK(force[1][2 * pair] == Approx(-stiffness[pair] * overlap).epsilon(1e-14));

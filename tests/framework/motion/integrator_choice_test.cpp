@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 // The integrators that a scene may choose, each against the closed form of an oscillation and against what
-// its traits claim.
+// its traits state.
 
 using scree::Body;
 using scree::Integration;
@@ -58,8 +58,8 @@ TEST_CASE("each integrator has its stated order, with and without a dashpot") {
   CHECK(order_of(Integration::position_verlet, 20) == Approx(2).margin(0.25));
   CHECK(order_of(Integration::fourth_order, 0) == Approx(4).margin(0.25));
   CHECK(order_of(Integration::fourth_order, 20) == Approx(2).margin(0.25));
-  // Gear's series starts with its higher terms at 0, a mistake of the first step that a dashpot feels at
-  // once.
+  // Gear's series starts with its higher terms at 0, an error of the first step that a dashpot amplifies
+  // at once.
   CHECK(order_of(Integration::predictor_corrector, 0) >= 2.75);
   CHECK(order_of(Integration::predictor_corrector, 20) >= 1.75);
 }
@@ -112,7 +112,7 @@ TEST_CASE("free flight is exact and the energy balance of an elastic bounce clos
     scree::test::run(s, 750);
     CHECK(scree::test::velocity(s, 0)[2] > 0);
     CHECK(s.particles().body(0).spin == Vec3{{0, 0.5, 0}});
-    // The contact is passed in π/(ω h) = 44 steps; the energy of the step's own error is (ω h)² of it.
+    // The contact lasts π/(ω h) = 44 steps; the energy error of the step is (ω h)² relative.
     CHECK(s.energy_residual() < std::pow(std::sqrt(1e4 / 2) * 1e-3, 2));
   }
 }
@@ -175,6 +175,6 @@ TEST_CASE("the energy balance closes at the top of a flight and across periodic 
     worst = std::max(worst, s.energy_residual());
   }
   REQUIRE(s.particles().image[2][0] != 0);
-  // Velocity Verlet conserves the energy of a projectile but for roundings, some for each step.
+  // Velocity Verlet conserves the energy of a projectile up to a few roundings per step.
   CHECK(worst < 1500 * 10 * 2.2e-16);
 }

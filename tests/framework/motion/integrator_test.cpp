@@ -68,7 +68,7 @@ TEST_CASE("a projectile is on its parabola at the end of each step") {
     s.step();
     const double t = n * step;
     // Two roundings of the height, 120 m at most, and two of the velocity, 20 m/s, in each step; those of the
-    // velocity are carried along for the rest of the time.
+    // velocity act for the rest of the time.
     const double allowed = n * epsilon * (2 * 120 + 2 * 20 * t);
     REQUIRE(std::abs(scree::test::position(s, 0)[2] - (x[2] + v[2] * t - 0.5 * gravity * t * t)) <= allowed);
     REQUIRE(std::abs(scree::test::position(s, 0)[0] - v[0] * t) <= allowed);
@@ -100,9 +100,9 @@ TEST_CASE("harmonic motion has the frequency with sin(w' h/2) = w h/2 and no oth
       const double expected = amplitude * std::cos(shifted * n * step);
       worst = std::max(worst, std::abs(scree::test::position(s, 1)[0] - rest - expected));
     }
-    // Each step adds a few roundings of coordinates of about 2 m; the worst they can do is all push the phase
-    // the same way, which moves the body by n²/2 of them, and at ω h near 2 oscillators are 1/√(1 − (ωh/2)²)
-    // softer.
+    // Each step adds a few roundings of coordinates of about 2 m; in the worst case all shift the phase in
+    // the same direction, which displaces the body by n²/2 of them, and at ω h near 2 oscillators are 1/√(1 −
+    // (ωh/2)²) softer.
     const double softness = 1 / std::sqrt(1 - omega_step * omega_step / 4);
     CHECK(worst <= 4 * epsilon * 2 * 0.5 * steps * steps * omega_step * softness);
     CHECK(worst < 1e-3 * amplitude);
@@ -150,14 +150,14 @@ TEST_CASE("frictionless motion returns to its start when velocities are reversed
     REQUIRE(collided);
     return away;
   };
-  // A rounding of a coordinate, up to an ulp of 8 m, in each of the 3000 steps grows as a nudge does.
+  // A rounding of a coordinate, up to an ulp of 8 m, in each of the 3000 steps grows like a perturbation.
   const double nudge = 1e-9, growth = std::max(1.0, there_and_back(nudge) / nudge);
   REQUIRE(growth < 1e4);
   CHECK(there_and_back(0) <= 4 * growth * 3000 * epsilon * 8);
 }
 
 TEST_CASE("a sticking spring on a plane returns to its start when velocities are reversed") {
-  // On a plane the normal never turns, so that projections lose nothing and only the mid-step rule can.
+  // On a plane the normal is constant, so that projections are exact and only the mid-step rule is tested.
   const double stiffness = 1000, mass = 1, radius = 1, gravity = 10, step = 1e-3;
   const Body body = scree::test::body(0, radius, mass, {{0, 0, radius - mass * gravity / stiffness - 0.001}},
                                       {{0.02, -0.01, 0}}, {{0.03, 0.05, 0.01}});
@@ -177,7 +177,7 @@ TEST_CASE("a sticking spring on a plane returns to its start when velocities are
 }
 
 TEST_CASE("a constant torque gives a constant angular acceleration") {
-  // A body that slides along a plane at the pressure of its weight: friction is μ m g, its arm R − δ/2.
+  // A body that slides along a plane under its weight: friction is μ m g, its arm R − δ/2.
   const double stiffness = 1e5, mass = 2, radius = 0.5, gravity = 10, friction = 0.2, speed = 5, step = 1e-3;
   for (const int dimension : {2, 3}) {
     const double overlap = mass * gravity / stiffness, height = radius - overlap;
@@ -193,8 +193,8 @@ TEST_CASE("a constant torque gives a constant angular acceleration") {
     // At the start the spring is not stretched yet: half a step without friction.
     const double slid = (steps - 0.5) * step, torque = friction * mass * gravity * (radius - overlap / 2);
     const Body now = s.particles().body(0);
-    // Roundings of the height, an ulp of 0.5 m, move the pressure by k of them: 1e5 × 1e-16 of 20 N, for each
-    // step.
+    // Roundings of the height, an ulp of 0.5 m, change the normal force by k times that: 1e5 × 1e-16 of 20 N
+    // per step.
     const double relative = 8 * epsilon * (steps + stiffness * 0.5 / (mass * gravity) * steps);
     const double spin = dimension == 2 ? -now.spin[2] : now.spin[1];
     CHECK(std::abs(spin / (torque * slid / body.inertia) - 1) <= relative);

@@ -40,7 +40,7 @@ TEST_CASE("the direction of a sliding spring turns towards a steady slip, at sec
   const double exact = 2 * std::atan(std::tan(start / 2) * std::exp(-stiffness * v * time / limit));
   const auto steady = [&](double) { return Vec2{{v, 0}}; };
   const auto error = [&](int steps) { return std::abs(angle_after(start, time, steps, steady) - exact); };
-  // A step turns it by x = k v h/C = 1.2/steps; a scheme of second order is off by about x² of the angle.
+  // A step turns it by x = k v h/C = 1.2/steps; a scheme of second order has a relative error of about x².
   CHECK(error(40) < std::pow(1.2 / 40, 2));
   CHECK(std::log2(error(40) / error(160)) / 2 == Approx(2).margin(0.2));
 }
@@ -57,8 +57,8 @@ TEST_CASE("a steadily turning slip is followed with the exact lag, also in steps
           std::remainder(angle_after(0, time, steps, turning) - (omega * time - lag), 2 * std::numbers::pi));
     };
     INFO("slip velocity " << v << " m/s, lag " << lag);
-    // In a step the slip turns by ω h, and the spring turns to it by a share of x = k v h/C. A return along
-    // the moved spring would lag by ω h/2 more. Here it is (1 + x/2)/(1 + x/2 + x²/4) − 1 times ω h/x, by the
+    // In a step the slip turns by ω h, and the spring follows by the fraction x = k v h/C. A return along
+    // the trial spring would lag by ω h/2 more. Here it is (1 + x/2)/(1 + x/2 + x²/4) − 1 times ω h/x, by the
     // series of p in x: at most ω h/6, −x ω h/4 for small x.
     for (const int steps : {400, 1600}) {
       const double turned = omega * time / steps, x = stiffness * v * time / steps / limit;

@@ -170,7 +170,7 @@ TEST_CASE("contacts with walls give the same bits for any skin") {
 
 TEST_CASE("periodic motion is the same for any skin, to round-off") {
   for (const int dimension : {2, 3}) {
-    // Searches come at other times and round positions when they wrap them, by half an ulp of the edge.
+    // Searches happen at other times and round positions when folding them, by half an ulp of the edge.
     // Collisions amplify differences; the factor is measured with a displacement far above round-off.
     const int steps = 300;
     const double displacement = 1e-10;
@@ -184,8 +184,8 @@ TEST_CASE("periodic motion is the same for any skin, to round-off") {
       Simulation s(gas(dimension, periodic, skin));
       scree::test::run(s, steps);
       REQUIRE(s.rebuilds() != reference.rebuilds());
-      // One rounding per step, each growing as much as one at the start at most, which the displacement
-      // samples in one direction only: 10 for the others.
+      // One rounding per step, amplified at most like one at the start; the displacement samples one
+      // direction only, hence the factor of 10.
       CHECK(distance(s, reference) <= 10 * growth * steps * epsilon * edge);
     }
   }
@@ -236,7 +236,7 @@ TEST_CASE("loaded springs survive searches caused by a distant body") {
   // from above. The overlaps turn that line a little, by about overlap/radius < 1e-3.
   CHECK(std::abs(springs[4]) * stiffness == Approx(mass * gravity / 6).epsilon(1e-3));
 
-  // And none creeps: after hundreds of relaxation times the displacement of a step is under half an ulp of
+  // There is no creep: after hundreds of relaxation times the displacement of a step is under half an ulp of
   // all.
   scree::test::run(often, 2000);
   std::size_t next = 0;

@@ -173,7 +173,7 @@ TEST_CASE("overlaps are checked from the start, walls included") {
 }
 
 TEST_CASE("a far too long step is reported and gives no results") {
-  // ω h = √(k/m*) h = 4.5: velocity Verlet is unstable from 2 on.
+  // ω h = √(k/m*) h = 4.5: velocity Verlet is unstable above 2.
   Scene scene = scene_of({scree::test::body(1, 1, 1, {{0, 0, 0}}), scree::test::body(2, 1, 1, {{1.9, 0, 0}})},
                          0.032, 1e4);
   scree::test::add_boundary(scene, "box",

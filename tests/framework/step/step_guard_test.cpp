@@ -7,7 +7,7 @@
 #include <scree/energy.hpp>
 #include <scree/step_guard.hpp>
 
-// Limits against closed forms; that steps beyond them blow up and below do not is shown by
+// Limits against closed forms; that longer steps are unstable and shorter ones stable is shown by
 // integrator_choice_test.cpp for one contact and by the last case for a lattice.
 
 using scree::Body;

@@ -42,8 +42,8 @@ TEST_CASE("background damping: velocity and spin decay exponentially, to second 
                     norm(w - std::exp(-spin_rate * 0.01) * Vec3{{10, -20, 30}}) / 10);
   };
   const double coarse = error(2e-4), fine = error(1e-4);
-  // Rates are 200 and 125 per s: (rate Δt)² rate t / 6 = 5e-4 of what is left at the coarse step, with a
-  // factor of 10.
+  // Rates are 200 and 125 per s: (rate Δt)² rate t / 6 = 5e-4 of the remaining velocity at the coarse step,
+  // with a factor of 10.
   CHECK(coarse < 5e-3);
   CHECK(std::log2(coarse / fine) == Approx(2).margin(0.2));
 }

@@ -83,8 +83,8 @@ TEST_CASE("at rest the contacts carry the stress of every wall, programmed ones 
   const double stress[3] = {1000, 2000, 500};
   for (int a = 0; a < 3; ++a) {
     const double area = length[(a + 1) % 3] * length[(a + 2) % 3];
-    // 0.6 s are 60 relaxation times of the slowest mode, γ/k = 4e-3 s: what is left is below e^-60, then
-    // round-off.
+    // 0.6 s are 60 relaxation times of the slowest mode, γ/k = 4e-3 s: the remainder is below e^-60, less
+    // than round-off.
     CHECK(force(s, 2 * a + 1) == Approx(stress[a] * area).epsilon(1e-9));
     CHECK(-force(s, 2 * a) == Approx(stress[a] * area).epsilon(1e-9));
     CHECK(0.01 - length[a] == Approx(2 * stress[a] * area / k).epsilon(1e-9));
@@ -118,7 +118,7 @@ TEST_CASE("the work of the walls and their viscosity close the energy balance", 
   const scree_energy e = s.energy();
   CHECK(e.work > 0);
   CHECK(e.dissipated_boundary > 0);
-  // Step error of the trapezoidal sums: (γΔt/m)²/12 = 1e-7 of what flows.
+  // Step error of the trapezoidal sums: (γΔt/m)²/12 = 1e-7 of the energies transferred.
   CHECK(std::abs(e.residual) < 1e-6 * e.work);
 }
 

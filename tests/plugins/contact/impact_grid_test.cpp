@@ -23,7 +23,7 @@ constexpr std::size_t every = 11;
 constexpr std::size_t every = 1;
 #endif
 
-// (ω h)²: the step error of an oscillator whose half period, the contact, takes so many steps.
+// (ω h)²: the step error of an oscillator whose half period, the contact time, takes this number of steps.
 double step_error(double steps) { return std::pow(std::numbers::pi / steps, 2); }
 
 // Errors over all phases of an impact.

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-// [D1]-[D4] of David et al. 2005 for one contact, written out by hand. Everything is a handful of operations:
+// [D1]-[D4] of David et al. 2005 for one contact, written out by hand. Each result is a few operations:
 // equal to within a few roundings.
 
 using namespace scree;
@@ -106,7 +106,7 @@ TEST_CASE("[D4]: the spring compensates the whole dashpot force, whatever its on
 TEST_CASE("[D3]: the force obeys Coulomb's law also with onset weights", "[equations]") {
   for (const double weight : {0.1, 0.7, 1.4}) {
     LawBatch c = contact();
-    // It sticks: the test force without weights is below the limit, to which the normal dashpot adds.
+    // Stick: the test force without weights is below the limit, which the normal dashpot increases.
     c.set(SCREE_RELATIVE_VELOCITY, {{20, 0, -10}});
     c.input(SCREE_ONSET_WEIGHT) = weight;
     c.evaluate(step);
@@ -150,7 +150,7 @@ TEST_CASE("by the spring: in slip the spring force stays μ_d f_n, and the dashp
   c.set(SCREE_RELATIVE_VELOCITY, -0.5 * unit);
   c.evaluate(0);
   check_equal(spring_of(c), (mu_d * f_n / k_t) * unit, 1e-3);
-  // The dashpot is exact to second order in how far the spring was beyond the limit.
+  // The dashpot is exact to second order in the excess of the trial spring over the limit.
   CHECK(norm(c.force() - (Vec3{{0, 0, f_n}} - (mu_d * f_n - 0.5 * gamma_t) * unit)) < excess * excess);
   CHECK(c.history[3][0] == 1);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) ==

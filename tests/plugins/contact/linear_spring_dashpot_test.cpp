@@ -47,8 +47,8 @@ Outcome closed_form(double damping) {
   return {std::exp(-eta * pi / omega), pi / omega};
 }
 
-// Largest error over starts that put the first touch, and over steps that put the last, anywhere within a
-// step.
+// Largest error over starts that vary the phase of first touch, and over steps that vary that of parting,
+// within a step.
 Outcome largest_error(const Values& law, double steps_per_contact, const Outcome& exact, double speed = 0.1) {
   Outcome worst = {0, 0};
   for (int k = 0; k < 64; ++k) {
@@ -147,8 +147,8 @@ TEST_CASE("a sphere thrown onto a plane slides, then rolls at 5/7 of its speed",
   const double rolls_from = 2 * speed / (7 * friction * g);
 
   run(s, std::uint64_t(0.5 * rolls_from / step));
-  // While sliding v = v0 − μ g t. The tangential spring first loads over a time of √(m/k), 3e-5 s, in which μ
-  // g is not yet reached: an error of at most μ g times that, 1e-4 m/s.
+  // While sliding v = v0 − μ g t. The tangential spring first loads over a time of √(m/k), 3e-5 s, in which
+  // the deceleration μ g is not yet reached: an error of at most μ g times that, 1e-4 m/s.
   CHECK(velocity(s, 0)[0] == Approx(speed - friction * g * s.time()).margin(1e-4));
 
   run(s, std::uint64_t(1.0 * rolls_from / step));
@@ -190,8 +190,8 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
     else
       largest_sticking = std::max(largest_sticking, ratio);
   }
-  // The force grows by k_t v Δt = 0.01 N, 1e-3 of f_n, per step: it sticks to within that of μ_s, and slides
-  // at μ_d.
+  // The force grows by k_t v Δt = 0.01 N, 1e-3 of f_n, per step: it sticks up to μ_s within that amount, and
+  // slides at μ_d.
   CHECK(largest_sticking <= mu_s * (1 + 1e-12));
   CHECK(largest_sticking > mu_s - 2e-3);
   CHECK(smallest_sliding == Approx(mu_d).epsilon(1e-12));
@@ -218,7 +218,7 @@ TEST_CASE("rotating a touching pair as a whole does not change the tangential sp
   double spring = 0;
   for (std::uint32_t k = 0; k < 3; ++k) spring += std::pow(group.history.column<double>(k)[0], 2);
   // The bodies move on straight lines, so the tangential motion differs from the rotation's by
-  // d (θ − atan θ) = d θ³/3 = 4e-10 m; the arms, R − δ/2 for the present δ, keep up with the opening to
+  // d (θ − atan θ) = d θ³/3 = 4e-10 m; the arms, R − δ/2 for the present δ, follow the opening to
   // higher order.
   CHECK(std::sqrt(spring) < 4.2e-10);
 }

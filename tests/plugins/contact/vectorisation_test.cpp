@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-// The batch loop of every contact law must run on whole vector registers: read off the machine code.
+// The batch loop of every contact law must use full vector registers; checked in the machine code.
 
 namespace {
 
@@ -31,7 +31,7 @@ std::map<std::string, int> disassemble(const std::string& library, const std::st
 
 }  // namespace
 
-// The baseline of x86-64 is not among them: without an instruction for it, a fused multiply-add is a call.
+// Not the baseline of x86-64: without the instruction a fused multiply-add is a function call.
 TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
   const std::string folder = SCREE_TEST_PLUGINS "/contact/";
   for (const auto& [law, kernels] :

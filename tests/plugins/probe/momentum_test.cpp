@@ -77,7 +77,7 @@ TEST_CASE("momentum: a frictional collision conserves both", "[probe]") {
   run(s, 2000);
   const Sampled after = sample(s, "momentum");
   REQUIRE(norm(s.particles().body(0).spin - spin) > 1);  // they collided with friction
-  // Each of 2000 steps rounds a handful of numbers of the size of the largest term, m v or m v R.
+  // Each of 2000 steps rounds a few numbers of the size of the largest term, m v or m v R.
   const double largest = 1e-3 * 1.2, rounding = 2000 * 8 * 2.2e-16;
   for (std::size_t k = 0; k < 6; ++k)
     CHECK(after.row[k] == Approx(before.row[k]).epsilon(0).margin(rounding * largest * (k < 3 ? 1 : 0.01)));

@@ -97,7 +97,7 @@ TEST_CASE("contacts: a body with one contact is a rattler and excluded with its 
   CHECK(c["contacts"] == 5 + 1);  // and the wall x_low
   CHECK(c["rattlers"] == 0);
   const Sampled strict = sample(s, "contacts", {{"rattler_below", {3}}});
-  // Bodies have 3, 2, 2 and 2 contacts: three of four are left out, with 6 of 9 ends.
+  // Bodies have 3, 2, 2 and 2 contacts: three of four are rattlers, with 6 of 9 contact ends.
   CHECK(strict["rattlers"] == 3);
   CHECK(strict["coordination_without_rattlers"] == Approx(3.0));
 }
