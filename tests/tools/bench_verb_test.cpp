@@ -38,9 +38,9 @@ TEST_CASE("bench restarts a scene that ends, and starts at the given time", "[to
   const auto first = w.scree(call + " --steps 9");
   INFO(first.err);
   CHECK(first.status == 0);
-  CHECK(first.out.find("2 repeats of 9 steps from t = 1e-05 s on") != std::string::npos);
+  CHECK(first.out.find("2 repeats of 9 steps, starting at t = 1e-05 s") != std::string::npos);
   const auto later = w.scree(call + " --steps 2 --start 5e-5");
-  CHECK(later.out.find("2 repeats of 2 steps from t = 7e-05 s on") != std::string::npos);
+  CHECK(later.out.find("2 repeats of 2 steps, starting at t = 7e-05 s") != std::string::npos);
   CHECK(w.scree(call + " --start 8e-5").status == 2);
   const auto never = w.scree(call + " --start 9e-5");
   CHECK(never.status == 2);
