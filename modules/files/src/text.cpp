@@ -3,30 +3,43 @@
 #include <scree/files/text.hpp>
 
 namespace scree::files {
+namespace {
 
-std::string one_line(std::string_view text, std::size_t longest) {
-  std::string_view kept = text;
-  if (text.size() > longest) {
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
-    kept = text.substr(0, end);
-  }
+struct Rules {
+  std::string_view named, names;  // characters that have an escape of one letter, and these letters
+  const char* code;               // how another is written
+  unsigned beyond;                // codes from here on are escaped too
+};
+
+// In the order of Escapes.
+constexpr Rules rules[] = {{"\n\r\t", "nrt", "\\x{:02X}", 0x100},
+                           {"", "", "\\x{:02x}", 0x80},
+                           {"\n\"\\", "n\"\\", "\\u{:04X}", 0x100}};
+
+}  // namespace
+
+std::string escaped(std::string_view text, Escapes form) {
+  const Rules& rule = rules[static_cast<std::size_t>(form)];
   std::string result;
-  for (const char c : kept) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '\n') {
-      result += "\\n";
-    } else if (c == '\r') {
-      result += "\\r";
-    } else if (c == '\t') {
-      result += "\\t";
-    } else if (code < 0x20 || code == 0x7F) {
-      result += fmt::format("\\x{:02X}", code);
+  for (const char c : text) {
+    const unsigned code = static_cast<unsigned char>(c);
+    if (const std::size_t at = rule.named.find(c); at != std::string_view::npos) {
+      result += '\\';
+      result += rule.names[at];
+    } else if (code < 0x20 || code == 0x7F || code >= rule.beyond) {
+      result += fmt::format(fmt::runtime(rule.code), code);
     } else {
       result += c;
     }
   }
-  return kept.size() < text.size() ? result + "..." : result;
+  return result;
+}
+
+std::string one_line(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return escaped(text);
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+  return escaped(text.substr(0, end)) + "...";
 }
 
 }  // namespace scree::files

@@ -2,13 +2,14 @@
 
 #include "body_field.hpp"
 #include "checked_import.hpp"
-#include "text_file.hpp"
 #include "text_reader.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -63,7 +64,7 @@ Packing parse_beads(std::string_view text, const std::string& name, const Import
 }
 
 Packing read_beads(const std::filesystem::path& path, const ImportOptions& options) {
-  return parse_beads(read_text(path), path.string(), options);
+  return parse_beads(files::read_text(path), path.string(), options);
 }
 
 }  // namespace scree::packing

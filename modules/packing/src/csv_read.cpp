@@ -2,7 +2,6 @@
 #include "checked_import.hpp"
 #include "nearest_name.hpp"
 #include "scree/packing/csv.hpp"
-#include "text_file.hpp"
 #include "text_reader.hpp"
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -238,7 +239,7 @@ Packing parse_csv(std::string_view text, const std::string& name, const ImportOp
 }
 
 Packing read_csv(const std::filesystem::path& path, const ImportOptions& options) {
-  return parse_csv(read_text(path), path.string(), options);
+  return parse_csv(files::read_text(path), path.string(), options);
 }
 
 }  // namespace scree::packing

@@ -1,5 +1,4 @@
 #include "scree/packing/csv.hpp"
-#include "text_file.hpp"
 #include "text_reader.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -104,7 +104,7 @@ std::string format_csv(const Packing& packing) {
 }
 
 void write_csv(const Packing& packing, const std::filesystem::path& path) {
-  write_text(path, format_csv(packing));
+  files::write_atomically(path, format_csv(packing));
 }
 
 }  // namespace scree::packing

@@ -4,7 +4,6 @@
 #include "scree/packing/bead_file.hpp"
 #include "scree/packing/csv.hpp"
 #include "scree/packing/lammps.hpp"
-#include "text_file.hpp"
 #include "text_reader.hpp"
 
 #include <array>
@@ -14,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -72,12 +72,12 @@ FileFormat detect_format(std::string_view text, std::string_view name) {
 }
 
 Packing read_packing(const std::filesystem::path& path, const ImportOptions& options) {
-  const std::string text = read_text(path);
+  const std::string text = files::read_text(path);
   return parse(text, path.string(), detect_format(text, path.string()), options);
 }
 
 Packing read_packing(const std::filesystem::path& path, FileFormat format, const ImportOptions& options) {
-  return parse(read_text(path), path.string(), format, options);
+  return parse(files::read_text(path), path.string(), format, options);
 }
 
 }  // namespace scree::packing

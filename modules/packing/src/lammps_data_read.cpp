@@ -3,7 +3,6 @@
 #include "material_types.hpp"
 #include "nearest_name.hpp"
 #include "scree/packing/lammps.hpp"
-#include "text_file.hpp"
 #include "text_reader.hpp"
 
 #include <algorithm>
@@ -17,6 +16,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -279,7 +280,7 @@ Packing parse_lammps_data(std::string_view text, const std::string& name, const 
 }
 
 Packing read_lammps_data(const std::filesystem::path& path, const ImportOptions& options) {
-  return parse_lammps_data(read_text(path), path.string(), options);
+  return parse_lammps_data(files::read_text(path), path.string(), options);
 }
 
 }  // namespace scree::packing

@@ -1,6 +1,5 @@
 #include "material_types.hpp"
 #include "scree/packing/lammps.hpp"
-#include "text_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -81,7 +81,7 @@ std::string format_lammps_data(const Packing& packing, const ExportOptions& opti
 
 void write_lammps_data(const Packing& packing, const std::filesystem::path& path,
                        const ExportOptions& options) {
-  write_text(path, format_lammps_data(packing, options));
+  files::write_atomically(path, format_lammps_data(packing, options));
 }
 
 }  // namespace scree::packing

@@ -3,7 +3,6 @@
 #include "lammps_dump_frames.hpp"
 #include "material_types.hpp"
 #include "scree/packing/lammps.hpp"
-#include "text_file.hpp"
 #include "text_reader.hpp"
 
 #include <algorithm>
@@ -15,6 +14,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include <scree/files/text_file.hpp>
 
 namespace scree::packing {
 
@@ -247,7 +248,7 @@ Packing parse_lammps_dump(std::string_view text, const std::string& name, const 
 }
 
 Packing read_lammps_dump(const std::filesystem::path& path, const ImportOptions& options) {
-  return parse_lammps_dump(read_text(path), path.string(), options);
+  return parse_lammps_dump(files::read_text(path), path.string(), options);
 }
 
 }  // namespace scree::packing

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::packing {
 
@@ -22,24 +23,26 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
+void refuse_compressed(std::string_view text, std::string_view name) {
+  constexpr std::string_view gzip = "\x1f\x8b";
+  constexpr std::string_view zstandard = "\x28\xb5\x2f\xfd";
+  const bool gzipped = text.starts_with(gzip);
+  if (gzipped || text.starts_with(zstandard))
+    throw Error(
+        fmt::format("{}: the file is compressed; unpack it with {}", name, gzipped ? "gunzip" : "unzstd"));
+}
+
 }  // namespace
 
 std::string quote_token(std::string_view text) {
   constexpr std::size_t max_length = 40;
-  std::string result = "'";
-  for (const char c : text.substr(0, max_length)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7f) {
-      result += c;
-    } else {
-      result += fmt::format("\\x{:02x}", byte);
-    }
-  }
-  return result + (text.size() > max_length ? "...'" : "'");
+  return fmt::format("'{}{}'", files::escaped(text.substr(0, max_length), files::Escapes::bytes),
+                     text.size() > max_length ? "..." : "");
 }
 
 TextReader::TextReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  refuse_compressed(text_, name_);
   const std::size_t nul = text.find('\0');
   if (nul != std::string_view::npos) {
     while (next() && next_start_ <= nul) {

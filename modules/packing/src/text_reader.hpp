@@ -26,7 +26,7 @@ class TextReader {
     std::size_t line_number = 0;  // of the previous line
   };
 
-  // Throws Error if the text contains NUL bytes.
+  // Throws Error if the text is compressed or contains NUL bytes.
   TextReader(std::string_view text, std::string name);
 
   // Goes to the next line; false at the end of the text.

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <fstream>
 #include <unistd.h>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <scree/files/text_file.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::run {
@@ -12,8 +12,6 @@ namespace scree::run {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* partial_suffix = ".part";
 
 // Files and folders of each kind of directory; the last entry identifies the kind.
 struct Layout {
@@ -41,7 +39,7 @@ bool is_unused(const fs::path& path, const Layout& layout) {
   std::error_code failed;
   const auto is_partial = [&](const std::string& name) {
     return std::any_of(layout.parts.begin(), layout.parts.end(),
-                       [&](const char* part) { return name == std::string(part) + partial_suffix; });
+                       [&](const char* part) { return name == std::string(part) + files::part_suffix; });
   };
   for (const auto& entry : fs::directory_iterator(path, failed))
     if (entry.path().filename() != RunDirectory::log_name && !is_partial(entry.path().filename().string()))
@@ -80,7 +78,7 @@ void RunDirectory::create() const {
   std::error_code failed;
   if (kind_ != Kind::campaign)
     for (const std::string part : layout_of(kind_).parts)
-      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + partial_suffix), failed);
+      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + files::part_suffix), failed);
   fs::create_directories(path_, failed);
   if (failed)
     throw Error(
@@ -97,15 +95,10 @@ void RunDirectory::discard() const {
 }
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
-  const fs::path final_path = path_ / name, temporary = path_ / (name + partial_suffix);
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code failed;
-  if (file) fs::rename(temporary, final_path, failed);
-  if (!file || failed) {
-    fs::remove(temporary, failed);
-    throw unwritable(final_path);
+  try {
+    files::write_atomically(path_ / name, text);
+  } catch (const Error&) {
+    throw unwritable(path_ / name);
   }
 }
 

@@ -1,0 +1,103 @@
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/files/text_file.hpp>
+
+namespace scree::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t block_size = 1u << 16;
+
+std::string line(const fs::path& path, std::string_view problem, std::string_view cure) {
+  return fmt::format("{}: {}; {}", path.string(), problem, cure);
+}
+
+ReadError not_opened(const fs::path& path, int code) {
+  std::error_code failed;
+  if (!fs::exists(path, failed)) return {line(path, "there is no such file", "check the path"), code};
+  return {line(path, "cannot be opened", "check its permissions"), code};
+}
+
+// At most one block more than `largest`.
+std::string read_blocks(std::FILE* file, std::size_t expected, std::size_t largest) {
+  std::string text;
+  text.reserve(expected);
+  std::vector<char> block(block_size);
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file)) {
+    text.append(block.data(), count);
+    if (text.size() > largest) break;
+  }
+  return text;
+}
+
+void write_whole(const fs::path& path, const fs::path& temporary, std::string_view text) {
+  std::error_code failed;
+  fs::remove(temporary, failed);  // a link of that name would lead the text elsewhere
+  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  const std::string unopened =
+      line(path, "cannot be opened for writing", "check that its folder exists and is writable");
+  if (!stream) throw Error(unopened, ExitStatus::failure);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream)
+    throw Error(line(path, "could not be written in full", "check the space on the disk"),
+                ExitStatus::failure);
+  fs::rename(temporary, path, failed);
+  if (failed) throw Error(unopened, ExitStatus::failure);
+}
+
+}  // namespace
+
+std::string read_text(const fs::path& path, std::size_t largest) {
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  const bool regular = fs::is_regular_file(status);
+  if (largest == any_size && fs::exists(status) && !regular)
+    throw ReadError(line(path, "is not a regular file", "give a text file"), EINVAL);
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) throw not_opened(path, errno);
+  std::uintmax_t size = regular ? fs::file_size(path, failed) : 0;
+  if (failed) size = 0;
+  std::string text;
+  try {
+    text = read_blocks(file.get(), size <= largest ? size : 0, largest);
+  } catch (const std::bad_alloc&) {
+    throw ReadError(line(path, "does not fit into memory", "cut it to the part that is needed"), ENOMEM);
+  } catch (const std::length_error&) {
+    throw ReadError(line(path, "does not fit into memory", "cut it to the part that is needed"), ENOMEM);
+  }
+  if (text.size() > largest)
+    throw ReadError(
+        line(path, fmt::format("is larger than {} bytes", largest), "cut it to the part that is needed"),
+        EFBIG);
+  if (std::ferror(file.get()) != 0 || text.size() < size)
+    throw ReadError(
+        line(path, "cannot be read to its end", "check the disk, and that nothing is writing the file"),
+        errno != 0 ? errno : EIO);
+  return text;
+}
+
+void write_atomically(const fs::path& path, std::string_view text) {
+  fs::path temporary = path;
+  temporary += part_suffix;
+  try {
+    write_whole(path, temporary, text);
+  } catch (...) {
+    std::error_code failed;
+    fs::remove(temporary, failed);
+    throw;
+  }
+}
+
+}  // namespace scree::files
