@@ -33,7 +33,7 @@ std::vector<std::int64_t> seed_range(const Table& table) {
 }
 
 std::vector<std::int64_t> read_seeds(const Table& table) {
-  if (!table.has("seeds")) return {};
+  if (!table.optional("seeds")) return {};
   if (table.is_table("seeds")) return seed_range(table.table("seeds"));
   if (!table.is_array("seeds")) throw table.error("seeds", "seeds is neither a list nor a table", seeds_form);
   std::vector<std::int64_t> seeds = table.integers("seeds", Range::non_negative());
@@ -113,7 +113,7 @@ Campaign read_campaign(const std::filesystem::path& path) {
   c.scenario = path.parent_path() / table.string("scenario");
   c.scenario_place = table.place("scenario");
   check_scenario(c);
-  if (table.has("collect")) c.collect = table.strings("collect");
+  if (table.optional("collect")) c.collect = table.strings("collect");
   c.collect_place = table.place("collect");
   c.seeds = read_seeds(table);
   Settings settings = read_settings(root.table_or_empty("set"));

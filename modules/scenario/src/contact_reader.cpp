@@ -54,7 +54,7 @@ void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, 
     const Stage::Change& read = read_instance(t, SCREE_CONTACT_LAW, host, scene, instances);
     const auto law = std::uint32_t(scene.laws.size());
     scene.laws.push_back({read.name, read.parameters});
-    if (t.has(contact_keys.between))
+    if (t.optional(contact_keys.between))
       assign_pair(t, law, scene);
     else if (for_the_rest)
       throw t.error("a second [[contact]] has no materials", "add between = [\"a\", \"b\"]");

@@ -20,7 +20,7 @@ constexpr double memory_per_body = 2000;
 
 packing::ListedRadius read_list(const document::Table& t) {
   packing::ListedRadius list = {t.numbers(radius_keys.radii, radius_keys.radii.range), {}};
-  if (t.has(radius_keys.weights))
+  if (t.optional(radius_keys.weights))
     list.weights = t.numbers(radius_keys.weights, list.radii.size(), radius_keys.weights.range);
   return list;
 }
@@ -104,7 +104,7 @@ packing::Packing read_lattice_bodies(const document::Table& particles, int dimen
 
 Vec3 read_vector(const document::Table& table, std::string_view key, int dimension, bool required) {
   Vec3 v = {};
-  if (!required && !table.has(key)) return v;
+  if (!required && !table.optional(key)) return v;
   const std::vector<double> numbers = table.numbers(key, std::size_t(dimension));
   std::copy(numbers.begin(), numbers.end(), v.component);
   return v;

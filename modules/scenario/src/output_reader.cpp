@@ -37,7 +37,7 @@ ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::ve
   probe.name = t.string(probe_keys.name, probe.parameters.plugin().name);
   check_file_name(t, probe.name);
   probe.every = read_interval(t, probe_keys.every, scene.step);
-  if (t.has(probe_keys.stages)) probe.stages = t.strings(probe_keys.stages);
+  if (t.optional(probe_keys.stages)) probe.stages = t.strings(probe_keys.stages);
   for (std::size_t k = 0; k < probe.stages.size(); ++k)
     find_name(t, "stages", "stage", probe.stages[k], stages, k);
   placed(t, "plugin", [&] { Probe(probe.parameters, scene.dimension); });
@@ -157,8 +157,8 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   SnapshotPlan plan;
   const auto t = root.optional_table("snapshot");
   if (!t) return plan;
-  if (t->has(snapshot_keys.every)) plan.every = read_interval(*t, snapshot_keys.every, step);
-  if (t->has(snapshot_keys.image_every))
+  if (t->optional(snapshot_keys.every)) plan.every = read_interval(*t, snapshot_keys.every, step);
+  if (t->optional(snapshot_keys.image_every))
     plan.image_every = read_interval(*t, snapshot_keys.image_every, step);
   plan.color_by = read(*t, snapshot_keys.color_by);
   plan.view = t->choice(snapshot_keys.view, snapshot_keys.view.words, "");

@@ -37,7 +37,7 @@ packing::Packing read_file(const document::Table& particles, int dimension,
 
 // Repeats a periodic packing along each axis, one period apart.
 void repeat(const document::Table& particles, int dimension, packing::Packing& packing) {
-  if (!particles.has(particles_keys.repeat)) return;
+  if (!particles.optional(particles_keys.repeat)) return;
   const std::vector<double> times =
       particles.numbers(particles_keys.repeat, std::size_t(dimension), particles_keys.repeat.range);
   const std::vector<double> period =
@@ -60,8 +60,8 @@ void repeat(const document::Table& particles, int dimension, packing::Packing& p
 
 packing::Packing read_source(const document::Table& particles, int dimension, packing::Random& random,
                              const std::filesystem::path& folder, const std::vector<Material>& materials) {
-  if (!particles.has(particles_keys.file)) return read_lattice_bodies(particles, dimension, random);
-  if (particles.has(particles_keys.lattice))
+  if (!particles.optional(particles_keys.file)) return read_lattice_bodies(particles, dimension, random);
+  if (particles.optional(particles_keys.lattice))
     throw particles.error("file", "both a file and a lattice are given", "keep one of them");
   packing::Packing packing = read_file(particles, dimension, folder, materials);
   repeat(particles, dimension, packing);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -74,21 +75,22 @@ Integration read_integration(const document::Table& time) {
 void read_time(const document::Table& root, Plan& plan) {
   const document::Table t = root.table("time");
   Scene& scene = plan.scene;
+  std::optional<document::Table> step;
+  if (t.is_table(time_keys.step))
+    step = t.table(time_keys.step);
+  else
+    scene.step = read(t, time_keys.step);
   plan.step_guard = read(t, time_keys.step_guard);
   plan.step_place = t.place("step");
   scene.expected_speed = read_optional(t, time_keys.expected_speed).value_or(0);
   scene.audit = read(t, time_keys.energy_audit);
   scene.integration = read_integration(t);
   scene.precision = read(t, time_keys.precision) == "mixed" ? Precision::mixed : Precision::double_precision;
-  if (!t.is_table(time_keys.step)) {
-    scene.step = read(t, time_keys.step);
-    return;
-  }
-  const document::Table step = t.table(time_keys.step);
-  const double fraction = read(step, step_keys.fraction);
+  if (!step) return;
+  const double fraction = read(*step, step_keys.fraction);
   const double contact = shortest_contact_time(scene, expected_speed(scene));
   if (!std::isfinite(contact))
-    throw step.error("fraction", "the scene has no pair of bodies to compute a contact time from",
+    throw step->error("fraction", "the scene has no pair of bodies to compute a contact time from",
                      "give time.step in seconds");
   scene.step = fraction * contact;
 }

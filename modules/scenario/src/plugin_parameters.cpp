@@ -16,7 +16,7 @@ namespace {
 std::vector<double> read_program(const document::Table& table, const scree_parameter& p) {
   if (!table.is_table(p.key)) return {Program::constant, table.number(p.key)};
   const document::Table t = table.table(p.key);
-  if (t.has("table")) {
+  if (t.optional("table")) {
     std::vector<double> data = {Program::table};
     double last = -std::numeric_limits<double>::infinity();
     for (const auto& row : t.rows("table", 2)) {
@@ -28,14 +28,14 @@ std::vector<double> read_program(const document::Table& table, const scree_param
     if (data.size() == 1) throw t.error("table", "'table' has no rows", "give [[time, value], ...]");
     return data;
   }
-  if (t.has("amplitude"))
+  if (t.optional("amplitude"))
     return {Program::sine, t.number("mean", 0.0), t.number("amplitude"),
             t.number("frequency_hz", document::Range::positive("Hz")),
             t.number("phase_deg", 0.0) * std::numbers::pi / 180};
-  if (t.has("period"))
+  if (t.optional("period"))
     return {Program::cycle, t.number("from"), t.number("to"),
             t.number("period", document::Range::positive("s"))};
-  if (t.has("duration"))
+  if (t.optional("duration"))
     return {Program::ramp, t.number("from"), t.number("to"),
             t.number("duration", document::Range::positive("s"))};
   throw t.error(fmt::format("'{}' is not a function of time", p.key),
@@ -90,7 +90,7 @@ void read_parameters(const document::Table& table, int dimension, Parameters& pa
   const scree_plugin& plugin = parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
-    if (!table.has(p.key)) continue;
+    if (!table.optional(p.key)) continue;
     std::vector<double> data = read_value(table, p, dimension);
     if (const auto wrong = Parameters::problem(p, data)) refuse(table, p.key, *wrong);
     parameters.set(p.key, std::move(data));

@@ -35,7 +35,7 @@ void read_condition(const document::Table& until, double step, Stage& stage) {
 
 void read_end(const document::Table& t, double step, Stage& stage) {
   const int given =
-      int(t.has(stage_keys.duration)) + int(t.has(stage_keys.cycles)) + int(t.has(stage_keys.until));
+      int(t.optional(stage_keys.duration)) + int(t.optional(stage_keys.cycles)) + int(t.optional(stage_keys.until));
   if (given != 1)
     throw t.error(given ? "the stage has more than one end condition" : "the stage has no end condition",
                   "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6, "
@@ -82,7 +82,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     read_changes(t, scene, instances.all, stage);
     stages.push_back(std::move(stage));
   }
-  if (!stages.empty() && time.has(time_keys.duration))
+  if (!stages.empty() && time.optional(time_keys.duration))
     throw time.error("duration", "both stages and time.duration are given",
                      "keep [[stage]] or time.duration");
   if (stages.empty()) {

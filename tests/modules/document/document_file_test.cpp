@@ -65,6 +65,20 @@ TEST_CASE("nesting without end is refused, not followed") {
   CHECK(syntax_message(nested(100)) == "scene.toml:2:1: tables or arrays more than 64 deep; flatten them");
   CHECK(syntax_message(nested(300000)) == "scene.toml:2:1: tables or arrays more than 64 deep; flatten them");
   CHECK(syntax_message("a = " + std::string(100000, '[')).ends_with("; flatten the arrays"));
+  std::string quoted = "x = 1\n' '", dotted = "a";
+  for (int i = 0; i < 50000; ++i) quoted += " . ' '";
+  for (int i = 0; i < 900; ++i) dotted += ".a";
+  CHECK(syntax_message(quoted + " = 1\n") ==
+        "scene.toml:2:1: tables or arrays more than 64 deep; flatten them");
+  std::string in_line = dotted;
+  for (int i = 0; i < 200; ++i) in_line += " = {" + dotted;
+  CHECK(syntax_message(in_line) == "scene.toml:1:1: tables or arrays more than 64 deep; flatten them");
+  const std::string dots(5000, '.');
+  CHECK(syntax_message("a = '" + dots + "' # " + dots + "\nb = \"\"\"\\\"" + dots + "\n\"\"\"\n") ==
+        "no error");
+  std::string short_keys = "rows = [";
+  for (int i = 0; i < 5000; ++i) short_keys += "{ a.b = 0.5 }, ";
+  CHECK(syntax_message(short_keys + "]") == "no error");
   std::string table_of_numbers = "# 0.5";
   for (int i = 0; i < 5000; ++i) table_of_numbers += " 0.5";
   CHECK(syntax_message(table_of_numbers) == "no error");

@@ -20,7 +20,11 @@ TEST_CASE("an unknown key is refused with the nearest and all known keys") {
   CHECK(message([&] { document.refuse_unused(); }) == line);
   CHECK(message([&] { contact.refuse_unused(); }) == line);
   CHECK_NOTHROW(root.table("time").refuse_unused());
-  contact.has("frction");
+  CHECK(contact.has("frction"));
+  CHECK(contact.is_number("frction"));
+  CHECK(contact.place("frction") == "scene.toml:7:11");
+  CHECK(message([&] { document.refuse_unused(); }) == line);
+  CHECK(contact.optional("frction"));
   CHECK(message([&] { document.refuse_unused(); }) ==
         "scene.toml:8:1: unknown key 'zzz' in [[contact]]; known keys: plugin, friction, frction");
   contact.accept("zzz");

@@ -20,6 +20,9 @@ TEST_CASE("any value is given as TOML that an override takes") {
   CHECK_FALSE(root.is_inline_table("g"));
   CHECK_FALSE(root.is_inline_table("a"));
   CHECK(root.place("list", 1) == "scene.toml:4:17");
+  CHECK(
+      message([&] { document.refuse_unused(); }).starts_with("scene.toml:5:2: unknown key 'g' in the file"));
+  root.table("g");
   CHECK(message([&] { document.refuse_unused(); }).starts_with("scene.toml:6:1: unknown key 'h' in [g]"));
   CHECK(message([&] { root.toml_elements("a"); }) ==
         "scene.toml:1:5: a is a floating-point number (1e-5); give an array of values");

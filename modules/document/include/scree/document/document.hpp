@@ -10,6 +10,8 @@
 
 namespace scree::document {
 
+struct DocumentState;
+
 // A scene as text: a TOML file with the "key=value" overrides of the command line applied in order.
 // The path of an override is dotted. An entry of an array of tables goes by index (stage[1].duration=2) or by
 // its name, plugin or type (stage.cycle.duration=5); neither is needed where there is only one entry. The

@@ -14,22 +14,21 @@
 
 namespace scree::document {
 
-struct DocumentState;
-struct Node;
+struct TableState;
 
 // One table of a Document: a handle, cheap to copy, that keeps the document alive.
-// Every member that takes a key makes that key known to refuse_unused(). A reader without a fallback throws
-// when the key is absent; every reader throws on a wrong type or a value out of range. All throw Error
-// (bad_input), one line "file:line:column: what is wrong; what to do".
+// Every reader makes its key known to refuse_unused(), present or not; questions, places and errors do not. A
+// reader without a fallback throws when the key is absent; every reader throws on a wrong type or a value out
+// of range. All throw Error (bad_input), one line "file:line:column: what is wrong; what to do".
 class Table {
  public:
-  Table(std::shared_ptr<DocumentState> state, Node* node) : state_(std::move(state)), node_(node) {}
+  explicit Table(std::shared_ptr<TableState> state) : state_(std::move(state)) {}
 
   // "contact[1]" (index from 0, left out where there is one entry); empty at the top level.
   std::string path() const;
   // As written in the file: "[time]", "[[contact]]", "the file".
   std::string label() const;
-  // Keys present, in file order. Makes none of them known.
+  // Keys present, in file order.
   std::vector<std::string> keys() const;
 
   bool has(std::string_view key) const;
@@ -90,6 +89,8 @@ class Table {
 
   // Counts the key and all below it as known without reading it.
   void accept(std::string_view key) const;
+  // Whether an optional key is there, which is known from now on: for one that is read only in some cases.
+  bool optional(std::string_view key) const;
   // Throws for the first key, in file order, of this table and those below that no reader has asked for.
   void refuse_unused() const;
 
@@ -106,13 +107,7 @@ class Table {
   Error error(std::string_view key, std::size_t element, std::string_view what, std::string_view cure) const;
 
  private:
-  Node* find(std::string_view key) const;
-  Node& require(std::string_view key, std::string_view form) const;
-  Table checked_table(Node& child) const;
-  const Node& at(std::string_view key, std::size_t element) const;
-
-  std::shared_ptr<DocumentState> state_;
-  Node* node_;
+  std::shared_ptr<TableState> state_;
 };
 
 }  // namespace scree::document

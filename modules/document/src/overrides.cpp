@@ -1,0 +1,263 @@
+#include "tree.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
+
+namespace scree::document {
+namespace {
+
+constexpr std::size_t nowhere = std::string_view::npos;
+constexpr std::size_t most_segments = 64;
+constexpr std::size_t longest_shown = 160;
+constexpr std::string_view naming_keys[] = {"name", "plugin", "type"};
+
+// One step of a dotted path: stage[1] has the name "stage" and one index.
+struct Segment {
+  std::string name;
+  std::vector<std::size_t> indices;  // from 0
+};
+
+// A value and what holds it: a table under the key, or an array at the index.
+struct Slot {
+  toml::node* owner;
+  std::string key;
+  std::size_t index;
+  toml::node* value;  // null in a table that has no such key
+};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blank);
+  if (first == nowhere) return "";
+  return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+// The position of the first such character outside quotes.
+std::size_t find_unquoted(std::string_view text, char wanted) {
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (quote == 0 && text[i] == wanted) return i;
+    if (text[i] == quote) {
+      quote = 0;
+    } else if (quote == 0 && (text[i] == '"' || text[i] == '\'')) {
+      quote = text[i];
+    }
+  }
+  return nowhere;
+}
+
+bool is_utf8(std::string_view text) {
+  try {
+    return toml::parse("value = " + quoted(text)).size() == 1;
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
+const std::string* text_under(const toml::node& entry, std::string_view key) {
+  const auto* text = entry.as_table()->get_as<std::string>(key);
+  return text != nullptr ? &text->get() : nullptr;
+}
+
+// Applies one "key=value". Its errors begin with its place and list the entries of arrays with their indices.
+class Override {
+ public:
+  Override(DocumentState& document, std::string_view text)
+      : document_(document), place_("--set " + files::one_line(text, longest_shown)), text_(text) {}
+
+  void apply() {
+    document_.overrides.push_back(place_);
+    if (!is_utf8(text_)) throw error("is not UTF-8 text; encode it as UTF-8");
+    const std::size_t equals = find_unquoted(text_, '=');
+    if (equals == nowhere) throw error("has no '='; write --set key=value");
+    const std::string_view value = trimmed(text_.substr(equals + 1));
+    if (value.empty()) throw error("has no value; write --set key='\"\"' for an empty text");
+    const std::vector<Segment> path = read_path(text_.substr(0, equals));
+    toml::table parsed = parse_value(value, place_);
+    Slot slot{nullptr, {}, 0, &document_.root};
+    for (std::size_t i = 0; i < path.size(); ++i) slot = enter(*slot.value, path[i], i + 1 == path.size());
+    assign(slot, std::move(*parsed.get("value")));
+  }
+
+ private:
+  template <class... Arguments>
+  Error error(fmt::format_string<Arguments...> what, Arguments&&... arguments) const {
+    return Error(place_ + ": " + fmt::format(what, std::forward<Arguments>(arguments)...));
+  }
+
+  Error malformed(std::string_view what) const {
+    return error("{}; write the key as in table.key, table[0].key or table.\"odd name\".key", what);
+  }
+
+  std::vector<Segment> read_path(std::string_view text) const {
+    std::vector<Segment> path;
+    for (;;) {
+      const std::size_t dot = find_unquoted(text, '.');
+      if (path.size() == most_segments) throw malformed("the key has too many parts");
+      path.push_back(read_segment(text.substr(0, dot)));
+      if (dot == nowhere) return path;
+      text.remove_prefix(dot + 1);
+    }
+  }
+
+  Segment read_segment(std::string_view text) const {
+    const std::size_t bracket = find_unquoted(text, '[');
+    std::string_view name = trimmed(text.substr(0, bracket));
+    if (name.empty()) throw malformed("a part of the key is empty");
+    if (name.front() == '"' || name.front() == '\'') {
+      if (name.size() < 2 || name.back() != name.front()) throw malformed("a quote in the key is not closed");
+      name = name.substr(1, name.size() - 2);
+    }
+    Segment segment{std::string(name), {}};
+    std::string_view rest = bracket == nowhere ? "" : trimmed(text.substr(bracket));
+    while (!rest.empty()) {
+      const std::size_t close = rest.find(']');
+      if (rest.front() != '[' || close == nowhere) throw malformed("a bracket in the key is not closed");
+      segment.indices.push_back(read_index(trimmed(rest.substr(1, close - 1))));
+      rest = trimmed(rest.substr(close + 1));
+    }
+    return segment;
+  }
+
+  std::size_t read_index(std::string_view digits) const {
+    std::size_t index = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, failure] = std::from_chars(digits.data(), end, index);
+    if (failure != std::errc() || stop != end)
+      throw malformed(fmt::format("'{}' is no index from 0", digits));
+    return index;
+  }
+
+  // From a table, or from an array of tables by the name of an entry, or through its only one.
+  Slot enter(toml::node& from, const Segment& segment, bool last) {
+    Slot slot{nullptr, {}, 0, nullptr};
+    if (!last && from.is_array_of_tables()) slot.value = named_entry(*from.as_array(), segment.name);
+    if (slot.value == nullptr) slot = child_of(table_at(from, segment.name), segment, last);
+    for (const std::size_t index : segment.indices) slot = entry_at(slot, index);
+    return slot;
+  }
+
+  // The entry whose name, or else plugin, or else type is this; null when none is.
+  toml::node* named_entry(toml::array& array, const std::string& name) const {
+    for (const std::string_view key : naming_keys) {
+      std::vector<toml::node*> matches;
+      for (toml::node& entry : array) {
+        const std::string* text = text_under(entry, key);
+        if (text != nullptr && *text == name) matches.push_back(&entry);
+      }
+      if (matches.size() == 1) return matches.front();
+      if (matches.empty()) continue;
+      throw error("{} entries of {} have {} '{}'; choose one by index: {}", matches.size(),
+                  document_.path(array), key, files::one_line(name), titles(matches));
+    }
+    return nullptr;
+  }
+
+  // Where a name is looked up: the table itself, or the only entry of an array of tables.
+  toml::table& table_at(toml::node& node, const std::string& name) const {
+    if (node.is_table()) return *node.as_table();
+    const std::string path = document_.path(node);
+    if (!node.is_array_of_tables()) {
+      throw error("{} is {}, so it has no '{}'; give {} itself a value or correct the path", path,
+                  description(document_, node), files::one_line(name), path);
+    }
+    toml::array& array = *node.as_array();
+    if (array.size() == 1) return *array[0].as_table();
+    std::vector<std::string> names;
+    for (const std::string_view key : naming_keys) {
+      for (const toml::node& entry : array) {
+        if (const std::string* text = text_under(entry, key)) names.push_back(*text);
+      }
+    }
+    throw error("{} has {} entries and '{}' names none of them{} choose one: {}", path, array.size(),
+                files::one_line(name), suggestion(name, names), titles(all_of(array)));
+  }
+
+  // A key that is not there becomes a table, but for the last, which gets the value.
+  Slot child_of(toml::table& table, const Segment& segment, bool last) {
+    toml::node* child = table.get(segment.name);
+    if (child == nullptr && !segment.indices.empty()) {
+      std::vector<std::string> present;
+      for (const auto& [key, value] : document_.entries(table)) present.emplace_back(key->str());
+      throw error("{} has no '{}' to take an entry of{} an override adds no entries to a list",
+                  document_.label(table), files::one_line(segment.name), suggestion(segment.name, present));
+    }
+    if (child == nullptr && !last) {
+      toml::table parsed = toml::parse("[value]", place_);
+      const Slot absent{&table, segment.name, 0, nullptr};
+      assign(absent, std::move(*parsed.get("value")));
+      child = table.get(segment.name);
+    }
+    return {&table, segment.name, 0, child};
+  }
+
+  // Index 0 of a table is the table itself.
+  Slot entry_at(const Slot& slot, std::size_t index) const {
+    toml::array* array = slot.value->as_array();
+    if (slot.value->is_table() && index == 0) return slot;
+    const std::string path = document_.path(*slot.value);
+    if (array == nullptr) {
+      throw error("{} is {}, so it has no entry {}; leave the index out", path,
+                  description(document_, *slot.value), index);
+    }
+    if (index < array->size()) return {array, {}, index, &(*array)[index]};
+    throw error("{} has {} entries, so there is no entry {}; count from 0{}", path, array->size(), index,
+                array->is_array_of_tables() ? ": " + titles(all_of(*array)) : "");
+  }
+
+  void assign(const Slot& slot, toml::node&& value) {
+    if (slot.value != nullptr && document_.outdone.empty()) {
+      const std::size_t before = first_override(*slot.value);
+      if (before < document_.overrides.size() - 1)
+        document_.outdone = fmt::format("{} is undone by {}", document_.overrides[before], place_);
+    }
+    if (toml::table* table = slot.owner->as_table())
+      table->insert_or_assign(toml::key(slot.key, value.source()), std::move(value));
+    else
+      slot.owner->as_array()->replace(slot.owner->as_array()->cbegin() + std::ptrdiff_t(slot.index),
+                                      std::move(value));
+  }
+
+  // The first that wrote any of this.
+  std::size_t first_override(const toml::node& node) const {
+    std::size_t first = document_.override_of(node.source());
+    each_child(node, [&](const toml::node& child) { first = std::min(first, first_override(child)); });
+    return first;
+  }
+
+  static std::vector<toml::node*> all_of(toml::array& array) {
+    std::vector<toml::node*> entries;
+    for (toml::node& entry : array) entries.push_back(&entry);
+    return entries;
+  }
+
+  // "stage[0] (settle), stage[1] (cycle)"
+  std::string titles(const std::vector<toml::node*>& entries) const {
+    std::vector<std::string> titles;
+    for (const toml::node* entry : entries) {
+      titles.push_back(document_.path(*entry));
+      for (const std::string_view key : naming_keys) {
+        const std::string* text = text_under(*entry, key);
+        if (text == nullptr) continue;
+        titles.back() += fmt::format(" ({})", files::one_line(*text));
+        break;
+      }
+    }
+    return listed(titles);
+  }
+
+  DocumentState& document_;
+  std::string place_;
+  std::string_view text_;
+};
+
+}  // namespace
+
+void apply_override(DocumentState& document, std::string_view text) { Override(document, text).apply(); }
+
+}  // namespace scree::document

@@ -1,0 +1,163 @@
+#include "tree.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <scree/files/text.hpp>
+
+namespace scree::document {
+namespace {
+
+// Deepest nesting of tables and arrays that a document may have.
+constexpr int deepest_nesting = 64;
+// Well above that, which is refused with an exact place, and well below what a stack holds.
+constexpr int most_key_parts = 1000;
+constexpr std::size_t longest_complaint = 200;
+
+struct Cure {
+  std::string_view sign;  // found in the complaint
+  std::string_view cure;
+};
+
+// The first that fits is given, so the special stands before the general.
+constexpr Cure cures[] = {
+    {"redefine existing table", "merge the two tables, or write [[name]] for each entry of a list"},
+    {"redefine existing", "keep one of the two"},
+    {"determine value type", "give a number, true, false, an [array] or a \"string\" in quotes"},
+    {"parsing boolean", "write true or false, or put the word in quotes"},
+    {"end-of-file", "close the bracket, brace or quote that is open there"},
+    {"utf-8", "save the file as UTF-8 text"},
+    {"leading zeroes", "write the number without leading zeros"},
+    {"not representable", "give a number that fits 64 bits"},
+    {"could not be interpreted", "give a number of magnitude below 1.8e308"},
+    {"underscores", "put underscores between digits only"},
+    {"digit, saw '.'", "put a digit on both sides of the decimal point, such as 0.5"},
+    {"digit, saw '\\", "put a digit behind the decimal point or exponent, such as 1.0"},
+    {"digit", "write a plain number such as 2.5e-3, without a unit (all units are SI)"},
+    {"comment or whitespace, saw ','", "use a decimal point, one value for each key, and [ ] for several"},
+    {"comment or whitespace", "put each key = value on a line of its own"},
+    {"expected '='", "write key = value"},
+    {"expected value", "give the value behind the = on the same line"},
+    {"inline table", "write an inline table on one line, { a = 1, b = 2 }"},
+    {"table header", "write [name] or [[name]] on a line of its own"},
+    {"control characters", "close the quote on the same line, or use \"\"\" for several lines"},
+    {"escape sequence", "write \\\\ for a backslash, or use 'single quotes'"},
+    {"nested value depth", "flatten the arrays"},
+    {"keys, tables", "write key = value, [table], [[entry of a list]] or # comment"},
+};
+
+// The complaint of the TOML parser as one line "place: not valid TOML: what; cure".
+Error no_toml(std::string_view name, const toml::parse_error& error) {
+  constexpr std::string_view opening = "Error while parsing ";
+  std::string_view description = error.description();
+  std::string_view cure = "correct the line by the rules of TOML (toml.io)";
+  for (const Cure& candidate : cures) {
+    if (description.find(candidate.sign) == std::string_view::npos) continue;
+    cure = candidate.cure;
+    break;
+  }
+  if (description.starts_with(opening)) description.remove_prefix(opening.size());
+  return Error(fmt::format("{}: not valid TOML: {}; {}", place_text(name, error.source()),
+                           files::one_line(description, longest_complaint), cure));
+}
+
+Error too_deep(const std::string& place) {
+  return Error(fmt::format("{}: tables or arrays more than {} deep; flatten them", place, deepest_nesting));
+}
+
+bool is_key_character(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+// Behind the comment, string, bare word or character that begins there.
+std::size_t token_end(std::string_view text, std::size_t at) {
+  const char first = text[at];
+  if (first == '#') return std::min(text.find('\n', at), text.size());
+  if (first == '"' || first == '\'') {
+    const bool triple = text.substr(at + 1, 2) == std::string(2, first);
+    const std::string_view close = text.substr(at, triple ? 3 : 1);
+    for (std::size_t i = at + close.size(); i < text.size(); ++i) {
+      if (text[i] == '\n' && !triple) return i;
+      if (text[i] == '\\' && first == '"')
+        ++i;
+      else if (text.substr(i, close.size()) == close)
+        return triple ? std::min(text.find_first_not_of(first, i), text.size()) : i + 1;
+    }
+    return text.size();
+  }
+  std::size_t end = at + 1;
+  while (is_key_character(first) && end < text.size() && is_key_character(text[end])) ++end;
+  return end;
+}
+
+// Where a dotted key, with those around it, has far too many parts: the TOML parser nests a table for each
+// and would leave the stack.
+std::optional<toml::source_region> find_endless_key(std::string_view text) {
+  struct Level {
+    int above, key;  // dots around the bracket, and of the key whose value is being read
+  };
+  std::vector<Level> levels = {{0, 0}};
+  int dots = 0;
+  bool after_word = false;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+    end = token_end(text, at);
+    const char c = text[at];
+    Level& level = levels.back();
+    if (c == ' ' || c == '\t') continue;
+    const bool word = is_key_character(c) || c == '"' || c == '\'';
+    if (c == '.') {
+      ++dots;
+    } else if (c == '=') {
+      level.key = std::exchange(dots, 0);
+    } else if (!word || after_word) {
+      dots = 0;
+    }
+    if (c == ',' || (c == '\n' && levels.size() == 1)) level.key = 0;
+    after_word = word;
+    if (level.above + level.key + dots > most_key_parts) {
+      const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
+      return toml::source_region{{static_cast<toml::source_index>(line), 1}, {}, {}};
+    }
+    if (c == '[' || c == '{') levels.push_back({level.above + level.key, 0});
+    if ((c == ']' || c == '}') && levels.size() > 1) levels.pop_back();
+  }
+  return std::nullopt;
+}
+
+void check_depth(std::string_view name, const toml::node& node, int depth) {
+  if (depth > deepest_nesting) throw too_deep(place_text(name, node.source()));
+  each_child(node, [&](const toml::node& child) { check_depth(name, child, depth + 1); });
+}
+
+}  // namespace
+
+toml::table parse_text(std::string_view text, std::string_view name) {
+  if (const auto region = find_endless_key(text)) throw too_deep(place_text(name, *region));
+  try {
+    toml::table root = toml::parse(text);
+    check_depth(name, root, 0);
+    return root;
+  } catch (const toml::parse_error& error) {
+    throw no_toml(name, error);
+  }
+}
+
+toml::table parse_value(std::string_view text, const std::string& place) {
+  if (find_endless_key(text)) throw too_deep(place);
+  try {
+    toml::table parsed = toml::parse("value = " + std::string(text), place);
+    if (parsed.size() == 1) {
+      check_depth(place, *parsed.get("value"), 0);
+      return parsed;
+    }
+  } catch (const toml::parse_error& error) {
+    const bool meant_as_toml = std::string_view("[{\"'").find(text.front()) != std::string_view::npos;
+    if (meant_as_toml) throw no_toml(place, error);
+  }
+  return toml::parse("value = " + quoted(text), place);
+}
+
+}  // namespace scree::document

@@ -1,0 +1,187 @@
+#include "tree.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <scree/document/message.hpp>
+#include <scree/document/table.hpp>
+#include <scree/files/text.hpp>
+#include <scree/nearest.hpp>
+
+namespace scree::document {
+namespace {
+
+// A present key that nobody has asked for yet and that looks like the missing one.
+std::string misspelt(const TableState& table, std::string_view key) {
+  std::vector<std::string> unasked;
+  for (const auto& entry : table.document->entries(*table.toml)) {
+    if (!table.knows(entry.first->str())) unasked.emplace_back(entry.first->str());
+  }
+  const auto near = nearest_word(key, unasked);
+  if (!near) return "";
+  const auto at = table.toml->find(*near);
+  return fmt::format(", or correct '{}' ({}) if that is meant", files::one_line(*near),
+                     table.document->key_place({&at->first, &at->second}));
+}
+
+Error missing(const TableState& table, std::string_view key, std::string_view form) {
+  return table.document->error(*table.toml,
+                               fmt::format("{} has no '{}'", table.document->label(*table.toml), key),
+                               fmt::format("add {}{}", form, misspelt(table, key)));
+}
+
+Table handle(const std::shared_ptr<TableState>& from, const toml::table& table) {
+  return Table(std::shared_ptr<TableState>(from, &from->document->state_of(table)));
+}
+
+Table checked_table(const std::shared_ptr<TableState>& from, const toml::node& child, std::string_view key) {
+  if (const toml::table* table = child.as_table()) return handle(from, *table);
+  const DocumentState& document = *from->document;
+  throw document.wrong_type(child, child.is_array_of_tables()
+                                       ? fmt::format("keep one entry, written [{}]", key)
+                                       : fmt::format("give a table [{}]", document.path(child)));
+}
+
+// What the message of an element is placed at: that element, else the array, else the table.
+const toml::node& nearest_node(const TableState& table, std::string_view key,
+                               std::size_t element = std::size_t(-1)) {
+  const toml::node* child = table.toml->get(key);
+  if (child == nullptr) return *table.toml;
+  const toml::array* array = child->as_array();
+  return array != nullptr && element < array->size() ? (*array)[element] : *child;
+}
+
+struct Unknown {
+  const toml::table* table = nullptr;
+  DocumentState::Entry entry;
+};
+
+// In file order, with what overrides wrote behind.
+void find_unknown(DocumentState& document, const toml::node& node, Unknown& first) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr)
+    return each_child(node, [&](const toml::node& element) { find_unknown(document, element, first); });
+  const TableState& state = document.state_of(*table);
+  const auto order = [&](const DocumentState::Entry& entry) {
+    const toml::source_position& at = entry.first->source().begin;
+    return std::make_tuple(document.override_of(entry.second->source()) + 1, at.line, at.column);
+  };
+  for (const auto& [key, value] : *table) {
+    const DocumentState::Entry entry(&key, &value);
+    if (state.accepted.contains(key.str())) continue;
+    if (state.knows(key.str()))
+      find_unknown(document, value, first);
+    else if (first.table == nullptr || order(entry) < order(first.entry))
+      first = {table, entry};
+  }
+}
+
+}  // namespace
+
+bool TableState::knows(std::string_view name) const {
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+const toml::node* TableState::ask(std::string_view name) {
+  if (!knows(name)) known.emplace_back(name);
+  return toml->get(name);
+}
+
+const toml::node& TableState::require(std::string_view name, std::string_view form) {
+  if (const toml::node* node = ask(name)) return *node;
+  throw missing(*this, name, form);
+}
+
+std::string Table::path() const { return state_->document->path(*state_->toml); }
+
+std::string Table::label() const { return state_->document->label(*state_->toml); }
+
+std::vector<std::string> Table::keys() const {
+  std::vector<std::string> names;
+  for (const auto& entry : state_->document->entries(*state_->toml)) names.emplace_back(entry.first->str());
+  return names;
+}
+
+Table Table::table(std::string_view key) const {
+  const toml::node* child = state_->ask(key);
+  if (child != nullptr) return checked_table(state_, *child, key);
+  throw missing(*state_, key, fmt::format("a table [{}]", state_->document->path_below(*state_->toml, key)));
+}
+
+std::optional<Table> Table::optional_table(std::string_view key) const {
+  const toml::node* child = state_->ask(key);
+  return child != nullptr ? std::optional(checked_table(state_, *child, key)) : std::nullopt;
+}
+
+Table Table::table_or_empty(std::string_view key) const {
+  if (const toml::node* child = state_->ask(key)) return checked_table(state_, *child, key);
+  const toml::table& absent = state_->document->absent.emplace_back();
+  TableState& state = state_->document->state_of(absent);
+  state.above = state_.get();
+  state.key = key;
+  return handle(state_, absent);
+}
+
+std::vector<Table> Table::tables(std::string_view key) const {
+  const toml::node* child = state_->ask(key);
+  if (child == nullptr) return {};
+  if (const toml::table* table = child->as_table()) return {handle(state_, *table)};
+  const DocumentState& document = *state_->document;
+  const auto refuse = [&](const toml::node& node) {
+    return document.wrong_type(node, fmt::format("give tables [[{}]]", document.path(*child)));
+  };
+  if (!child->is_array()) throw refuse(*child);
+  std::vector<Table> entries;
+  for (const toml::node& element : *child->as_array()) {
+    if (!element.is_table()) throw refuse(element);
+    entries.push_back(handle(state_, *element.as_table()));
+  }
+  return entries;
+}
+
+void Table::accept(std::string_view key) const {
+  state_->ask(key);
+  state_->accepted.emplace(key);
+}
+
+bool Table::optional(std::string_view key) const { return state_->ask(key) != nullptr; }
+
+void Table::refuse_unused() const {
+  DocumentState& document = *state_->document;
+  Unknown unknown;
+  find_unknown(document, *state_->toml, unknown);
+  if (unknown.table == nullptr) return;
+  const std::vector<std::string>& known = document.state_of(*unknown.table).known;
+  const std::string_view key = unknown.entry.first->str();
+  const std::string cure = known.empty() ? "remove it, no key is read here" : "known keys: " + listed(known);
+  throw Error(fmt::format("{}: unknown key '{}' in {}{} {}", document.key_place(unknown.entry),
+                          files::one_line(key), document.label(*unknown.table), suggestion(key, known),
+                          cure));
+}
+
+std::string Table::place() const { return state_->document->place(*state_->toml); }
+
+std::string Table::place(std::string_view key) const {
+  return state_->document->place(nearest_node(*state_, key));
+}
+
+std::string Table::place(std::string_view key, std::size_t element) const {
+  return state_->document->place(nearest_node(*state_, key, element));
+}
+
+Error Table::error(std::string_view what, std::string_view cure) const {
+  return state_->document->error(*state_->toml, what, cure);
+}
+
+Error Table::error(std::string_view key, std::string_view what, std::string_view cure) const {
+  return state_->document->error(nearest_node(*state_, key), what, cure);
+}
+
+Error Table::error(std::string_view key, std::size_t element, std::string_view what,
+                   std::string_view cure) const {
+  return state_->document->error(nearest_node(*state_, key, element), what, cure);
+}
+
+}  // namespace scree::document
