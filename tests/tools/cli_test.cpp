@@ -109,7 +109,8 @@ TEST_CASE("render redraws the snapshots of a run", "[tools]") {
   CHECK(drawn.out == "pictures/frame_0000000000.png\npictures/frame_0000000010.png\n");
   CHECK(w.has("pictures/frame_0000000010.png"));
   const Workspace empty;
-  check_refused(empty, empty.scree("render ."), ".: contains no particles_*.vtp; ", "([snapshot] every = <s>)");
+  check_refused(empty, empty.scree("render ."), ".: contains no particles_*.vtp; ",
+                "([snapshot] every = <s>)");
 }
 #endif
 

@@ -91,7 +91,7 @@ void read_time(const document::Table& root, Plan& plan) {
   const double contact = shortest_contact_time(scene, expected_speed(scene));
   if (!std::isfinite(contact))
     throw step->error("fraction", "the scene has no pair of bodies to compute a contact time from",
-                     "give time.step in seconds");
+                      "give time.step in seconds");
   scene.step = fraction * contact;
 }
 

@@ -34,8 +34,8 @@ void read_condition(const document::Table& until, double step, Stage& stage) {
 }
 
 void read_end(const document::Table& t, double step, Stage& stage) {
-  const int given =
-      int(t.optional(stage_keys.duration)) + int(t.optional(stage_keys.cycles)) + int(t.optional(stage_keys.until));
+  const int given = int(t.optional(stage_keys.duration)) + int(t.optional(stage_keys.cycles)) +
+                    int(t.optional(stage_keys.until));
   if (given != 1)
     throw t.error(given ? "the stage has more than one end condition" : "the stage has no end condition",
                   "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6, "
