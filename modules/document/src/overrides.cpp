@@ -42,26 +42,20 @@ std::size_t find_unquoted(std::string_view text, char wanted) {
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (quote == 0 && text[i] == wanted) return i;
-    if (text[i] == quote) {
-      quote = 0;
-    } else if (quote == 0 && (text[i] == '"' || text[i] == '\'')) {
-      quote = text[i];
-    }
+    const bool opens = quote == 0 && (text[i] == '"' || text[i] == '\'');
+    if (opens || text[i] == quote) quote = opens ? text[i] : '\0';
   }
   return nowhere;
-}
-
-bool is_utf8(std::string_view text) {
-  try {
-    return toml::parse("value = " + quoted(text)).size() == 1;
-  } catch (const toml::parse_error&) {
-    return false;
-  }
 }
 
 const std::string* text_under(const toml::node& entry, std::string_view key) {
   const auto* text = entry.as_table()->get_as<std::string>(key);
   return text != nullptr ? &text->get() : nullptr;
+}
+
+bool names(const toml::node& entry, std::string_view key, std::string_view name) {
+  const std::string* text = text_under(entry, key);
+  return text != nullptr && *text == name;
 }
 
 // Applies one "key=value". Its errors begin with its place and list the entries of arrays with their indices.
@@ -72,7 +66,7 @@ class Override {
 
   void apply() {
     document_.overrides.push_back(place_);
-    if (!is_utf8(text_)) throw error("is not UTF-8 text; encode it as UTF-8");
+    check_utf8();
     const std::size_t equals = find_unquoted(text_, '=');
     if (equals == nowhere) throw error("has no '='; write --set key=value");
     const std::string_view value = trimmed(text_.substr(equals + 1));
@@ -92,6 +86,14 @@ class Override {
 
   Error malformed(std::string_view what) const {
     return error("{}; write the key as in table.key, table[0].key or table.\"odd name\".key", what);
+  }
+
+  void check_utf8() const {
+    try {
+      [[maybe_unused]] const toml::table text = toml::parse("text = " + quoted(text_));
+    } catch (const toml::parse_error&) {
+      throw error("is not UTF-8 text; encode it as UTF-8");
+    }
   }
 
   std::vector<Segment> read_path(std::string_view text) const {
@@ -118,19 +120,14 @@ class Override {
     while (!rest.empty()) {
       const std::size_t close = rest.find(']');
       if (rest.front() != '[' || close == nowhere) throw malformed("a bracket in the key is not closed");
-      segment.indices.push_back(read_index(trimmed(rest.substr(1, close - 1))));
+      const std::string_view digits = trimmed(rest.substr(1, close - 1));
+      const auto [end, failure] =
+          std::from_chars(digits.data(), digits.data() + digits.size(), segment.indices.emplace_back());
+      if (failure != std::errc() || end != digits.data() + digits.size())
+        throw malformed(fmt::format("'{}' is no index from 0", digits));
       rest = trimmed(rest.substr(close + 1));
     }
     return segment;
-  }
-
-  std::size_t read_index(std::string_view digits) const {
-    std::size_t index = 0;
-    const char* end = digits.data() + digits.size();
-    const auto [stop, failure] = std::from_chars(digits.data(), end, index);
-    if (failure != std::errc() || stop != end)
-      throw malformed(fmt::format("'{}' is no index from 0", digits));
-    return index;
   }
 
   // From a table, or from an array of tables by the name of an entry, or through its only one.
@@ -145,15 +142,16 @@ class Override {
   // The entry whose name, or else plugin, or else type is this; null when none is.
   toml::node* named_entry(toml::array& array, const std::string& name) const {
     for (const std::string_view key : naming_keys) {
-      std::vector<toml::node*> matches;
+      std::size_t count = 0;
+      toml::node* match = nullptr;
       for (toml::node& entry : array) {
-        const std::string* text = text_under(entry, key);
-        if (text != nullptr && *text == name) matches.push_back(&entry);
+        if (names(entry, key, name)) match = &entry, ++count;
       }
-      if (matches.size() == 1) return matches.front();
-      if (matches.empty()) continue;
-      throw error("{} entries of {} have {} '{}'; choose one by index: {}", matches.size(),
-                  document_.path(array), key, files::one_line(name), titles(matches));
+      if (count == 1) return match;
+      if (count > 1) {
+        throw error("{} entries of {} have {} '{}'; choose one by index: {}", count, document_.path(array),
+                    key, files::one_line(name), titles(array, key, name));
+      }
     }
     return nullptr;
   }
@@ -168,29 +166,25 @@ class Override {
     }
     toml::array& array = *node.as_array();
     if (array.size() == 1) return *array[0].as_table();
-    std::vector<std::string> names;
-    for (const std::string_view key : naming_keys) {
-      for (const toml::node& entry : array) {
-        if (const std::string* text = text_under(entry, key)) names.push_back(*text);
-      }
-    }
+    std::vector<std::string> known;
+    for (const std::string_view key : naming_keys)
+      for (const toml::node& entry : array)
+        if (const std::string* text = text_under(entry, key)) known.push_back(*text);
     throw error("{} has {} entries and '{}' names none of them{} choose one: {}", path, array.size(),
-                files::one_line(name), suggestion(name, names), titles(all_of(array)));
+                files::one_line(name), suggestion(name, known), titles(array));
   }
 
   // A key that is not there becomes a table, but for the last, which gets the value.
   Slot child_of(toml::table& table, const Segment& segment, bool last) {
     toml::node* child = table.get(segment.name);
     if (child == nullptr && !segment.indices.empty()) {
-      std::vector<std::string> present;
-      for (const auto& [key, value] : document_.entries(table)) present.emplace_back(key->str());
       throw error("{} has no '{}' to take an entry of{} an override adds no entries to a list",
-                  document_.label(table), files::one_line(segment.name), suggestion(segment.name, present));
+                  document_.label(table), files::one_line(segment.name),
+                  suggestion(segment.name, document_.keys(table)));
     }
     if (child == nullptr && !last) {
       toml::table parsed = toml::parse("[value]", place_);
-      const Slot absent{&table, segment.name, 0, nullptr};
-      assign(absent, std::move(*parsed.get("value")));
+      assign({&table, segment.name, 0, nullptr}, std::move(*parsed.get("value")));
       child = table.get(segment.name);
     }
     return {&table, segment.name, 0, child};
@@ -207,7 +201,7 @@ class Override {
     }
     if (index < array->size()) return {array, {}, index, &(*array)[index]};
     throw error("{} has {} entries, so there is no entry {}; count from 0{}", path, array->size(), index,
-                array->is_array_of_tables() ? ": " + titles(all_of(*array)) : "");
+                array->is_array_of_tables() ? ": " + titles(*array) : "");
   }
 
   void assign(const Slot& slot, toml::node&& value) {
@@ -230,23 +224,16 @@ class Override {
     return first;
   }
 
-  static std::vector<toml::node*> all_of(toml::array& array) {
-    std::vector<toml::node*> entries;
-    for (toml::node& entry : array) entries.push_back(&entry);
-    return entries;
-  }
-
-  // "stage[0] (settle), stage[1] (cycle)"
-  std::string titles(const std::vector<toml::node*>& entries) const {
+  // "stage[0] (settle), stage[1] (cycle)"; with a key, of the entries that it names so.
+  std::string titles(const toml::array& array, std::string_view key = "", std::string_view name = "") const {
     std::vector<std::string> titles;
-    for (const toml::node* entry : entries) {
-      titles.push_back(document_.path(*entry));
-      for (const std::string_view key : naming_keys) {
-        const std::string* text = text_under(*entry, key);
-        if (text == nullptr) continue;
-        titles.back() += fmt::format(" ({})", files::one_line(*text));
-        break;
-      }
+    for (const toml::node& entry : array) {
+      if (!key.empty() && !names(entry, key, name)) continue;
+      titles.push_back(document_.path(entry));
+      const auto named = std::find_if(std::begin(naming_keys), std::end(naming_keys),
+                                      [&](std::string_view k) { return text_under(entry, k) != nullptr; });
+      if (named != std::end(naming_keys))
+        titles.back() += fmt::format(" ({})", files::one_line(*text_under(entry, *named)));
     }
     return listed(titles);
   }

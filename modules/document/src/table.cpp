@@ -15,10 +15,8 @@ namespace {
 
 // A present key that nobody has asked for yet and that looks like the missing one.
 std::string misspelt(const TableState& table, std::string_view key) {
-  std::vector<std::string> unasked;
-  for (const auto& entry : table.document->entries(*table.toml)) {
-    if (!table.knows(entry.first->str())) unasked.emplace_back(entry.first->str());
-  }
+  std::vector<std::string> unasked = table.document->keys(*table.toml);
+  std::erase_if(unasked, [&](const std::string& present) { return table.knows(present); });
   const auto near = nearest_word(key, unasked);
   if (!near) return "";
   const auto at = table.toml->find(*near);
@@ -45,8 +43,7 @@ Table checked_table(const std::shared_ptr<TableState>& from, const toml::node& c
 }
 
 // What the message of an element is placed at: that element, else the array, else the table.
-const toml::node& nearest_node(const TableState& table, std::string_view key,
-                               std::size_t element = std::size_t(-1)) {
+const toml::node& nearest_node(const TableState& table, std::string_view key, std::size_t element) {
   const toml::node* child = table.toml->get(key);
   if (child == nullptr) return *table.toml;
   const toml::array* array = child->as_array();
@@ -98,11 +95,7 @@ std::string Table::path() const { return state_->document->path(*state_->toml); 
 
 std::string Table::label() const { return state_->document->label(*state_->toml); }
 
-std::vector<std::string> Table::keys() const {
-  std::vector<std::string> names;
-  for (const auto& entry : state_->document->entries(*state_->toml)) names.emplace_back(entry.first->str());
-  return names;
-}
+std::vector<std::string> Table::keys() const { return state_->document->keys(*state_->toml); }
 
 Table Table::table(std::string_view key) const {
   const toml::node* child = state_->ask(key);
@@ -163,10 +156,6 @@ void Table::refuse_unused() const {
 
 std::string Table::place() const { return state_->document->place(*state_->toml); }
 
-std::string Table::place(std::string_view key) const {
-  return state_->document->place(nearest_node(*state_, key));
-}
-
 std::string Table::place(std::string_view key, std::size_t element) const {
   return state_->document->place(nearest_node(*state_, key, element));
 }
@@ -176,7 +165,7 @@ Error Table::error(std::string_view what, std::string_view cure) const {
 }
 
 Error Table::error(std::string_view key, std::string_view what, std::string_view cure) const {
-  return state_->document->error(nearest_node(*state_, key), what, cure);
+  return error(key, whole, what, cure);
 }
 
 Error Table::error(std::string_view key, std::size_t element, std::string_view what,

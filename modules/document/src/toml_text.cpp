@@ -19,35 +19,13 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : quoted(key);
 }
 
-std::string inline_text(const DocumentState& document, const toml::table& table) {
-  std::string entries;
-  for (const auto& [key, value] : document.entries(table)) {
-    entries +=
-        fmt::format("{}{} = {}", entries.empty() ? "" : ", ", key_text(*key), value_text(document, *value));
-  }
-  return entries.empty() ? "{}" : fmt::format("{{ {} }}", entries);
-}
-
-std::string inline_text(const DocumentState& document, const toml::array& array) {
-  std::string elements;
-  for (const toml::node& element : array) {
-    elements += (elements.empty() ? "" : ", ") + value_text(document, element);
-  }
-  return fmt::format("[{}]", elements);
-}
-
-bool has_header(const toml::node& node) { return node.is_table() && !node.as_table()->is_inline(); }
-
-bool has_headers(const toml::node& node) {
+// Whether a value stands under a header of its own: [table] or [[entry]].
+bool has_header(const toml::node& node) {
+  if (const toml::table* table = node.as_table()) return !table->is_inline();
   const toml::array* array = node.as_array();
-  return array != nullptr && !array->empty() && std::all_of(array->begin(), array->end(), has_header);
-}
-
-// A table that holds nothing but tables is there by their headers.
-bool needs_header(const toml::table& table) {
-  return table.empty() || std::any_of(table.begin(), table.end(), [](const auto& entry) {
-           return !has_header(entry.second) && !has_headers(entry.second);
-         });
+  return array != nullptr && !array->empty() &&
+         std::all_of(array->begin(), array->end(),
+                     [](const auto& entry) { return entry.is_table() && has_header(entry); });
 }
 
 // Plain values first: behind a header they would belong to the table of that header.
@@ -55,21 +33,24 @@ void append(const DocumentState& document, const toml::table& table, const std::
             std::string& text) {
   const auto entries = document.entries(table);
   for (const auto& [key, value] : entries) {
-    if (!has_header(*value) && !has_headers(*value))
-      text += fmt::format("{} = {}\n", key_text(*key), value_text(document, *value));
+    if (!has_header(*value)) text += fmt::format("{} = {}\n", key_text(*key), value_text(document, *value));
   }
   for (const auto& [key, value] : entries) {
+    if (!has_header(*value)) continue;
     const std::string path = above + key_text(*key);
-    const char* gap = text.empty() ? "" : "\n";
-    if (has_header(*value)) {
-      if (needs_header(*value->as_table())) text += fmt::format("{}[{}]\n", gap, path);
-      append(document, *value->as_table(), path + ".", text);
-    } else if (has_headers(*value)) {
-      for (const toml::node& entry : *value->as_array()) {
-        text += fmt::format("{}[[{}]]\n", text.empty() ? "" : "\n", path);
-        append(document, *entry.as_table(), path + ".", text);
-      }
-    }
+    const auto append_below = [&](const toml::node& entry, std::string_view header) {
+      if (!header.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", header);
+      append(document, *entry.as_table(), path + ".", text);
+    };
+    const toml::table* child = value->as_table();
+    // A table that holds nothing but tables is there by their headers.
+    const bool plain = child != nullptr &&
+                       (child->empty() || std::any_of(child->begin(), child->end(),
+                                                      [](const auto& e) { return !has_header(e.second); }));
+    if (child != nullptr)
+      append_below(*child, plain ? fmt::format("[{}]", path) : "");
+    else
+      each_child(*value, [&](const toml::node& entry) { append_below(entry, fmt::format("[[{}]]", path)); });
   }
 }
 
@@ -82,8 +63,15 @@ std::string quoted(std::string_view text) {
 std::string value_text(const DocumentState& document, const toml::node& node) {
   return node.visit([&](const auto& value) -> std::string {
     using Value = std::decay_t<decltype(value)>;
-    if constexpr (toml::is_table<Value> || toml::is_array<Value>) {
-      return inline_text(document, value);
+    if constexpr (toml::is_table<Value>) {
+      std::vector<std::string> entries;
+      for (const auto& [key, entry] : document.entries(value))
+        entries.push_back(fmt::format("{} = {}", key_text(*key), value_text(document, *entry)));
+      return entries.empty() ? "{}" : fmt::format("{{ {} }}", listed(entries));
+    } else if constexpr (toml::is_array<Value>) {
+      std::vector<std::string> elements;
+      for (const toml::node& element : value) elements.push_back(value_text(document, element));
+      return fmt::format("[{}]", listed(elements));
     } else if constexpr (toml::is_string<Value>) {
       return quoted(value.get());
     } else if constexpr (toml::is_floating_point<Value>) {

@@ -90,6 +90,12 @@ std::vector<DocumentState::Entry> DocumentState::entries(const toml::table& tabl
   return found;
 }
 
+std::vector<std::string> DocumentState::keys(const toml::table& table) const {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : entries(table)) names.emplace_back(key->str());
+  return names;
+}
+
 std::string place_text(std::string_view name, const toml::source_region& region) {
   if (region.path != nullptr) return *region.path;
   const auto from_1 = [](toml::source_index index) { return std::max<toml::source_index>(index, 1); };

@@ -50,6 +50,7 @@ struct DocumentState {
   std::size_t override_of(const toml::source_region& source) const;
   // In file order; what overrides added comes behind.
   std::vector<Entry> entries(const toml::table& table) const;
+  std::vector<std::string> keys(const toml::table& table) const;
 
   std::string place(const toml::node& node) const;
   std::string key_place(const Entry& entry) const;

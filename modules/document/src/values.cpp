@@ -138,47 +138,31 @@ auto require(TableState& table, std::string_view key, const std::string& form, R
   return read(*table.document, table.require(key, form), arguments...);
 }
 
-template <class Is>
-bool is(const TableState& table, std::string_view key, Is is_kind) {
+toml::node_type kind(const TableState& table, std::string_view key) {
   const toml::node* node = table.toml->get(key);
-  return node != nullptr && is_kind(*node);
+  return node != nullptr ? node->type() : toml::node_type::none;
 }
+
+using Kind = toml::node_type;
 
 }  // namespace
 
 bool Table::has(std::string_view key) const { return state_->toml->contains(key); }
-
-bool Table::is_table(std::string_view key) const {
-  return is(*state_, key, [](const toml::node& node) { return node.is_table(); });
-}
-
-bool Table::is_array(std::string_view key) const {
-  return is(*state_, key, [](const toml::node& node) { return node.is_array(); });
-}
+bool Table::is_table(std::string_view key) const { return kind(*state_, key) == Kind::table; }
+bool Table::is_array(std::string_view key) const { return kind(*state_, key) == Kind::array; }
+bool Table::is_string(std::string_view key) const { return kind(*state_, key) == Kind::string; }
+bool Table::is_boolean(std::string_view key) const { return kind(*state_, key) == Kind::boolean; }
 
 bool Table::is_number(std::string_view key) const {
-  return is(*state_, key, [](const toml::node& node) { return node.is_number(); });
-}
-
-bool Table::is_string(std::string_view key) const {
-  return is(*state_, key, [](const toml::node& node) { return node.is_string(); });
-}
-
-bool Table::is_boolean(std::string_view key) const {
-  return is(*state_, key, [](const toml::node& node) { return node.is_boolean(); });
+  return kind(*state_, key) == Kind::integer || kind(*state_, key) == Kind::floating_point;
 }
 
 bool Table::is_inline_table(std::string_view key) const {
-  return is(*state_, key,
-            [](const toml::node& node) { return node.is_table() && node.as_table()->is_inline(); });
+  return is_table(key) && state_->toml->get(key)->as_table()->is_inline();
 }
 
 double Table::number(std::string_view key, const Range& range) const {
   return require(*state_, key, form(key, "<number>", range), read_number, range);
-}
-
-double Table::number(std::string_view key, double fallback, const Range& range) const {
-  return optional_number(key, range).value_or(fallback);
 }
 
 std::optional<double> Table::optional_number(std::string_view key, const Range& range) const {
@@ -187,10 +171,6 @@ std::optional<double> Table::optional_number(std::string_view key, const Range& 
 
 std::int64_t Table::integer(std::string_view key, const Range& range) const {
   return require(*state_, key, form(key, "<whole number>", range), read_integer, range);
-}
-
-std::int64_t Table::integer(std::string_view key, std::int64_t fallback, const Range& range) const {
-  return optional_integer(key, range).value_or(fallback);
 }
 
 std::optional<std::int64_t> Table::optional_integer(std::string_view key, const Range& range) const {
@@ -207,10 +187,6 @@ bool Table::boolean(std::string_view key, bool fallback) const {
 
 std::string Table::string(std::string_view key) const {
   return require(*state_, key, form(key, "\"<text>\""), read_string);
-}
-
-std::string Table::string(std::string_view key, std::string_view fallback) const {
-  return optional_string(key).value_or(std::string(fallback));
 }
 
 std::optional<std::string> Table::optional_string(std::string_view key) const {

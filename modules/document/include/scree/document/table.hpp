@@ -22,6 +22,8 @@ struct TableState;
 // of range. All throw Error (bad_input), one line "file:line:column: what is wrong; what to do".
 class Table {
  public:
+  static constexpr std::size_t whole = static_cast<std::size_t>(-1);  // all of an array
+
   explicit Table(std::shared_ptr<TableState> state) : state_(std::move(state)) {}
 
   // "contact[1]" (index from 0, left out where there is one entry); empty at the top level.
@@ -42,19 +44,25 @@ class Table {
 
   // Finite; written with or without a decimal point.
   double number(std::string_view key, const Range& range = Range::any()) const;
-  double number(std::string_view key, double fallback, const Range& range = Range::any()) const;
+  double number(std::string_view key, double fallback, const Range& range = Range::any()) const {
+    return optional_number(key, range).value_or(fallback);
+  }
   std::optional<double> optional_number(std::string_view key, const Range& range = Range::any()) const;
 
   // Written without a decimal point or exponent.
   std::int64_t integer(std::string_view key, const Range& range = Range::any()) const;
-  std::int64_t integer(std::string_view key, std::int64_t fallback, const Range& range = Range::any()) const;
+  std::int64_t integer(std::string_view key, std::int64_t fallback, const Range& range = Range::any()) const {
+    return optional_integer(key, range).value_or(fallback);
+  }
   std::optional<std::int64_t> optional_integer(std::string_view key, const Range& range = Range::any()) const;
 
   bool boolean(std::string_view key) const;
   bool boolean(std::string_view key, bool fallback) const;
 
   std::string string(std::string_view key) const;
-  std::string string(std::string_view key, std::string_view fallback) const;
+  std::string string(std::string_view key, std::string_view fallback) const {
+    return optional_string(key).value_or(std::string(fallback));
+  }
   std::optional<std::string> optional_string(std::string_view key) const;
 
   // A string out of allowed.
@@ -94,12 +102,10 @@ class Table {
   // Throws for the first key, in file order, of this table and those below that no reader has asked for.
   void refuse_unused() const;
 
-  // "file:line:column" of the table, of the value of a key, or of the table when the key is absent;
-  // "--set key=value" for what an override has written.
+  // "file:line:column" of the table; or of the value of a key, of one element (from 0) of its array, or of
+  // the table when the key is absent; "--set key=value" for what an override has written.
   std::string place() const;
-  std::string place(std::string_view key) const;
-  // Of one element (from 0) of the array under key.
-  std::string place(std::string_view key, std::size_t element) const;
+  std::string place(std::string_view key, std::size_t element = whole) const;
   // "place: what; cure", to be thrown.
   Error error(std::string_view what, std::string_view cure) const;
   Error error(std::string_view key, std::string_view what, std::string_view cure) const;
