@@ -90,7 +90,7 @@ class Override {
 
   void check_utf8() const {
     try {
-      [[maybe_unused]] const toml::table text = toml::parse("text = " + quoted(text_));
+      [[maybe_unused]] const toml::table text = toml::parse("text = " + quoted_text(text_));
     } catch (const toml::parse_error&) {
       throw error("is not UTF-8 text; encode it as UTF-8");
     }

@@ -157,7 +157,7 @@ toml::table parse_value(std::string_view text, const std::string& place) {
     const bool meant_as_toml = std::string_view("[{\"'").find(text.front()) != std::string_view::npos;
     if (meant_as_toml) throw no_toml(place, error);
   }
-  return toml::parse("value = " + quoted(text), place);
+  return toml::parse("value = " + quoted_text(text), place);
 }
 
 }  // namespace scree::document

@@ -16,7 +16,7 @@ std::string key_text(std::string_view key) {
   const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
-  return bare ? std::string(key) : quoted(key);
+  return bare ? std::string(key) : quoted_text(key);
 }
 
 // Whether a value stands under a header of its own: [table] or [[entry]].
@@ -56,7 +56,7 @@ void append(const DocumentState& document, const toml::table& table, const std::
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   return fmt::format("\"{}\"", files::escaped(text, files::Escapes::toml));
 }
 
@@ -73,7 +73,7 @@ std::string value_text(const DocumentState& document, const toml::node& node) {
       for (const toml::node& element : value) elements.push_back(value_text(document, element));
       return fmt::format("[{}]", listed(elements));
     } else if constexpr (toml::is_string<Value>) {
-      return quoted(value.get());
+      return quoted_text(value.get());
     } else if constexpr (toml::is_floating_point<Value>) {
       return toml_number_text(value.get());
     } else {

@@ -83,7 +83,7 @@ std::string place_text(std::string_view name, const toml::source_region& region)
 std::string description(const DocumentState& document, const toml::node& node);
 
 // A string as TOML writes it.
-std::string quoted(std::string_view text);
+std::string quoted_text(std::string_view text);
 // One value as TOML in one line.
 std::string value_text(const DocumentState& document, const toml::node& node);
 // All of it as TOML.
