@@ -32,9 +32,11 @@ struct Box {
 
   void declare(scree::Declaration& d) {
     using namespace scree;
-    d.vector("lower", lower, "m", "lower corner; if absent, that of the bodies' bounding box minus the gap")
+    d.vector("lower", lower, "m",
+             "lower corner; without both corners that of the bodies' bounding box minus the gap")
         .optional();
-    d.vector("upper", upper, "m", "upper corner; if absent, that of the bodies' bounding box plus the gap")
+    d.vector("upper", upper, "m",
+             "upper corner; without both corners that of the bodies' bounding box plus the gap")
         .optional();
     d.number("gap", gap, "m", non_negative, "distance from the bodies if the corners are not given");
     d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");

@@ -4,7 +4,7 @@
 
 function(scree_add_plugin kind name)
   cmake_parse_arguments(ARG "" "" "LEVELS" ${ARGN})
-  if(SCREE_SANITIZE OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(ARG_LEVELS "")
   endif()
   foreach(level baseline ${ARG_LEVELS})

@@ -27,8 +27,8 @@ struct TimeKeys : TableKeys {
   TimeKeys() : TableKeys("time", "[time]", "time step and integration") {}
   NumberKey step = number("step", Range::positive("s"),
                           "length of a step; or { fraction = 0.02 } of the shortest contact");
-  Key duration =
-      other("duration", "number", Range::positive("s"), "required without [[stage]]", "of the run");
+  Key duration = other("duration", "number", Range::positive("s"),
+                       "required without [[stage]], not allowed with it", "of the run");
   ChoiceKey integrator = choice_or_first("integrator", integrator_names(), "scheme; see scree accuracy");
   ChoiceKey precision =
       choice_or_first("precision", {"double", "mixed"}, "mixed evaluates contacts in float");
@@ -46,7 +46,7 @@ struct StepKeys : TableKeys {
 };
 
 struct LimitsKeys : TableKeys {
-  LimitsKeys() : TableKeys("limits", "[limits]", "beyond them a run stops as blown up") {}
+  LimitsKeys() : TableKeys("limits", "[limits]", "a run that exceeds them is stopped as unstable") {}
   NumberKey overlap_ratio =
       number("overlap_ratio", Range::positive(), 0.5, "overlap over the smaller radius");
   NumberKey speed =
@@ -104,7 +104,7 @@ struct RadiusKeys : TableKeys {
   NumberKey minimum =
       number("minimum", Range::positive("m"), "smallest radius", "required for uniform, normal");
   NumberKey maximum = number("maximum", Range::positive("m"), "largest radius",
-                             "required for uniform; normal: mean + ten deviations above the mean");
+                             "required for uniform; for normal 2 mean + 10 standard_deviation");
   NumberKey mean = number("mean", Range::positive("m"), "before truncation", "required for normal");
   NumberKey standard_deviation =
       number("standard_deviation", Range::non_negative("m"), "before truncation", "required for normal");
@@ -114,9 +114,10 @@ struct RadiusKeys : TableKeys {
       number("large", Range::positive("m"), "radius of the large bodies", "required for bidisperse");
   NumberKey large_fraction = number("large_fraction", Range::between(0, 1), "number of large bodies over all",
                                     "required for bidisperse");
-  Key radii =
-      other("radii", "[r1, r2, ...]", Range::positive("m"), "required for list", "the radii to choose from");
-  Key weights = other("weights", "[w1, w2, ...]", Range::non_negative(), "default equal", "of the radii");
+  Key radii = other("radii", "[r1, r2, ...]", Range::positive("m"), "required for list", "the radii");
+  Key weights = other("weights", "[w1, w2, ...]", Range::non_negative(),
+                      "without them the k-th body has the k-th radius",
+                      "relative frequencies of the radii, drawn at random");
 };
 
 struct ParticleKeys : TableKeys {
@@ -131,7 +132,7 @@ struct ParticleKeys : TableKeys {
       number("mass", Range::positive("kg"), "instead of the one by density", "default by density");
   StringKey material = string("material", "", "name of a [[material]]", "required with several materials");
   IntegerKey id = integer("id", Range::between(1, max_id), 0,
-                          "of the body, in files and probes; 0: numbered after the largest");
+                          "of the body, in files and probes; without it numbered after the largest");
 };
 
 struct MaterialKeys : TableKeys {
@@ -229,7 +230,7 @@ struct SnapshotKeys : TableKeys {
 struct ExpectKeys : TableKeys {
   ExpectKeys()
       : TableKeys("expect", "[[expect]]",
-                  "what the run must have come to; reference and tolerance, at_most, or at_least") {}
+                  "a condition that the result must fulfil; reference and tolerance, at_most, or at_least") {}
   StringKey requirement = string("requirement", "a sentence for the report");
   StringKey quantity =
       string("quantity", "a number of run.json, or <probe>.<column>.<last, first, min, max or mean>");

@@ -11,7 +11,7 @@
 
 namespace scree::scenario {
 
-// A key of a table: its name for the readers, and all that is known of its value. Declared once, in keys.cpp's tables;
+// A key of a table: its name for the readers, and all that is known of its value. Declared once, in scene_keys.hpp;
 // read with the functions below.
 struct Key {
   std::string name;
