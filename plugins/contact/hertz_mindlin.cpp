@@ -3,6 +3,7 @@
 // dense granular packings" (2017), [L1]-[L7], with the effective moduli of the code that they used.
 
 #include <cmath>
+#include <numbers>
 
 #include <scree/plugin/contact_law.hpp>
 #include <scree/plugin/friction.hpp>
@@ -16,7 +17,7 @@ using scree::Contact;
 using scree::Response;
 using scree::Vec;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 
 enum HistoryForm { displacement, rescaled, potential };
 

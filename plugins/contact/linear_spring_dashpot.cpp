@@ -2,6 +2,7 @@
 // David, García-Rojo, Herrmann, Luding, "Hysteresis and creep in powders and grains" (2005), [D1]-[D4].
 
 #include <cmath>
+#include <numbers>
 
 #include <scree/plugin/contact_law.hpp>
 #include <scree/plugin/friction.hpp>
@@ -15,7 +16,7 @@ using scree::Contact;
 using scree::Response;
 using scree::Vec;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 
 struct LinearSpringDashpot : scree::ContactLaw {
   double normal_stiffness = 0;

@@ -1,6 +1,7 @@
 // Lengths, stresses and strains of a box of walls.
 
 #include <cmath>
+#include <numbers>
 
 #include <scree/plugin/probe.hpp>
 
@@ -73,7 +74,7 @@ struct BoxProbe {
     return view.planes[wall(view, axis, -1)].point[axis] - view.planes[wall(view, axis, 1)].point[axis];
   }
   double solid_volume(const scree_view& view) const {
-    constexpr double pi = 3.14159265358979323846;
+    constexpr double pi = std::numbers::pi;
     double sum = 0;
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
       const double r = view.radius[i];

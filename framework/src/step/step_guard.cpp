@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -84,7 +85,7 @@ void each_encounter(const Scene& scene, double speed, const Visit& visit) {
 double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double network) {
   encounter.network = network;
   if (const auto critical = closed_form(law, encounter, "critical_step")) return *critical;
-  constexpr double pi = 3.14159265358979323846;
+  constexpr double pi = std::numbers::pi;
   return 2 / pi / std::sqrt(network) * closed_form(law, encounter, "contact_time").value_or(infinite);
 }
 

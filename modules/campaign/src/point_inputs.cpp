@@ -43,7 +43,8 @@ auto placed(const Campaign& campaign, const Point& point, Action&& action) {
 Inputs inputs_of(const Campaign& campaign, const Point& point) {
   return placed(campaign, point, [&] {
     const auto document = document::Document::load(campaign.scenario, point.overrides());
-    if (!document.outdone().empty()) throw Error(fmt::format("{}; keep one of the two", document.outdone()));
+    if (!document.conflict().empty())
+      throw Error(fmt::format("{}; keep one of the two", document.conflict()));
     Inputs inputs{document.resolved_text(), std::nullopt};
     const document::Table root = document.root();
     if (root.is_table("particles") && root.table("particles").is_string("file"))

@@ -103,6 +103,6 @@ Table Document::root() const {
 
 std::string Document::resolved_text() const { return document_text(*state_); }
 
-const std::string& Document::outdone() const { return state_->outdone; }
+const std::string& Document::conflict() const { return state_->conflict; }
 
 }  // namespace scree::document

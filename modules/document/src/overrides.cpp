@@ -205,10 +205,10 @@ class Override {
   }
 
   void assign(const Slot& slot, toml::node&& value) {
-    if (slot.value != nullptr && document_.outdone.empty()) {
+    if (slot.value != nullptr && document_.conflict.empty()) {
       const std::size_t before = first_override(*slot.value);
       if (before < document_.overrides.size() - 1)
-        document_.outdone = fmt::format("{} is undone by {}", document_.overrides[before], place_);
+        document_.conflict = fmt::format("{} is undone by {}", document_.overrides[before], place_);
     }
     if (toml::table* table = slot.owner->as_table())
       table->insert_or_assign(toml::key(slot.key, value.source()), std::move(value));

@@ -40,7 +40,7 @@ struct DocumentState {
 
   std::string name;
   std::vector<std::string> overrides;  // applied so far, as "--set key=value"
-  std::string outdone;                 // "<override> is undone by <override>" of the first, if any
+  std::string conflict;                // "<override> is undone by <override>" of the first, if any
   toml::table root = {};
   std::unordered_map<const toml::node*, TableState> tables = {};  // those that were asked for
   std::deque<toml::table> absent = {};                            // those that read as empty ones

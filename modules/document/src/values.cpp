@@ -151,8 +151,6 @@ bool Table::has(std::string_view key) const { return state_->toml->contains(key)
 bool Table::is_table(std::string_view key) const { return kind(*state_, key) == Kind::table; }
 bool Table::is_array(std::string_view key) const { return kind(*state_, key) == Kind::array; }
 bool Table::is_string(std::string_view key) const { return kind(*state_, key) == Kind::string; }
-bool Table::is_boolean(std::string_view key) const { return kind(*state_, key) == Kind::boolean; }
-
 bool Table::is_number(std::string_view key) const {
   return kind(*state_, key) == Kind::integer || kind(*state_, key) == Kind::floating_point;
 }
@@ -207,11 +205,6 @@ std::vector<double> Table::numbers(std::string_view key, const Range& range) con
 
 std::vector<double> Table::numbers(std::string_view key, std::size_t count, const Range& range) const {
   return require(*state_, key, form(key, row_form(count), range), read_numbers, count, range);
-}
-
-std::vector<double> Table::numbers_or(std::string_view key, std::vector<double> fallback,
-                                      const Range& range) const {
-  return ask(*state_, key, read_numbers, fallback.size(), range).value_or(fallback);
 }
 
 std::vector<std::vector<double>> Table::rows(std::string_view key, std::size_t columns,

@@ -17,7 +17,6 @@ struct Key {
   std::string name;
   document::Range range = document::Range::any();
   operator std::string_view() const { return name; }
-  operator std::string() const { return name; }
 };
 
 // With a fallback the key may be absent.

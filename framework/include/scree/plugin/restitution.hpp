@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <scree/plugin/vec.hpp>
 
@@ -16,7 +17,7 @@ enum class Tension { allowed, cut };
 //   tension allowed: r = exp(−πζ/√(1−ζ²))
 //   tension cut:     r = exp(−ζφ/√(1−ζ²)), φ = atan2(2ζ√(1−ζ²), 2ζ²−1), the phase at which the force vanishes
 inline double restitution_of(double zeta, Tension tension) {
-  constexpr double pi = 3.14159265358979323846;
+  constexpr double pi = std::numbers::pi;
   const double root = std::sqrt(std::max(1 - zeta * zeta, 0.0));
   if (tension == Tension::allowed) return root > 0 ? std::exp(-pi * zeta / root) : 0;
   if (zeta < 1) return std::exp(-zeta / root * std::atan2(2 * zeta * root, 2 * zeta * zeta - 1));
@@ -27,7 +28,7 @@ inline double restitution_of(double zeta, Tension tension) {
 
 // The damping ratio ζ that gives a coefficient of restitution in (0, 1].
 inline double damping_ratio_of(double restitution, Tension tension) {
-  constexpr double pi = 3.14159265358979323846;
+  constexpr double pi = std::numbers::pi;
   if (restitution == 1) return 0;
   if (tension == Tension::allowed) {
     const double log_r = std::log(restitution);

@@ -37,7 +37,7 @@ class Document {
   std::string resolved_text() const;
   // "--set a=1 is undone by --set b=2" if they are two names for the same, or one holds the other; else
   // empty.
-  const std::string& outdone() const;
+  const std::string& conflict() const;
 
  private:
   explicit Document(std::shared_ptr<DocumentState> state) : state_(std::move(state)) {}

@@ -38,7 +38,6 @@ class Table {
   bool is_array(std::string_view key) const;   // also an array of tables
   bool is_number(std::string_view key) const;  // integer or floating-point
   bool is_string(std::string_view key) const;
-  bool is_boolean(std::string_view key) const;
   // A table written on one line, as { a = 1 }.
   bool is_inline_table(std::string_view key) const;
 
@@ -74,9 +73,6 @@ class Table {
   std::vector<double> numbers(std::string_view key, const Range& range = Range::any()) const;
   std::vector<double> numbers(std::string_view key, std::size_t count,
                               const Range& range = Range::any()) const;
-  // As many numbers as the fallback has.
-  std::vector<double> numbers_or(std::string_view key, std::vector<double> fallback,
-                                 const Range& range = Range::any()) const;
   // (any number of rows, columns).
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns,
                                         const Range& range = Range::any()) const;
