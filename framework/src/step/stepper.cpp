@@ -110,7 +110,10 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
        .domain = p.boundaries.domain(),
        .elapsed = elapsed},
       *p.threads,
-      [&](std::size_t part, unsigned worker) { finish_part(part, moves, worker == 0 ? p.profile : nullptr); },
+      // Two pointers: std::function stores them without an allocation.
+      [this, &moves](std::size_t part, unsigned worker) {
+        finish_part(part, moves, worker == 0 ? parts_.profile : nullptr);
+      },
       p.profile);
   p.body_sums = {};
   MomentumAudit::Sums momentum;
