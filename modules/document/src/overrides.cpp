@@ -16,18 +16,18 @@ constexpr std::size_t most_segments = 64;
 constexpr std::size_t longest_shown = 160;
 constexpr std::string_view naming_keys[] = {"name", "plugin", "type"};
 
-// One step of a dotted path: stage[1] has the name "stage" and one index.
+// One part of a dotted path: stage[1] has the name "stage" and one index.
 struct Segment {
   std::string name;
   std::vector<std::size_t> indices;  // from 0
 };
 
-// A value and what holds it: a table under the key, or an array at the index.
+// A value and its owner: a table, which has it under the key, or an array, which has it at the index.
 struct Slot {
   toml::node* owner;
   std::string key;
   std::size_t index;
-  toml::node* value;  // null in a table that has no such key
+  toml::node* value;  // null if the table has no such key
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -37,7 +37,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-// The position of the first such character outside quotes.
+// Position of the first `wanted` character outside quotes.
 std::size_t find_unquoted(std::string_view text, char wanted) {
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -58,7 +58,8 @@ bool names(const toml::node& entry, std::string_view key, std::string_view name)
   return text != nullptr && *text == name;
 }
 
-// Applies one "key=value". Its errors begin with its place and list the entries of arrays with their indices.
+// Applies one override "key=value". Errors begin with the override, and list entries of arrays with their
+// indices.
 class Override {
  public:
   Override(DocumentState& document, std::string_view text)
@@ -130,7 +131,8 @@ class Override {
     return segment;
   }
 
-  // From a table, or from an array of tables by the name of an entry, or through its only one.
+  // Follows one segment of the path, from a table or from an array of tables. In an array the segment is the
+  // name of an entry, or a key of its only entry.
   Slot enter(toml::node& from, const Segment& segment, bool last) {
     Slot slot{nullptr, {}, 0, nullptr};
     if (!last && from.is_array_of_tables()) slot.value = named_entry(*from.as_array(), segment.name);
@@ -139,7 +141,7 @@ class Override {
     return slot;
   }
 
-  // The entry whose name, or else plugin, or else type is this; null when none is.
+  // The entry with this name or, if there is none, with this plugin or this type; null if no entry matches.
   toml::node* named_entry(toml::array& array, const std::string& name) const {
     for (const std::string_view key : naming_keys) {
       std::size_t count = 0;
@@ -156,7 +158,7 @@ class Override {
     return nullptr;
   }
 
-  // Where a name is looked up: the table itself, or the only entry of an array of tables.
+  // The table in which a name is looked up: the node itself, or the only entry of an array of tables.
   toml::table& table_at(toml::node& node, const std::string& name) const {
     if (node.is_table()) return *node.as_table();
     const std::string path = document_.path(node);
@@ -174,7 +176,7 @@ class Override {
                 files::one_line(name), suggestion(name, known), titles(array));
   }
 
-  // A key that is not there becomes a table, but for the last, which gets the value.
+  // Creates a table for an absent key, unless it is the last of the path, to which the value is assigned.
   Slot child_of(toml::table& table, const Segment& segment, bool last) {
     toml::node* child = table.get(segment.name);
     if (child == nullptr && !segment.indices.empty()) {
@@ -190,7 +192,7 @@ class Override {
     return {&table, segment.name, 0, child};
   }
 
-  // Index 0 of a table is the table itself.
+  // Index 0 of a table denotes the table itself.
   Slot entry_at(const Slot& slot, std::size_t index) const {
     toml::array* array = slot.value->as_array();
     if (slot.value->is_table() && index == 0) return slot;
@@ -217,14 +219,14 @@ class Override {
                                       std::move(value));
   }
 
-  // The first that wrote any of this.
+  // Index of the first override that wrote the node or any part of it.
   std::size_t first_override(const toml::node& node) const {
     std::size_t first = document_.override_of(node.source());
     each_child(node, [&](const toml::node& child) { first = std::min(first, first_override(child)); });
     return first;
   }
 
-  // "stage[0] (settle), stage[1] (cycle)"; with a key, of the entries that it names so.
+  // "stage[0] (settle), stage[1] (cycle)"; with a key, only the entries whose value of the key is `name`.
   std::string titles(const toml::array& array, std::string_view key = "", std::string_view name = "") const {
     std::vector<std::string> titles;
     for (const toml::node& entry : array) {

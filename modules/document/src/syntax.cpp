@@ -10,18 +10,20 @@
 namespace scree::document {
 namespace {
 
-// Deepest nesting of tables and arrays that a document may have.
+// Maximum nesting depth of tables and arrays in a document.
 constexpr int deepest_nesting = 64;
-// Well above that, which is refused with an exact place, and well below what a stack holds.
+// Maximum number of parts of a dotted key, including the keys around it: well above deepest_nesting, which is
+// checked after parsing with an exact place, and well below the number at which the parser overflows the
+// stack.
 constexpr int most_key_parts = 1000;
 constexpr std::size_t longest_complaint = 200;
 
 struct Cure {
-  std::string_view sign;  // found in the complaint
+  std::string_view sign;  // part of the parser's message
   std::string_view cure;
 };
 
-// The first that fits is given, so the special stands before the general.
+// The first match is used, so specific entries precede general ones.
 constexpr Cure cures[] = {
     {"redefine existing table", "merge the two tables, or write [[name]] for each entry of a list"},
     {"redefine existing", "keep one of the two"},
@@ -48,7 +50,7 @@ constexpr Cure cures[] = {
     {"keys, tables", "write key = value, [table], [[entry of a list]] or # comment"},
 };
 
-// The complaint of the TOML parser as one line "place: not valid TOML: what; cure".
+// Error of the TOML parser as one line "place: not valid TOML: what; cure".
 Error no_toml(std::string_view name, const toml::parse_error& error) {
   constexpr std::string_view opening = "Error while parsing ";
   std::string_view description = error.description();
@@ -72,7 +74,7 @@ bool is_key_character(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Behind the comment, string, bare word or character that begins there.
+// End of the token that begins at a position: a comment, string, bare word or single character.
 std::size_t token_end(std::string_view text, std::size_t at) {
   const char first = text[at];
   if (first == '#') return std::min(text.find('\n', at), text.size());
@@ -93,11 +95,11 @@ std::size_t token_end(std::string_view text, std::size_t at) {
   return end;
 }
 
-// Where a dotted key, with those around it, has far too many parts: the TOML parser nests a table for each
-// and would leave the stack.
+// Line of the first dotted key that has, including the keys around it, more than most_key_parts parts. The
+// TOML parser nests one table per part and would overflow the stack.
 std::optional<toml::source_region> find_endless_key(std::string_view text) {
   struct Level {
-    int above, key;  // dots around the bracket, and of the key whose value is being read
+    int above, key;  // dots in the keys around the bracket, and in the key whose value is being read
   };
   std::vector<Level> levels = {{0, 0}};
   int dots = 0;

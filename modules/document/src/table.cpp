@@ -13,7 +13,7 @@
 namespace scree::document {
 namespace {
 
-// A present key that nobody has asked for yet and that looks like the missing one.
+// Part of a message: a present key that is not yet known and is spelt similarly to the missing key.
 std::string misspelt(const TableState& table, std::string_view key) {
   std::vector<std::string> unasked = table.document->keys(*table.toml);
   std::erase_if(unasked, [&](const std::string& present) { return table.knows(present); });
@@ -42,7 +42,7 @@ Table checked_table(const std::shared_ptr<TableState>& from, const toml::node& c
                                        : fmt::format("give a table [{}]", document.path(child)));
 }
 
-// What the message of an element is placed at: that element, else the array, else the table.
+// Node at which a message is placed: the element if it exists, else the value of the key, else the table.
 const toml::node& nearest_node(const TableState& table, std::string_view key, std::size_t element) {
   const toml::node* child = table.toml->get(key);
   if (child == nullptr) return *table.toml;
@@ -55,7 +55,7 @@ struct Unknown {
   DocumentState::Entry entry;
 };
 
-// In file order, with what overrides wrote behind.
+// Finds the first unknown key at or below a node in file order; keys written by overrides come last.
 void find_unknown(DocumentState& document, const toml::node& node, Unknown& first) {
   const toml::table* table = node.as_table();
   if (table == nullptr)

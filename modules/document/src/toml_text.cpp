@@ -19,7 +19,7 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : quoted_text(key);
 }
 
-// Whether a value stands under a header of its own: [table] or [[entry]].
+// Whether a value is written under a header of its own: [table] or [[entry]].
 bool has_header(const toml::node& node) {
   if (const toml::table* table = node.as_table()) return !table->is_inline();
   const toml::array* array = node.as_array();
@@ -28,7 +28,7 @@ bool has_header(const toml::node& node) {
                      [](const auto& entry) { return entry.is_table() && has_header(entry); });
 }
 
-// Plain values first: behind a header they would belong to the table of that header.
+// Plain values are written first: after a header they would belong to the table of that header.
 void append(const DocumentState& document, const toml::table& table, const std::string& above,
             std::string& text) {
   const auto entries = document.entries(table);
@@ -43,7 +43,7 @@ void append(const DocumentState& document, const toml::table& table, const std::
       append(document, *entry.as_table(), path + ".", text);
     };
     const toml::table* child = value->as_table();
-    // A table that holds nothing but tables is there by their headers.
+    // A table that contains only tables needs no header of its own: their headers imply it.
     const bool plain = child != nullptr &&
                        (child->empty() || std::any_of(child->begin(), child->end(),
                                                       [](const auto& e) { return !has_header(e.second); }));

@@ -10,10 +10,10 @@
 namespace scree::document {
 namespace {
 
-// From a table or array to one value in it.
+// One step of a path: from a table or an array to a value in it.
 struct Step {
   std::string_view key;
-  const toml::array* row = nullptr;  // with the index in it, instead of a key
+  const toml::array* row = nullptr;  // the array of the value, which then has an index and no key
   std::size_t index = 0;
 };
 
@@ -37,7 +37,7 @@ bool find_steps(const toml::node& from, const toml::node& target, std::vector<St
   return false;
 }
 
-// By a search from the top: only messages need it.
+// Path of a node, found by a search from the root; used only for messages.
 std::vector<Step> steps_to(const DocumentState& document, const toml::node& node) {
   std::vector<Step> steps;
   const auto state = document.tables.find(&node);
@@ -50,7 +50,7 @@ std::vector<Step> steps_to(const DocumentState& document, const toml::node& node
   return steps;
 }
 
-// Indices are left out of headers, and where there is one entry.
+// Dotted path. Indices are omitted in headers, and for the only entry of an array of tables.
 std::string dotted(const std::vector<Step>& steps, bool header) {
   std::string text;
   for (const Step& step : steps) {
@@ -82,7 +82,7 @@ std::vector<DocumentState::Entry> DocumentState::entries(const toml::table& tabl
   for (const auto& [key, value] : table) found.emplace_back(&key, &value);
   const auto order = [&](const Entry& entry) {
     const toml::source_region& source = entry.first->source();
-    // The number of the file wraps to 0.
+    // The file has the largest number, which wraps to 0, so that its entries come first.
     return std::make_tuple(override_of(source) + 1, source.begin.line, source.begin.column);
   };
   std::stable_sort(found.begin(), found.end(),

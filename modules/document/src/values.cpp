@@ -26,7 +26,7 @@ Error out_of_range(const DocumentState& document, const toml::node& node, const 
       fmt::format("give {} {}", key.empty() ? "numbers" : with_article(key), range.wanted()));
 }
 
-// A number in quotes is the commonest slip: then the cure repeats the number.
+// The most common mistake is a number in quotes; the cure then repeats the number.
 std::string number_cure(const toml::node& node, const Range& range) {
   const std::string cure = "give a number" + unit_behind(" in ", range);
   const auto* quoted_number = node.as_string();
@@ -87,8 +87,7 @@ std::string read_choice(const DocumentState& document, const toml::node& node, c
                           any_of(allowed)));
 }
 
-// Each element of an array as read(document, element, arguments...) makes it of that. what names the
-// elements.
+// Reads each element of an array by read(document, element, arguments...). what: the elements in messages.
 template <class Read, class... Arguments>
 auto read_array(const DocumentState& document, const toml::node& node, std::optional<std::size_t> count,
                 const std::string& what, Read read, const Arguments&... arguments) {
@@ -113,7 +112,7 @@ std::vector<double> read_numbers(const DocumentState& document, const toml::node
   return read_array(document, node, count, "numbers" + unit_behind(" in ", range), read_number, range);
 }
 
-// "step = <number> (s)", as a missing key is to be added.
+// Text to add for a missing key: "step = <number> (s)".
 std::string form(std::string_view key, std::string_view value, const Range& range = Range::any()) {
   return fmt::format("{} = {}{}", key, value, range.unit().empty() ? "" : " (" + range.unit() + ")");
 }
@@ -124,14 +123,14 @@ std::string row_form(std::size_t count) {
   return fmt::format("[{}]", row);
 }
 
-// The value under a key as read(document, node, arguments...) makes it of that; nothing when absent.
+// Reads the value of a key by read(document, node, arguments...); nothing if the key is absent.
 template <class Read, class... Arguments>
 auto ask(TableState& table, std::string_view key, Read read, const Arguments&... arguments) {
   const toml::node* node = table.ask(key);
   return node != nullptr ? std::optional(read(*table.document, *node, arguments...)) : std::nullopt;
 }
 
-// The same; throws when absent.
+// The same, but throws if the key is absent.
 template <class Read, class... Arguments>
 auto require(TableState& table, std::string_view key, const std::string& form, Read read,
              const Arguments&... arguments) {

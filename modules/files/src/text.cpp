@@ -6,9 +6,9 @@ namespace scree::files {
 namespace {
 
 struct Rules {
-  std::string_view named, names;  // characters that have an escape of one letter, and these letters
-  const char* code;               // how another is written
-  unsigned beyond;                // codes from here on are escaped too
+  std::string_view named, names;  // characters with an escape of one letter, and these letters
+  const char* code;               // format of other escapes
+  unsigned beyond;                // codes from this one on are also escaped
 };
 
 // In the order of Escapes.

@@ -28,7 +28,7 @@ ReadError not_opened(const fs::path& path, int code) {
   return {line(path, "cannot be opened", "check its permissions"), code};
 }
 
-// At most one block more than `largest`.
+// Reads a file to its end, or at most one block beyond `largest`.
 std::string read_blocks(std::FILE* file, std::size_t expected, std::size_t largest) {
   std::string text;
   text.reserve(expected);
@@ -42,7 +42,7 @@ std::string read_blocks(std::FILE* file, std::size_t expected, std::size_t large
 
 void write_whole(const fs::path& path, const fs::path& temporary, std::string_view text) {
   std::error_code failed;
-  fs::remove(temporary, failed);  // a link of that name would lead the text elsewhere
+  fs::remove(temporary, failed);  // otherwise a link of that name would be followed
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
   const std::string unopened =
       line(path, "cannot be opened for writing", "check that its folder exists and is writable");

@@ -6,7 +6,7 @@
 
 namespace scree::document {
 
-// The numbers that a key accepts, and their unit for messages. NaN and infinities are never accepted.
+// The accepted numbers of a key, and their unit for messages. NaN and infinities are never accepted.
 class Range {
  public:
   static Range any(std::string_view unit = "");
@@ -19,9 +19,9 @@ class Range {
   bool contains(double value) const;
   const std::string& unit() const { return unit_; }
 
-  // What is wrong with a value outside: "is negative", "is above 1".
+  // What is wrong with a value outside the range: "is negative", "is above 1".
   std::string fault(double value) const;
-  // What is accepted: "above 0", "from 0 to 1 m".
+  // The accepted values: "above 0", "from 0 to 1 m".
   std::string wanted() const;
 
  private:

@@ -5,17 +5,18 @@
 
 namespace scree::files {
 
-// How escaped() writes what would upset a line.
+// How escaped() writes control characters.
 enum class Escapes {
-  message,  // \n, \r, \t, \x1B; what is beyond ASCII stays
-  bytes,    // \x0a, \x1b, and so every byte beyond ASCII, for text of unknown encoding
-  toml      // as between double quotes in TOML: \n, \", \\, \u001B
+  message,  // \n, \r, \t, \x1B; bytes beyond ASCII are unchanged
+  bytes,    // \x0a, \x1b; also every byte beyond ASCII, for text of unknown encoding
+  toml      // as in a string in double quotes in TOML: \n, \", \\, \u001B
 };
 
-// Text without control characters.
+// Text with control characters escaped.
 std::string escaped(std::string_view text, Escapes form = Escapes::message);
 
-// Text fit for one line of a message: control characters escaped, cut at `longest` bytes with "..." behind.
+// Text for one line of a message: control characters escaped, cut after `longest` bytes and then ended by
+// "...".
 std::string one_line(std::string_view text, std::size_t longest = 80);
 
 }  // namespace scree::files
