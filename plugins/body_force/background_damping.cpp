@@ -29,8 +29,8 @@ struct BackgroundDamping {
     const double turning = rotational * body.radius * body.radius;
     out.force = -translational * body.velocity;
     out.torque = -turning * body.spin;
-    out.dissipated_translation = translational * dot(body.velocity, body.velocity);
-    out.dissipated_rotation = turning * dot(body.spin, body.spin);
+    out.dissipation_rate_translation = translational * dot(body.velocity, body.velocity);
+    out.dissipation_rate_rotation = turning * dot(body.spin, body.spin);
   }
 };
 

@@ -84,11 +84,6 @@ struct HertzMindlin : scree::ContactLaw {
     inverse_shear_stiffness = 1 / (8 * effective_shear_modulus);
   }
 
-  std::size_t kernel() const {
-    const std::size_t rolls = rolling_friction > 0 ? 4 : 0;
-    return friction > 0 ? rolls + 1 + std::size_t(history) : rolls;
-  }
-
   // The dashpot force begins as δ^(1/4). At the end it falls likewise or, with cut tension, the force is
   // already 0.
   double onset_power() const { return 0.25; }
@@ -139,6 +134,10 @@ struct HertzMindlin : scree::ContactLaw {
 
 template <bool frictional, HistoryForm form, bool rolling>
 struct Kernel : HertzMindlin {
+  static bool suits(const HertzMindlin& p) {
+    return (p.friction > 0) == frictional && (!frictional || p.history == form) &&
+           (p.rolling_friction > 0) == rolling;
+  }
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
       scree::reads_onset_weight | scree::reads_contact_radius | scree::reads_reduced_mass_root |
@@ -170,7 +169,7 @@ struct Kernel : HertzMindlin {
   }
 
   template <int D, class T>
-  void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, writes_couple>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
     const T weight = c.onset_weight * c.reduced_mass_root * c.contact_radius_root;
 
@@ -183,7 +182,7 @@ struct Kernel : HertzMindlin {
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? repulsive : total;
     if constexpr (!frictional) out.force = f_n * c.normal;
     out.elastic_normal = T(0.4) * spring_force * c.overlap;
-    out.dissipated_normal = (spring_force - f_n) * v_n;
+    out.dissipation_rate_normal = (spring_force - f_n) * v_n;
     if constexpr (frictional) slide_or_stick(c, f_n, repulsive, weight, h, out);
     if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
   }
@@ -199,8 +198,8 @@ struct Kernel : HertzMindlin {
   }
 
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, const T& repulsive, const T& weight,
-                      Friction<D, T>& h, Response<D, T>& out) const {
+  void slide_or_stick(const Contact<D, T, reads>& c, const T& f_n, const T& repulsive, const T& weight,
+                      Friction<D, T>& h, Response<D, T, writes_couple>& out) const {
     const T k_t = T(8 * effective_shear_modulus) * c.contact_radius.value;
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
     const T inverse_k_t = T(inverse_shear_stiffness) * c.contact_radius.inverse;
@@ -236,7 +235,7 @@ struct Kernel : HertzMindlin {
                       dot(h.spring, h.spring);
     out.force = fused(along_normal, c.normal, slip.force);
     out.elastic_tangential = stored_energy(h);
-    out.dissipated_tangential = -dot(fused(k_t, h.spring, slip.force), v_t);
+    out.dissipation_rate_tangential = -dot(fused(k_t, h.spring, slip.force), v_t);
     add_dissipation(before, h, trial, growth, mean, k_t, out);
   }
 
@@ -245,7 +244,8 @@ struct Kernel : HertzMindlin {
   // where a spring reverses within the step; they are set to 0 there.
   template <int D, class T>
   void add_dissipation(const Friction<D, T>& before, const Friction<D, T>& after, const Vec<D, T>& trial,
-                       const T& growth, const T& mean, const T& k_t, Response<D, T>& out) const {
+                       const T& growth, const T& mean, const T& k_t,
+                       Response<D, T, writes_couple>& out) const {
     const T k_before = T(8 * effective_shear_modulus) * before.contact_radius(), inverse_mean = T(1) / mean;
     const Vec<D, T> mean_force = T(0.5) * (k_before * before.spring + k_t * after.spring);
     out.dissipated_friction = std::max(dot(mean_force, trial - after.spring), T(0)) * inverse_mean;

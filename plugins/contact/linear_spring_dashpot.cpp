@@ -18,6 +18,8 @@ using scree::Vec;
 
 constexpr double pi = std::numbers::pi;
 
+enum class Friction { none, undamped, spring, total };  // undamped: both slip rules are the same
+
 struct LinearSpringDashpot : scree::ContactLaw {
   double normal_stiffness = 0;
   double normal_damping = 0;
@@ -89,10 +91,10 @@ struct LinearSpringDashpot : scree::ContactLaw {
     if (tangential_stiffness > 0) inverse_tangential_stiffness = 1 / tangential_stiffness;
   }
 
-  std::size_t kernel() const {
-    std::size_t friction = 0;
-    if (static_friction > 0) friction = tangential_damping == 0 ? 1 : 2 + std::size_t(slip_rule);
-    return 4 * friction + (rolling_friction > 0 ? 2 : 0) + (restitution > 0 ? 1 : 0);
+  Friction friction_model() const {
+    if (!(static_friction > 0)) return Friction::none;
+    if (tangential_damping == 0) return Friction::undamped;
+    return slip_rule == 0 ? Friction::spring : Friction::total;
   }
 
   // The dashpot force jumps at first touch (onset_power 0). At the end it jumps or, with cut tension, the
@@ -126,10 +128,12 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 };
 
-enum class Friction { none, undamped, spring, total };  // undamped: both slip rules are the same
-
 template <Friction friction, bool rolling, bool by_restitution>
 struct Kernel : LinearSpringDashpot {
+  static bool suits(const LinearSpringDashpot& p) {
+    return p.friction_model() == friction && (p.rolling_friction > 0) == rolling &&
+           (p.restitution > 0) == by_restitution;
+  }
   static constexpr bool frictional = friction != Friction::none;
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
@@ -161,7 +165,7 @@ struct Kernel : LinearSpringDashpot {
   }
 
   template <int D, class T>
-  void force(const Contact<D, T>& c, History<D, T>& h, Response<D, T>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, writes_couple>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
     T gamma = T(normal_damping), predicted = T(1);
     if constexpr (by_restitution) {
@@ -175,7 +179,7 @@ struct Kernel : LinearSpringDashpot {
     const T repulsive = std::max(total, T(0));
     const T f_n = scree::Tension(tension) == scree::Tension::cut ? repulsive : total;
     out.elastic_normal = T(0.5) * spring_force * c.overlap;
-    out.dissipated_normal = (spring_force - f_n) * v_n;
+    out.dissipation_rate_normal = (spring_force - f_n) * v_n;
     if constexpr (friction == Friction::undamped || friction == Friction::spring)
       slide_or_stick(c, repulsive, h, out);
     if constexpr (friction == Friction::total)
@@ -190,12 +194,12 @@ struct Kernel : LinearSpringDashpot {
  private:
   // The old spring plus the displacement of this step, projected onto the present tangent plane.
   template <int D, class T>
-  static Vec<D, T> trial_spring(const Contact<D, T>& c, const Spring<D, T>& h) {
+  static Vec<D, T> trial_spring(const Contact<D, T, reads>& c, const Spring<D, T>& h) {
     return tangential_part(h.spring + c.tangential_increment, c.normal);
   }
 
   template <int D, class T>
-  scree::SlipStep<D, T> step_of(const Contact<D, T>& c, const Spring<D, T>& h, const Vec<D, T>& trial,
+  scree::SlipStep<D, T> step_of(const Contact<D, T, reads>& c, const Spring<D, T>& h, const Vec<D, T>& trial,
                                 const Vec<D, T>& v_t, const T& f_n, const T& weight) const {
     const T sliding_limit = T(dynamic_friction) * f_n;
     return {.trial_spring = trial,
@@ -210,7 +214,7 @@ struct Kernel : LinearSpringDashpot {
 
   // Stores spring and force. Returns the mean of the spring forces before and after the step.
   template <int D, class T>
-  Vec<D, T> store(const scree::Slip<D, T>& slip, Spring<D, T>& h, Response<D, T>& out) const {
+  Vec<D, T> store(const scree::Slip<D, T>& slip, Spring<D, T>& h, Response<D, T, writes_couple>& out) const {
     const Vec<D, T> mean_force = T(0.5 * tangential_stiffness) * (h.spring + slip.spring);
     h.spring = slip.spring;
     h.sliding = slip.slides ? T(1) : T(0);
@@ -220,20 +224,21 @@ struct Kernel : LinearSpringDashpot {
   }
 
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T>& c, const T& f_n, Spring<D, T>& h, Response<D, T>& out) const {
+  void slide_or_stick(const Contact<D, T, reads>& c, const T& f_n, Spring<D, T>& h,
+                      Response<D, T, writes_couple>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     constexpr bool damped = friction != Friction::undamped;
     const scree::Slip<D, T> slip =
         scree::slide_or_stick<damped>(step_of(c, h, trial, v_t, f_n, c.onset_weight));
     const Vec<D, T> mean_force = store(slip, h, out);
     if constexpr (damped)
-      out.dissipated_tangential = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
+      out.dissipation_rate_tangential = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
     out.dissipated_friction = std::max(dot(mean_force, trial - h.spring), T(0));
   }
 
   template <int D, class T>
-  void slide_or_stick_by_total(const Contact<D, T>& c, const T& f_n, const T& unweighted_f_n, Spring<D, T>& h,
-                               Response<D, T>& out) const {
+  void slide_or_stick_by_total(const Contact<D, T, reads>& c, const T& f_n, const T& unweighted_f_n,
+                               Spring<D, T>& h, Response<D, T, writes_couple>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     const T weighted_sliding_limit = T(dynamic_friction) * f_n;
     const T weighted_limit = h.sliding > T(0) ? weighted_sliding_limit : T(static_friction) * f_n;
@@ -243,7 +248,7 @@ struct Kernel : LinearSpringDashpot {
     const Vec<D, T> mean_force = store(slip, h, out), slipped = trial - h.spring;
     const T dashpot_power = -dot(fused(T(tangential_stiffness), h.spring, slip.force), v_t);
     // During slip the dashpot changes the energy of the spring, by γ_t v_t·ξ' of either sign.
-    out.dissipated_tangential = slip.slides ? T(0) : dashpot_power;
+    out.dissipation_rate_tangential = slip.slides ? T(0) : dashpot_power;
     out.dissipated_friction = slip.slides ? -dot(slip.force, slipped) : T(0);
     out.dissipated_release =
         slip.slides ? dot(mean_force + slip.force, slipped) + c.step * dashpot_power : T(0);

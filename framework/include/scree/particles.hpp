@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <scree/column.hpp>
+#include <scree/orientations.hpp>
 #include <scree/plugin/vec.hpp>
 #include <scree/strided.hpp>
 
@@ -47,7 +48,12 @@ class Particles {
     int first, last;
   };
 
-  Particles(int dimension, bool with_spin, bool with_images, const std::vector<Body>& bodies);
+  // What a scene carries besides positions and velocities.
+  struct Features {
+    bool spin = false, images = false, orientations = false;
+  };
+
+  Particles(int dimension, const Features& features, const std::vector<Body>& bodies);
 
   std::size_t size() const { return mass.size(); }
   int dimension() const { return dimension_; }
@@ -99,6 +105,9 @@ class Particles {
   std::size_t width() const { return record::width(dimension_, has_spin_); }
   std::size_t load_width() const { return record::load_width(dimension_, has_spin_); }
   void set_load_rows(std::size_t rows) { loads_.resize(rows * load_width()); }
+
+  // Advanced with the mid-step spin; carried only if the scene needs them.
+  Orientations orientations;
 
   Column<std::int32_t> image[3];  // net periods crossed along each axis; empty without periodic axes
 

@@ -42,9 +42,10 @@ struct Scene {
   unsigned threads = 1;  // upper limit; see min_bodies_per_thread
   // Each thread costs some microseconds per step, so that small scenes run faster on fewer threads.
   std::size_t min_bodies_per_thread = 500;
-  bool audit = true;        // compute the energy balance
-  bool pair_forces = true;  // store per-contact forces; needed by probes and snapshots that read contacts
-  bool spin = false;        // carry spins even if no law needs them yet, because a later stage does
+  bool audit = true;          // compute the energy balance
+  bool pair_forces = true;    // store per-contact forces; needed by probes and snapshots that read contacts
+  bool spin = false;          // carry spins even if no law needs them yet, because a later stage does
+  bool orientations = false;  // carry orientations even if no law reads them, because a probe does
   Limits limits;
   std::vector<std::string> materials;
   std::vector<Body> bodies;
@@ -56,5 +57,7 @@ struct Scene {
 
 // Whether a law with these parameters exerts torques, so that the scene must carry spins.
 bool exerts_torque(const Parameters& law, int dimension);
+// Whether it reads orientations, so that the scene must carry them.
+bool reads_orientations(const Parameters& law, int dimension);
 
 }  // namespace scree

@@ -26,14 +26,18 @@ void EnergyAudit::store(const ContactSums& contacts, const BodySums& bodies) {
 
 void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodySums& bodies) {
   const auto trapezoid = [step](double before, double after) { return 0.5 * step * (before + after); };
-  totals_.dissipated_normal += trapezoid(contacts_.dissipated_normal, contacts.dissipated_normal);
-  totals_.dissipated_tangential += trapezoid(contacts_.dissipated_tangential, contacts.dissipated_tangential);
-  totals_.dissipated_rolling += trapezoid(contacts_.dissipated_rolling, contacts.dissipated_rolling);
+  totals_.dissipated_normal += trapezoid(contacts_.dissipation_rate_normal, contacts.dissipation_rate_normal);
+  totals_.dissipated_tangential +=
+      trapezoid(contacts_.dissipation_rate_tangential, contacts.dissipation_rate_tangential);
+  totals_.dissipated_rolling +=
+      trapezoid(contacts_.dissipation_rate_rolling, contacts.dissipation_rate_rolling);
   totals_.dissipated_friction += contacts.dissipated_friction;
   totals_.dissipated_release += contacts.dissipated_release;
   totals_.created += trapezoid(contacts_.created_power, contacts.created_power) + contacts.created;
-  totals_.dissipated_translation += trapezoid(bodies_.dissipated_translation, bodies.dissipated_translation);
-  totals_.dissipated_rotation += trapezoid(bodies_.dissipated_rotation, bodies.dissipated_rotation);
+  totals_.dissipated_translation +=
+      trapezoid(bodies_.dissipation_rate_translation, bodies.dissipation_rate_translation);
+  totals_.dissipated_rotation +=
+      trapezoid(bodies_.dissipation_rate_rotation, bodies.dissipation_rate_rotation);
   store(contacts, bodies);
 }
 

@@ -8,14 +8,14 @@ namespace scree {
 
 // Sums of the energies of body forces in one evaluation.
 struct BodySums {
-  double potential = 0;               // (J)
-  double dissipated_translation = 0;  // (W)
-  double dissipated_rotation = 0;     // (W)
+  double potential = 0;                     // (J)
+  double dissipation_rate_translation = 0;  // (W)
+  double dissipation_rate_rotation = 0;     // (W)
 
   BodySums& operator+=(const BodySums& other) {
     potential += other.potential;
-    dissipated_translation += other.dissipated_translation;
-    dissipated_rotation += other.dissipated_rotation;
+    dissipation_rate_translation += other.dissipation_rate_translation;
+    dissipation_rate_rotation += other.dissipation_rate_rotation;
     return *this;
   }
 };

@@ -4,16 +4,17 @@
 
 namespace scree {
 
-Particles::Particles(int dimension, bool with_spin, bool with_images, const std::vector<Body>& bodies)
-    : dimension_(dimension), has_spin_(with_spin) {
+Particles::Particles(int dimension, const Features& features, const std::vector<Body>& bodies)
+    : dimension_(dimension), has_spin_(features.spin) {
   const std::size_t n = bodies.size();
   // At least one row, so that the addresses of an empty scene are valid too.
   records_.assign(std::max<std::size_t>(n, 1) * width(), 0.0);
   loads_.assign(std::max<std::size_t>(n, 1) * load_width(), 0.0);
-  if (with_images)
+  if (features.orientations) orientations = Orientations(dimension, n);
+  if (features.images)
     for (int k = 0; k < dimension; ++k) image[k].assign(n, 0);
   mass.resize(n);
-  if (with_spin) inertia.resize(n);
+  if (has_spin_) inertia.resize(n);
   id.resize(n);
   material.resize(n);
 
@@ -27,9 +28,9 @@ Particles::Particles(int dimension, bool with_spin, bool with_images, const std:
     double* const record = records_.data() + i * width();
     record[record::position + 3] = body.radius;
     record[record::motion + 3] = 1 / body.mass;
-    if (with_spin) record[dimension == 2 ? record::position + 2 : record::spin + 3] = 1 / body.inertia;
+    if (has_spin_) record[dimension == 2 ? record::position + 2 : record::spin + 3] = 1 / body.inertia;
     mass[i] = body.mass;
-    if (with_spin) inertia[i] = body.inertia;
+    if (has_spin_) inertia[i] = body.inertia;
     id[i] = body.id;
     material[i] = body.material;
   }
@@ -44,7 +45,7 @@ Body Particles::body(std::size_t i) const {
 }
 
 std::size_t Particles::bytes_per_body() const {
-  const std::size_t doubles = width() + load_width() + (has_spin_ ? 2 : 1);
+  const std::size_t doubles = width() + load_width() + (has_spin_ ? 2 : 1) + orientations.stride();
   const std::size_t images = image[0].empty() ? 0 : std::size_t(dimension_) * sizeof(std::int32_t);
   return doubles * sizeof(double) + images + sizeof(std::int64_t) + sizeof(std::uint32_t);
 }

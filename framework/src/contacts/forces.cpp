@@ -78,6 +78,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
   if (features_.periodic) shifts = image_shifts(e.domain);
   const kernel::EvaluationInput input = {.contacts = e.contacts,
                                          .records = e.particles.records(),
+                                         .orientations = e.particles.orientations,
                                          .planes = work.planes,
                                          .shifts = shifts.data(),
                                          .periodic = features_.periodic,

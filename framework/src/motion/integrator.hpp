@@ -7,6 +7,7 @@
 
 #include <scree/integration.hpp>
 #include <scree/particles.hpp>
+#include <scree/state_hash.hpp>
 
 namespace scree {
 
@@ -35,6 +36,9 @@ class Integrator {
     double square_speed;  // (m²/s²)
   };
   virtual Moved finish_and_begin_step(Particles& particles, double step, double next, BodyRange bodies);
+
+  // Adds the state that the integrator keeps besides positions and velocities; none by default.
+  virtual void add_to_hash(StateHash&) const {}
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

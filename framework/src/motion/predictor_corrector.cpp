@@ -53,4 +53,8 @@ bool PredictorCorrector::finish_step(Particles& particles, double step, BodyRang
   return finite.all_finite();
 }
 
+void PredictorCorrector::add_to_hash(StateHash& hash) const {
+  for (const auto* column : {&second_, &third_, &fourth_}) hash.add(column->data(), column->size());
+}
+
 }  // namespace scree

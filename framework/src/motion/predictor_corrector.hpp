@@ -14,6 +14,7 @@ class PredictorCorrector : public Integrator {
   void prepare(Particles& particles, double step) override;
   double begin_step(Particles& particles, double step, BodyRange bodies) override;
   bool finish_step(Particles& particles, double step, BodyRange bodies) override;
+  void add_to_hash(StateHash& hash) const override;
 
  private:
   // r_2, r_3, r_4 of each motion, four numbers each.

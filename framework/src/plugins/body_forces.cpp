@@ -54,8 +54,8 @@ void BodyForces::apply(Particles& p, const Domain& domain, BodyRange bodies, Bod
   batch.inertia = from(p.inertia, first);
   for (const Member& member : members_) member.plugin.interface().apply(member.plugin.storage(), &batch);
   sums.potential += batch.potential;
-  sums.dissipated_translation += batch.dissipated_translation;
-  sums.dissipated_rotation += batch.dissipated_rotation;
+  sums.dissipation_rate_translation += batch.dissipation_rate_translation;
+  sums.dissipation_rate_rotation += batch.dissipation_rate_rotation;
 }
 
 double BodyForces::largest_damping_rate(const std::vector<Body>& bodies) const {

@@ -137,6 +137,9 @@ std::uint64_t Simulation::state_hash() const {
   for (const auto& vectors : {p.position(), p.velocity(), p.spin()})
     for (int k = 0; k < 3; ++k)
       for (const double component : vectors[k]) hash.add(component);
+  for (int k = 0; k < p.orientations.components(); ++k)
+    for (const double component : p.orientations[k]) hash.add(component);
+  parts_->integrator->add_to_hash(hash);
   const Contacts& contacts = parts_->contacts;
   for (const PairGroup& group : contacts.groups())
     for (std::size_t q = group.begin; q < group.end; ++q)

@@ -1,5 +1,6 @@
 #include "step/simulation_parts.hpp"
 
+#include "contacts/kernel/orientations.hpp"
 #include "step/health.hpp"
 
 #include <algorithm>
@@ -21,7 +22,13 @@ bool needs_spin(const Scene& scene) {
   const bool turning = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
     return exerts_torque(law.parameters, scene.dimension);
   });
-  return scene.spin || spinning || turning;
+  return scene.spin || scene.orientations || spinning || turning;
+}
+
+bool needs_orientations(const Scene& scene) {
+  return scene.orientations || std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
+           return reads_orientations(law.parameters, scene.dimension);
+         });
 }
 
 double mean_radius(const Scene& scene) {
@@ -79,11 +86,19 @@ bool exerts_torque(const Parameters& law, int dimension) {
   return ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance().tangential != 0;
 }
 
+bool reads_orientations(const Parameters& law, int dimension) {
+  return kernel::reads_orientations(ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance());
+}
+
 SimulationParts::SimulationParts(const Scene& given)
     : scene(checked(given)),
       boundaries(boundaries_of(scene)),
       body_forces(scene.body_forces, scene.dimension, scene.audit),
-      particles(scene.dimension, needs_spin(scene), boundaries.domain().any_periodic(), scene.bodies),
+      particles(scene.dimension,
+                {.spin = needs_spin(scene),
+                 .images = boundaries.domain().any_periodic(),
+                 .orientations = needs_orientations(scene)},
+                scene.bodies),
       neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()), lookup_of(scene)),
       forces({.dimension = scene.dimension,
               .spin = particles.has_spin(),
@@ -111,6 +126,11 @@ void SimulationParts::configure_laws() {
       throw Error(
           fmt::format("contact law '{}' now exerts torques, but the scene carries no spins; "
                       "set its spin from the start",
+                      law.name));
+    if (kernel::reads_orientations(instance) && !particles.orientations)
+      throw Error(
+          fmt::format("contact law '{}' now reads orientations, but the scene does not carry them; "
+                      "set the parameters that need them from the start",
                       law.name));
     if (scene.precision == Precision::mixed && !instance.evaluate_single)
       throw Error(fmt::format("contact law '{}' does not support mixed precision; use double", law.name));

@@ -11,6 +11,7 @@
 //
 //   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
 //   bodies begin      Integrator::begin_step       positions to t + h, velocities predicted there
+//                     Orientations::rotate         only if the scene carries them
 //   search            NeighbourList::update        only when the skin may be used up
 //   each tile         kernel::evaluate_tile        gather, geometry, law, scatter, block by block
 //   each part         Forces::collect              adds loads computed by other tiles to its bodies
@@ -87,6 +88,7 @@ void Stepper::begin_bodies(double step) {
   p.threads->each(tiles_.parts(), [&](std::size_t part, unsigned) {
     const BodyRange bodies = tiles_.part(part);
     (part_sums_[part] = {}).square_speed = p.integrator->begin_step(p.particles, step, bodies);
+    if (p.particles.orientations) rotate(bodies, {.begin = step});
     Forces::clear(p.particles, bodies);
   });
   laps.lap(Profile::integrate);
@@ -144,7 +146,21 @@ void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile
   } else if (moves.finish) {
     sums.finite = p.integrator->finish_step(p.particles, *moves.finish, bodies);
   }
+  if (p.particles.orientations) rotate(bodies, moves);
   laps.lap(Profile::integrate);
+}
+
+void Stepper::rotate(BodyRange bodies, const Moves& moves) {
+  const Particles& p = parts_.particles;
+  Orientations& orientations = parts_.particles.orientations;
+  const bool mid_step = parts_.integrator->evaluates_at_mid_step();
+  // An integrator that evaluates forces at mid-step moves the bodies by half a step before and after it.
+  const double finish = mid_step && moves.finish ? 0.5 * *moves.finish : 0;
+  if (moves.begin)
+    orientations.rotate(p.mid_spin(), (mid_step ? 0.5 : 1.0) * *moves.begin + finish, bodies.begin,
+                        bodies.end);
+  else if (finish != 0)
+    orientations.rotate(p.spin(), finish, bodies.begin, bodies.end);
 }
 
 void Stepper::reevaluate_forces(double elapsed) {

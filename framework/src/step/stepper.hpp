@@ -61,6 +61,8 @@ class Stepper {
   double largest_square_speed() const;
   // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);
+  // Rotates bodies about the spins with which `moves` has moved them.
+  void rotate(BodyRange bodies, const Moves& moves);
   // Audits, body forces and motion of a part, after all its contact loads are summed.
   void finish_part(std::size_t part, const Moves& moves, Profile* profile);
   bool too_fast(double square_speed) const;

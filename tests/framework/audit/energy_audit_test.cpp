@@ -16,12 +16,14 @@ using scree::EnergyAudit;
 
 TEST_CASE("powers are integrated by the trapezoidal rule, frictional work is added as it is") {
   EnergyAudit audit;
-  const ContactSums first = {.dissipated_normal = 2, .dissipated_tangential = 4, .dissipated_friction = 100};
-  const BodySums first_bodies = {.dissipated_translation = 8, .dissipated_rotation = 16};
+  const ContactSums first = {
+      .dissipation_rate_normal = 2, .dissipation_rate_tangential = 4, .dissipated_friction = 100};
+  const BodySums first_bodies = {.dissipation_rate_translation = 8, .dissipation_rate_rotation = 16};
   audit.set_stored(first, first_bodies);
   audit.start(0, 0, {});
-  const ContactSums second = {.dissipated_normal = 6, .dissipated_tangential = 0, .dissipated_friction = 0.5};
-  const BodySums second_bodies = {.dissipated_translation = 0, .dissipated_rotation = 32};
+  const ContactSums second = {
+      .dissipation_rate_normal = 6, .dissipation_rate_tangential = 0, .dissipated_friction = 0.5};
+  const BodySums second_bodies = {.dissipation_rate_translation = 0, .dissipation_rate_rotation = 32};
   audit.add_step(0.5, second, second_bodies);
   scree_energy e = audit.balance(0, 0, {});
   CHECK(e.dissipated_normal == 0.25 * (2 + 6));
@@ -44,7 +46,7 @@ TEST_CASE("stored energy is that of the last evaluation, and the residual is the
   audit.start(8, 16, {.kinetic = 32, .work = 0, .dissipated = 0});
   CHECK(audit.balance(8, 16, {.kinetic = 32, .work = 0, .dissipated = 0}).residual == 0);
 
-  audit.add_step(1, {.elastic_normal = 3, .elastic_tangential = 1, .dissipated_normal = 2},
+  audit.add_step(1, {.elastic_normal = 3, .elastic_tangential = 1, .dissipation_rate_normal = 2},
                  {.potential = -4});
   const scree_energy e = audit.balance(6, 20, {.kinetic = 40, .work = 5, .dissipated = 7});
   CHECK(e.elastic_normal == 3);
@@ -68,7 +70,7 @@ TEST_CASE("a jump of the stored energy between stages counts as work and leaves 
   CHECK(e.residual == 0);
 
   // Powers are integrated from the new parameters on.
-  audit.set_stored({.elastic_normal = 8, .dissipated_normal = 16}, {});
+  audit.set_stored({.elastic_normal = 8, .dissipation_rate_normal = 16}, {});
   audit.add_step(0.5, {.elastic_normal = 8}, {});
   e = audit.balance(2, 0, {});
   CHECK(e.work == 5.5 - 2.5);

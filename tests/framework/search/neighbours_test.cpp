@@ -93,7 +93,7 @@ std::vector<NeighbourPair> brute_force(int dimension, const std::vector<Body>& b
 }
 
 std::size_t check(int dimension, const std::vector<Body>& bodies, const Domain& domain, double skin) {
-  const Particles particles(dimension, false, domain.any_periodic(), bodies);
+  const Particles particles(dimension, {.images = domain.any_periodic()}, bodies);
   const std::vector<NeighbourPair> expected = brute_force(dimension, bodies, domain, skin);
   // brute_force loops over a, then b: equality implies sorted and each pair once.
   CHECK(find_neighbours(particles, domain, skin) == expected);
@@ -229,7 +229,7 @@ TEST_CASE("a periodic length under twice the largest reach is refused") {
                                     scree::test::body(1, 0.5, 1, {{2, 2, 2}})};
   const double skin = 0.25, shortest = 2 * (2 + skin);  // exact in binary
   for (const int dimension : {2, 3}) {
-    const Particles particles(dimension, false, true, bodies);
+    const Particles particles(dimension, {.images = true}, bodies);
     CHECK_NOTHROW(find_neighbours(particles, periodic({true, false, false}, 0, shortest), skin));
     try {
       find_neighbours(particles, periodic({false, true, false}, 0, std::nextafter(shortest, 0.0)), skin);

@@ -47,7 +47,7 @@ TEST_CASE("[D1]: f_n = k δ + γ δ'", "[equations]") {
   c.evaluate(step);
   check_equal(c.force(), {{0, 0, k * overlap + gamma_n * 0.3}}, 5);
   CHECK(c.output(SCREE_ELASTIC_NORMAL) == Approx(0.5 * k * overlap * overlap));
-  CHECK(c.output(SCREE_DISSIPATED_NORMAL) == Approx(gamma_n * 0.09));
+  CHECK(c.output(SCREE_DISSIPATION_RATE_NORMAL) == Approx(gamma_n * 0.09));
 }
 
 TEST_CASE("[D3]: in stick the force is that of the trial spring and the dashpot", "[equations]") {
@@ -61,7 +61,7 @@ TEST_CASE("[D3]: in stick the force is that of the trial spring and the dashpot"
   check_equal(spring_of(c), old + moved, 1e-4);
   CHECK(c.history[3][0] == 0);
   CHECK(c.output(SCREE_ELASTIC_TANGENTIAL) == Approx(0.5 * k_t * dot(old + moved, old + moved)));
-  CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) == Approx(gamma_t * dot(slip, slip)));
+  CHECK(c.output(SCREE_DISSIPATION_RATE_TANGENTIAL) == Approx(gamma_t * dot(slip, slip)));
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0).margin(1e-20));
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("by the spring: in stick the force is that of spring and dashpot, limi
   check_equal(spring_of(c), old, 1e-4);  // the dashpot never causes slip
   CHECK(c.history[3][0] == 0);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
-  CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) ==
+  CHECK(c.output(SCREE_DISSIPATION_RATE_TANGENTIAL) ==
         Approx(dot((mu_s * f_n / norm(more)) * (-1.0 * more) - k_t * old, 10 * slip)));
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("by the spring: in slip the spring force stays μ_d f_n, and the dashp
   CHECK(c.history[3][0] == 1);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) ==
         Approx(0.5 * k_t * dot(old + spring_of(c), old - spring_of(c))));
-  CHECK(c.output(SCREE_DISSIPATED_TANGENTIAL) == Approx(gamma_t * 0.25).epsilon(excess * excess));
+  CHECK(c.output(SCREE_DISSIPATION_RATE_TANGENTIAL) == Approx(gamma_t * 0.25).epsilon(excess * excess));
   CHECK(c.output(SCREE_DISSIPATED_RELEASE) == 0);
 }
 

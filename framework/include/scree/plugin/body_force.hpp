@@ -27,11 +27,11 @@ struct BodyState {
 
 // Output of a body force. All members are initialised to 0.
 struct BodyResponse {
-  Vec3 force;                     // (N)
-  Vec3 torque;                    // (N m) ignored in a scene without spin
-  double potential;               // (J)
-  double dissipated_translation;  // (W)
-  double dissipated_rotation;     // (W)
+  Vec3 force;                           // (N)
+  Vec3 torque;                          // (N m) ignored in a scene without spin
+  double potential;                     // (J)
+  double dissipation_rate_translation;  // (W)
+  double dissipation_rate_rotation;     // (W)
 };
 
 namespace detail {
@@ -69,13 +69,13 @@ template <class Author, int D, bool with_spin, bool audit>
     for (int k = first_spin; k < 3; ++k) batch.torque[k].data[load] += response.torque[k];
     if constexpr (audit) {
       all.potential += response.potential;
-      all.dissipated_translation += response.dissipated_translation;
-      all.dissipated_rotation += response.dissipated_rotation;
+      all.dissipation_rate_translation += response.dissipation_rate_translation;
+      all.dissipation_rate_rotation += response.dissipation_rate_rotation;
     }
   }
   sums.potential += all.potential;
-  sums.dissipated_translation += all.dissipated_translation;
-  sums.dissipated_rotation += all.dissipated_rotation;
+  sums.dissipation_rate_translation += all.dissipation_rate_translation;
+  sums.dissipation_rate_rotation += all.dissipation_rate_rotation;
 }
 
 template <class Author, int D, bool with_spin>

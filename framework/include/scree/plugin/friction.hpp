@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include <scree/plugin/contact_law.hpp>
+#include <scree/plugin/contact.hpp>
 
 namespace scree {
 

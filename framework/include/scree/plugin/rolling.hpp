@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <scree/plugin/contact_law.hpp>
+#include <scree/plugin/contact.hpp>
 
 namespace scree {
 
@@ -11,9 +11,9 @@ namespace scree {
 // spin of a sphere of the pair's reduced mass and radius within the step, so that bodies at rest do not
 // jitter, with a dozen contacts and with any integrator. spring_force: elastic part of the normal force (N).
 // Sets the couple and the dissipated power of `out`.
-template <int D, class T>
-void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rolling_friction,
-                    Response<D, T>& out) {
+template <int D, class T, std::uint32_t reads>
+void resist_rolling(const Contact<D, T, reads>& c, const T& spring_force, double rolling_friction,
+                    Response<D, T, true>& out) {
   const T square_spin = dot(c.relative_spin, c.relative_spin);
   const T full = T(rolling_friction) * spring_force * c.effective_radius;
   const T root = c.reduced_mass_root * c.effective_radius;
@@ -21,7 +21,7 @@ void resist_rolling(const Contact<D, T>& c, const T& spring_force, double rollin
   const T bound = T(0.4) * root * root * (T(1.0 / 16) / std::max(step, smallest_divisor<T>));
   const T torque_by_spin = std::min(full * inverse_sqrt(square_spin), bound);
   out.couple = -torque_by_spin * c.relative_spin;
-  out.dissipated_rolling = torque_by_spin * square_spin;
+  out.dissipation_rate_rolling = torque_by_spin * square_spin;
 }
 
 }  // namespace scree

@@ -38,6 +38,10 @@ using Vec3 = Vec<3>;
 template <int D>
 inline constexpr int spin_components = D == 2 ? 1 : 3;
 
+// Number of components of an orientation in D dimensions: an angle in 2D, a quaternion (w, x, y, z) in 3D.
+template <int D>
+inline constexpr int orientation_components = D == 2 ? 1 : 4;
+
 // Index of the first axis about which bodies turn in D dimensions: z in 2D, x in 3D.
 template <int D>
 inline constexpr int first_spin_axis = D == 2 ? 2 : 0;

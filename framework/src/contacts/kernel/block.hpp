@@ -20,6 +20,7 @@ inline constexpr std::uint32_t block_size = 48;
 struct EvaluationInput {
   const Contacts& contacts;
   const double* records;
+  const Orientations& orientations;
   const PlaneRecords& planes;
   const double* shifts;  // (27, 4) periodic shift for each image code (m)
   bool periodic;
@@ -42,6 +43,7 @@ struct alignas(64) BlockColumns {
   T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // stored pair forces bypass this
   T torque[2][3][block_size];                              // on a, on b (N m)
   ContactBatch<T> batch;                                   // argument of the law
+  T orientation[2][4][block_size];                         // of a, of b, for laws that read them
 };
 
 }  // namespace scree::kernel

@@ -2,6 +2,7 @@
 
 #include "contacts/kernel/gather.hpp"
 #include "contacts/kernel/kinematics.hpp"
+#include "contacts/kernel/orientations.hpp"
 #include "contacts/kernel/scatter.hpp"
 #include "contacts/kernel/sums.hpp"
 #include "plugins/instruction_levels.hpp"
@@ -142,6 +143,8 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& 
   assert_layout(task);
   Laps laps(task.tile.profile);
   gather<D, spin, planes>(task, block);
+  if (reads_orientations(task.law.interface))
+    gather_orientations<planes>(*task.tile.input, task.pairs.begin, task.padded(), block);
   laps.lap(Profile::gather);
   resolve<D, spin, planes>(task, block);
   laps.lap(Profile::geometry);

@@ -58,9 +58,9 @@ SCREE_HOT ContactSums sum_block(const BlockColumns<T>& block, std::uint32_t padd
   };
   sums.elastic_normal = stored(SCREE_ELASTIC_NORMAL);
   sums.elastic_tangential = stored(SCREE_ELASTIC_TANGENTIAL);
-  sums.dissipated_normal = dissipated(SCREE_DISSIPATED_NORMAL, sums.created_power);
-  sums.dissipated_tangential = dissipated(SCREE_DISSIPATED_TANGENTIAL, sums.created_power);
-  sums.dissipated_rolling = dissipated(SCREE_DISSIPATED_ROLLING, sums.created_power);
+  sums.dissipation_rate_normal = dissipated(SCREE_DISSIPATION_RATE_NORMAL, sums.created_power);
+  sums.dissipation_rate_tangential = dissipated(SCREE_DISSIPATION_RATE_TANGENTIAL, sums.created_power);
+  sums.dissipation_rate_rolling = dissipated(SCREE_DISSIPATION_RATE_ROLLING, sums.created_power);
   sums.dissipated_friction = dissipated(SCREE_DISSIPATED_FRICTION, sums.created);
   sums.dissipated_release = dissipated(SCREE_DISSIPATED_RELEASE, sums.created);
   return sums;

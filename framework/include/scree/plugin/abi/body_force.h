@@ -24,8 +24,8 @@ typedef struct scree_body_batch {
   scree_load_column force[3], torque[3]; /* the same stride for all; the plug-in adds to them */
   uint32_t audit;                        /* nonzero: the energies below are required */
   double potential;                      /* (J) output, added to */
-  double dissipated_translation;         /* (W) output, added to */
-  double dissipated_rotation;            /* (W) output, added to */
+  double dissipation_rate_translation;   /* (W) output, added to */
+  double dissipation_rate_rotation;      /* (W) output, added to */
   const int32_t* image[3]; /* (optional) periods each body has crossed; NULL: axis not periodic */
   double period[3];        /* (m) */
 } scree_body_batch;

@@ -29,20 +29,23 @@ typedef enum scree_contact_input {
   SCREE_REDUCED_MASS = 17,        /* (kg) m* = m_a m_b/(m_a+m_b); for a wall m_a */
   SCREE_REDUCED_MASS_ROOT = 18,   /* (kg^½) √m* */
   SCREE_EFFECTIVE_RADIUS = 19,    /* (m) R* = R_a R_b/(R_a+R_b); for a wall R_a */
-  SCREE_CONTACT_INPUT_COUNT = 20
+  SCREE_ORIENTATION_A = 20, /* 2D: 1 column, the angle (rad) of a since the start; 3D: 4 columns, the unit
+                                     quaternion w, x, y, z of its rotation since the start */
+  SCREE_ORIENTATION_B = 24, /* of b; of a wall 0, or 1, 0, 0, 0 */
+  SCREE_CONTACT_INPUT_COUNT = 28
 } scree_contact_input;
 
 /* Columns that a law writes. */
 typedef enum scree_contact_output {
-  SCREE_FORCE = 0,                 /* (N) on a, the opposite on b */
-  SCREE_COUPLE = 3,                /* (N m) on a in addition to arm × force, the opposite on b */
-  SCREE_ELASTIC_NORMAL = 6,        /* (J) energy stored in the normal spring */
-  SCREE_ELASTIC_TANGENTIAL = 7,    /* (J) energy stored in tangential and rolling springs */
-  SCREE_DISSIPATED_NORMAL = 8,     /* (W) dissipated by the normal dashpot */
-  SCREE_DISSIPATED_TANGENTIAL = 9, /* (W) dissipated by the tangential dashpot */
-  SCREE_DISSIPATED_ROLLING = 10,   /* (W) dissipated by rolling resistance */
-  SCREE_DISSIPATED_FRICTION = 11,  /* (J) dissipated by slip during the step */
-  SCREE_DISSIPATED_RELEASE = 12,   /* (J) released by springs during the step: where a stiffness changes, or
+  SCREE_FORCE = 0,                       /* (N) on a, the opposite on b */
+  SCREE_COUPLE = 3,                      /* (N m) on a in addition to arm × force, the opposite on b */
+  SCREE_ELASTIC_NORMAL = 6,              /* (J) energy stored in the normal spring */
+  SCREE_ELASTIC_TANGENTIAL = 7,          /* (J) energy stored in tangential and rolling springs */
+  SCREE_DISSIPATION_RATE_NORMAL = 8,     /* (W) dissipated by the normal dashpot */
+  SCREE_DISSIPATION_RATE_TANGENTIAL = 9, /* (W) dissipated by the tangential dashpot */
+  SCREE_DISSIPATION_RATE_ROLLING = 10,   /* (W) dissipated by rolling resistance */
+  SCREE_DISSIPATED_FRICTION = 11,        /* (J) dissipated by slip during the step */
+  SCREE_DISSIPATED_RELEASE = 12, /* (J) released by springs during the step: where a stiffness changes, or
                                       where a pair opens with stretched springs. Dissipated columns are >= 0;
                                       negative values are summed separately, as energy that the law creates */
   SCREE_CONTACT_OUTPUT_COUNT = 13
@@ -73,6 +76,13 @@ typedef struct scree_contact_batch_single {
   float* output[SCREE_CONTACT_OUTPUT_COUNT];
 } scree_contact_batch_single;
 
+/* A direction in the space of a batch's inputs, and the derivative of the response along it. */
+typedef struct scree_contact_tangent {
+  uint32_t struct_size;
+  const double* input[SCREE_CONTACT_INPUT_COUNT]; /* (optional) derivative of each input; NULL: 0 */
+  double* output[SCREE_ELASTIC_NORMAL];           /* derivatives of force and, if written, couple */
+} scree_contact_tangent;
+
 typedef struct scree_contact_instance {
   uint32_t struct_size;
   uint32_t reads;         /* bit (1 << first column) of each input read */
@@ -88,6 +98,11 @@ typedef struct scree_contact_instance {
   void (*evaluate)(const void* storage, const scree_contact_batch* batch);
   /* (optional) NULL: the law cannot be used in a run of mixed precision */
   void (*evaluate_single)(const void* storage, const scree_contact_batch_single* batch);
+  /* (optional) Exact derivative of force and couple in the touching pairs of a batch, on the branch (sticking,
+   * sliding, ...) that `evaluate` would take, with the history before the step. Writes only `tangent`: neither
+   * history nor outputs of the batch. */
+  void (*differentiate)(const void* storage, const scree_contact_batch* batch,
+                        const scree_contact_tangent* tangent);
 } scree_contact_instance;
 
 /* A pair of bodies for which closed forms are evaluated. */

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <scree/plugin/contact_loop.hpp>
+#include <scree/plugin/dual.hpp>
+
+// The derivative of a law, from the same `force` evaluated with dual numbers.
+
+namespace scree::detail {
+
+// A column and its tangent at one pair; tangents that are not given are 0.
+inline Dual dual_at(const double* column, const double* tangent, std::uint32_t i) {
+  return {column[i], tangent ? tangent[i] : 0};
+}
+
+// Pairs that do not touch have zero derivatives. The history is not changed.
+template <class Parameters, class Kernel, int D>
+void differentiate_contacts(const void* storage, const scree_contact_batch* batch,
+                            const scree_contact_tangent* tangent) {
+  using History = typename Kernel::template History<D, Dual>;
+  const Kernel kernel{*static_cast<const Parameters*>(storage)};
+  for (std::uint32_t i = 0; i < batch->count; ++i) {
+    const auto contact = load_contact<Kernel, D>(
+        [&](std::uint32_t k) { return dual_at(batch->input[k], tangent->input[k], i); }, Dual(batch->step));
+    History history{};
+    each_component<history_width<Kernel, D>, Dual>(
+        history, [&](std::uint32_t k, Dual& value) { value = batch->history[k][i]; });
+    Response<D, Dual, Kernel::writes_couple> response{};
+    kernel.force(contact, history, response);
+
+    const auto write = [&](std::uint32_t column, const Dual& value) {
+      tangent->output[column][i] = contact.overlap > 0 ? value.derivative : 0;
+    };
+    for (std::uint32_t k = 0; k < D; ++k) write(SCREE_FORCE + k, response.force[int(k)]);
+    if constexpr (Kernel::writes_couple)
+      for (std::uint32_t k = 0; k < spin_components<D>; ++k) write(SCREE_COUPLE + k, response.couple[int(k)]);
+  }
+}
+
+}  // namespace scree::detail

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <bit>
+#include <utility>
+
+#include <scree/plugin/contact.hpp>
+#include <scree/plugin/contact_batch.hpp>
+
+// The vectorised loop that applies a law's `force` to a batch of pairs.
+
+namespace scree::detail {
+
+template <int N, class T, class Read>
+inline void load(Vec<N, T>& vector, const Read& read, std::uint32_t column) {
+  for (int k = 0; k < N; ++k) vector[k] = read(column + std::uint32_t(k));
+}
+
+// read(column) returns the pair's value in an input column.
+template <class Kernel, int D, class Read, class T>
+inline Contact<D, T, Kernel::reads> load_contact(const Read& read, const T& step) {
+  constexpr std::uint32_t reads = Kernel::reads;
+  Contact<D, T, reads> c{};
+  c.overlap = read(SCREE_OVERLAP);
+  c.step = step;
+  if constexpr (reads & reads_normal) load(c.normal, read, SCREE_NORMAL);
+  if constexpr (reads & reads_relative_velocity) load(c.relative_velocity, read, SCREE_RELATIVE_VELOCITY);
+  if constexpr (reads & reads_tangential_increment)
+    load(c.tangential_increment, read, SCREE_TANGENTIAL_INCREMENT);
+  if constexpr (reads & reads_relative_spin) load(c.relative_spin, read, SCREE_RELATIVE_SPIN);
+  if constexpr (reads & reads_onset_weight) c.onset_weight = read(SCREE_ONSET_WEIGHT);
+  if constexpr (reads & reads_contact_radius) {
+    c.contact_radius = {read(SCREE_CONTACT_RADIUS), read(SCREE_CONTACT_RADIUS + 1)};
+    c.contact_radius_root = read(SCREE_CONTACT_RADIUS + 2);
+  }
+  if constexpr (reads & reads_reduced_mass) c.reduced_mass = read(SCREE_REDUCED_MASS);
+  if constexpr (reads & reads_reduced_mass_root) c.reduced_mass_root = read(SCREE_REDUCED_MASS_ROOT);
+  if constexpr (reads & reads_effective_radius) c.effective_radius = read(SCREE_EFFECTIVE_RADIUS);
+  if constexpr (reads & (1u << SCREE_ORIENTATION_A)) load(c.orientation_a, read, SCREE_ORIENTATION_A);
+  if constexpr (reads & (1u << SCREE_ORIENTATION_B)) load(c.orientation_b, read, SCREE_ORIENTATION_B);
+  return c;
+}
+
+// Number of values in a history struct, which are stored in declared order.
+template <class Kernel, int D>
+inline constexpr std::uint32_t history_width = std::is_empty_v<typename Kernel::template History<D, double>>
+                                                   ? 0
+                                                   : sizeof(typename Kernel::template History<D, double>) /
+                                                         sizeof(double);
+
+// Calls visit(k, component) for the `width` values of a history struct.
+template <std::uint32_t width, class T, class History, class Visit>
+inline void each_component(History& history, Visit visit) {
+  T* components = reinterpret_cast<T*>(&history);
+  [&]<std::size_t... k>(std::index_sequence<k...>) { (visit(std::uint32_t(k), components[k]), ...); }
+  (std::make_index_sequence<width>{});
+}
+
+// Energy released when a contact opens with stretched springs (J).
+template <class T, class Kernel, class History>
+inline T released_energy(const Kernel& kernel, const History& history) {
+  if constexpr (requires { kernel.stored_energy(history); })
+    return kernel.stored_energy(history);
+  else
+    return T(0);
+}
+
+// Keeps values where a condition holds and sets them to 0 elsewhere. Uses bit masks, because compilers turn
+// selections into branches and second stores.
+template <class T>
+class KeepIf {
+ public:
+  explicit KeepIf(bool condition)
+      : mask_(std::bit_cast<Bits>(condition ? std::bit_cast<T>(Bits(~Bits(0))) : T(0))) {}
+  T operator()(const T& value) const { return std::bit_cast<T>(std::bit_cast<Bits>(value) & mask_); }
+
+ private:
+  using Bits = std::conditional_t<sizeof(T) == sizeof(double), std::uint64_t, std::uint32_t>;
+  Bits mask_;
+};
+
+// Flattened, because the loop vectorises only when the author's functions are inlined completely; not inlined
+// itself, so that a test can find it in the machine code.
+template <class Parameters, class Kernel, int D, bool audit, class T>
+[[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
+                                                    const ContactBatch<T>& shared) {
+  using History = typename Kernel::template History<D, T>;
+  constexpr std::uint32_t width = history_width<Kernel, D>;
+  // Local copies: the compiler need not assume that writing a column changes them.
+  const Kernel kernel{parameters};
+  const ContactBatch<T> batch = shared;
+  const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
+  const T step = T(batch.step);
+#pragma GCC ivdep
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto contact = load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step);
+    History history{};
+    each_component<width, T>(history, [&](std::uint32_t k, T& value) { value = batch.history[k][i]; });
+    const T released = audit ? released_energy<T>(kernel, history) : T(0);
+
+    Response<D, T, Kernel::writes_couple> response{};
+    kernel.force(contact, history, response);
+
+    const bool touching = contact.overlap > T(0);
+    const KeepIf<T> keep(touching);
+    each_component<width, T>(history, [&](std::uint32_t k, T& value) { batch.history[k][i] = keep(value); });
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = keep(response.force[k]);
+    if constexpr (Kernel::writes_couple)
+      for (int k = 0; k < spin_components<D>; ++k)
+        batch.output[SCREE_COUPLE + k][i] = keep(response.couple[k]);
+    if constexpr (audit) {
+      batch.output[SCREE_ELASTIC_NORMAL][i] = keep(response.elastic_normal);
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = keep(response.elastic_tangential);
+      batch.output[SCREE_DISSIPATION_RATE_NORMAL][i] = keep(response.dissipation_rate_normal);
+      batch.output[SCREE_DISSIPATION_RATE_TANGENTIAL][i] = keep(response.dissipation_rate_tangential);
+      batch.output[SCREE_DISSIPATION_RATE_ROLLING][i] = keep(response.dissipation_rate_rolling);
+      batch.output[SCREE_DISSIPATED_FRICTION][i] = keep(response.dissipated_friction);
+      batch.output[SCREE_DISSIPATED_RELEASE][i] = touching ? response.dissipated_release : released;
+    }
+  }
+}
+
+template <class Parameters, class Kernel, int D, class T>
+void evaluate_contacts(const void* storage, const ContactBatch<T>* batch) {
+  const Parameters& parameters = *static_cast<const Parameters*>(storage);
+  if (batch->output[SCREE_ELASTIC_NORMAL])
+    evaluate_batch<Parameters, Kernel, D, true, T>(parameters, *batch);
+  else
+    evaluate_batch<Parameters, Kernel, D, false, T>(parameters, *batch);
+}
+
+}  // namespace scree::detail

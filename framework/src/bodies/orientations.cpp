@@ -1,0 +1,86 @@
+#include <cmath>
+
+#include <scree/orientations.hpp>
+#include <scree/plugin/vec.hpp>
+
+namespace scree {
+
+namespace {
+
+using Quaternion = Vec<4>;  // (w, x, y, z)
+
+// The rotation by a vector r (rad), as cos(|r|/2) − 1 and sin(|r|/2)/|r| r.
+struct HalfAngle {
+  double cosine_minus_one;
+  Vec3 sine;
+};
+
+// Taylor series in the square of the half angle; relative error below 2e-17 up to half angles of 1/2. Not the
+// library's sine and cosine, whose last bits differ between machines.
+HalfAngle half_angle_of_small(const Vec3& rotation) {
+  const double square = 0.25 * dot(rotation, rotation);
+  double sine = 1, cosine = 1;  // sin(a)/a and 2 (1 − cos(a))/a²
+  for (int k = 14; k > 0; k -= 2) {
+    sine = 1 - square * sine / double(k * (k + 1));
+    cosine = 1 - square * cosine / double((k + 1) * (k + 2));
+  }
+  return {-0.5 * square * cosine, 0.5 * sine * rotation};
+}
+
+// Halves the rotation until the series holds, then doubles it.
+HalfAngle half_angle_of(Vec3 rotation) {
+  int halvings = 0;
+  for (; dot(rotation, rotation) > 1; ++halvings) rotation = 0.5 * rotation;
+  HalfAngle half = half_angle_of_small(rotation);
+  for (; halvings > 0; --halvings) {
+    const double cosine = half.cosine_minus_one;
+    half = {2 * cosine * (cosine + 2), 2 * (1 + cosine) * half.sine};
+  }
+  return half;
+}
+
+// (exp(r/2) − 1) q: the change of q by the rotation r.
+Quaternion change_of(const Quaternion& q, const HalfAngle& r) {
+  const Vec3 axis = {{q[1], q[2], q[3]}};
+  const Vec3 turned = q[0] * r.sine + cross(r.sine, axis);
+  const double c = r.cosine_minus_one;
+  return {{c * q[0] - dot(r.sine, axis), c * axis[0] + turned[0], c * axis[1] + turned[1],
+           c * axis[2] + turned[2]}};
+}
+
+// Adds a change to a sum and its rounded-off part (D. E. Knuth, TAOCP 2, section 4.2.2, theorem B).
+void add(double& sum, double& rounded_off, double change) {
+  const double term = change + rounded_off, total = sum + term;
+  const double share = total - sum;
+  rounded_off = (sum - (total - share)) + (term - share);
+  sum = total;
+}
+
+void rotate_quaternion(double* body, const Vec3& rotation) {
+  const Quaternion q = {{body[0], body[1], body[2], body[3]}};
+  const double excess = dot(q, q) - 1;
+  const Quaternion change = change_of(q, half_angle_of(rotation));
+  for (int k = 0; k < 4; ++k) add(body[k], body[4 + k], change[k] - 0.5 * excess * q[k]);
+}
+
+}  // namespace
+
+Orientations::Orientations(int dimension, std::size_t bodies)
+    : components_(dimension == 2 ? orientation_components<2> : orientation_components<3>), size_(bodies) {
+  values_.assign(bodies * stride(), 0.0);
+  if (dimension == 3)
+    for (std::size_t i = 0; i < bodies; ++i) values_[i * stride()] = 1;
+}
+
+void Orientations::rotate(const Vectors<const double>& spin, double time, std::size_t begin,
+                          std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    double* const body = values_.data() + i * stride();
+    if (components_ == orientation_components<2>)
+      add(body[0], body[1], time * spin[2][i]);
+    else
+      rotate_quaternion(body, time * Vec3{{spin[0][i], spin[1][i], spin[2][i]}});
+  }
+}
+
+}  // namespace scree
