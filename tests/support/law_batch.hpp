@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <scree/contact_jacobian.hpp>
+
 // One contact passed to a law directly, without the kernel.
 
 namespace scree::test {
@@ -15,7 +17,8 @@ namespace scree::test {
 class LawBatch {
  public:
   LawBatch(const std::string& plugin, const Values& values, int dimension = 3)
-      : law_(parameters(plugin, SCREE_CONTACT_LAW, values), dimension, nowhere_, nowhere_) {
+      : dimension_(dimension),
+        law_(parameters(plugin, SCREE_CONTACT_LAW, values), dimension, nowhere_, nowhere_) {
     for (auto& column : input_) column.fill(0.0);
     for (auto& column : history) column.fill(0.0);
     input_[SCREE_NORMAL].fill(1.0);
@@ -34,15 +37,18 @@ class LawBatch {
   const scree_contact_instance& instance() const { return law_.instance(); }
 
   void evaluate(double step) {
-    derive_inputs();
-    scree_contact_batch batch = {};
-    batch.struct_size = sizeof(batch);
-    batch.count = SCREE_LANES;
-    batch.step = step;
-    for (std::size_t k = 0; k < input_.size(); ++k) batch.input[k] = input_[k].data();
-    for (std::size_t k = 0; k < history.size(); ++k) batch.history[k] = history[k].data();
-    for (std::size_t k = 0; k < output_.size(); ++k) batch.output[k] = output_[k].data();
-    law_.instance().evaluate(law_.storage(), &batch);
+    const scree_contact_batch contacts = batch(step);
+    law_.instance().evaluate(law_.storage(), &contacts);
+  }
+
+  // Row and column as in ContactJacobian.
+  double derivative(int row, int column, double inverse_distance, double step) {
+    const scree_contact_batch contacts = batch(step);
+    const std::vector<double> inverse_distances(SCREE_LANES, inverse_distance);
+    const ContactJacobian jacobian(law_, dimension_);
+    std::vector<double> values;
+    jacobian.evaluate(contacts, inverse_distances.data(), values);
+    return values[std::size_t(row * jacobian.columns() + column)];
   }
 
   using Lanes = std::array<double, SCREE_LANES>;
@@ -57,7 +63,20 @@ class LawBatch {
     input(SCREE_CONTACT_RADIUS, 2) = std::sqrt(radius);
   }
 
+  scree_contact_batch batch(double step) {
+    derive_inputs();
+    scree_contact_batch contacts = {};
+    contacts.struct_size = sizeof(contacts);
+    contacts.count = SCREE_LANES;
+    contacts.step = step;
+    for (std::size_t k = 0; k < input_.size(); ++k) contacts.input[k] = input_[k].data();
+    for (std::size_t k = 0; k < history.size(); ++k) contacts.history[k] = history[k].data();
+    for (std::size_t k = 0; k < output_.size(); ++k) contacts.output[k] = output_[k].data();
+    return contacts;
+  }
+
   static constexpr double nowhere_[3] = {0, 0, 0};
+  int dimension_;
   ConfiguredLaw law_;
   alignas(64) std::array<Lanes, SCREE_CONTACT_INPUT_COUNT> input_;
   alignas(64) std::array<Lanes, SCREE_CONTACT_OUTPUT_COUNT> output_;

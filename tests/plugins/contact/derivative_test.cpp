@@ -1,0 +1,224 @@
+#include "law_batch.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <catch2/catch.hpp>
+
+// The derivatives of every law against finite differences of fourth order. With steps of 1e-3 of the scale of
+// each quantity, their truncation error is about 1e-12 and their round-off, 1e-16 × |f|/step, below 1e-11 of
+// the largest derivative; 1e-7 leaves room for states near a kink.
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+constexpr double tolerance = 1e-7, step = 1e-6, distance = 4e-3;
+
+struct Variant {
+  std::string law;
+  std::string name;
+  Values values;
+  double stiffness;  // of the normal force at the overlap of the states (N/m), for the scale of forces
+  double slip;       // spring length at which the contact begins to slide (m)
+  bool frictional;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const double rolling : {0.0, 0.1})
+    for (const bool by_restitution : {false, true})
+      for (const double tension : {0.0, 1.0})
+        for (const int friction : {0, 1, 2, 3}) {
+          Values v = {{"normal_stiffness", {5000}}, {"rolling_friction", {rolling}}, {"tension", {tension}}};
+          v.push_back(by_restitution ? std::pair<std::string, std::vector<double>>{"restitution", {0.8}}
+                                     : std::pair<std::string, std::vector<double>>{"normal_damping", {0.4}});
+          if (friction > 0) {
+            v.push_back({"tangential_stiffness", {1500}});
+            v.push_back({"static_friction", {0.5}});
+            v.push_back({"dynamic_friction", {0.4}});
+            v.push_back({"tangential_damping", {friction == 1 ? 0.0 : 0.2}});
+            v.push_back({"slip_rule", {friction == 3 ? 1.0 : 0.0}});
+          }
+          all.push_back({"linear_spring_dashpot",
+                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
+                             ", restitution " + std::to_string(by_restitution) + ", tension " +
+                             std::to_string(tension),
+                         v, 5000, 0.5 * 5000 * 2e-5 / 1500, friction > 0});
+        }
+  for (const double rolling : {0.0, 0.1})
+    for (const double restitution : {0.8, 1.0})
+      for (const double friction : {0.0, 0.4})
+        for (const double history : {0.0, 1.0, 2.0})
+          all.push_back({"hertz_mindlin",
+                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
+                             ", restitution " + std::to_string(restitution) + ", history " +
+                             std::to_string(history),
+                         {{"youngs_modulus", {7e7}},
+                          {"poissons_ratio", {0.2}},
+                          {"restitution", {restitution}},
+                          {"friction", {friction}},
+                          {"history", {history}},
+                          {"rolling_friction", {rolling}}},
+                         1e4,
+                         0.4 * 2e-5 * 2.0 / 3.0 * 0.9,
+                         friction > 0});
+  return all;
+}
+
+// One touching pair, and changes of its relative motion.
+struct State {
+  int dimension;
+  Vec3 normal;
+  double overlap = 2e-5;
+  Vec3 spring = {}, increment = {}, velocity = {}, spin = {};
+  bool was_sliding = false;
+};
+
+// Columns of ContactJacobian: the change of a state by `amount` in one of them.
+void load(LawBatch& pair, const State& state, int column, double amount) {
+  const int d = state.dimension, spins = d == 2 ? 1 : 3, k = column % (d + spins);
+  const bool motion = column < d + spins;
+  State s = state;
+  if (k < d && motion) {
+    Vec3 separation = distance * state.normal;
+    separation[k] += amount;
+    s.normal = (1 / norm(separation)) * separation;
+    // The law receives the overlap and the increment to first order along the old normal.
+    s.overlap -= amount * state.normal[k];
+    Vec3 displacement = {};
+    displacement[k] = amount;
+    s.increment += displacement - dot(displacement, state.normal) * state.normal;
+  } else if (k < d) {
+    s.velocity[k] += amount;
+  } else if (!motion) {
+    s.spin[k - d] += amount;
+  }
+  pair.set(SCREE_NORMAL, s.normal);
+  pair.input(SCREE_OVERLAP) = s.overlap;
+  pair.set(SCREE_RELATIVE_VELOCITY, s.velocity);
+  pair.set(SCREE_TANGENTIAL_INCREMENT, s.increment);
+  pair.set(SCREE_RELATIVE_SPIN, s.spin);
+  pair.input(SCREE_EFFECTIVE_RADIUS) = 1e-3;
+  pair.input(SCREE_REDUCED_MASS) = 4e-6;
+  const std::uint32_t width = pair.instance().history_width;
+  for (std::uint32_t h = 0; h < width; ++h)
+    pair.history[h][0] = h < std::uint32_t(d) ? s.spring[int(h)] : (s.was_sliding ? 1 : 0);
+  // Hertz-Mindlin keeps the contact radius with the sign of sliding.
+  if (width > 0 && (pair.instance().reads & (1u << SCREE_CONTACT_RADIUS)))
+    pair.history[std::size_t(d)][0] = (s.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5);
+}
+
+double response(LawBatch& pair, int dimension, int row) {
+  return row < dimension ? pair.output(SCREE_FORCE, row) : pair.output(SCREE_COUPLE, row - dimension);
+}
+
+double difference(LawBatch& pair, const State& state, int row, int column, double amount) {
+  const auto at = [&](double share) {
+    load(pair, state, column, share * amount);
+    pair.evaluate(step);
+    return response(pair, state.dimension, row);
+  };
+  return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * amount);
+}
+
+// Typical size of the change in a column: overlap, velocity, spin.
+double scale_of(int dimension, int column) {
+  const int rows = dimension == 2 ? 3 : 6;
+  if (column < rows) return 2e-5;
+  return column % rows < dimension ? 0.1 : 50;
+}
+
+std::vector<State> states(int dimension, double slip_length) {
+  std::vector<State> all;
+  for (const double angle : {0.0, 0.7, 2.5})
+    for (const double extent : {0.2, 0.5, 3.0})  // of the spring, relative to the length at which it slides
+      for (const bool was_sliding : {false, true})
+        for (const double approach : {0.05, -0.05}) {
+          State s{.dimension = dimension, .normal = {{std::cos(angle), std::sin(angle), 0}}};
+          Vec3 across = {{-std::sin(angle), std::cos(angle), 0}};
+          if (dimension == 3) {
+            s.normal = {{0.8 * std::cos(angle), 0.8 * std::sin(angle), 0.6}};
+            across = {{-std::sin(angle), std::cos(angle), 0}};
+          }
+          const Vec3 second = dimension == 3 ? cross(s.normal, across) : Vec3{};
+          s.spring = extent * slip_length * (0.8 * across + 0.3 * second);
+          s.increment = 0.02 * slip_length * (across - 0.5 * second);
+          s.velocity = 0.03 * across + 0.02 * second - approach * s.normal;
+          s.spin = dimension == 2 ? Vec3{{30, 0, 0}} : Vec3{{30, -20, 10}};
+          s.was_sliding = was_sliding;
+          all.push_back(s);
+        }
+  return all;
+}
+
+// Largest deviation of the Jacobian from finite differences, relative to the largest derivative of its
+// column group; counts the states in which the contact slides.
+double largest_deviation(const Variant& variant, int dimension, int& sliding) {
+  const int rows = dimension == 2 ? 3 : 6;
+  double worst = 0;
+  for (const State& state : states(dimension, variant.slip)) {
+    LawBatch pair(variant.law, variant.values, dimension);
+    for (int column = 0; column < 2 * rows; ++column) {
+      std::vector<double> exact, numeric;
+      const double amount = 1e-3 * scale_of(dimension, column);
+      for (int row = 0; row < rows; ++row) {
+        load(pair, state, 0, 0);
+        exact.push_back(pair.derivative(row, column, 1 / distance, step));
+        numeric.push_back(difference(pair, state, row, column, amount));
+      }
+      // Forces and couples have different units.
+      const double force = variant.stiffness * state.overlap / scale_of(dimension, column);
+      for (int row = 0; row < rows; ++row)
+        worst = std::max(worst, std::abs(exact[std::size_t(row)] - numeric[std::size_t(row)]) /
+                                    (row < dimension ? force : force * 1e-3));
+    }
+    load(pair, state, 0, 0);
+    pair.evaluate(step);
+    const int column = pair.instance().sliding_column;
+    sliding += column >= 0 && pair.history[std::size_t(column)][0] > 0;
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("the derivatives of every law agree with finite differences", "[derivative]") {
+  std::map<std::string, int> tested;
+  for (const Variant& variant : variants())
+    for (const int dimension : {2, 3}) {
+      INFO(variant.law << ", " << variant.name << ", " << dimension << "D");
+      int sliding = 0;
+      CHECK(largest_deviation(variant, dimension, sliding) < tolerance);
+      // A third of the springs is far beyond the limit of friction, a third far below.
+      if (variant.frictional) {
+        CHECK(sliding >= 12);
+        CHECK(sliding <= 24);
+      }
+      ++tested[variant.law];
+    }
+  for (const std::string& law : host().names(SCREE_CONTACT_LAW)) {
+    INFO(law << " has no variants in this test");
+    CHECK(tested[law] > 0);
+  }
+}
+
+TEST_CASE("derivatives leave history and outputs as they are, and are 0 for pairs apart", "[derivative]") {
+  LawBatch pair("linear_spring_dashpot", {{"normal_stiffness", {5000}},
+                                          {"normal_damping", {0}},
+                                          {"tangential_stiffness", {1000}},
+                                          {"static_friction", {0.5}}});
+  pair.set(SCREE_NORMAL, {{1, 0, 0}});
+  pair.input(SCREE_OVERLAP) = 1e-4;
+  pair.history[1][0] = 1e-5;
+  pair.evaluate(step);
+  const double force = pair.output(SCREE_FORCE), spring = pair.history[1][0];
+  CHECK(pair.derivative(0, 0, 0, step) == -5000);
+  CHECK(pair.derivative(1, 1, 0, step) == -1000);
+  CHECK(pair.output(SCREE_FORCE) == force);
+  CHECK(pair.history[1][0] == spring);
+  pair.input(SCREE_OVERLAP) = -1e-4;
+  CHECK(pair.derivative(0, 0, 0, step) == 0);
+  CHECK(pair.derivative(1, 1, 0, step) == 0);
+}
