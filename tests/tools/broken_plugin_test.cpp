@@ -6,7 +6,7 @@ using namespace scree::test;
 
 namespace {
 
-const std::string broken = SCREE_TEST_BROKEN_PLUGINS;
+const std::string broken = SCREE_TEST_BROKEN;
 const std::string options = "--plugins '" + broken + "'";
 
 void refused(const std::string& plugin, const std::string& begin, const std::string& end) {

@@ -1,6 +1,7 @@
 #include "plugins/instruction_levels.hpp"
 
 #include <algorithm>
+#include <cfenv>
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
@@ -63,6 +64,39 @@ std::string loader_reason() {
   return colon == std::string::npos ? all : all.substr(colon + 2);
 }
 
+std::size_t interface_size(std::uint32_t kind) {
+  switch (kind) {
+    case SCREE_CONTACT_LAW:
+      return sizeof(scree_contact_law);
+    case SCREE_BOUNDARY:
+      return sizeof(scree_boundary);
+    case SCREE_BODY_FORCE:
+      return sizeof(scree_body_force);
+    case SCREE_PROBE:
+      return sizeof(scree_probe);
+  }
+  return 0;
+}
+
+// Why a library of the right version cannot be used all the same, and the cure; empty if it can.
+std::string fault_of_build(const scree_plugin& plugin) {
+  if (plugin.struct_size != sizeof(scree_plugin) || plugin.parameter_size != sizeof(scree_parameter))
+    return "was built with other headers of the same interface version; rebuild it against this version";
+  if (plugin.numerics & SCREE_FAST_MATH)
+    return "was compiled with -ffast-math or a part of it, which changes results; compile it without";
+  if (plugin.numerics & SCREE_CONTRACTED)
+    return "was compiled so that products and sums are fused, which changes results; add -ffp-contract=off";
+  if (interface_size(plugin.kind) == 0)
+    return fmt::format("contains a plug-in of an unknown kind {}; rebuild it against this version",
+                       plugin.kind);
+  // Each interface begins with its struct_size.
+  if (!plugin.interface ||
+      *static_cast<const std::uint32_t*>(plugin.interface) != interface_size(plugin.kind))
+    return fmt::format("has the interface of another version of a {}; rebuild it against this version",
+                       kind_name(scree_kind(plugin.kind)));
+  return "";
+}
+
 }  // namespace
 
 struct PluginHost::Library {
@@ -73,7 +107,11 @@ struct PluginHost::Library {
   explicit Library(const fs::path& p) : path(p) {
     if (is_truncated(path))
       throw Error(fmt::format("{}: the plug-in library is truncated; rebuild it", path.string()));
+    // A library built with -ffast-math changes the treatment of denormal numbers when it is loaded.
+    std::fenv_t numerics;
+    std::fegetenv(&numerics);
     handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    std::fesetenv(&numerics);
     if (!handle)
       throw Error(
           fmt::format("{}: not a usable plug-in library ({}); rebuild it", path.string(), loader_reason()));
@@ -89,6 +127,7 @@ struct PluginHost::Library {
                        plugin->abi_version, SCREE_ABI_VERSION));
     if (plugin->features != 0)
       fail(fmt::format("needs features {:#x} that this program lacks; use a newer scree", plugin->features));
+    if (const std::string fault = fault_of_build(*plugin); !fault.empty()) fail(fault);
     if (path.stem() != plugin->name)
       fail(fmt::format("contains a plug-in named '{}'; name the library {}.so", plugin->name, plugin->name));
   }

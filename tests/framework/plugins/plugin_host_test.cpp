@@ -155,7 +155,7 @@ TEST_CASE("unusable libraries are refused with the reason and do not affect the 
   folder.copy("body_force/gravity.so", "contact/gravity.so");
   folder.write("body_force/text.so", "no library");
   folder.write("body_force/notes.txt", "no plug-in at all");
-  PluginHost host({folder.path(), SCREE_TEST_BROKEN_PLUGINS});
+  PluginHost host({folder.path(), SCREE_TEST_BROKEN});
 
   CHECK_THAT(refusal(host, "text", SCREE_BODY_FORCE),
              Catch::Contains("text.so: not a usable plug-in library"));
@@ -170,6 +170,15 @@ TEST_CASE("unusable libraries are refused with the reason and do not affect the 
              Catch::Contains("interface version " + std::to_string(SCREE_ABI_VERSION + 1) +
                              ", this program has " + std::to_string(SCREE_ABI_VERSION)));
   CHECK_THAT(refusal(host, "needs_features", SCREE_BODY_FORCE), Catch::Contains("needs features 0x8"));
+  CHECK_THAT(refusal(host, "other_size", SCREE_BODY_FORCE),
+             Catch::Contains("interface of another version of a body force; rebuild"));
+  CHECK_THAT(refusal(host, "fast_math", SCREE_BODY_FORCE),
+             Catch::Contains("fast_math.so: was compiled with -ffast-math"));
+  CHECK_THAT(refusal(host, "contracted", SCREE_BODY_FORCE),
+             Catch::Contains("contracted.so: ") && Catch::Contains("-ffp-contract=off"));
+  // Loading the former does not change the arithmetic of this program.
+  volatile double smallest_normal = 0x1p-1022;
+  CHECK(0.5 * smallest_normal > 0);
   // A second attempt is refused for the same reason.
   CHECK_THAT(refusal(host, "no_query", SCREE_BODY_FORCE), Catch::Contains("lacks the symbol"));
 
@@ -182,9 +191,9 @@ TEST_CASE("unusable libraries are refused with the reason and do not affect the 
     names.push_back(b.path.stem());
     CHECK_FALSE(b.reason.empty());
   }
-  CHECK_THAT(names, Catch::UnorderedEquals(std::vector<std::string>{"gravity", "other_name", "text",
-                                                                    "no_query", "no_manifest", "old_version",
-                                                                    "needs_features"}));
+  CHECK_THAT(names, Catch::UnorderedEquals(std::vector<std::string>{
+                        "gravity", "other_name", "text", "no_query", "no_manifest", "old_version",
+                        "needs_features", "other_size", "fast_math", "contracted"}));
 }
 
 TEST_CASE("a plug-in's own refusal is passed on with its name") {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <scree/plugin/abi.h>
+#include <scree/plugin/numerics.hpp>
 #include <scree/plugin/program.hpp>
 
 namespace scree {
@@ -187,6 +188,8 @@ const scree_plugin* manifest_of(scree_kind kind, const Interface& interface) {
                                       .kind = std::uint32_t(kind),
                                       .parameter_count = declaration.count(),
                                       .features = 0,
+                                      .numerics = detail::numeric_settings(),
+                                      .parameter_size = sizeof(scree_parameter),
                                       .name = Author::about.name,
                                       .summary = Author::about.summary,
                                       .equation = Author::about.equation,
