@@ -7,10 +7,7 @@ if(SCREE_WARNINGS_AS_ERRORS)
   target_compile_options(scree_compile_options INTERFACE -Werror)
 endif()
 
-# Same bits on every instruction level and compiler: no contraction, no reassociation. -fno-math-errno and
-# -fno-trapping-math change no result; they let the compiler vectorise square roots and selections, and -fno-tree-sink
-# keeps it from making branches of selections.
-set(SCREE_NUMERIC_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-tree-sink -fopenmp-simd)
+# What keeps results the same on every processor: see plugin.cmake.
 target_compile_options(scree_compile_options INTERFACE ${SCREE_NUMERIC_FLAGS})
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")

@@ -34,6 +34,8 @@ void add_render_verb(CommandLine& line);
 void add_accuracy_verb(CommandLine& line);
 void add_campaign_verb(CommandLine& line);
 void add_bench_verb(CommandLine& line);
+void add_new_plugin_verb(CommandLine& line);
+void add_test_plugin_verb(CommandLine& line);
 
 // Set by the first Ctrl-C, or the end of a batch job, from now on: what runs saves what it has and ends. A
 // second one ends the program at once.

@@ -104,10 +104,10 @@ void load(LawBatch& pair, const State& state, int column, double amount) {
   pair.input(SCREE_REDUCED_MASS) = 4e-6;
   const std::uint32_t width = pair.instance().history_width;
   for (std::uint32_t h = 0; h < width; ++h)
-    pair.history[h][0] = h < std::uint32_t(d) ? s.spring[int(h)] : (s.was_sliding ? 1 : 0);
+    pair.history(h) = h < std::uint32_t(d) ? s.spring[int(h)] : (s.was_sliding ? 1 : 0);
   // Hertz-Mindlin keeps the contact radius with the sign of sliding.
   if (width > 0 && (pair.instance().reads & (1u << SCREE_CONTACT_RADIUS)))
-    pair.history[std::size_t(d)][0] = (s.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5);
+    pair.history(std::size_t(d)) = (s.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5);
 }
 
 double response(LawBatch& pair, int dimension, int row) {
@@ -177,7 +177,7 @@ double largest_deviation(const Variant& variant, int dimension, int& sliding) {
     load(pair, state, 0, 0);
     pair.evaluate(step);
     const int column = pair.instance().sliding_column;
-    sliding += column >= 0 && pair.history[std::size_t(column)][0] > 0;
+    sliding += column >= 0 && pair.history(std::size_t(column)) > 0;
   }
   return worst;
 }
@@ -211,13 +211,13 @@ TEST_CASE("derivatives leave history and outputs as they are, and are 0 for pair
                                           {"static_friction", {0.5}}});
   pair.set(SCREE_NORMAL, {{1, 0, 0}});
   pair.input(SCREE_OVERLAP) = 1e-4;
-  pair.history[1][0] = 1e-5;
+  pair.history(1) = 1e-5;
   pair.evaluate(step);
-  const double force = pair.output(SCREE_FORCE), spring = pair.history[1][0];
+  const double force = pair.output(SCREE_FORCE), spring = pair.history(1);
   CHECK(pair.derivative(0, 0, 0, step) == -5000);
   CHECK(pair.derivative(1, 1, 0, step) == -1000);
   CHECK(pair.output(SCREE_FORCE) == force);
-  CHECK(pair.history[1][0] == spring);
+  CHECK(pair.history(1) == spring);
   pair.input(SCREE_OVERLAP) = -1e-4;
   CHECK(pair.derivative(0, 0, 0, step) == 0);
   CHECK(pair.derivative(1, 1, 0, step) == 0);

@@ -31,11 +31,11 @@ LawBatch contact(Rule rule = by_total) {
 }
 
 void set_spring(LawBatch& c, const Vec3& spring, bool sliding = false) {
-  for (int a = 0; a < 3; ++a) c.history[std::size_t(a)][0] = spring[a];
-  c.history[3][0] = sliding;
+  for (int a = 0; a < 3; ++a) c.history(std::size_t(a)) = spring[a];
+  c.history(3) = sliding;
 }
 
-Vec3 spring_of(const LawBatch& c) { return {{c.history[0][0], c.history[1][0], c.history[2][0]}}; }
+Vec3 spring_of(const LawBatch& c) { return {{c.history(0), c.history(1), c.history(2)}}; }
 
 void check_equal(const Vec3& a, const Vec3& b, double scale) { CHECK(norm(a - b) < 1e-14 * scale); }
 
@@ -59,7 +59,7 @@ TEST_CASE("[D3]: in stick the force is that of the trial spring and the dashpot"
   c.evaluate(step);
   check_equal(c.force(), Vec3{{0, 0, k * overlap}} - k_t * (old + moved) - gamma_t * slip, 5);
   check_equal(spring_of(c), old + moved, 1e-4);
-  CHECK(c.history[3][0] == 0);
+  CHECK(c.history(3) == 0);
   CHECK(c.output(SCREE_ELASTIC_TANGENTIAL) == Approx(0.5 * k_t * dot(old + moved, old + moved)));
   CHECK(c.output(SCREE_DISSIPATION_RATE_TANGENTIAL) == Approx(gamma_t * dot(slip, slip)));
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(0).margin(1e-20));
@@ -88,7 +88,7 @@ TEST_CASE("[D4]: beyond μ_s f_n it slides at μ_d f_n and the spring is reset i
   const Vec3 f_t = (mu_d * f_n / norm(f_0)) * f_0;
   check_equal(c.force(), Vec3{{0, 0, f_n}} + f_t, 5);
   check_equal(spring_of(c), (-1 / k_t) * (f_t + gamma_t * slip), 1e-3);
-  CHECK(c.history[3][0] == 1);
+  CHECK(c.history(3) == 1);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == Approx(-dot(f_t, old - spring_of(c))));
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("[D3]: the force obeys Coulomb's law also with onset weights", "[equat
     c.input(SCREE_ONSET_WEIGHT) = weight;
     c.evaluate(step);
     const double f_n = k * overlap + weight * gamma_n * 10;
-    REQUIRE(c.history[3][0] == 0);
+    REQUIRE(c.history(3) == 0);
     INFO("weight " << weight);
     CHECK(c.force()[2] == Approx(f_n));
     CHECK(std::abs(c.force()[0]) == Approx(std::min(weight * gamma_t * 20, mu_s * f_n)));
@@ -135,7 +135,7 @@ TEST_CASE("by the spring: in stick the force is that of spring and dashpot, limi
   const Vec3 more = -k_t * old - 10 * gamma_t * slip;
   check_equal(c.force(), Vec3{{0, 0, f_n}} + (mu_s * f_n / norm(more)) * more, 5);
   check_equal(spring_of(c), old, 1e-4);  // the dashpot never causes slip
-  CHECK(c.history[3][0] == 0);
+  CHECK(c.history(3) == 0);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
   CHECK(c.output(SCREE_DISSIPATION_RATE_TANGENTIAL) ==
         Approx(dot((mu_s * f_n / norm(more)) * (-1.0 * more) - k_t * old, 10 * slip)));
@@ -152,7 +152,7 @@ TEST_CASE("by the spring: in slip the spring force stays μ_d f_n, and the dashp
   check_equal(spring_of(c), (mu_d * f_n / k_t) * unit, 1e-3);
   // The dashpot is exact to second order in the excess of the trial spring over the limit.
   CHECK(norm(c.force() - (Vec3{{0, 0, f_n}} - (mu_d * f_n - 0.5 * gamma_t) * unit)) < excess * excess);
-  CHECK(c.history[3][0] == 1);
+  CHECK(c.history(3) == 1);
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) ==
         Approx(0.5 * k_t * dot(old + spring_of(c), old - spring_of(c))));
   CHECK(c.output(SCREE_DISSIPATION_RATE_TANGENTIAL) == Approx(gamma_t * 0.25).epsilon(excess * excess));
@@ -165,18 +165,18 @@ TEST_CASE("between μ_d and μ_s the previous state decides between stick and sl
   LawBatch sticking = contact();
   set_spring(sticking, spring, false);
   sticking.evaluate(step);
-  CHECK(sticking.history[3][0] == 0);
+  CHECK(sticking.history(3) == 0);
   CHECK(sticking.force()[0] == Approx(-0.4 * f_n));
   LawBatch sliding = contact();
   set_spring(sliding, spring, true);
   sliding.evaluate(step);
-  CHECK(sliding.history[3][0] == 1);
+  CHECK(sliding.history(3) == 1);
   CHECK(sliding.force()[0] == Approx(-mu_d * f_n));
   // Below μ_d it sticks again.
   LawBatch again = contact();
   set_spring(again, 0.5 * spring, true);
   again.evaluate(step);
-  CHECK(again.history[3][0] == 0);
+  CHECK(again.history(3) == 0);
 }
 
 TEST_CASE("an open pair has no force, and the energy of its spring counts as released", "[equations]") {
@@ -187,7 +187,7 @@ TEST_CASE("an open pair has no force, and the energy of its spring counts as rel
   c.evaluate(step);
   check_equal(c.force(), {}, 1);
   check_equal(spring_of(c), {}, 1);
-  CHECK(c.history[3][0] == 0);
+  CHECK(c.history(3) == 0);
   CHECK(c.output(SCREE_DISSIPATED_RELEASE) == Approx(0.5 * k_t * 1e-8));
   CHECK(c.output(SCREE_DISSIPATED_FRICTION) == 0);
 }

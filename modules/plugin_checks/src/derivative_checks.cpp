@@ -1,0 +1,120 @@
+#include "law_under_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/contact_jacobian.hpp>
+
+namespace scree::plugin_checks {
+
+namespace {
+
+// Changes contact 0 by `amount` along a column of ContactJacobian. Orientations are left out: a law may read
+// them in any form.
+void change(const LawUnderCheck& law, ContactColumns& contact, int column, double amount) {
+  const int rows = law.dimension + law.spins(), k = column % rows;
+  const auto vector = [&](scree_contact_input input) {
+    return Vec3{{contact.input(input, 0), contact.input(input, 1), contact.input(input, 2)}};
+  };
+  if (column < law.dimension) {
+    const Vec3 normal = vector(SCREE_NORMAL);
+    Vec3 displacement = {};
+    displacement[k] = amount;
+    const double along = dot(displacement, normal);
+    contact.input(SCREE_OVERLAP) -= along;
+    contact.set(SCREE_TANGENTIAL_INCREMENT,
+                vector(SCREE_TANGENTIAL_INCREMENT) + displacement - along * normal);
+    const Vec3 separation = law.passage.distance() * normal + displacement;
+    contact.set(SCREE_NORMAL, (1 / norm(separation)) * separation);
+  } else if (column >= rows && k < law.dimension) {
+    contact.input(SCREE_RELATIVE_VELOCITY, k) += amount;
+  } else if (column >= rows) {
+    contact.input(SCREE_RELATIVE_SPIN, k - law.dimension) += amount;
+  }
+}
+
+// Response of a contact at a step of the passage, with a given history.
+std::vector<double> response(const LawUnderCheck& law, int variant, int step,
+                             const std::vector<double>& history, int column, double amount) {
+  ContactColumns contact(1);
+  law.passage.set(contact, 0, variant, step);
+  for (std::size_t k = 0; k < history.size(); ++k) contact.history(k) = history[k];
+  change(law, contact, column, amount);
+  contact.evaluate(law.law, law.passage.step());
+  std::vector<double> all;
+  for (int k = 0; k < law.dimension; ++k) all.push_back(contact.output(SCREE_FORCE, k));
+  for (int k = 0; k < law.spins(); ++k) all.push_back(law.has_couple() ? contact.output(SCREE_COUPLE, k) : 0);
+  return all;
+}
+
+struct Worst {
+  double deviation = 0;
+  int compared = 0, kinks = 0;
+};
+
+// Compares one column; where the slopes to both sides differ the law changes its branch, and the column is
+// left out.
+void compare(const LawUnderCheck& law, int variant, int step, const std::vector<double>& history, int column,
+             const std::vector<double>& jacobian, Worst& worst) {
+  const int rows = law.dimension + law.spins();
+  const double scale = column < rows                   ? law.passage.overlap()
+                       : column % rows < law.dimension ? law.passage.speed()
+                                                       : law.passage.spin();
+  const double amount = 1e-4 * scale;
+  const auto at = [&](double share) { return response(law, variant, step, history, column, share * amount); };
+  const std::vector<double> middle = at(0), left = at(-1), right = at(1), far_left = at(-2),
+                            far_right = at(2);
+  double force = 1e-300, couple = 1e-300;
+  for (int row = 0; row < rows; ++row) {
+    double& largest = row < law.dimension ? force : couple;
+    largest = std::max(largest, std::abs(middle[std::size_t(row)]) / scale);
+  }
+  for (int row = 0; row < rows; ++row) {
+    const auto r = std::size_t(row);
+    const double unit = row < law.dimension ? force : std::max(couple, force * law.passage.overlap());
+    const double rising = (right[r] - middle[r]) / amount, falling = (middle[r] - left[r]) / amount;
+    if (std::abs(rising - falling) > 1e-2 * (std::abs(rising) + std::abs(falling)) + 1e-3 * unit) {
+      ++worst.kinks;
+      continue;
+    }
+    const double slope = (8 * (right[r] - left[r]) - (far_right[r] - far_left[r])) / (12 * amount);
+    const double exact = jacobian[std::size_t(row * 2 * rows + column)];
+    worst.deviation = std::max(worst.deviation, std::abs(slope - exact) / std::max(unit, std::abs(exact)));
+    ++worst.compared;
+  }
+}
+
+}  // namespace
+
+// Finite differences of fourth order with steps of 1e-4: round-off 1e-12 × force/derivative, truncation
+// below 1e-12 unless a branch is near.
+Checks check_derivatives(const LawUnderCheck& law) {
+  const std::string name = "derivatives agree with finite differences";
+  if (!law.law.instance().differentiate) return {{name, Check::Verdict::skipped, "the law has none"}};
+  const ContactJacobian derivative(law.law, law.dimension);
+  const std::vector<double> inverse_distance(SCREE_LANES, 1 / law.passage.distance());
+  Worst worst;
+  for (int variant = 0; variant < LawUnderCheck::variants; variant += 3) {
+    ContactColumns contact(1);
+    std::vector<double> history(law.law.instance().history_width, 0.0);
+    law.follow(contact, {}, variant, [&](int step) {
+      if (step % 10 == 5 && step < Passage::steps_touching) {
+        ContactColumns before(1);
+        law.passage.set(before, 0, variant, step);
+        for (std::size_t k = 0; k < history.size(); ++k) before.history(k) = history[k];
+        std::vector<double> jacobian;
+        derivative.evaluate(before.batch(law.passage.step()), inverse_distance.data(), jacobian);
+        for (int column = 0; column < derivative.columns(); ++column)
+          compare(law, variant, step, history, column, jacobian, worst);
+      }
+      for (std::size_t k = 0; k < history.size(); ++k) history[k] = contact.history(k);
+    });
+  }
+  Check check = bounded(name, worst.deviation, 1e-7);
+  check.detail += fmt::format("; {} of {} at a change of branch", worst.kinks, worst.compared + worst.kinks);
+  return {check};
+}
+
+}  // namespace scree::plugin_checks

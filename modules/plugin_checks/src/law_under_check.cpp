@@ -1,0 +1,40 @@
+#include "law_under_check.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace scree::plugin_checks {
+
+void LawUnderCheck::follow(ContactColumns& contacts, const Frame& frame, int first,
+                           const std::function<void(int)>& visit) const {
+  for (int step = 0; step < Passage::steps; ++step) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) passage.set(contacts, i, first + int(i), step, frame);
+    contacts.evaluate(law, passage.step());
+    visit(step);
+  }
+}
+
+double contact_time_of(const ConfiguredLaw& law, const CheckedPair& pair, int dimension) {
+  const double r = pair.radius, pi = std::numbers::pi;
+  const double mass = pair.density * (dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r);
+  const double other = mass * (dimension == 2 ? 2.25 : 3.375);
+  const scree_encounter encounter = {mass * other / (mass + other), 1.5 * r / 2.5, pair.speed, 1};
+  scree_closed_form forms[16];
+  const std::uint32_t count = law.interface().closed_forms(law.storage(), &encounter, forms, 16);
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (std::string_view(forms[k].name) == "contact_time" && std::isfinite(forms[k].value))
+      return forms[k].value;
+  return 0;
+}
+
+Check bounded(const std::string& name, double measured, double bound) {
+  // False for NaN.
+  const bool holds = measured <= bound;
+  return {name, holds ? Check::Verdict::passed : Check::Verdict::failed,
+          fmt::format("{:.2g}, at most {:.2g}", measured, bound)};
+}
+
+}  // namespace scree::plugin_checks

@@ -1,0 +1,109 @@
+#include "verbs.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <scree/files/text_file.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kinds = {"contact", "boundary", "body_force", "probe"};
+
+struct NewPluginArguments {
+  std::string kind, name, directory;
+};
+
+fs::path program_folder() {
+  std::error_code failed;
+  return fs::read_symlink("/proc/self/exe", failed).parent_path();
+}
+
+// Where the templates are, in the source tree or where the program is installed.
+fs::path templates_folder() {
+  std::error_code failed;
+  const fs::path installed = program_folder() / SCREE_INSTALLED_TEMPLATES;
+  return fs::is_directory(installed, failed) ? installed.lexically_normal() : fs::path(SCREE_TEMPLATES);
+}
+
+void check_name(const std::string& name) {
+  const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  const bool good = !name.empty() && name.size() <= 60 && name[0] >= 'a' && name[0] <= 'z' &&
+                    std::all_of(name.begin(), name.end(), allowed);
+  if (!good)
+    throw Error(
+        fmt::format("'{}': not a name for a plug-in; use lower-case letters, digits and _, such as "
+                    "viscous_spring",
+                    name));
+}
+
+// "viscous_spring" as a type: ViscousSpring.
+std::string type_name(const std::string& name) {
+  std::string type;
+  bool capital = true;
+  for (const char c : name) {
+    if (c != '_') type += capital && c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+    capital = c == '_';
+  }
+  return type;
+}
+
+std::string replaced(std::string text, const std::string& token, const std::string& value) {
+  for (std::size_t at = 0; (at = text.find(token, at)) != std::string::npos; at += value.size())
+    text.replace(at, token.size(), value);
+  return text;
+}
+
+void write_from(const fs::path& source, const fs::path& target, const NewPluginArguments& a) {
+  std::string text = files::read_text(source);
+  text = replaced(text, "@name@", a.name);
+  text = replaced(text, "@Type@", type_name(a.name));
+  text = replaced(text, "@kind@", a.kind);
+  text = replaced(text, "@cmake@", (program_folder() / "../lib/cmake/scree").lexically_normal().string());
+  files::write_atomically(target, text);
+}
+
+ExitStatus new_plugin(const NewPluginArguments& a) {
+  check_name(a.name);
+  const fs::path directory = a.directory.empty() ? fs::path(a.name) : fs::path(a.directory);
+  std::error_code failed;
+  if (fs::exists(directory, failed))
+    throw Error(fmt::format("{}: exists already; choose another name, or --out DIR", directory.string()));
+  if (!fs::create_directories(directory, failed))
+    throw Error(fmt::format("{}: cannot be created ({}); choose another place with --out DIR",
+                            directory.string(), failed.message()),
+                ExitStatus::failure);
+  const fs::path templates = templates_folder();
+  write_from(templates / "CMakeLists.txt", directory / "CMakeLists.txt", a);
+  write_from(templates / a.kind / "plugin.cpp", directory / (a.name + ".cpp"), a);
+  write_from(templates / a.kind / "scene.toml", directory / "scene.toml", a);
+  fmt::print(
+      "{0}/{1}.cpp   the plug-in, to be changed\n"
+      "{0}/scene.toml   a scene with it, and what must come out\n"
+      "{0}/CMakeLists.txt\n\n"
+      "Build and test it:\n"
+      "  cmake -B {0}/build {0}\n"
+      "  cmake --build {0}/build --target check\n"
+      "Use it in any scene: --plugins {0}/build/plugins, or SCREE_PLUGIN_PATH={0}/build/plugins\n",
+      directory.string(), a.name);
+  return ExitStatus::success;
+}
+
+}  // namespace
+
+void add_new_plugin_verb(CommandLine& line) {
+  Verb verb = line.verb("new-plugin", "Write a project for a plug-in of your own, with a scene and a test");
+  auto a = std::make_shared<NewPluginArguments>();
+  verb.option("kind", a->kind, "contact, boundary, body_force or probe").required().one_of(kinds);
+  verb.option("name", a->name, "Name of the plug-in: lower-case letters, digits and _").required();
+  verb.option("--out", a->directory, "Directory to create (default: the name)").shown_as("DIR");
+  verb.footer("Example: scree new-plugin contact viscous_spring");
+  verb.action([a] { return new_plugin(*a); });
+}
+
+}  // namespace scree::tool
