@@ -7,58 +7,56 @@
 namespace {
 
 struct BodyEnergyProbe {
-  scree_value ids = {};
-  int dimension = 3;
+  scree::BodyList bodies;
 
-  static constexpr scree::About about = {
-      "body_energy", "kinetic energy of selected bodies relative to their first sample",
-      "ratio_<id> = E/E_0, E = ½ m v² + ½ I ω²    I = 2mR²/5 of a sphere, mR²/2 of a disc\n"
-      "smallest_ratio, largest_ratio: over the selected bodies",
-      "—"};
+  static constexpr scree::About about = {"body_energy",
+                                         "kinetic energy of selected bodies relative to their first sample",
+                                         "ratio_<id> = E/E_0, E = ½ m v² + ½ I ω²    I: moment of inertia\n"
+                                         "smallest_ratio, largest_ratio: over the selected bodies",
+                                         "—"};
 
   void declare(scree::Declaration& d) {
-    d.list("ids", ids, "", scree::Range{.minimum = 1}, "ids of the bodies to record").required();
+    d.list("ids", bodies.ids, "", scree::body_ids, "ids of the bodies to record").required();
   }
-  void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
 
   void describe(scree_probe_instance& instance) const {
-    instance.column_count = std::uint32_t(ids.count) + 2;
-    instance.state_width = std::uint32_t(ids.count);
+    instance.column_count = std::uint32_t(bodies.size()) + 2;
+    instance.state_width = 2 * std::uint32_t(bodies.size());  // indices and first energies
   }
 
   scree::ColumnName column(std::uint32_t c) const {
     if (c < 2) return {c == 0 ? "smallest_ratio" : "largest_ratio", ""};
     char name[SCREE_MAX_NAME];
-    std::snprintf(name, sizeof(name), "ratio_%lld", static_cast<long long>(ids.data[c - 2]));
+    std::snprintf(name, sizeof(name), "ratio_%lld", bodies.id(c - 2));
     return {name, ""};
   }
 
-  const char* start(const scree_view& view, double* first) const {
-    for (std::uint64_t k = 0; k < ids.count; ++k) {
-      const std::uint64_t i = scree::index_of_body(view, ids.data[k]);
-      if (i == view.body_count)
-        return "an id in `ids` does not exist in this scene; bodies without an id are numbered from 1";
-      first[k] = energy(view, i);
-      if (!(first[k] > 0))
-        return "a body in `ids` is at rest at the first sample and has no reference energy; "
-               "remove its id, or give it a velocity";
+  std::string start(const scree_view& view, double* state) const {
+    if (const std::string missing = bodies.find(view, state); !missing.empty()) return missing;
+    for (std::uint64_t k = 0; k < bodies.size(); ++k) {
+      double& first = state[bodies.size() + k] = energy(view, bodies.index(state, k));
+      if (!(first > 0))
+        return "body " + std::to_string(bodies.id(k)) +
+               " is at rest at the first sample and has no reference energy; remove its id, or give it a "
+               "velocity";
     }
-    return nullptr;
+    return "";
   }
 
-  void sample(const scree_view& view, const double* first, double* row) const {
+  void sample(const scree_view& view, const double* state, double* row) const {
+    const double* const first = state + bodies.size();
     double* const ratios = row + 2;
-    for (std::uint64_t k = 0; k < ids.count; ++k)
-      ratios[k] = energy(view, scree::index_of_body(view, ids.data[k])) / first[k];
-    row[0] = *std::min_element(ratios, ratios + ids.count);
-    row[1] = *std::max_element(ratios, ratios + ids.count);
+    for (std::uint64_t k = 0; k < bodies.size(); ++k)
+      ratios[k] = energy(view, bodies.index(state, k)) / first[k];
+    row[0] = *std::min_element(ratios, ratios + bodies.size());
+    row[1] = *std::max_element(ratios, ratios + bodies.size());
   }
 
  private:
-  double energy(const scree_view& view, std::uint64_t i) const {
+  static double energy(const scree_view& view, std::uint64_t i) {
     const scree::Vec3 velocity = scree::vector_of(view.velocity, i), spin = scree::vector_of(view.spin, i);
-    const double gyration2 = (dimension == 2 ? 0.5 : 0.4) * view.radius[i] * view.radius[i];
-    return 0.5 * view.mass[i] * (dot(velocity, velocity) + gyration2 * dot(spin, spin));
+    const double inertia = view.inertia ? view.inertia[i] : 0;
+    return 0.5 * (view.mass[i] * dot(velocity, velocity) + inertia * dot(spin, spin));
   }
 };
 

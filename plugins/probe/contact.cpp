@@ -1,14 +1,16 @@
 // Individual contacts.
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <scree/plugin/probe.hpp>
 
 namespace {
 
 struct ContactProbe {
-  scree_value pairs = {};
-  scree_value at_walls = {};
+  scree::BodyList pairs;
+  scree::BodyList at_walls = {.stride = 2};
   int dimension = 3;
 
   static constexpr scree::About about = {
@@ -19,9 +21,8 @@ struct ContactProbe {
       "—"};
 
   void declare(scree::Declaration& d) {
-    d.list("pairs", pairs, "", scree::Range{.minimum = 1}, "ids of the bodies, two for each contact")
-        .optional();
-    d.list("at_walls", at_walls, "", scree::Range{.minimum = 1},
+    d.list("pairs", pairs.ids, "", scree::body_ids, "ids of the bodies, two for each contact").optional();
+    d.list("at_walls", at_walls.ids, "", scree::body_ids,
            "for each contact the id of the body and the number of the wall; "
            "walls are numbered from 1 in the order of the [[boundary]] entries")
         .optional();
@@ -29,15 +30,16 @@ struct ContactProbe {
 
   void prepare(const scree::Setup& setup) {
     dimension = setup.dimension();
-    if (pairs.count % 2 || at_walls.count % 2)
+    if (pairs.ids.count % 2 || at_walls.ids.count % 2)
       return setup.refuse("a list has an odd number of entries; give two for each contact");
-    if (pairs.count + at_walls.count == 0)
+    if (contacts() == 0)
       return setup.refuse("no contact is selected; give pairs = [a, b] or at_walls = [id, wall]");
   }
 
   void describe(scree_probe_instance& instance) const {
     instance.needs = SCREE_NEEDS_CONTACTS;
-    instance.column_count = std::uint32_t(pairs.count + at_walls.count) / 2 * per_contact();
+    instance.column_count = std::uint32_t(contacts()) * per_contact();
+    instance.state_width = std::uint32_t(pairs.size() + at_walls.size());
   }
 
   scree::ColumnName column(std::uint32_t c) const {
@@ -45,60 +47,70 @@ struct ContactProbe {
                                             "normal_x", "normal_y",     "normal_z"};
     static constexpr const char* units[] = {"m", "N", "N", "", "", "", ""};
     const std::uint64_t entry = c / per_contact();
-    const bool at_wall = 2 * entry >= pairs.count;
-    const double* ends = at_wall ? at_walls.data + (2 * entry - pairs.count) : pairs.data + 2 * entry;
+    const bool at_wall = is_at_wall(entry);
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "%s_%lld_%s%lld", names[c % per_contact()],
-                  static_cast<long long>(ends[0]), at_wall ? "wall" : "", static_cast<long long>(ends[1]));
+                  at_wall ? at_walls.id(entry - body_pairs()) : pairs.id(2 * entry), at_wall ? "wall" : "",
+                  at_wall ? static_cast<long long>(wall(entry)) : pairs.id(2 * entry + 1));
     return {name, units[c % per_contact()]};
   }
 
-  const char* start(const scree_view& view, double*) const {
-    for (std::uint64_t k = 0; k < pairs.count; ++k)
-      if (scree::index_of_body(view, pairs.data[k]) == view.body_count) return no_body;
-    for (std::uint64_t k = 0; k < pairs.count; k += 2)
-      if (pairs.data[k] == pairs.data[k + 1]) return "a pair in `pairs` has the same id twice; give two ids";
-    for (std::uint64_t k = 0; k < at_walls.count; k += 2) {
-      if (scree::index_of_body(view, at_walls.data[k]) == view.body_count) return no_body;
-      const double wall = at_walls.data[k + 1];
-      if (wall > view.plane_count || wall != std::floor(wall))
-        return "a wall in `at_walls` does not exist in this scene; "
-               "walls are numbered from 1 in the order of the [[boundary]] entries";
-    }
-    return nullptr;
+  std::string start(const scree_view& view, double* indices) const {
+    if (const std::string missing = pairs.find(view, indices); !missing.empty()) return missing;
+    for (std::uint64_t k = 0; k < pairs.size(); k += 2)
+      if (pairs.id(k) == pairs.id(k + 1)) return "a pair in `pairs` has the same id twice; give two ids";
+    for (std::uint64_t entry = body_pairs(); entry < contacts(); ++entry)
+      if (const std::string missing = scree::missing_wall(view, wall(entry)); !missing.empty())
+        return missing;
+    return at_walls.find(view, indices + pairs.size());
   }
 
-  void sample(const scree_view& view, const double*, double* row) const {
-    for (std::uint64_t k = 0; k < pairs.count; k += 2, row += per_contact())
-      record(view, scree::index_of_body(view, pairs.data[k]), scree::index_of_body(view, pairs.data[k + 1]),
-             row);
-    for (std::uint64_t k = 0; k < at_walls.count; k += 2, row += per_contact())
-      record(view, scree::index_of_body(view, at_walls.data[k]),
-             view.body_count + std::uint64_t(at_walls.data[k + 1]) - 1, row);
+  void sample(const scree_view& view, const double* indices, double* row) const {
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> wanted;  // key of a pair, its place in the row
+    for (std::uint64_t entry = 0; entry < contacts(); ++entry)
+      wanted.emplace_back(key(first(indices, entry), second(view, indices, entry)), entry);
+    std::sort(wanted.begin(), wanted.end());
+    std::fill(row, row + contacts() * per_contact(), 0.0);
+    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
+      const std::uint64_t found = key(view.contact_a[c], view.contact_b[c]);
+      auto at = std::lower_bound(wanted.begin(), wanted.end(), std::pair(found, std::uint64_t(0)));
+      for (; at != wanted.end() && at->first == found; ++at)
+        record(view, c, view.contact_a[c] == first(indices, at->second), row + at->second * per_contact());
+    }
   }
 
  private:
-  static constexpr const char* no_body =
-      "an id does not exist in this scene; bodies without an id are numbered from 1";
-
   std::uint32_t per_contact() const { return 4 + std::uint32_t(dimension); }
+  std::uint64_t body_pairs() const { return pairs.size() / 2; }
+  std::uint64_t contacts() const { return body_pairs() + at_walls.size(); }
+  bool is_at_wall(std::uint64_t entry) const { return entry >= body_pairs(); }
+  // Number of the wall of an entry, from 1.
+  double wall(std::uint64_t entry) const { return at_walls.ids.data[2 * (entry - body_pairs()) + 1]; }
 
-  // Writes the row of the contact of a and b, in whichever order the host lists them.
-  void record(const scree_view& view, std::uint64_t a, std::uint64_t b, double* row) const {
-    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      const bool forward = view.contact_a[c] == a && view.contact_b[c] == b;
-      if (!forward && (view.contact_a[c] != b || view.contact_b[c] != a)) continue;
-      const double* normal = view.contact_normal + 3 * c;
-      const double* force = view.contact_force + 3 * c;
-      const double along = normal[0] * force[0] + normal[1] * force[1] + normal[2] * force[2];
-      double across = 0;
-      for (int k = 0; k < 3; ++k) across += (force[k] - along * normal[k]) * (force[k] - along * normal[k]);
-      row[0] = view.contact_overlap[c];
-      row[1] = along;
-      row[2] = std::sqrt(across);
-      row[3] = view.contact_sliding[c];
-      for (int k = 0; k < dimension; ++k) row[4 + k] = forward ? normal[k] : -normal[k];
-    }
+  // The ends of an entry, as the host numbers bodies and planes.
+  std::uint64_t first(const double* indices, std::uint64_t entry) const {
+    return is_at_wall(entry) ? at_walls.index(indices + pairs.size(), entry - body_pairs())
+                             : pairs.index(indices, 2 * entry);
+  }
+  std::uint64_t second(const scree_view& view, const double* indices, std::uint64_t entry) const {
+    return is_at_wall(entry) ? view.body_count + std::uint64_t(wall(entry)) - 1
+                             : pairs.index(indices, 2 * entry + 1);
+  }
+  // The same for both orders of the ends.
+  static std::uint64_t key(std::uint64_t a, std::uint64_t b) { return std::max(a, b) << 32 | std::min(a, b); }
+
+  // Writes contact c; forward: it is listed in the order of the parameter.
+  void record(const scree_view& view, std::uint64_t c, bool forward, double* row) const {
+    const double* normal = view.contact_normal + 3 * c;
+    const double* force = view.contact_force + 3 * c;
+    const double along = normal[0] * force[0] + normal[1] * force[1] + normal[2] * force[2];
+    double across = 0;
+    for (int k = 0; k < 3; ++k) across += (force[k] - along * normal[k]) * (force[k] - along * normal[k]);
+    row[0] = view.contact_overlap[c];
+    row[1] = along;
+    row[2] = std::sqrt(across);
+    row[3] = view.contact_sliding[c];
+    for (int k = 0; k < dimension; ++k) row[4 + k] = forward ? normal[k] : -normal[k];
   }
 };
 

@@ -28,7 +28,6 @@ struct ContactsProbe {
     instance.column_count = std::size(names);
   }
   scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c]}; }
-  const char* start(const scree_view&, double*) const { return nullptr; }
 
   void sample(const scree_view& view, const double*, double* row) const {
     double ends = 0, sliding = 0, overlap = 0, largest = 0, force = 0;

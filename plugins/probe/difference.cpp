@@ -8,7 +8,7 @@
 namespace {
 
 struct DifferenceProbe {
-  scree_value ids = {};
+  scree::BodyList bodies;
   int dimension = 3;
 
   static constexpr scree::About about = {
@@ -18,15 +18,16 @@ struct DifferenceProbe {
       "—"};
 
   void declare(scree::Declaration& d) {
-    d.list("ids", ids, "", scree::Range{.minimum = 1}, "ids in pairs: a, b, a, b, ...").required();
+    d.list("ids", bodies.ids, "", scree::body_ids, "ids in pairs: a, b, a, b, ...").required();
   }
   void prepare(const scree::Setup& setup) {
     dimension = setup.dimension();
-    if (ids.count % 2) setup.refuse("ids has an odd number of entries; give them in pairs");
+    if (bodies.size() % 2) setup.refuse("ids has an odd number of entries; give them in pairs");
   }
 
   void describe(scree_probe_instance& instance) const {
-    instance.column_count = std::uint32_t(ids.count / 2) * per_pair();
+    instance.column_count = std::uint32_t(bodies.size() / 2) * per_pair();
+    instance.state_width = std::uint32_t(bodies.size());
   }
 
   scree::ColumnName column(std::uint32_t c) const {
@@ -37,21 +38,15 @@ struct DifferenceProbe {
     const bool velocity = q < 2 * d || q == per_pair() - 2;
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "%s_%lld_%lld", dimension == 2 ? flat[q] : spatial[q],
-                  static_cast<long long>(ids.data[2 * pair]), static_cast<long long>(ids.data[2 * pair + 1]));
+                  bodies.id(2 * pair), bodies.id(2 * pair + 1));
     return {name, q < d ? "m" : velocity ? "m/s" : "rad/s"};
   }
 
-  const char* start(const scree_view& view, double*) const {
-    for (std::uint64_t k = 0; k < ids.count; ++k)
-      if (scree::index_of_body(view, ids.data[k]) == view.body_count)
-        return "an id in `ids` does not exist in this scene; bodies without an id are numbered from 1";
-    return nullptr;
-  }
+  std::string start(const scree_view& view, double* indices) const { return bodies.find(view, indices); }
 
-  void sample(const scree_view& view, const double*, double* row) const {
-    for (std::uint64_t n = 0; n < ids.count; n += 2) {
-      const std::uint64_t a = scree::index_of_body(view, ids.data[n]),
-                          b = scree::index_of_body(view, ids.data[n + 1]);
+  void sample(const scree_view& view, const double* indices, double* row) const {
+    for (std::uint64_t n = 0; n < bodies.size(); n += 2) {
+      const std::uint64_t a = bodies.index(indices, n), b = bodies.index(indices, n + 1);
       for (const auto* columns : {&view.position, &view.velocity, &view.spin}) {
         const scree::Vec3 difference = scree::vector_of(*columns, a) - scree::vector_of(*columns, b);
         const bool of_disc = columns == &view.spin && dimension == 2;

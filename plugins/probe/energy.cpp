@@ -32,9 +32,11 @@ struct EnergyProbe {
       "residual = stored − stored at the start + dissipated − created − work", "—"};
 
   void declare(scree::Declaration&) {}
-  void describe(scree_probe_instance& instance) const { instance.column_count = std::size(entries); }
+  void describe(scree_probe_instance& instance) const {
+    instance.needs = SCREE_NEEDS_ENERGY;
+    instance.column_count = std::size(entries);
+  }
   scree::ColumnName column(std::uint32_t c) const { return {entries[c].name, "J"}; }
-  const char* start(const scree_view&, double*) const { return nullptr; }
   void sample(const scree_view& view, const double*, double* row) const {
     for (const Entry& entry : entries) *row++ = view.energy->*entry.member;
   }

@@ -14,7 +14,7 @@ struct MomentumProbe {
 
   static constexpr scree::About about = {
       "momentum", "total momentum and angular momentum of the bodies",
-      "p = Σ m v,   L = Σ m (x − x_0) × v + I ω     x_0: about;  I = 2 m R²/5, discs m R²/2\n"
+      "p = Σ m v,   L = Σ m (x − x_0) × v + I ω     x_0: about;  I: moment of inertia\n"
       "Walls are not counted. Across a periodic axis p is conserved, but L is not.",
       "—"};
 
@@ -34,18 +34,15 @@ struct MomentumProbe {
     return {dimension == 2 ? flat[c] : spatial[c], c < axes ? "kg m/s" : "kg m^2/s"};
   }
 
-  const char* start(const scree_view&, double*) const { return nullptr; }
-
   void sample(const scree_view& view, const double*, double* row) const {
     Vec3 linear = {}, angular = {};
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
       Vec3 arm = vector_of(view.position, i);
       for (int k = 0; k < dimension; ++k) arm[k] -= about_point[std::size_t(k)];
-      const double shape = dimension == 2 ? 0.5 : 0.4;
-      const double inertia = shape * view.mass[i] * view.radius[i] * view.radius[i];
       const Vec3 p = view.mass[i] * vector_of(view.velocity, i);
       linear += p;
-      angular += cross(arm, p) + inertia * vector_of(view.spin, i);
+      angular += cross(arm, p);
+      if (view.inertia) angular += view.inertia[i] * vector_of(view.spin, i);
     }
     for (int k = 0; k < dimension; ++k) *row++ = linear[k];
     for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = angular[k];

@@ -35,12 +35,11 @@ struct WallsProbe {
     return {name, units[q]};
   }
 
-  const char* start(const scree_view& view, double*) const {
+  std::string start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < numbers.count; ++k)
-      if (numbers.data[k] > view.plane_count || numbers.data[k] != std::floor(numbers.data[k]))
-        return "a wall in `walls` does not exist in this scene; "
-               "walls are numbered from 1 in the order of the [[boundary]] entries";
-    return nullptr;
+      if (const std::string missing = scree::missing_wall(view, numbers.data[k]); !missing.empty())
+        return missing;
+    return "";
   }
 
   void sample(const scree_view& view, const double*, double* row) const {

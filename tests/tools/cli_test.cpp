@@ -42,8 +42,9 @@ TEST_CASE("check finds the same errors as run", "[tools]") {
                 "'linear_spring_dashpot' allow ",
                 "time.step_guard = false to run it anyway");
   const Workspace walls(with(discs, "'energy'", "'particles'\nids = [99]"));
-  check_refused(walls, walls.scree("check scene.toml"), "scene.toml:25:10: probe particles: an id in `ids` ",
-                "bodies without an id are numbered from 1");
+  check_refused(walls, walls.scree("check scene.toml"),
+                "scene.toml:25:10: probe particles: a body with the id 99 does not exist; ",
+                "numbered from 1, after the largest id given");
 }
 
 TEST_CASE("describe lists all plug-ins by kind", "[tools]") {

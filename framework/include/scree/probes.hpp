@@ -11,42 +11,55 @@ namespace scree {
 // Read-only view of a simulation for probes; valid until the next step.
 class SimulationView {
  public:
-  // with_contacts: whether to collect the contacts, which takes a loop over all pairs.
-  SimulationView(const Simulation& simulation, bool with_contacts);
+  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies.
+  SimulationView(const Simulation& simulation, std::uint32_t needs);
   SimulationView(const SimulationView&) = delete;
   SimulationView& operator=(const SimulationView&) = delete;
 
   const scree_view& get() const { return view_; }
 
  private:
+  void show_bodies(const Simulation& simulation);
+  void show_boundaries(const Simulation& simulation);
+  void show_contacts(const Simulation& simulation);
+
   ContactList contacts_;
   scree_energy energy_;
-  std::vector<const char*> plane_names_;
+  std::vector<const char*> plane_names_, material_names_;
   scree_view view_ = {};
 };
 
-// A configured probe and its state, such as reference lengths.
+// A configured probe and its state, such as reference lengths. The first call that is given a view starts it.
 class Probe {
  public:
+  // Throws Error if the plug-in refuses its parameters or names columns as a CSV file cannot.
   Probe(const Parameters& parameters, int dimension);
 
   // Names and units of the columns, without the time column.
   std::vector<std::string> names() const { return names_; }
   std::vector<std::string> units() const { return units_; }
-  bool needs_contacts() const { return plugin_.instance().needs & SCREE_NEEDS_CONTACTS; }
-  // One row of values. The first call sets the state; it throws Error if the scene lacks what the probe
-  // reads.
+  std::uint32_t needs() const { return plugin_.instance().needs; }
+  // Whether observe() does anything.
+  bool observes() const { return plugin_.instance().observes; }
+
+  // Updates the state. Throws Error, as sample() does, if the scene lacks what the probe reads.
+  void observe(const scree_view& view);
+  // One row of values.
   std::vector<double> sample(const scree_view& view);
-  // Throws Error if the scene lacks what the probe reads; takes no sample.
+  // Throws Error if the scene lacks what the probe reads; leaves the state as it is.
   void check(const scree_view& view) const;
+  // Empty before the first observation or sample.
+  const std::vector<double>& state() const { return state_; }
 
  private:
-  void start(const scree_view& view, std::vector<double>& state) const;
+  // The state at the start.
+  std::vector<double> started(const scree_view& view) const;
+  void start_once(const scree_view& view);
 
   ConfiguredProbe plugin_;
   std::vector<std::string> names_, units_;
   std::vector<double> state_;
-  bool started_ = false;
+  bool is_started_ = false;
 };
 
 }  // namespace scree

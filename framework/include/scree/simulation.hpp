@@ -62,6 +62,10 @@ class Simulation {
   const std::vector<scree_plane>& planes() const;
   const std::vector<scree_load>& loads() const;         // contact force on each plane (N)
   const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
+  // Length along each axis (m) between the walls that enclose the bodies, or the period; NaN along an axis
+  // that is not enclosed. Now, and at t = 0.
+  Vec3 lengths() const;
+  const Vec3& lengths_at_start() const;
   ContactList contact_list() const;
 
   scree_energy energy() const;

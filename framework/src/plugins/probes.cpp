@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <set>
+
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -7,18 +13,46 @@ namespace scree {
 
 namespace {
 
+scree_energy no_energy() {
+  std::array<double, sizeof(scree_energy) / sizeof(double)> all;
+  all.fill(std::numeric_limits<double>::quiet_NaN());
+  return std::bit_cast<scree_energy>(all);
+}
+
 void point_to(scree_column (&columns)[3], const Vectors<const double>& vectors) {
   for (int k = 0; k < 3; ++k) columns[k] = {vectors[k].data(), vectors[k].stride()};
 }
 
+std::vector<const char*> pointers_to(const std::vector<std::string>& names) {
+  std::vector<const char*> pointers;
+  for (const std::string& name : names) pointers.push_back(name.c_str());
+  return pointers;
+}
+
+// Names and units become the header of a CSV file, "name [unit],...".
+bool fits_csv(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](unsigned char c) {
+    return c < 0x20 || c == 0x7f || c == ',' || c == '"' || c == '[' || c == ']';
+  });
+}
+
 }  // namespace
 
-SimulationView::SimulationView(const Simulation& s, bool with_contacts) : energy_(s.energy()) {
-  const Particles& p = s.particles();
+SimulationView::SimulationView(const Simulation& s, std::uint32_t needs)
+    : energy_((needs & SCREE_NEEDS_ENERGY) && s.scene().audit ? s.energy() : no_energy()) {
   view_.struct_size = sizeof(view_);
   view_.dimension = std::uint32_t(s.dimension());
   view_.time = s.time();
+  view_.step_length = s.step_length();
   view_.step = s.steps();
+  show_bodies(s);
+  show_boundaries(s);
+  if (needs & SCREE_NEEDS_CONTACTS) show_contacts(s);
+  view_.energy = &energy_;
+}
+
+void SimulationView::show_bodies(const Simulation& s) {
+  const Particles& p = s.particles();
   view_.body_count = p.size();
   point_to(view_.position, p.position());
   point_to(view_.velocity, p.velocity());
@@ -27,50 +61,88 @@ SimulationView::SimulationView(const Simulation& s, bool with_contacts) : energy
   point_to(view_.torque, p.torque());
   view_.radius = {p.radius().data(), p.radius().stride()};
   view_.mass = {p.mass.data(), 1};
+  if (p.has_spin()) view_.inertia = {p.inertia.data(), 1};
   view_.id = p.id.data();
-  if (with_contacts) {
-    contacts_ = s.contact_list();
-    view_.contact_count = contacts_.size();
-    view_.contact_a = contacts_.a.data();
-    view_.contact_b = contacts_.b.data();
-    view_.contact_normal = contacts_.normal.data();
-    view_.contact_overlap = contacts_.overlap.data();
-    view_.contact_force = contacts_.force.data();
-    view_.contact_sliding = contacts_.sliding.data();
+  view_.material = p.material.data();
+  material_names_ = pointers_to(s.scene().materials);
+  view_.material_count = std::uint32_t(material_names_.size());
+  view_.material_names = material_names_.data();
+}
+
+void SimulationView::show_boundaries(const Simulation& s) {
+  for (int k = 0; k < 3; ++k) {
+    if (s.domain().any_periodic() && k < s.dimension()) view_.image[k] = s.particles().image[k].data();
+    view_.period[k] = s.domain().periodic[std::size_t(k)] ? s.domain().length(k) : 0;
+    view_.length[k] = s.lengths()[k];
+    view_.length_at_start[k] = s.lengths_at_start()[k];
   }
-  for (const std::string& name : s.plane_names()) plane_names_.push_back(name.c_str());
+  plane_names_ = pointers_to(s.plane_names());
   view_.plane_count = std::uint32_t(s.planes().size());
   view_.planes = s.planes().data();
   view_.loads = s.loads().data();
   view_.plane_names = plane_names_.data();
-  view_.energy = &energy_;
+}
+
+void SimulationView::show_contacts(const Simulation& s) {
+  contacts_ = s.contact_list();
+  view_.contact_count = contacts_.size();
+  view_.contact_a = contacts_.a.data();
+  view_.contact_b = contacts_.b.data();
+  view_.contact_normal = contacts_.normal.data();
+  view_.contact_overlap = contacts_.overlap.data();
+  view_.contact_force = contacts_.force.data();
+  view_.contact_sliding = contacts_.sliding.data();
 }
 
 Probe::Probe(const Parameters& parameters, int dimension)
-    : plugin_(parameters, dimension, no_bounds, no_bounds), state_(plugin_.instance().state_width, 0.0) {
+    : plugin_(parameters, dimension, no_bounds, no_bounds) {
+  const char* const plugin = parameters.plugin().name;
+  if (observes() && !plugin_.interface().observe)
+    throw Error(fmt::format("plug-in {}: asks to observe but has no observe function; give it one", plugin));
+  std::set<std::string> taken = {"time"};
   for (std::uint32_t c = 0; c < plugin_.instance().column_count; ++c) {
     char name[SCREE_MAX_NAME] = "", unit[SCREE_MAX_NAME] = "";
     plugin_.interface().column(plugin_.storage(), c, name, unit);
     name[SCREE_MAX_NAME - 1] = unit[SCREE_MAX_NAME - 1] = 0;
     names_.push_back(name);
     units_.push_back(unit);
+    if (names_.back().empty() || !fits_csv(names_.back()) || !fits_csv(units_.back()))
+      throw Error(
+          fmt::format("plug-in {}: the name or unit of column {} is empty or has characters that a "
+                      "CSV file cannot hold; name columns in snake_case",
+                      plugin, c + 1));
+    if (!taken.insert(names_.back()).second)
+      throw Error(fmt::format("plug-in {}: two columns are named '{}'; list every body, pair or wall once",
+                              plugin, names_.back()));
   }
 }
 
-void Probe::start(const scree_view& view, std::vector<double>& state) const {
+std::vector<double> Probe::started(const scree_view& view) const {
+  const scree_probe& interface = plugin_.interface();
+  const std::uint64_t size =
+      interface.state_size ? interface.state_size(plugin_.storage(), &view) : plugin_.instance().state_width;
+  std::vector<double> state(size, 0.0);
   char message[512] = "";
-  if (plugin_.interface().start(plugin_.storage(), &view, state.data(), message, sizeof(message)))
+  if (interface.start(plugin_.storage(), &view, state.data(), message, sizeof(message)))
     throw Error(fmt::format("probe {}: {}", plugin_.parameters().plugin().name, message));
+  return state;
 }
 
-void Probe::check(const scree_view& view) const {
-  std::vector<double> scratch(state_.size());
-  start(view, scratch);
+void Probe::start_once(const scree_view& view) {
+  if (is_started_) return;
+  state_ = started(view);
+  is_started_ = true;
+}
+
+void Probe::check(const scree_view& view) const { started(view); }
+
+void Probe::observe(const scree_view& view) {
+  start_once(view);
+  if (observes()) plugin_.interface().observe(plugin_.storage(), &view, state_.data());
 }
 
 std::vector<double> Probe::sample(const scree_view& view) {
-  if (!started_) start(view, state_);
-  started_ = true;
+  start_once(view);
   std::vector<double> row(plugin_.instance().column_count);
   plugin_.interface().sample(plugin_.storage(), &view, state_.data(), row.data());
   return row;

@@ -1,3 +1,4 @@
+#include "plugins/enclosure.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
 
@@ -82,6 +83,8 @@ const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
 const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
 const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }
 const std::vector<std::string>& Simulation::plane_names() const { return parts_->boundaries.plane_names(); }
+Vec3 Simulation::lengths() const { return enclosed_lengths(planes(), domain(), dimension()); }
+const Vec3& Simulation::lengths_at_start() const { return parts_->lengths_at_start; }
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }

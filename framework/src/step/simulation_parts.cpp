@@ -1,6 +1,7 @@
 #include "step/simulation_parts.hpp"
 
 #include "contacts/kernel/orientations.hpp"
+#include "plugins/enclosure.hpp"
 #include "step/health.hpp"
 
 #include <algorithm>
@@ -110,6 +111,7 @@ SimulationParts::SimulationParts(const Scene& given)
       threads(std::make_unique<ThreadPool>(threads_of(scene))),
       smallest_radius(smallest_radius_of(scene)),
       speed_limit(speed_limit_of(scene)),
+      lengths_at_start(enclosed_lengths(boundaries.planes(), boundaries.domain(), scene.dimension)),
       stepper(*this) {
   configure_laws();
   contacts = make_contacts(*this);

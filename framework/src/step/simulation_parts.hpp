@@ -50,6 +50,7 @@ struct SimulationParts {
 
   double smallest_radius;  // (m)
   double speed_limit;      // (m/s) above which the run is stopped as a blow-up
+  Vec3 lengths_at_start;   // (m) see Simulation::lengths
 
   Stepper stepper;
 };

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/plugin/abi.h>
+
 namespace scree::packing {
 
 namespace {
@@ -51,6 +53,9 @@ void set_field(Body& body, BodyField field, const Token& token, const TextReader
   switch (field) {
     case BodyField::id:
       body.id = reader.positive_integer(token, name);
+      if (body.id > SCREE_MAX_ID)
+        reader.fail(token.column, fmt::format("id {} is above {}", body.id, SCREE_MAX_ID),
+                    "number the bodies anew, or leave out the ids");
       break;
     case BodyField::material:
       body.material = token.text;

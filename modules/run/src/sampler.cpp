@@ -30,38 +30,59 @@ void Sampler::open() {
   for (Active& p : probes_) p.series = std::make_unique<Series>(p.probe.names());
 }
 
-bool Sampler::Active::samples_in(const std::string& stage) const {
+bool Sampler::Active::records_in(const std::string& stage) const {
   const std::vector<std::string>& stages = plan->stages;
   return stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
+bool Sampler::Active::is_observed(const Simulation& s, std::uint64_t steps) const {
+  if (!probe.observes() || observed == s.steps()) return false;
+  return !plan->observe_every || is_due(steps, *plan->observe_every, s.step_length());
+}
+
+bool Sampler::Active::is_sampled(const Simulation& s, std::uint64_t steps) const {
+  return is_due(steps, plan->every, s.step_length());
+}
+
+std::uint64_t Sampler::Active::next(double step, std::uint64_t steps) const {
+  const std::uint64_t sampled = next_due(steps, plan->every, step);
+  if (!probe.observes()) return sampled;
+  return std::min(sampled, plan->observe_every ? next_due(steps, *plan->observe_every, step) : steps + 1);
+}
+
 std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
-  const double step = simulation.step_length();
-  sample_where(simulation,
-               [&](const Active& p) { return is_due(steps, p.plan->every, step) && p.samples_in(stage); });
+  std::uint32_t needs = 0;
+  bool any = false;
   std::uint64_t next = never;
-  for (const Active& p : probes_)
-    if (p.samples_in(stage)) next = std::min(next, next_due(steps, p.plan->every, step));
+  for (const Active& p : probes_) {
+    if (!p.records_in(stage)) continue;
+    next = std::min(next, p.next(simulation.step_length(), steps));
+    if (p.is_observed(simulation, steps) || p.is_sampled(simulation, steps))
+      any = true, needs |= p.probe.needs();
+  }
+  if (!any) return next;
+  const SimulationView view(simulation, needs);
+  for (Active& p : probes_) {
+    if (!p.records_in(stage)) continue;
+    if (p.is_observed(simulation, steps)) p.probe.observe(view.get()), p.observed = simulation.steps();
+    if (p.is_sampled(simulation, steps)) sample(p, view.get());
+  }
   return next;
 }
 
 void Sampler::sample_last(const Simulation& simulation, const std::string& stage) {
-  sample_where(simulation, [&](const Active& p) { return p.samples_in(stage); });
+  std::uint32_t needs = 0;
+  for (const Active& p : probes_)
+    if (p.records_in(stage)) needs |= p.probe.needs();
+  const SimulationView view(simulation, needs);
+  for (Active& p : probes_)
+    if (p.records_in(stage)) sample(p, view.get());
 }
 
-template <class Due>
-void Sampler::sample_where(const Simulation& simulation, const Due& due) {
-  bool contacts = false, any = false;
-  for (const Active& p : probes_)
-    if (due(p)) any = true, contacts |= p.probe.needs_contacts();
-  if (!any) return;
-  const SimulationView view(simulation, contacts);
-  for (Active& p : probes_) {
-    if (!due(p)) continue;
-    // The last row of a stage is also the first of the next stage.
-    if (p.series->rows() > 0 && p.series->column("time").back() == simulation.time()) continue;
-    p.series->add(simulation.time(), p.probe.sample(view.get()));
-  }
+void Sampler::sample(Active& p, const scree_view& view) {
+  // The last row of a stage is also the first of the next stage.
+  if (p.series->rows() > 0 && p.series->column("time").back() == view.time) return;
+  p.series->add(view.time, p.probe.sample(view));
 }
 
 void Sampler::flush() {

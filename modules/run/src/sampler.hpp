@@ -20,7 +20,8 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step);
 
 inline constexpr std::uint64_t never = ~std::uint64_t(0);
 
-// The probes of a run, each with its series.
+// The probes of a run, each with its series. Probes that observe do so on a clock of their own, so that what
+// they keep does not depend on when samples are taken.
 class Sampler {
  public:
   explicit Sampler(const scenario::Plan& plan);
@@ -29,9 +30,10 @@ class Sampler {
   void open(const std::filesystem::path& folder);
   // Keeps the rows in memory only.
   void open();
-  // Takes the samples due `steps` after the start of a stage. Returns the step count of the next samples.
+  // Takes the observations, then the samples due `steps` after the start of a stage. Returns the step count at
+  // which the next are due.
   std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
-  // Takes a final sample of the probes of the stage at the end of a run.
+  // Takes a final sample of the probes of the stage at the end of a run; observes nothing more.
   void sample_last(const Simulation& simulation, const std::string& stage);
   void flush();
   // Series of a probe, by name.
@@ -42,11 +44,16 @@ class Sampler {
     const scenario::ProbePlan* plan;
     Probe probe;
     std::unique_ptr<Series> series = nullptr;
+    std::uint64_t observed = never;  // step of the last observation
 
-    bool samples_in(const std::string& stage) const;
+    bool records_in(const std::string& stage) const;
+    // At the start of a stage, after which the clock runs anew, it may have been observed already.
+    bool is_observed(const Simulation& simulation, std::uint64_t steps) const;
+    bool is_sampled(const Simulation& simulation, std::uint64_t steps) const;
+    // Step count at which the next observation or sample is due.
+    std::uint64_t next(double step, std::uint64_t steps) const;
   };
-  template <class Due>
-  void sample_where(const Simulation& simulation, const Due& due);
+  void sample(Active& probe, const scree_view& view);
 
   std::vector<Active> probes_;
 };

@@ -25,7 +25,6 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
 }
 
 void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
-  const SimulationView view(simulation, false);
   for (const scenario::ProbePlan& probe : plan.probes) {
     // A probe of later stages may read contacts or walls that do not exist yet.
     const std::string& first = plan.stages.front().name;
@@ -33,7 +32,8 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
         std::find(probe.stages.begin(), probe.stages.end(), first) == probe.stages.end())
       continue;
     try {
-      Probe(probe.parameters, plan.scene.dimension).check(view.get());
+      const Probe configured(probe.parameters, plan.scene.dimension);
+      configured.check(SimulationView(simulation, configured.needs()).get());
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", probe.place, error.what()));
     }

@@ -31,7 +31,10 @@ double read_interval(const document::Table& t, const Key& key, double step) {
 
 ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::vector<std::string>& stages,
                      PluginHost& host) {
-  ProbePlan probe{"", Parameters(find_plugin(t, SCREE_PROBE, host)), 0, {}, t.place("plugin")};
+  ProbePlan probe{.name = "",
+                  .parameters = Parameters(find_plugin(t, SCREE_PROBE, host)),
+                  .stages = {},
+                  .place = t.place("plugin")};
   read_parameters(t, scene.dimension, probe.parameters);
   check_complete(t, probe.parameters);
   probe.name = t.string(probe_keys.name, probe.parameters.plugin().name);
@@ -40,7 +43,16 @@ ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::ve
   if (t.optional(probe_keys.stages)) probe.stages = t.strings(probe_keys.stages);
   for (std::size_t k = 0; k < probe.stages.size(); ++k)
     find_name(t, "stages", "stage", probe.stages[k], stages, k);
-  placed(t, "plugin", [&] { Probe(probe.parameters, scene.dimension); });
+  const bool observes =
+      placed(t, "plugin", [&] { return Probe(probe.parameters, scene.dimension).observes(); });
+  if (t.optional(probe_keys.observe_every)) {
+    if (!observes)
+      throw t.error(probe_keys.observe_every,
+                    fmt::format("the probe {} does not observe the run with these parameters",
+                                probe.parameters.plugin().name),
+                    "remove observe_every");
+    probe.observe_every = read_interval(t, probe_keys.observe_every, scene.step);
+  }
   return probe;
 }
 

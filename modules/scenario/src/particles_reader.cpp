@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <scree/packing/import.hpp>
+#include <scree/plugin/abi.h>
 #include <scree/spatial_order.hpp>
 
 namespace scree::scenario {
@@ -132,11 +133,16 @@ void add_inline(const document::Table& root, int dimension, const std::vector<Ma
 }
 
 // Bodies without an id are numbered after the largest given id.
-void number_bodies(std::vector<Body>& bodies) {
-  std::int64_t next = 1;
-  for (const Body& body : bodies) next = std::max(next, body.id + 1);
-  for (Body& body : bodies)
-    if (body.id <= 0) body.id = next++;
+void number_bodies(const document::Table& root, std::vector<Body>& bodies) {
+  std::int64_t last = 0;
+  for (const Body& body : bodies) last = std::max(last, body.id);
+  for (Body& body : bodies) {
+    if (body.id > 0) continue;
+    if (last == SCREE_MAX_ID)
+      throw root.error("no id is left for a body without one, because ids end at 1e15",
+                       "give that body an id, or use smaller ones");
+    body.id = ++last;
+  }
 }
 
 // Small scenes fit into the caches anyway and keep the order of the file.
@@ -169,7 +175,7 @@ std::vector<Body> read_bodies(const document::Table& root, int dimension,
     }
   }
   add_inline(root, dimension, materials, bodies);
-  number_bodies(bodies);
+  number_bodies(root, bodies);
   sort_in_space(bodies, dimension);
   if (bodies.empty())
     throw root.error("the scene has no bodies", "add [particles] with lattice and radius, or [[particle]]");

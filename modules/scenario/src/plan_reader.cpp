@@ -95,6 +95,10 @@ void read_time(const document::Table& root, Plan& plan) {
   scene.step = fraction * contact;
 }
 
+bool needs(const ProbePlan& probe, const Plan& plan, std::uint32_t what) {
+  return Probe(probe.parameters, plan.scene.dimension).needs() & what;
+}
+
 // Without the audit, elastic and dissipated energies are not computed.
 void check_audit(const document::Table& root, const Plan& plan) {
   if (plan.scene.audit) return;
@@ -104,6 +108,8 @@ void check_audit(const document::Table& root, const Plan& plan) {
   };
   for (const Stage& stage : plan.stages)
     if (stage.kinetic_over_elastic) refuse(fmt::format("the condition of stage '{}'", stage.name));
+  for (const ProbePlan& probe : plan.probes)
+    if (needs(probe, plan, SCREE_NEEDS_ENERGY)) refuse(fmt::format("the probe '{}'", probe.name));
   for (const Expectation& e : plan.expectations)
     for (const char* name :
          {"energy_residual", "energy_created", "elastic_energy", "dissipated_energy", "work"})
@@ -131,7 +137,7 @@ bool rotates_later(const std::vector<Stage>& stages, int dimension) {
 // Whether snapshots or probes read the forces of single contacts.
 bool needs_pair_forces(const Plan& plan) {
   return plan.snapshot.any() || std::any_of(plan.probes.begin(), plan.probes.end(), [&](const ProbePlan& p) {
-           return Probe(p.parameters, plan.scene.dimension).needs_contacts();
+           return needs(p, plan, SCREE_NEEDS_CONTACTS);
          });
 }
 

@@ -3,15 +3,13 @@
 #include "table_keys.hpp"
 
 #include <scree/integration.hpp>
+#include <scree/plugin/abi.h>
 #include <scree/snapshot/render_options.hpp>
 
 // The tables of a scenario and their keys: what the readers check and `scree describe` prints.
 namespace scree::scenario {
 
 using document::Range;
-
-// Largest id of a body: ids are doubles in lists of probes, exact up to this number.
-inline constexpr double max_id = 1e15;
 
 std::vector<std::string> integrator_names();
 
@@ -131,7 +129,7 @@ struct ParticleKeys : TableKeys {
   NumberKey mass =
       number("mass", Range::positive("kg"), "instead of the one by density", "default by density");
   StringKey material = string("material", "", "name of a [[material]]", "required with several materials");
-  IntegerKey id = integer("id", Range::between(1, max_id), 0,
+  IntegerKey id = integer("id", Range::between(1, SCREE_MAX_ID), 0,
                           "of the body, in files and probes; without it numbered after the largest");
 };
 
@@ -194,7 +192,9 @@ struct ProbeKeys : TableKeys {
                   "a time series, series/<name>.csv; beside these the parameters of the plug-in") {}
   StringKey plugin = string("plugin", "of kind probe");
   Key every = other("every", "number", Range::positive("s"), "required", "time between samples");
-  Key stages = other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it samples");
+  Key observe_every = other("observe_every", "number", Range::positive("s"), "default every step",
+                            "time between updates of what the probe keeps, if it observes the run");
+  Key stages = other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it records");
   StringKey name = string("name", "of the file", "default the plug-in's");
 };
 

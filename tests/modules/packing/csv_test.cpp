@@ -95,6 +95,8 @@ TEST_CASE("CSV errors name the position and the cure", "[packing]") {
   CHECK_THAT(refusal("id,x,y,radius\n0,0,0,1\n"), StartsWith("a.csv:2:1: id '0' is not positive; "));
   CHECK_THAT(refusal("id,x,y,radius\n1.5,0,0,1\n"), Contains("'1.5' is not an integer; "));
   CHECK_THAT(refusal("id,x,y,radius\n99999999999999999999,0,0,1\n"), Contains("does not fit into 64 bits; "));
+  CHECK_THAT(refusal("id,x,y,radius\n1000000000000001,0,0,1\n"),
+             StartsWith("a.csv:2:1: id 1000000000000001 is above 1000000000000000; "));
   CHECK_THAT(refusal("x,y,radius,mass,density\n0,0,1,1,1\n"), Contains("density and mass are both given; "));
   CHECK_THAT(refusal("x,y,z,radius\n0,0,1,1\n", {.dimension = 2}), StartsWith("a.csv:2:5: z '1' is not 0"));
   CHECK_THAT(refusal(std::string("x,y,radius\n1,2\0,1\n", 18)), StartsWith("a.csv:2:4: not a text file"));

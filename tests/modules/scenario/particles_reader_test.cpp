@@ -34,6 +34,22 @@ TEST_CASE("a packing is repeated along each axis, one period apart, and the copi
   CHECK(ids.size() == 12);
 }
 
+TEST_CASE("bodies without an id are refused if the largest id leaves none", "[scenario]") {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius\n1000000000000000,0.5,0,0,0.1\n");
+  const auto error = [&](const std::string& keys) {
+    return scree::test::message([&] {
+      scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host());
+    });
+  };
+  const std::string body = "[[particle]]\nposition = [5, 0, 0]\nradius = 0.1\n";
+  CHECK_THAT(
+      error(body),
+      Catch::EndsWith("no id is left for a body without one, because ids end at 1e15; give that body an "
+                      "id, or use smaller ones"));
+  CHECK(error(body + "id = 3\n") == "no error");
+}
+
 TEST_CASE("a repetition needs whole counts and a period", "[scenario]") {
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");

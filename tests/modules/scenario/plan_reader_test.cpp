@@ -159,6 +159,26 @@ TEST_CASE("impossible output is refused", "[scenario]") {
   CHECK(set("expect={requirement='r',quantity='steps'}").find("has no required value") != std::string::npos);
 }
 
+TEST_CASE("an interval of observation is refused for a probe that does not observe", "[scenario]") {
+  CHECK(
+      set("probe.observe_every=2e-5") ==
+      "--set probe.observe_every=2e-5: the probe energy does not observe the run with these parameters; remove "
+      "observe_every");
+  const std::string msd = with(discs, "'energy'", "'mean_squared_displacement'\nobserve_every = 2e-5");
+  CHECK(refusal(msd).starts_with("scene.toml:26:17: the probe mean_squared_displacement does not observe"));
+  CHECK(plan_of(msd, {"probe.window=4e-5"}).probes[0].observe_every == 2e-5);
+  CHECK(
+      refusal(msd, {"probe.window=4e-5", "probe.observe_every=1e-9"}).find("is shorter than the time step") !=
+      std::string::npos);
+}
+
+TEST_CASE("a probe of energies is refused without the balance of energy", "[scenario]") {
+  CHECK(
+      set("time.energy_audit=false") ==
+      "--set time.energy_audit=false: the probe 'energy' needs the energy audit; set energy_audit = true, or "
+      "remove it");
+}
+
 #if SCREE_TEST_PICTURES
 TEST_CASE("the y label of a chart is the unit of several curves, or the name of a single one", "[scenario]") {
   const std::string chart = "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = ";

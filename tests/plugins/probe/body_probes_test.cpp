@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "probe_support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ struct Recorder {
       : probe(parameters(plugin, SCREE_PROBE, values), s.dimension()) {
     sample(s);
   }
-  void sample(const Simulation& s) { row = probe.sample(SimulationView(s, true).get()); }
+  void sample(const Simulation& s) { row = probe.sample(SimulationView(s, probe.needs()).get()); }
   double operator[](const std::string& name) const {
     const std::vector<std::string> names = probe.names();
     const auto at = std::find(names.begin(), names.end(), name);
@@ -124,19 +124,37 @@ TEST_CASE("body_energy: the remaining fraction of translational and rotational e
   }
 }
 
+TEST_CASE("body probes: an id above 1e15 is refused, because doubles tell larger ones apart no more",
+          "[probe]") {
+  const Simulation s(corner());
+  for (const std::string probe : {"particles", "difference", "body_energy", "mean_squared_displacement"})
+    CHECK_THROWS_WITH(sample(s, probe, {{"ids", {9007199254740993.0, 3}}}),
+                      Catch::Contains("from 1 to 1e+15"));
+  CHECK_THROWS_WITH(sample(s, "contact", {{"pairs", {9007199254740993.0, 3}}}),
+                    Catch::Contains("from 1 to 1e+15"));
+}
+
+TEST_CASE("body probes: a body listed twice is refused, because its columns would have the same names",
+          "[probe]") {
+  const Simulation s(corner());
+  CHECK_THROWS_WITH(sample(s, "particles", {{"ids", {3, 7, 3}}}),
+                    "plug-in particles: two columns are named 'x_3'; list every body, pair or wall once");
+}
+
 TEST_CASE("body probes: missing bodies and walls are refused", "[probe]") {
   const Simulation s(corner());
   const auto refusal = [&](const std::string& plugin, const Values& values, const std::string& says) {
     CHECK_THROWS_WITH(Recorder(s, plugin, values), Catch::Contains(says));
   };
-  refusal("contact", {{"pairs", {3, 8}}}, "does not exist");
+  refusal("contact", {{"pairs", {3, 8}}}, "id 8 does not exist; bodies without an id are numbered from 1");
   refusal("contact", {{"pairs", {3, 3}}}, "twice");
   refusal("contact", {{"pairs", {3, 7, 5}}}, "odd number");
   refusal("contact", {}, "no contact is selected");
-  refusal("contact", {{"at_walls", {3, 3}}}, "does not exist");
-  refusal("contact", {{"at_walls", {4, 1}}}, "does not exist");
-  refusal("walls", {{"walls", {1.5}}}, "does not exist");
-  refusal("walls", {{"walls", {3}}}, "does not exist");
-  refusal("body_energy", {{"ids", {9}}}, "does not exist");
-  refusal("body_energy", {{"ids", {5}}}, "at rest");
+  refusal("contact", {{"at_walls", {3, 3}}}, "wall 3 does not exist; the scene has 2");
+  refusal("contact", {{"at_walls", {4, 1}}}, "id 4 does not exist");
+  refusal("walls", {{"walls", {1.5}}}, "wall 1.5 does not exist");
+  refusal("walls", {{"walls", {2, 3}}}, "wall 3 does not exist");
+  refusal("particles", {{"ids", {7, 3.5}}}, "id 3.5 does not exist");
+  refusal("body_energy", {{"ids", {9}}}, "id 9 does not exist");
+  refusal("body_energy", {{"ids", {7, 5}}}, "body 5 is at rest");
 }

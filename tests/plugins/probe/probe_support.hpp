@@ -25,7 +25,7 @@ struct Sampled {
 
 inline Sampled sample(const Simulation& s, const std::string& plugin, const Values& values = {}) {
   Probe probe(parameters(plugin, SCREE_PROBE, values), s.dimension());
-  return {probe.names(), probe.sample(SimulationView(s, true).get())};
+  return {probe.names(), probe.sample(SimulationView(s, probe.needs()).get())};
 }
 
 }  // namespace scree::test

@@ -1,21 +1,29 @@
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <string>
+#include <type_traits>
 
 #include <scree/plugin/abi.h>
+#include <scree/plugin/body_list.hpp>
 #include <scree/plugin/declaration.hpp>
 #include <scree/plugin/vec.hpp>
 
-// How to write a probe: plugins/README.md. An author's struct has
+// How to write a probe: plugins/README.md; when each function is called: abi/probe.h. An author's struct has
 //
 //   static constexpr scree::About about;
 //   void declare(scree::Declaration&);
-//   void prepare(const scree::Setup&);                         optional: derived values, refusals
-//   void describe(scree_probe_instance&) const;                columns, state, whether contacts are needed
-//   scree::ColumnName column(std::uint32_t) const;             name and unit of a column
-//   const char* start(const scree_view&, double* state) const; null, or the problem and a remedy
+//   void prepare(const scree::Setup&);                 optional: derived values, refusals
+//   void describe(scree_probe_instance&) const;        columns, needs, width of the state
+//   scree::ColumnName column(std::uint32_t) const;     name and unit of a column
+//   std::uint64_t state_size(const scree_view&) const; optional: width of a state that depends on the scene
+//   std::string start(const scree_view&, double* state) const;   optional: sets the state; returns the problem
+//                                                      and a remedy, or "" (or const char*, null without one)
+//   void observe(const scree_view&, double* state) const;        optional: updates the state at every step
 //   void sample(const scree_view&, const double* state, double* row) const;   writes one row of values
+//
+// `describe` may set `observes` to 0 if the parameters make observation unnecessary.
 
 namespace scree {
 
@@ -25,13 +33,6 @@ struct ColumnName {
   std::string unit;  // "" if dimensionless
 };
 
-// Index of the body with an id; body_count if there is none. Takes a linear search.
-inline std::uint64_t index_of_body(const scree_view& view, double id) {
-  std::uint64_t i = 0;
-  while (i < view.body_count && double(view.id[i]) != id) ++i;
-  return i;
-}
-
 // A vector of body i; components that the scene does not carry are 0.
 inline Vec3 vector_of(const scree_column (&columns)[3], std::uint64_t i) {
   Vec3 v = {};
@@ -40,13 +41,46 @@ inline Vec3 vector_of(const scree_column (&columns)[3], std::uint64_t i) {
   return v;
 }
 
+// Position of body i (m) on its path without jumps at periodic faces.
+inline Vec3 unwrapped_position(const scree_view& view, std::uint64_t i) {
+  Vec3 x = vector_of(view.position, i);
+  for (int k = 0; k < 3; ++k)
+    if (view.image[k]) x[k] += view.image[k][i] * view.period[k];
+  return x;
+}
+
+// The problem and a remedy if there is no wall of this number, counted from 1; otherwise "".
+inline std::string missing_wall(const scree_view& view, double number) {
+  if (number >= 1 && number <= view.plane_count && number == std::floor(number)) return "";
+  char problem[160];
+  std::snprintf(problem, sizeof(problem),
+                "wall %.16g does not exist; the scene has %u, numbered from 1 in the order of the "
+                "[[boundary]] entries",
+                number, view.plane_count);
+  return problem;
+}
+
 namespace detail {
+
+template <class Author>
+concept StartingProbe = requires(const Author& author, const scree_view& view, double* state) {
+  author.start(view, state);
+};
+template <class Author>
+concept ObservingProbe = requires(const Author& author, const scree_view& view, double* state) {
+  author.observe(view, state);
+};
+template <class Author>
+concept SceneSizedProbe = requires(const Author& author, const scree_view& view) {
+  author.state_size(view);
+};
 
 template <class Author>
 int configure_probe(const scree_setup* setup, void* storage, scree_probe_instance* instance) {
   if (const int failed = configure_author<Author>(setup, storage)) return failed;
   *instance = {};
   instance->struct_size = sizeof(*instance);
+  instance->observes = ObservingProbe<Author>;
   static_cast<const Author*>(storage)->describe(*instance);
   return 0;
 }
@@ -58,26 +92,54 @@ void column_of_probe(const void* storage, std::uint32_t column, char name[SCREE_
   std::snprintf(unit, SCREE_MAX_NAME, "%s", c.unit.c_str());
 }
 template <class Author>
+std::uint64_t state_size_of_probe(const void* storage, const scree_view* view) {
+  return static_cast<const Author*>(storage)->state_size(*view);
+}
+template <class Author>
 int start_probe(const void* storage, const scree_view* view, double* state, char* message,
                 size_t message_size) {
-  const char* problem = static_cast<const Author*>(storage)->start(*view, state);
-  if (problem) std::snprintf(message, message_size, "%s", problem);
-  return problem ? 1 : 0;
+  if constexpr (StartingProbe<Author>) {
+    const auto problem = static_cast<const Author*>(storage)->start(*view, state);
+    const char* text;
+    if constexpr (std::is_convertible_v<decltype(problem), const char*>)
+      text = problem ? problem : "";
+    else
+      text = problem.c_str();
+    std::snprintf(message, message_size, "%s", text);
+    return *text != 0;
+  }
+  return 0;
+}
+template <class Author>
+void observe_probe(const void* storage, const scree_view* view, double* state) {
+  static_cast<const Author*>(storage)->observe(*view, state);
 }
 template <class Author>
 void sample_probe(const void* storage, const scree_view* view, const double* state, double* row) {
   static_cast<const Author*>(storage)->sample(*view, state, row);
 }
 
+template <class Author>
+constexpr scree_probe make_probe_interface() {
+  scree_probe p = {};
+  p.struct_size = sizeof(p);
+  p.storage_size = sizeof(Author);
+  p.configure = &configure_probe<Author>;
+  p.column = &column_of_probe<Author>;
+  if constexpr (SceneSizedProbe<Author>) p.state_size = &state_size_of_probe<Author>;
+  p.start = &start_probe<Author>;
+  if constexpr (ObservingProbe<Author>) p.observe = &observe_probe<Author>;
+  p.sample = &sample_probe<Author>;
+  return p;
+}
+
 }  // namespace detail
 
-#define SCREE_PROBE_PLUGIN(Author)                                                     \
-  static const scree_probe scree_interface = {sizeof(scree_probe),                     \
-                                              sizeof(Author),                          \
-                                              &scree::detail::configure_probe<Author>, \
-                                              &scree::detail::column_of_probe<Author>, \
-                                              &scree::detail::start_probe<Author>,     \
-                                              &scree::detail::sample_probe<Author>};   \
-  SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_PROBE, scree_interface)))
+// Function table of a probe.
+template <class Author>
+inline constexpr scree_probe probe_interface = detail::make_probe_interface<Author>();
+
+#define SCREE_PROBE_PLUGIN(Author) \
+  SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_PROBE, scree::probe_interface<Author>)))
 
 }  // namespace scree

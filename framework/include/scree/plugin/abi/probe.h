@@ -13,7 +13,8 @@
 extern "C" {
 #endif
 
-#define SCREE_MAX_NAME 64u /* bytes of a column name or unit, final zero included */
+#define SCREE_MAX_NAME 64u                     /* bytes of a column name or unit, final zero included */
+#define SCREE_MAX_ID INT64_C(1000000000000000) /* largest id of a body, exact as a double */
 
 typedef struct scree_energy { /* the energy balance (J); dissipated, created and work since the start */
   double kinetic_translation, kinetic_rotation, kinetic_boundary;
@@ -26,47 +27,80 @@ typedef struct scree_energy { /* the energy balance (J); dissipated, created and
   double residual; /* stored now − stored at the start + dissipated − created − work */
 } scree_energy;
 
-enum { SCREE_NEEDS_CONTACTS = 1u << 0 };
+/* What a view costs time to provide, and contains only if the probe needs it. */
+enum { SCREE_NEEDS_CONTACTS = 1u << 0, SCREE_NEEDS_ENERGY = 1u << 1 };
 
+/* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are those of
+ * half a step earlier. All pointers are valid during the call only. Body i is the same body, and plane w the same
+ * plane, in all views of a run. Arrays may be NULL if their count is 0. */
 typedef struct scree_view {
   uint32_t struct_size;
   uint32_t dimension;
-  double time;   /* (s) */
-  uint64_t step; /* number of steps taken */
+  double time;        /* (s) */
+  double step_length; /* (s) */
+  uint64_t step;      /* number of steps taken */
   uint64_t body_count;
+  /* Components that the scene does not carry have data NULL: z in 2D, except of spin and torque, of which 2D
+   * has only z; all of spin, torque and inertia in a scene without rotation. */
   scree_column position[3], velocity[3], spin[3], force[3], torque[3];
-  scree_column radius, mass;
-  const int64_t* id;
-  uint64_t contact_count;       /* touching pairs; 0 unless SCREE_NEEDS_CONTACTS */
-  const uint32_t* contact_a;    /* index of a body */
-  const uint32_t* contact_b;    /* index of a body or, from body_count on, of a plane */
-  const double* contact_normal; /* (contact_count, 3) unit, from b to a */
-  const double* contact_overlap;
+  scree_column radius, mass, inertia; /* (m), (kg), (kg m²) */
+  const int64_t* id;                  /* body_count; in scenarios from 1 to SCREE_MAX_ID */
+  const uint32_t* material;           /* body_count indices into material_names */
+  uint32_t material_count;
+  const char* const* material_names; /* material_count */
+  const int32_t* image[3];        /* (optional) body_count: net number of periods that each body has crossed;
+                                        position + image * period is its path without jumps; NULL if no axis is
+                                        periodic */
+  double period[3];               /* (m) length of a periodic axis, 0 along others */
+  double length[3];               /* (m) along each axis between the walls that enclose the bodies, or the
+                                        period; NaN along an axis that is not enclosed */
+  double length_at_start[3];      /* (m) the same at t = 0; the strain is length / length_at_start − 1 */
+  uint64_t contact_count;         /* touching pairs; 0 unless SCREE_NEEDS_CONTACTS */
+  const uint32_t* contact_a;      /* index of a body */
+  const uint32_t* contact_b;      /* index of a body or, from body_count on, of a plane */
+  const double* contact_normal;   /* (contact_count, 3) unit, from b to a */
+  const double* contact_overlap;  /* contact_count (m) */
   const double* contact_force;    /* (contact_count, 3) on a (N) */
-  const uint8_t* contact_sliding; /* 1 while the contact slides */
+  const uint8_t* contact_sliding; /* contact_count: 1 while the contact slides */
   uint32_t plane_count;
-  const scree_plane* planes;
-  const scree_load* loads;
-  const char* const* plane_names; /* "<boundary>.<plane>" */
-  const scree_energy* energy;
+  const scree_plane* planes;      /* plane_count */
+  const scree_load* loads;        /* plane_count */
+  const char* const* plane_names; /* plane_count: "<boundary>.<plane>" */
+  const scree_energy* energy;     /* all NaN unless SCREE_NEEDS_ENERGY, or without the balance */
 } scree_view;
 
 typedef struct scree_probe_instance {
   uint32_t struct_size;
-  uint32_t needs;
+  uint32_t needs; /* of start, observe and sample: SCREE_NEEDS_...; a scene without the balance of energy
+                     (time.energy_audit = false) refuses a probe with SCREE_NEEDS_ENERGY */
   uint32_t column_count;
-  uint32_t state_width; /* doubles that the host stores, such as reference lengths */
+  uint32_t state_width; /* doubles of state, unless the probe has `state_size` */
+  uint32_t observes;    /* nonzero: `observe` is called */
 } scree_probe_instance;
 
+/* The state is an array of doubles that the host stores between the calls, zero before `start`. Only `start`
+ * and `observe` change it. A run calls `start` once, then at each time `observe` before `sample`. */
 typedef struct scree_probe {
   uint32_t struct_size;
   uint32_t storage_size;
+  /* Called when a scenario is read, and again for each run, each time with other storage. */
   int (*configure)(const scree_setup* setup, void* storage, scree_probe_instance* instance);
+  /* Called for every column after each `configure`. Names are snake_case and differ from each other and from
+   * "time"; neither they nor units contain commas, quotes or control characters. */
   void (*column)(const void* storage, uint32_t column, char name[SCREE_MAX_NAME], char unit[SCREE_MAX_NAME]);
-  /* Called before the first sample: checks that the scene has what the probe reads, and sets the state. */
+  /* (optional) Number of doubles of state, in place of state_width. Called before `start`, with its view. */
+  uint64_t (*state_size)(const void* storage, const scree_view* view);
+  /* Called at t = 0, or at the start of the first stage in which the probe records, before anything is observed
+   * or sampled: checks that the scene has what the probe reads, and sets the state. Also called when a scene
+   * is checked, with a state that is then discarded. */
   int (*start)(const void* storage, const scree_view* view, double* state, char* message,
                size_t message_size);
-  /* Writes one row of column_count values. */
+  /* (optional) Updates the state. Called if the instance has set `observes`: at the start of each stage in
+   * which the probe records, and then at the end of every step or, with the key `observe_every`, at the steps
+   * nearest to the multiples of that time; never twice at one step, and independently of samples. */
+  void (*observe)(const void* storage, const scree_view* view, double* state);
+  /* Writes one row of column_count values. Called at the start of each stage in which the probe records, at the
+   * steps nearest to the multiples of the key `every`, and at the end. */
   void (*sample)(const void* storage, const scree_view* view, const double* state, double* row);
 } scree_probe;
 

@@ -16,7 +16,7 @@ inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
 // One sphere (or disc). check() below enforces the ranges.
 struct Body {
-  std::int64_t id = 0;     // positive, unique in its packing
+  std::int64_t id = 0;     // positive, unique in its packing; in files at most SCREE_MAX_ID
   std::string material;    // name, or type number from a LAMMPS file; empty: the only material of the scene
   double radius = 0.0;     // (m) positive
   double density = unset;  // (kg/m³) positive, or unset: that of the material

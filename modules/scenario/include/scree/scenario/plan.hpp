@@ -17,9 +17,10 @@ namespace scree::scenario {
 struct ProbePlan {
   std::string name;
   Parameters parameters;
-  double every = 0;                 // (s) between samples, rounded to whole steps when it runs
-  std::vector<std::string> stages;  // stages in which it samples; all if empty
-  std::string place;                // file:line:column, for messages
+  double every = 0;                          // (s) between samples, rounded to whole steps when it runs
+  std::optional<double> observe_every = {};  // (s) likewise, between observations; absent: every step
+  std::vector<std::string> stages;           // stages in which it records; all if empty
+  std::string place;                         // file:line:column, for messages
 };
 
 // Intervals between files and images of the whole scene; absent: none are written.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <scree/plugin/abi.h>
+#include <scree/plugin/declaration.hpp>
+
+namespace scree {
+
+// Range of a parameter that is a list of ids.
+inline constexpr Range body_ids{.minimum = 1, .maximum = SCREE_MAX_ID};
+
+// Bodies that a parameter of a probe gives by their ids. They are found once, in `start`, and kept as indices
+// in the state:
+//
+//   scree::BodyList bodies;
+//   in declare   d.list("ids", bodies.ids, "", scree::body_ids, "ids of the bodies to record").required();
+//   in describe  instance.state_width = std::uint32_t(bodies.size());
+//   in start     return bodies.find(view, state);
+//   in sample    view.mass[bodies.index(state, k)]
+struct BodyList {
+  scree_value ids = {};
+  std::uint64_t stride = 1;  // 2: only the first of each two numbers is an id
+
+  std::uint64_t size() const { return ids.count / stride; }
+  long long id(std::uint64_t k) const { return static_cast<long long>(ids.data[k * stride]); }
+
+  // Writes the index of each body to size() doubles. Returns the problem and a remedy, or "" without one.
+  std::string find(const scree_view& view, double* indices) const {
+    std::vector<std::pair<double, std::uint64_t>> wanted;  // id and place in the list
+    for (std::uint64_t k = 0; k < size(); ++k) wanted.emplace_back(ids.data[k * stride], k), indices[k] = -1;
+    std::sort(wanted.begin(), wanted.end());
+    for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      const double id = double(view.id[i]);
+      auto at = std::lower_bound(wanted.begin(), wanted.end(), std::pair(id, std::uint64_t(0)));
+      for (; at != wanted.end() && at->first == id; ++at) indices[at->second] = double(i);
+    }
+    for (const auto& [id, k] : wanted) {
+      if (indices[k] >= 0) continue;
+      char problem[128];
+      std::snprintf(problem, sizeof(problem),
+                    "a body with the id %.16g does not exist; bodies without an id are numbered from 1, "
+                    "after the largest id given",
+                    id);
+      return problem;
+    }
+    return "";
+  }
+
+  // Index of the k-th body in the columns of a view.
+  std::uint64_t index(const double* indices, std::uint64_t k) const { return std::uint64_t(indices[k]); }
+};
+
+}  // namespace scree
