@@ -62,6 +62,8 @@ void SimulationView::show_bodies(const Simulation& s) {
   view_.radius = {p.radius().data(), p.radius().stride()};
   view_.mass = {p.mass.data(), 1};
   if (p.has_spin()) view_.inertia = {p.inertia.data(), 1};
+  for (int k = 0; k < p.orientations.components(); ++k)
+    view_.orientation[k] = {p.orientations[k].data(), p.orientations[k].stride()};
   view_.id = p.id.data();
   view_.material = p.material.data();
   material_names_ = pointers_to(s.scene().materials);

@@ -126,19 +126,22 @@ void check_pictures(const document::Table& root, const Plan& plan) {
                   snapshot::no_pictures_cure));
 }
 
-// Whether a later stage makes bodies rotate: spins must then be stored from the start.
-bool rotates_later(const std::vector<Stage>& stages, int dimension) {
-  for (const Stage& stage : stages)
+bool any_probe_needs(const Plan& plan, std::uint32_t what) {
+  return std::any_of(plan.probes.begin(), plan.probes.end(),
+                     [&](const ProbePlan& probe) { return needs(probe, plan, what); });
+}
+
+// Whether the parameters that a later stage sets for a law need what must be carried from the start.
+bool any_later(const Plan& plan, bool (*needs)(const Parameters& law, int dimension)) {
+  for (const Stage& stage : plan.stages)
     for (const Stage::Change& change : stage.changes)
-      if (change.kind == SCREE_CONTACT_LAW && exerts_torque(change.parameters, dimension)) return true;
+      if (change.kind == SCREE_CONTACT_LAW && needs(change.parameters, plan.scene.dimension)) return true;
   return false;
 }
 
 // Whether snapshots or probes read the forces of single contacts.
 bool needs_pair_forces(const Plan& plan) {
-  return plan.snapshot.any() || std::any_of(plan.probes.begin(), plan.probes.end(), [&](const ProbePlan& p) {
-           return needs(p, plan, SCREE_NEEDS_CONTACTS);
-         });
+  return plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
 }
 
 }  // namespace
@@ -157,12 +160,14 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   plan.stages = read_stages(root, plan.scene, instances);
-  plan.scene.spin = rotates_later(plan.stages, plan.scene.dimension);
+  plan.scene.spin = any_later(plan, &exerts_torque);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
   plan.scene.pair_forces = needs_pair_forces(plan);
+  plan.scene.orientations =
+      any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_later(plan, &reads_orientations);
   check_audit(root, plan);
   check_pictures(root, plan);
   document.refuse_unused();

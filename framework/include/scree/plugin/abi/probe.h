@@ -28,7 +28,11 @@ typedef struct scree_energy { /* the energy balance (J); dissipated, created and
 } scree_energy;
 
 /* What a view costs time to provide, and contains only if the probe needs it. */
-enum { SCREE_NEEDS_CONTACTS = 1u << 0, SCREE_NEEDS_ENERGY = 1u << 1 };
+enum {
+  SCREE_NEEDS_CONTACTS = 1u << 0,
+  SCREE_NEEDS_ENERGY = 1u << 1,
+  SCREE_NEEDS_ORIENTATIONS = 1u << 2 /* the scene then carries and integrates them */
+};
 
 /* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are those of
  * half a step earlier. All pointers are valid during the call only. Body i is the same body, and plane w the same
@@ -44,8 +48,10 @@ typedef struct scree_view {
    * has only z; all of spin, torque and inertia in a scene without rotation. */
   scree_column position[3], velocity[3], spin[3], force[3], torque[3];
   scree_column radius, mass, inertia; /* (m), (kg), (kg m²) */
-  const int64_t* id;                  /* body_count; in scenarios from 1 to SCREE_MAX_ID */
-  const uint32_t* material;           /* body_count indices into material_names */
+  scree_column orientation[4]; /* since the start; 2D: [0] the angle (rad), 3D: unit quaternion w, x, y, z;
+                                         data NULL in a scene in which nothing needs orientations */
+  const int64_t* id;           /* body_count; in scenarios from 1 to SCREE_MAX_ID */
+  const uint32_t* material;    /* body_count indices into material_names */
   uint32_t material_count;
   const char* const* material_names; /* material_count */
   const int32_t* image[3];        /* (optional) body_count: net number of periods that each body has crossed;

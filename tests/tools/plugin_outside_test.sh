@@ -1,0 +1,30 @@
+#!/bin/sh
+# In an empty directory, with an installed tree: `scree new-plugin` writes a project of each kind, which builds and
+# passes its tests with two commands. Usage: plugin_outside_test.sh BUILD_DIRECTORY
+set -eu
+build=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+cmake --install "$build" --prefix "$folder/installed" > "$folder/install.log"
+cd "$folder"
+for kind in contact boundary body_force probe; do
+  installed/bin/scree new-plugin "$kind" "my_$kind" > new.log
+  { cmake -B "my_$kind/build" "my_$kind" && cmake --build "my_$kind/build" --target check; } > build.log 2>&1 || {
+    cat build.log
+    echo "my_$kind does not build or fails its tests"
+    exit 1
+  }
+  grep -q "100% tests passed, 0 tests failed out of 2" build.log
+  lines=$(wc -l < "my_$kind/my_$kind.cpp")
+  [ "$lines" -lt 80 ] || { echo "my_$kind has $lines lines"; exit 1; }
+done
+
+# A law that makes energy does not pass.
+sed -i 's/const T dashpot = /const T dashpot = -/' my_contact/my_contact.cpp
+if cmake --build my_contact/build --target check > build.log 2>&1; then
+  echo "a law that creates energy passed its tests"
+  exit 1
+fi
+grep -q "FAILED no energy is created" build.log || { cat build.log; exit 1; }
+echo passed
