@@ -1,147 +1,270 @@
-// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed or stress-controlled, after David et al. 2005.
+// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed, moved by a program, or stress-controlled after David
+// et al. 2005.
 
-#include <scree/plugin/boundary.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <scree/plugin/wall_motion.hpp>
 
 namespace {
 
+using scree::BoundaryStep;
+using scree::WallMotion;
+
 struct Box {
   static constexpr int max_walls = 6;
-  enum Control { stress_controlled, fixed };
-  enum State { pressing_force, per_wall };  // of each wall at the last finish_step: p A (N)
+  enum Control { stress, fixed, displacement, velocity, strain_rate };
 
+  std::optional<std::array<double, 3>> lower_given, upper_given;
   std::array<double, 3> lower = {}, upper = {};
   double gap = 0;
   double mass = 1;
   double viscosity = 0;
-  int control[max_walls] = {};
-  scree::Program stress;
+  int axis_control[3] = {-1, -1, -1};
+  int control[max_walls] = {-1, -1, -1, -1, -1, -1};
+  scree::Program all_stress;
   scree::Program axis_stress[3];
   scree::Program wall_stress[max_walls];
+  scree::Program strain_rates[3];
+  WallMotion motions[max_walls];  // along the inward normals
   int dimension = 3;
-  double masses[max_walls] = {};  // (kg); 0 for fixed walls
+  bool superposes = false;
+  double masses[max_walls] = {};  // (kg); 0 for walls that forces do not move
 
   static constexpr scree::About about = {
-      "box", "4 or 6 walls, each fixed or stress-controlled with mass and viscosity",
-      "m_w s\" = F·n + p(t) A(t) − γ_w s'    s: inward displacement of the wall, n: inward normal,\n"
+      "box", "4 or 6 walls, each fixed, moved by a program, or stress-controlled with mass and viscosity",
+      "stress: m_w s\" = F·n + p(t) A(t) − γ_w s', and a superposed displacement d(t) is added to s\n"
+      "displacement: d(t) − d(0);  velocity: ∫u dt;  strain_rate: L' = −ε'(t) L, opposite walls alike\n"
+      "s: inward displacement of the wall, n: inward normal, L: length of the box along n,\n"
       "F: contact force on the wall, A(t): its present area (2D: length × 1 m)",
       "David et al. 2005, section 2; McNamara et al. 2008, equation 1"};
 
   static constexpr const char* names[max_walls] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
-  static constexpr const char* stress_keys[max_walls] = {"stress_x_low",  "stress_x_high", "stress_y_low",
-                                                         "stress_y_high", "stress_z_low",  "stress_z_high"};
+  struct AxisKeys {
+    const char *control, *stress, *strain_rate;
+  };
+  static constexpr AxisKeys axis_keys[3] = {{"x", "stress_x", "strain_rate_x"},
+                                            {"y", "stress_y", "strain_rate_y"},
+                                            {"z", "stress_z", "strain_rate_z"}};
+  struct WallKeys {
+    const char *stress, *displacement, *velocity, *superposed;
+  };
+  static constexpr WallKeys wall_keys[max_walls] = {
+      {"stress_x_low", "displacement_x_low", "velocity_x_low", "superposed_x_low"},
+      {"stress_x_high", "displacement_x_high", "velocity_x_high", "superposed_x_high"},
+      {"stress_y_low", "displacement_y_low", "velocity_y_low", "superposed_y_low"},
+      {"stress_y_high", "displacement_y_high", "velocity_y_high", "superposed_y_high"},
+      {"stress_z_low", "displacement_z_low", "velocity_z_low", "superposed_z_low"},
+      {"stress_z_high", "displacement_z_high", "velocity_z_high", "superposed_z_high"}};
+  static constexpr const char* controls = "stress|fixed|displacement|velocity|strain_rate";
 
   void declare(scree::Declaration& d) {
     using namespace scree;
-    d.vector("lower", lower, "m",
-             "lower corner; without both corners that of the bodies' bounding box minus the gap")
-        .optional();
-    d.vector("upper", upper, "m",
-             "upper corner; without both corners that of the bodies' bounding box plus the gap")
-        .optional();
-    d.number("gap", gap, "m", non_negative, "distance from the bodies if the corners are not given");
+    d.vector("lower", lower_given, "m",
+             "lower corner; that of the bodies' bounding box minus the gap if absent");
+    d.vector("upper", upper_given, "m",
+             "upper corner; that of the bodies' bounding box plus the gap if absent");
+    d.number("gap", gap, "m", non_negative, "distance from the bodies where a corner is not given");
     d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");
     d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w of each stress-controlled wall");
     for (int w = 0; w < max_walls; ++w)
-      d.choice(names[w], control[w], "stress|fixed", "stress-controlled or fixed");
-    d.program("stress", stress, "Pa", any_number, "p of every wall, pressing inwards").optional();
-    static constexpr const char* axis_keys[3] = {"stress_x", "stress_y", "stress_z"};
+      d.choice(names[w], control[w], controls, "what moves this wall; if absent that of its axis").optional();
     for (int k = 0; k < 3; ++k)
-      d.program(axis_keys[k], axis_stress[k], "Pa", any_number,
+      d.choice(axis_keys[k].control, axis_control[k], controls,
+               "what moves both walls of this axis; stress if absent; excludes the keys of single walls")
+          .optional();
+    d.program("stress", all_stress, "Pa", any_number, "p of every wall, pressing inwards").optional();
+    for (int k = 0; k < 3; ++k)
+      d.program(axis_keys[k].stress, axis_stress[k], "Pa", any_number,
                 "p of both walls of this axis; overrides stress")
           .optional();
     for (int w = 0; w < max_walls; ++w)
-      d.program(stress_keys[w], wall_stress[w], "Pa", any_number,
+      d.program(wall_keys[w].stress, wall_stress[w], "Pa", any_number,
                 "p of this wall; overrides that of its axis")
           .optional();
+    declare_motion(d);
   }
 
   void prepare(const scree::Setup& setup) {
     dimension = setup.dimension();
-    const bool corners_given = lower != upper;
-    for (int k = 0; k < dimension; ++k) {
-      if (!corners_given) {
-        lower[k] = setup.lower(k) - gap;
-        upper[k] = setup.upper(k) + gap;
-      }
+    for (std::size_t k = 0; k < std::size_t(dimension); ++k) {
+      lower[k] = lower_given ? (*lower_given)[k] : setup.lower(int(k)) - gap;
+      upper[k] = upper_given ? (*upper_given)[k] : setup.upper(int(k)) + gap;
       if (!(upper[k] > lower[k]))
         return setup.refuse("upper is not above lower; give both corners, or bodies to be enclosed");
     }
-    for (int w = 0; w < walls(); ++w) {
-      masses[w] = moving(w) ? mass : 0;
-      if (!wall_stress[w].given()) wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : stress;
-      if (control[w] == stress_controlled && !wall_stress[w].given())
-        return setup.refuse(
-            "a stress-controlled wall has no stress; give stress = <Pa>, or set the wall to \"fixed\"");
-    }
-  }
-
-  void describe(scree_boundary_instance& instance) const {
-    instance.plane_count = std::uint32_t(walls());
-    instance.state_width = std::uint32_t(walls() * per_wall);
-    instance.plane_names = names;
-    instance.plane_masses = masses;
-    instance.still = 1;
     for (int w = 0; w < walls(); ++w)
-      if (moving(w)) instance.damping_rate = viscosity / mass, instance.still = 0;
+      if (!prepare_wall(w, setup)) return;
   }
 
-  void start(const scree_boundary_step& s) const {
+  void describe(scree::BoundaryLayout& layout) const {
+    layout.walls = std::uint32_t(walls());
+    layout.state = std::uint32_t(superposes ? 2 * walls() : walls());
+    layout.names = names;
+    layout.masses = masses;
+    layout.still = true;
     for (int w = 0; w < walls(); ++w) {
-      scree_plane& plane = s.planes[w];
-      plane = {};
-      for (int k = 0; k < dimension; ++k) plane.point[k] = w % 2 ? upper[k] : lower[k];
-      plane.normal[w / 2] = sign(w);
+      if (pressed(w)) layout.damping_rate = viscosity / mass;
+      if (motions[w].moves()) layout.still = false;
     }
   }
 
-  void begin_step(const scree_boundary_step& s) const {
-    double push[max_walls];
-    for (int w = 0; w < walls(); ++w) push[w] = push_on(w, s, s.time);
+  const char* start(const BoundaryStep& s) const {
     for (int w = 0; w < walls(); ++w) {
-      scree_plane& plane = s.planes[w];
-      const int k = w / 2;
-      const double speed = moving(w) ? plane.velocity[k] : 0;
-      const double force = s.loads[w].force[k] + sign(w) * push[w] - viscosity * speed;
-      const double change = moving(w) ? s.step * force / mass : 0;
-      plane.mid_velocity[k] = speed + 0.5 * change;
-      plane.velocity[k] = speed + change;
-      plane.point[k] += s.step * plane.mid_velocity[k];
+      scree::Wall& wall = s.walls[std::size_t(w)];
+      wall = {};
+      for (int k = 0; k < dimension; ++k) wall.point[k] = (w % 2 ? upper : lower)[std::size_t(k)];
+      wall.normal[w / 2] = sign(w);
+    }
+    for (int w = 0; w < walls(); ++w) set_speeds(w, s, 0);
+    return nullptr;
+  }
+
+  void change(const Box& before, double, const BoundaryStep& s) const {
+    double free[max_walls];
+    for (int w = 0; w < walls(); ++w)
+      free[w] = motions[w].free_speed_after(before.motions[w], speed_of(w, s), before.free_speed_of(w, s));
+    for (int w = 0; w < walls(); ++w) {
+      set_speeds(w, s, free[w]);
+      motions[w].add_kinetic(free[w], s.energy);
     }
   }
 
-  void finish_step(const scree_boundary_step& s) const {
-    s.energy->kinetic = 0;
+  void begin_step(const BoundaryStep& s) const {
+    // All from the box at the start of the step, before any wall moves.
+    WallMotion::Prescribed prescribed[max_walls];
+    WallMotion::Forces forces[max_walls];
     for (int w = 0; w < walls(); ++w) {
-      scree_plane& plane = s.planes[w];
-      const int k = w / 2;
-      const double push = push_on(w, s, s.time + s.step);
-      if (moving(w)) {
-        // Implicit in the viscosity.
-        const double force = s.loads[w].force[k] + sign(w) * push;
-        const double mid = plane.mid_velocity[k];
-        plane.velocity[k] = (mid + 0.5 * s.step * force / mass) / (1 + 0.5 * s.step * viscosity / mass);
-        s.energy->kinetic += 0.5 * mass * plane.velocity[k] * plane.velocity[k];
-        s.energy->work += 0.5 * (s.state[w * per_wall + pressing_force] + push) * sign(w) * mid * s.step;
-        s.energy->dissipated += viscosity * mid * mid * s.step;
-      } else {
-        plane.velocity[k] = plane.mid_velocity[k] = 0;
-      }
-      s.state[w * per_wall + pressing_force] = push;
+      prescribed[w] = prescribed_of(w, s, s.step);
+      forces[w] = forces_on(w, s, s.time);
+    }
+    for (int w = 0; w < walls(); ++w) {
+      if (!motions[w].moves()) continue;
+      const auto course = motions[w].begin(free_speed_of(w, s), prescribed[w], forces[w], s.step, s.energy);
+      s.walls[std::size_t(w)].point[w / 2] += sign(w) * course.distance;
+      set(w, s, course);
+    }
+  }
+
+  void finish_step(const BoundaryStep& s) const {
+    for (int w = 0; w < walls(); ++w) {
+      const WallMotion::Forces forces = forces_on(w, s, s.time + s.step);
+      s.state[std::size_t(w)] = forces.press;
+      if (!motions[w].moves()) continue;
+      const WallMotion::Course begun = {0, sign(w) * s.walls[std::size_t(w)].mid_velocity[w / 2],
+                                        speed_of(w, s), 0};
+      set(w, s, motions[w].finish(begun, forces, s.time, s.step, s.energy));
     }
   }
 
  private:
+  void declare_motion(scree::Declaration& d) {
+    using scree::any_number;
+    for (int k = 0; k < 3; ++k)
+      d.program(
+           axis_keys[k].strain_rate, strain_rates[k], "1/s", any_number,
+           "ε' of walls with control \"strain_rate\": logarithmic, above 0 in compression; opposite walls "
+           "share it")
+          .optional();
+    for (int w = 0; w < max_walls; ++w)
+      d.program(wall_keys[w].displacement, motions[w].displacement, "m", any_number,
+                "d inwards, for control \"displacement\", from where the wall is")
+          .optional();
+    for (int w = 0; w < max_walls; ++w)
+      d.program(wall_keys[w].velocity, motions[w].velocity, "m/s", any_number,
+                "u inwards, for control \"velocity\"; reached at once, a ramp starts smoothly")
+          .optional();
+    for (int w = 0; w < max_walls; ++w)
+      d.program(wall_keys[w].superposed, motions[w].superposed, "m", any_number,
+                "d inwards, added to the motion under control \"stress\", from where the wall is")
+          .optional();
+  }
+
+  // Control and program of a wall. Returns whether they fit.
+  bool prepare_wall(int w, const scree::Setup& setup) {
+    static constexpr int motion_of[] = {WallMotion::pressed, WallMotion::fixed, WallMotion::displaced,
+                                        WallMotion::at_velocity, WallMotion::strained};
+    WallMotion& motion = motions[w];
+    const int of_axis = axis_control[w / 2], chosen = std::max({control[w], of_axis, int(stress)});
+    motion.control = motion_of[chosen];
+    motion.mass = mass;
+    motion.viscosity = viscosity;
+    masses[w] = pressed(w) ? mass : 0;
+    superposes = superposes || motion.superposes();
+    if (!wall_stress[w].given())
+      wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : all_stress;
+
+    char line[256] = "";
+    const auto need = [&](bool given, const char* quantity, const char* key, const char* unit) {
+      if (!given)
+        std::snprintf(line, sizeof(line), "wall %s has no %s; give %s = <%s>", names[w], quantity, key, unit);
+    };
+    if (control[w] >= 0 && of_axis >= 0)
+      std::snprintf(line, sizeof(line), "%s and %s both say what moves a wall; keep one of them", names[w],
+                    axis_keys[w / 2].control);
+    if (chosen == stress && !wall_stress[w].given())
+      std::snprintf(line, sizeof(line),
+                    "a stress-controlled wall has no stress; give stress = <Pa>, or set %s to \"fixed\"",
+                    names[w]);
+    if (chosen == displacement)
+      need(motion.displacement.given(), "displacement", wall_keys[w].displacement, "m");
+    if (chosen == velocity) need(motion.velocity.given(), "velocity", wall_keys[w].velocity, "m/s");
+    if (chosen == strain_rate)
+      need(strain_rates[w / 2].given(), "strain rate", axis_keys[w / 2].strain_rate, "1/s");
+    if (*line) setup.refuse(line);
+    return !*line;
+  }
+
   int walls() const { return 2 * dimension; }
-  bool moving(int w) const { return control[w] == stress_controlled; }
+  bool pressed(int w) const { return motions[w].control == WallMotion::pressed; }
   static double sign(int w) { return w % 2 ? -1 : 1; }
-  double area(int w, const scree_boundary_step& s) const {
+  static double length(int axis, const BoundaryStep& s) {
+    return s.walls[std::size_t(2 * axis + 1)].point[axis] - s.walls[std::size_t(2 * axis)].point[axis];
+  }
+  double area(int w, const BoundaryStep& s) const {
     double a = 1;
     for (int k = 0; k < dimension; ++k)
-      if (k != w / 2) a *= s.planes[2 * k + 1].point[k] - s.planes[2 * k].point[k];
+      if (k != w / 2) a *= length(k, s);
     return a;
   }
-  double push_on(int w, const scree_boundary_step& s, double time) const {
-    return moving(w) ? wall_stress[w](time) * area(w, s) : 0;
+  WallMotion::Forces forces_on(int w, const BoundaryStep& s, double time) const {
+    return {sign(w) * s.loads[std::size_t(w)].force[w / 2],
+            pressed(w) ? wall_stress[w](time) * area(w, s) : 0};
+  }
+
+  WallMotion::Prescribed prescribed_of(int w, const BoundaryStep& s, double step) const {
+    if (motions[w].control != WallMotion::strained) return motions[w].prescribed(s.time, step);
+    // The exact solution of L' = −ε' L over the step; the wall's share is a half if the opposite one moves too.
+    const scree::Program& rate = strain_rates[w / 2];
+    const double share = motions[w ^ 1].control == WallMotion::strained ? 0.5 : 1;
+    const double before = length(w / 2, s);
+    const double shortening = -before * std::expm1(-step * WallMotion::mean(rate, s.time, step));
+    return {share * shortening, share * rate(s.time + step) * (before - shortening)};
+  }
+
+  static double speed_of(int w, const BoundaryStep& s) {
+    return sign(w) * s.walls[std::size_t(w)].velocity[w / 2];
+  }
+  // s' of a wall: where a motion is superposed, the second half of the state.
+  double free_speed_of(int w, const BoundaryStep& s) const {
+    return motions[w].superposes() ? s.state[std::size_t(walls() + w)] : speed_of(w, s);
+  }
+  // Speeds before the first step with these parameters.
+  void set_speeds(int w, const BoundaryStep& s, double free) const {
+    s.state[std::size_t(w)] = forces_on(w, s, s.time).press;
+    if (motions[w].moves()) {
+      const double speed = free + prescribed_of(w, s, 0).speed;
+      set(w, s, {0, speed, speed, free});
+    } else {
+      s.walls[std::size_t(w)].velocity[w / 2] = s.walls[std::size_t(w)].mid_velocity[w / 2] = 0;
+    }
+  }
+  void set(int w, const BoundaryStep& s, const WallMotion::Course& course) const {
+    scree::Wall& wall = s.walls[std::size_t(w)];
+    wall.mid_velocity[w / 2] = sign(w) * course.mid_speed;
+    wall.velocity[w / 2] = sign(w) * course.speed;
+    if (motions[w].superposes()) s.state[std::size_t(walls() + w)] = course.free_speed;
   }
 };
 

@@ -4,12 +4,10 @@
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 struct Periodic {
   int axes = 0;
-  std::array<double, 3> lower = {-infinity, -infinity, -infinity};
-  std::array<double, 3> upper = {infinity, infinity, infinity};
+  std::array<double, 3> lower = {};
+  std::array<double, 3> upper = {};
   std::array<bool, 3> chosen = {};
 
   static constexpr scree::About about = {"periodic", "one or more periodic axes",
@@ -38,17 +36,11 @@ struct Periodic {
     }
   }
 
-  void describe(scree_boundary_instance& instance) const {
-    instance.still = 1;
-    for (int k = 0; k < 3; ++k) {
-      instance.periodic[k] = chosen[k];
-      instance.lower[k] = lower[k];
-      instance.upper[k] = upper[k];
-    }
+  void describe(scree::BoundaryLayout& layout) const {
+    layout.still = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (chosen[k]) layout.periodic[k] = {lower[k], upper[k]};
   }
-  void start(const scree_boundary_step&) const {}
-  void begin_step(const scree_boundary_step&) const {}
-  void finish_step(const scree_boundary_step&) const {}
 };
 
 }  // namespace

@@ -1,78 +1,151 @@
-// One infinite plane, fixed or with prescribed motion.
+// One infinite plane, fixed, moved by a program, or pressed by a stress or force.
 
+#include <algorithm>
 #include <cmath>
 
-#include <scree/plugin/boundary.hpp>
+#include <scree/plugin/wall_motion.hpp>
 
 namespace {
 
 struct Plane {
+  enum Control { fixed, displacement, velocity, stress, force };
+  // Layout of the state: the load of the last step (N), which the hash of the state covers; s' if a motion is
+  // superposed.
+  enum State { load, free_speed = 3, state_width };
+
   std::array<double, 3> point = {};
   std::array<double, 3> normal = {};
   std::array<double, 3> direction = {};
-  scree::Program displacement;
-
-  // Layout of the state: the load of the last step (N).
-  enum State { load_x, load_y, load_z, state_width };
+  int control = -1;
+  double area = 0;  // (m²)
+  double mass = 0;  // (kg) 0 unless forces move the plane
+  scree::Program pressing_stress, pressing_force;
+  scree::WallMotion motion;
 
   static constexpr scree::About about = {
-      "plane", "infinite plane, fixed or with prescribed motion",
-      "x_w(t) = point + e (s(t) − s(0))   e: direction of motion, s: displacement", "—"};
+      "plane", "infinite plane, fixed, with prescribed motion, or under constant stress or force",
+      "x_w(t) = point + e (s + d)   e: direction of motion\n"
+      "control displacement or velocity: d(t) − d(0) or ∫u dt, s = 0\n"
+      "control stress or force: m s\" = F·e + P(t) − γ s', P = p(t) A or the force, d: superposed displacement\n"
+      "F: contact force on the plane",
+      "—"};
 
   void declare(scree::Declaration& d) {
+    using namespace scree;
     d.vector("point", point, "m", "any point of the plane").required();
     d.vector("normal", normal, "", "normal pointing to the bodies; need not be a unit vector").required();
     d.vector("direction", direction, "", "direction of motion; the normal if absent").optional();
-    d.program("displacement", displacement, "m", scree::any_number,
-              "s(t) along the direction; fixed if absent")
+    d.program("displacement", motion.displacement, "m", any_number,
+              "d(t) along the direction; fixed if neither this nor control is given")
+        .optional();
+    d.choice("control", control, "fixed|displacement|velocity|stress|force",
+             "what moves the plane; if absent the displacement, if given")
+        .optional();
+    d.program("velocity", motion.velocity, "m/s", any_number,
+              "u(t) along the direction, for control = \"velocity\"; reached at once, a ramp starts smoothly")
+        .optional();
+    d.program("stress", pressing_stress, "Pa", any_number,
+              "p on the area, along the direction, for control = \"stress\"")
+        .optional();
+    d.number("area", area, "m^2", positive, "A on which the stress acts (2D: length × 1 m)").optional();
+    d.program("force", pressing_force, "N", any_number, "P along the direction, for control = \"force\"")
+        .optional();
+    d.number("mass", motion.mass, "kg", positive, "m under stress or force");
+    d.number("viscosity", motion.viscosity, "kg/s", non_negative, "γ under stress or force");
+    d.program("superposed", motion.superposed, "m", any_number,
+              "d(t) added to the motion under stress or force, from where the plane is")
         .optional();
   }
 
   void prepare(const scree::Setup& setup) {
+    using scree::WallMotion;
     if (!make_unit(normal)) return setup.refuse("normal has length 0; give a vector such as [0, 0, 1]");
     if (!make_unit(direction)) direction = normal;
+    if (control < 0) control = motion.displacement.given() ? displacement : fixed;
+    if (control == displacement && !motion.displacement.given())
+      return setup.refuse("control = \"displacement\" without displacement; give displacement = <m>");
+    if (control == velocity && !motion.velocity.given())
+      return setup.refuse("control = \"velocity\" without velocity; give velocity = <m/s>");
+    if (control == stress && !(pressing_stress.given() && area > 0))
+      return setup.refuse("control = \"stress\" without stress and area; give stress = <Pa>, area = <m^2>");
+    if (control == force && !pressing_force.given())
+      return setup.refuse("control = \"force\" without force; give force = <N>");
+    motion.control = control == fixed          ? WallMotion::fixed
+                     : control == displacement ? WallMotion::displaced
+                     : control == velocity     ? WallMotion::at_velocity
+                                               : WallMotion::pressed;
+    mass = motion.control == WallMotion::pressed ? motion.mass : 0;
   }
 
-  void describe(scree_boundary_instance& instance) const {
-    instance.plane_count = 1;
-    instance.state_width = state_width;
-    instance.still = !moves();
+  void describe(scree::BoundaryLayout& layout) const {
+    layout.walls = 1;
+    layout.state = motion.superposes() ? state_width : free_speed;
+    layout.masses = &mass;
+    layout.damping_rate = mass > 0 ? motion.viscosity / mass : 0;
+    layout.still = !motion.moves();
   }
 
-  void start(const scree_boundary_step& s) const {
-    scree_plane& plane = s.planes[0];
-    for (int k = 0; k < 3; ++k) {
-      plane.point[k] = point[k];
-      plane.normal[k] = normal[k];
-      plane.velocity[k] = plane.mid_velocity[k] = moves() ? displacement.rate(0) * direction[k] : 0;
-    }
+  const char* start(const scree::BoundaryStep& s) const {
+    s.walls[0] = {.point = vector(point), .normal = vector(normal), .velocity = {}, .mid_velocity = {}};
+    set_speeds(s, 0);
+    return nullptr;
   }
 
-  void begin_step(const scree_boundary_step& s) const {
-    scree_plane& plane = s.planes[0];
-    const double distance = moves() ? displacement(s.time + s.step) - displacement(s.time) : 0;
-    const double speed = moves() ? displacement.rate(s.time + s.step) : 0;
-    for (int k = 0; k < 3; ++k) {
-      plane.point[k] += distance * direction[k];
-      plane.mid_velocity[k] = distance / s.step * direction[k];
-      plane.velocity[k] = speed * direction[k];
-    }
+  void change(const Plane& before, double, const scree::BoundaryStep& s) const {
+    const double speed = dot(vector(before.direction), s.walls[0].velocity);
+    set_speeds(s, motion.free_speed_after(before.motion, speed, before.free_speed_of(s)));
+    motion.add_kinetic(free_speed_of(s), s.energy);
   }
 
-  void finish_step(const scree_boundary_step& s) const {
-    for (int k = 0; k < 3; ++k) {
-      const double force = s.loads[0].force[k];
-      s.energy->work -= 0.5 * (s.state[load_x + k] + force) * s.planes[0].mid_velocity[k] * s.step;
-      s.state[load_x + k] = force;
-    }
+  void begin_step(const scree::BoundaryStep& s) const {
+    const auto c = motion.begin(free_speed_of(s), motion.prescribed(s.time, s.step), forces(s, s.time),
+                                s.step, s.energy);
+    s.walls[0].point += c.distance * vector(direction);
+    set(s, c);
+  }
+
+  void finish_step(const scree::BoundaryStep& s) const {
+    const scree::Vec3 e = vector(direction);
+    const scree::WallMotion::Course begun = {0, dot(e, s.walls[0].mid_velocity), dot(e, s.walls[0].velocity),
+                                             0};
+    const auto c = motion.finish(begun, forces(s, s.time + s.step), s.time, s.step, s.energy);
+    if (mass > 0) set(s, c);
+    for (int k = 0; k < 3; ++k) s.state[std::size_t(load + k)] = s.loads[0].force[k];
   }
 
  private:
-  bool moves() const { return displacement.given(); }
+  static scree::Vec3 vector(const std::array<double, 3>& v) { return {{v[0], v[1], v[2]}}; }
+
+  // Scaled by a power of 2, so that no square overflows or underflows.
   static bool make_unit(std::array<double, 3>& v) {
+    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    if (!(largest > 0)) return false;
+    const int exponent = std::ilogb(largest);
+    for (double& x : v) x = std::ldexp(x, -exponent);
     const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (double& x : v) x /= length > 0 ? length : 1;
-    return length > 0;
+    for (double& x : v) x /= length;
+    return true;
+  }
+
+  scree::WallMotion::Forces forces(const scree::BoundaryStep& s, double time) const {
+    const double press = control == stress  ? pressing_stress(time) * area
+                         : control == force ? pressing_force(time)
+                                            : 0;
+    return {dot(vector(direction), s.loads[0].force), press};
+  }
+  double free_speed_of(const scree::BoundaryStep& s) const {
+    return motion.superposes() ? s.state[free_speed] : dot(vector(direction), s.walls[0].velocity);
+  }
+  // Speeds at s.time with this s', before the first step with these parameters.
+  void set_speeds(const scree::BoundaryStep& s, double free) const {
+    if (!motion.moves()) return;
+    const double speed = free + motion.prescribed(s.time, 0).speed;
+    set(s, {0, speed, speed, free});
+  }
+  void set(const scree::BoundaryStep& s, const scree::WallMotion::Course& c) const {
+    s.walls[0].mid_velocity = c.mid_speed * vector(direction);
+    s.walls[0].velocity = c.speed * vector(direction);
+    if (motion.superposes()) s.state[free_speed] = c.free_speed;
   }
 };
 

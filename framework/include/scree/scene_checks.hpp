@@ -7,8 +7,8 @@ namespace scree {
 
 // Checks of parts of a scene before the scene is complete. All throw Error with the plug-in's own message.
 
-// Number of planes of a boundary in a scene with these bodies.
-std::size_t plane_count(const Scene::Boundary& boundary, const Scene& scene);
+// Number of planes of all boundaries of a scene. Also throws if a boundary refuses to start.
+std::size_t plane_count(const Scene& scene);
 // The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define
 // the same axis.
 Domain periodic_domain(const Scene& scene);

@@ -1,8 +1,11 @@
 #include "plugins/boundaries.hpp"
 
+#include "plugins/boundary_checks.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,25 +16,63 @@ namespace scree {
 
 Boundaries::Boundaries(const std::vector<Scene::Boundary>& entries, int dimension, const BodyBounds& bodies)
     : dimension_(dimension) {
-  for (int k = 0; k < 3; ++k) lower_[k] = bodies.lower[k], upper_[k] = bodies.upper[k];
-  for (const Scene::Boundary& entry : entries) {
-    members_.push_back(
-        {entry, ConfiguredBoundary(entry.parameters, dimension, lower_, upper_), planes_.size()});
-    Member& member = members_.back();
-    const scree_boundary_instance& instance = member.plugin.instance();
-    add_domain(member);
-    member.state.assign(instance.state_width, 0.0);
-    for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
-      names_.push_back(instance.plane_names ? fmt::format("{}.{}", entry.name, instance.plane_names[k])
-                                            : entry.name);
-      materials_.push_back(entry.material);
-      masses_.push_back(instance.plane_masses ? instance.plane_masses[k] : 0);
-    }
-    planes_.resize(planes_.size() + instance.plane_count);
-    loads_.resize(planes_.size());
-    const scree_boundary_step start = step_of(member, 0, 0);
-    member.plugin.interface().start(member.plugin.storage(), &start);
+  shared_.struct_size = sizeof(shared_);
+  for (int k = 0; k < 3; ++k) {
+    shared_.lower[k] = lower_[k] = bodies.lower[k];
+    shared_.upper[k] = upper_[k] = bodies.upper[k];
   }
+  for (const Scene::Boundary& entry : entries) add(entry);
+  check_walls_against_domain();
+}
+
+void Boundaries::add(const Scene::Boundary& entry) {
+  members_.push_back(
+      {entry, ConfiguredBoundary(entry.parameters, dimension_, lower_, upper_), planes_.size()});
+  Member& member = members_.back();
+  check_layout(member.plugin_name(), member.plugin.instance(), dimension_);
+  add_domain(member);
+  list_planes(member);
+  member.state.assign(member.plugin.instance().state_width, 0.0);
+  start(member);
+}
+
+void Boundaries::list_planes(const Member& member) {
+  const scree_boundary_instance& instance = member.plugin.instance();
+  for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
+    names_.push_back(instance.plane_names ? fmt::format("{}.{}", member.entry.name, instance.plane_names[k])
+                                          : member.entry.name);
+    materials_.push_back(member.entry.material);
+    masses_.push_back(instance.plane_masses ? instance.plane_masses[k] : 0);
+  }
+  planes_.resize(names_.size());
+  loads_.resize(names_.size());
+  name_pointers_.clear();
+  for (const std::string& name : names_) name_pointers_.push_back(name.c_str());
+  shared_.plane_count = std::uint32_t(planes_.size());
+  shared_.planes = planes_.data();
+  shared_.loads = loads_.data();
+  shared_.plane_names = name_pointers_.data();
+}
+
+void Boundaries::start(Member& member) {
+  scree_boundary_energy energy = {};
+  const scree_boundary_step step = step_of(member, 0, 0, energy);
+  char message[512] = "";
+  const int refused =
+      member.plugin.interface().start(member.plugin.storage(), &step, message, sizeof(message));
+  message[sizeof(message) - 1] = 0;
+  if (refused)
+    throw Error(fmt::format("{}: {}", member.plugin_name(), *message ? message : "refused to start"));
+  member.energy.kinetic = energy.kinetic;
+  add_energy(member, energy);
+  for (const scree_plane& plane : planes_of(member))
+    if (const std::string problem = problem_of(plane); !problem.empty())
+      throw Error(
+          fmt::format("boundary plug-in {}, wall {}: {} at the start; correct its parameters, or the plug-in",
+                      member.plugin_name(), names_[std::size_t(&plane - planes_.data())], problem));
+}
+
+void Boundaries::check_walls_against_domain() const {
   for (std::size_t w = 0; w < planes_.size(); ++w)
     for (int k = 0; k < dimension_; ++k)
       if (domain_.periodic[k] && std::abs(planes_[w].normal[k]) > 1e-12)
@@ -51,46 +92,69 @@ void Boundaries::add_domain(const Member& member) {
     domain_.periodic[k] = true;
     domain_.lower[k] = instance.lower[k];
     domain_.upper[k] = instance.upper[k];
+    shared_.periodic[k] = 1;
+    shared_.domain_lower[k] = instance.lower[k];
+    shared_.domain_upper[k] = instance.upper[k];
   }
 }
 
-scree_boundary_step Boundaries::step_of(Member& member, double time, double step) {
+scree_boundary_step Boundaries::step_of(Member& member, double time, double step,
+                                        scree_boundary_energy& energy) {
   scree_boundary_step s = {};
   s.struct_size = sizeof(s);
   s.dimension = std::uint32_t(dimension_);
   s.time = time - member.clock_start;
   s.step = step;
+  s.plane_count = member.plugin.instance().plane_count;
+  s.state_width = std::uint32_t(member.state.size());
   s.loads = loads_.data() + member.first_plane;
   s.planes = planes_.data() + member.first_plane;
   s.state = member.state.data();
-  s.energy = &member.energy;
+  s.energy = &energy;
+  s.scene = &shared_;
   return s;
+}
+
+std::span<scree_plane> Boundaries::planes_of(const Member& member) {
+  return {planes_.data() + member.first_plane, member.plugin.instance().plane_count};
 }
 
 void Boundaries::begin_step(double time, double step) {
   for (Member& member : members_) {
     if (member.still()) continue;
-    const scree_boundary_step s = step_of(member, time, step);
+    scree_boundary_energy energy = {};
+    const scree_boundary_step s = step_of(member, time, step, energy);
     member.plugin.interface().begin_step(member.plugin.storage(), &s);
+    add_energy(member, energy);
+    check_finite(member, time + step);
   }
 }
 
 void Boundaries::finish_step(double time, double step) {
-  for (Member& member : members_)
-    if (!member.still()) finish_step(member, time, step);
+  for (Member& member : members_) {
+    if (member.still()) continue;
+    scree_boundary_energy energy = {};
+    const scree_boundary_step s = step_of(member, time, step, energy);
+    member.plugin.interface().finish_step(member.plugin.storage(), &s);
+    member.energy.kinetic = energy.kinetic;
+    add_energy(member, energy);
+    check_finite(member, time + step);
+  }
 }
 
-void Boundaries::finish_step(Member& member, double time, double step) {
-  const scree_boundary_step s = step_of(member, time, step);
-  member.plugin.interface().finish_step(member.plugin.storage(), &s);
+void Boundaries::add_energy(Member& member, const scree_boundary_energy& energy) {
+  member.energy.work += energy.work;
+  member.energy.dissipated += energy.dissipated;
 }
 
-void Boundaries::stop_planes(Member& member) {
-  for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
-    for (int axis = 0; axis < 3; ++axis) {
-      scree_plane& plane = planes_[member.first_plane + k];
-      plane.velocity[axis] = plane.mid_velocity[axis] = 0;
-    }
+void Boundaries::check_finite(const Member& member, double time) {
+  for (const scree_plane& plane : planes_of(member))
+    if (!is_finite(plane))
+      throw Error(fmt::format("boundary plug-in {}, wall {}: {} at t = {:g} s; "
+                              "give it more mass or viscosity, or a shorter time.step",
+                              member.plugin_name(), names_[std::size_t(&plane - planes_.data())],
+                              problem_of(plane), time),
+                  ExitStatus::blow_up);
 }
 
 void Boundaries::extrapolate(double time) {
@@ -103,21 +167,40 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
   for (Member& member : members_) {
     if (member.entry.name != name) continue;
     ConfiguredBoundary changed(parameters, dimension_, lower_, upper_);
-    if (changed.instance().plane_count != member.plugin.instance().plane_count ||
-        changed.instance().state_width != member.plugin.instance().state_width)
+    check_layout(member.plugin_name(), changed.instance(), dimension_);
+    if (changed.instance().plane_count != member.plugin.instance().plane_count)
       throw Error(fmt::format(
           "boundary '{}': these parameters change its number of walls, which must be the same in all stages",
           name));
-    if (member.still()) finish_step(member, time, 0);
-    member.plugin = std::move(changed);
-    for (std::uint32_t k = 0; k < member.plugin.instance().plane_count; ++k)
-      masses_[member.first_plane + k] =
-          member.plugin.instance().plane_masses ? member.plugin.instance().plane_masses[k] : 0;
-    member.clock_start = time;
-    if (member.still()) stop_planes(member), finish_step(member, time, 0);
+    std::swap(member.plugin, changed);
+    change(member, changed, time);
     return;
   }
   throw Error(fmt::format("no boundary '{}'", name));
+}
+
+void Boundaries::change(Member& member, const ConfiguredBoundary& before, double time) {
+  const scree_boundary_instance& instance = member.plugin.instance();
+  const double time_before = time - member.clock_start;
+  for (std::uint32_t k = 0; k < instance.plane_count; ++k)
+    masses_[member.first_plane + k] = instance.plane_masses ? instance.plane_masses[k] : 0;
+  member.clock_start = time;
+  scree_boundary_energy energy = {};
+  if (member.plugin.interface().change) {
+    if (instance.state_width > member.state.size()) member.state.resize(instance.state_width, 0.0);
+    const scree_boundary_step s = step_of(member, time, 0, energy);
+    member.plugin.interface().change(member.plugin.storage(), before.storage(), time_before, &s);
+  } else if (!member.still()) {
+    energy.kinetic = member.energy.kinetic;
+  }
+  member.state.resize(instance.state_width, 0.0);
+  if (member.still())
+    for (scree_plane& plane : planes_of(member))
+      for (int k = 0; k < 3; ++k) plane.velocity[k] = plane.mid_velocity[k] = 0;
+  energy.work += energy.kinetic - member.energy.kinetic;
+  member.energy.kinetic = energy.kinetic;
+  add_energy(member, energy);
+  check_finite(member, time);
 }
 
 double Boundaries::largest_damping_rate() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,12 @@ namespace scree {
 // All boundaries of a scene: their planes, loads and states, and the periodic domain.
 class Boundaries {
  public:
-  // Throws Error if a plug-in refuses its parameters or if two boundaries define the same periodic axis.
+  // Throws Error if a plug-in refuses its parameters or to start, if two boundaries define the same periodic
+  // axis, or if a plane is not finite.
   Boundaries(const std::vector<Scene::Boundary>& entries, int dimension, const BodyBounds& bodies);
 
-  // First half of a step: moves the planes from t to t + step (s) with the loads at t.
+  // First half of a step: moves the planes from t to t + step (s) with the loads at t. Both halves throw
+  // Error(blow_up) with plug-in, plane and time if a plane is not finite.
   void begin_step(double time, double step);
   // Second half: completes velocities and energies with the loads at t + step.
   void finish_step(double time, double step);
@@ -24,7 +27,8 @@ class Boundaries {
   // velocity, for output; and back to the positions of the force evaluation, before the next begin_step.
   void extrapolate(double time);
   void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
-  // Sets new parameters of a boundary; its programs restart at `time` (s), state and planes are kept.
+  // Sets new parameters of a boundary; its programs restart at `time` (s), positions of planes are kept. A
+  // jump of kinetic energy counts as work.
   void reconfigure(const std::string& name, const Parameters& parameters, double time);
 
   const Domain& domain() const { return domain_; }
@@ -53,20 +57,30 @@ class Boundaries {
     std::vector<double> state = {};
     scree_boundary_energy energy = {};
     bool still() const { return plugin.instance().still; }
+    const char* plugin_name() const { return plugin.parameters().plugin().name; }
   };
-  scree_boundary_step step_of(Member& member, double time, double step);
+  void add(const Scene::Boundary& entry);
   void add_domain(const Member& member);
-  void finish_step(Member& member, double time, double step);
-  void stop_planes(Member& member);
+  void list_planes(const Member& member);
+  void start(Member& member);
+  void check_walls_against_domain() const;
+  scree_boundary_step step_of(Member& member, double time, double step, scree_boundary_energy& energy);
+  std::span<scree_plane> planes_of(const Member& member);
+  void change(Member& member, const ConfiguredBoundary& before, double time);
+  // Adds work and dissipated energy of a call.
+  static void add_energy(Member& member, const scree_boundary_energy& energy);
+  void check_finite(const Member& member, double time);
 
   int dimension_;
   double lower_[3], upper_[3];
   Domain domain_;
+  scree_boundary_scene shared_ = {};  // what plug-ins see of the scene
   std::vector<Member> members_;
   std::vector<scree_plane> planes_, planes_before_extrapolation_;
   std::vector<scree_load> loads_;
   std::vector<std::uint32_t> materials_;
   std::vector<std::string> names_;
+  std::vector<const char*> name_pointers_;
   std::vector<double> masses_;
 };
 

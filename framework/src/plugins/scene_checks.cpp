@@ -5,9 +5,7 @@
 
 namespace scree {
 
-std::size_t plane_count(const Scene::Boundary& boundary, const Scene& scene) {
-  return Boundaries({boundary}, scene.dimension, bounds_of(scene.bodies, scene.dimension)).planes().size();
-}
+std::size_t plane_count(const Scene& scene) { return boundaries_of(scene).planes().size(); }
 
 Domain periodic_domain(const Scene& scene) { return boundaries_of(scene).domain(); }
 

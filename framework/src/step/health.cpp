@@ -96,12 +96,6 @@ void report_blow_up(const Simulation& s, double speed_limit) {
     report_not_a_number(s, p.body(i));
     report_speed(s, p.id[i], norm(p.body(i).velocity), speed_limit);
   }
-  for (std::size_t w = 0; w < s.planes().size(); ++w)
-    for (const double x : s.planes()[w].point)
-      if (!std::isfinite(x))
-        stop(fmt::format(
-            "wall {}: position is not a number {}; give it more mass or viscosity, or a shorter time.step",
-            s.plane_names()[w], where(s)));
   report_overlap(s);
   for (std::size_t i = 0; i < p.size(); ++i) {
     Vec3 mid_velocity = {};

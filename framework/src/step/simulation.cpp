@@ -17,7 +17,6 @@ namespace scree {
 Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
   p.stepper.reevaluate_forces(0);
-  p.boundaries.finish_step(0, 0);
   p.audit.set_stored(p.contact_sums, p.body_sums);
   const scree_energy now = energy();
   p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());

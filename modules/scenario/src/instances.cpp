@@ -42,8 +42,7 @@ bool same_layout(const scree_boundary_instance& a, const scree_boundary_instance
     return a.periodic[k] == b.periodic[k] &&
            (!a.periodic[k] || (a.lower[k] == b.lower[k] && a.upper[k] == b.upper[k]));
   };
-  return a.plane_count == b.plane_count && a.state_width == b.state_width && same_axis(0) && same_axis(1) &&
-         same_axis(2);
+  return a.plane_count == b.plane_count && same_axis(0) && same_axis(1) && same_axis(2);
 }
 
 }  // namespace

@@ -44,16 +44,20 @@ void read_materials_and_bodies(const document::Table& root, Plan& plan) {
 
 void read_boundaries(const document::Table& root, PluginHost& host, Instances& instances, Plan& plan) {
   Scene& scene = plan.scene;
+  std::size_t walls = 0;
   for (const document::Table& t : root.tables("boundary")) {
     const Stage::Change& read = read_instance(t, SCREE_BOUNDARY, host, scene, instances);
-    const bool has_walls = plane_count({read.name, 0, read.parameters}, scene) > 0;
+    const std::size_t walls_before = walls;
+    scene.boundaries.push_back({read.name, 0, read.parameters});
+    // Checks all boundaries so far together: each can be valid alone but not in combination.
+    placed(t, "plugin", [&] { walls = plane_count(scene); });
+    const bool has_walls = walls > walls_before;
     const std::string material = scene.materials.size() > 1 && has_walls
                                      ? t.string(boundary_keys.material)
                                      : t.string(boundary_keys.material, scene.materials[0]);
-    const auto index = std::uint32_t(find_name(t, "material", "material", material, scene.materials));
-    scene.boundaries.push_back({read.name, index, read.parameters});
-    // Checks all boundaries so far together: each can be valid alone but not in combination.
-    const bool periodic = placed(t, "plugin", [&] { return periodic_domain(scene).any_periodic(); });
+    scene.boundaries.back().material =
+        std::uint32_t(find_name(t, "material", "material", material, scene.materials));
+    const bool periodic = periodic_domain(scene).any_periodic();
     if (periodic && plan.periodic_place.empty()) plan.periodic_place = t.place("plugin");
   }
 }

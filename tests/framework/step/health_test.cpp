@@ -204,7 +204,9 @@ TEST_CASE("a wall that slides along itself infinitely fast is reported, although
                             {{"point", {0, 0, 0}},
                              {"normal", {0, 0, 1}},
                              {"direction", {1, 0, 0}},
-                             {"displacement", {3, 0, 1e308, 0.01}}});
+                             {"displacement", {4, 0, 0, 0.001, 0, 0.002, 1e308}}});
   Simulation s(scene);
-  CHECK_THAT(blow_up([&] { scree::test::run(s, 3); }), Catch::Contains("no longer finite"));
+  CHECK_THAT(blow_up([&] { scree::test::run(s, 3); }),
+             Catch::StartsWith("boundary plug-in plane, wall plane: position is (") &&
+                 Catch::Contains("at t = 0.00"));
 }

@@ -129,3 +129,25 @@ TEST_CASE("a box without stress, inside out, or without bodies is refused", "[bo
   add_boundary(none, "box", {{"stress", {0, 1}}});
   CHECK_THROWS_WITH(Simulation(none), Catch::Contains("corners"));
 }
+
+TEST_CASE("each corner of a box is used if given, and else encloses the bodies with the gap", "[box]") {
+  const auto limits = [](const Values& corners) {
+    Scene sc =
+        scene(3, 1e-4,
+              {body(1, 0.001, 1e-3, {{-0.02, -0.02, -0.02}}), body(2, 0.001, 1e-3, {{-0.01, -0.01, -0.01}})},
+              soft_law);
+    Values values = {{"x", {1}}, {"y", {1}}, {"z", {1}}, {"gap", {0.005}}};
+    values.insert(values.end(), corners.begin(), corners.end());
+    add_boundary(sc, "box", values);
+    Simulation s(sc);
+    return std::pair{s.planes()[x_low].point[0], s.planes()[z_high].point[2]};
+  };
+  const Values lower = {{"lower", {-0.05, -0.05, -0.05}}}, upper = {{"upper", {0, 0, 0}}};
+  CHECK(limits({}) == std::pair{-0.02 - 0.001 - 0.005, -0.01 + 0.001 + 0.005});
+  CHECK(limits(lower) == std::pair{-0.05, -0.01 + 0.001 + 0.005});
+  CHECK(limits(upper) == std::pair{-0.02 - 0.001 - 0.005, 0.0});
+  CHECK(limits({lower[0], upper[0]}) == std::pair{-0.05, 0.0});
+  CHECK_THROWS_WITH(limits({{"lower", {-0.05, -0.05, 0}}, upper[0]}),
+                    Catch::Contains("upper is not above lower"));
+  CHECK_THROWS_WITH(limits({{"lower", {0, 0, 0}}}), Catch::Contains("upper is not above lower"));
+}

@@ -129,3 +129,15 @@ TEST_CASE("a plane can move in its own direction and must have a nonzero normal"
   add_boundary(bad, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 0}}});
   CHECK_THROWS_WITH(Simulation(bad), Catch::Contains("normal has length 0"));
 }
+
+TEST_CASE("a normal may have any length", "[plane]") {
+  for (const double length : {1e-320, 1e-200, 1.0, 1e160, 1e308}) {
+    Scene sc = scene(3, 1e-3, {body(1, 0.01, 0.01, {{0, 0, 1}})}, elastic);
+    add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0.6 * length, 0.8 * length}}});
+    Simulation s(sc);
+    // Numbers near the smallest have few digits: 1e-320 is 2024 of its units.
+    const double digits = length < 1e-300 ? 1e-3 : 1e-15;
+    CHECK(s.planes()[0].normal[1] == Approx(0.6).margin(digits));
+    CHECK(s.planes()[0].normal[2] == Approx(0.8).margin(digits));
+  }
+}

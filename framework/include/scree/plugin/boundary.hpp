@@ -1,52 +1,199 @@
 #pragma once
 
+#include <cstring>
+#include <new>
+#include <optional>
+#include <span>
+#include <type_traits>
+
 #include <scree/plugin/abi.h>
 #include <scree/plugin/declaration.hpp>
+#include <scree/plugin/vec.hpp>
 
 // How to write a boundary: plugins/README.md. An author's struct has
 //
 //   static constexpr scree::About about;
 //   void declare(scree::Declaration&);
-//   void prepare(const scree::Setup&);              optional: derived values, refusals
-//   void describe(scree_boundary_instance&) const;  planes, state doubles, periodic axes
-//   void start(const scree_boundary_step&) const;   planes and state at the start
-//   void begin_step(const scree_boundary_step&) const;    planes from t to t + step
-//   void finish_step(const scree_boundary_step&) const;   velocities and energies at t + step
+//   void prepare(const scree::Setup&);                    optional: derived values, refusals
+//   void describe(scree::BoundaryLayout&) const;          number of walls and state doubles, periodic axes
+//   const char* start(const scree::BoundaryStep&) const;  walls and state at the start; null, or the problem
+//                                                         and a remedy
+//   void begin_step(const scree::BoundaryStep&) const;    walls from t to t + step
+//   void finish_step(const scree::BoundaryStep&) const;   velocities and energies at t + step
+//   void change(const Author& before, double time_before, const scree::BoundaryStep&) const;
+//                                                         optional: velocities after a change of parameters
 //
-// `begin_step` also sets mid_velocity, displacement / step, and velocity, predicted for t + step.
-// `finish_step` receives the loads at t + step; it is called once with step 0 for the initial loads. Neither
-// is called while the instance has set `still`.
+// A boundary without walls needs only `describe`. When each is called: scree/plugin/abi/boundary.h.
+// The motion of one wall, prescribed or under stress: scree/plugin/wall_motion.hpp.
 
-namespace scree::detail {
+namespace scree {
+
+// One wall: an infinite plane. It is the C struct scree_plane with vectors.
+struct Wall {
+  Vec3 point;         // (m)
+  Vec3 normal;        // unit, pointing to the bodies
+  Vec3 velocity;      // (m/s) at the end of the step
+  Vec3 mid_velocity;  // (m/s) displacement in the step / step
+};
+
+// What all contacts exert on a wall.
+struct WallLoad {
+  Vec3 force;  // (N)
+};
+
+// Output of a call, initialised to 0. `kinetic` is the present energy of the walls (J); `work` done on the
+// scene by pressing forces and prescribed motion, and `dissipated` by viscosity, are those of the call (J).
+using BoundaryEnergy = scree_boundary_energy;
+
+// All walls of the scene, and its extent. In `begin_step` walls of preceding boundaries have already moved.
+struct BoundaryScene {
+  std::span<const Wall> walls;
+  std::span<const WallLoad> loads;
+  std::span<const char* const> names;  // "<boundary>.<wall>"
+  Vec3 lower, upper;                   // (m) bounding box of the bodies at the start of the run
+  bool periodic[3];
+  Vec3 domain_lower, domain_upper;  // (m) limits of periodic axes
+};
+
+// What the functions of a boundary receive.
+struct BoundaryStep {
+  int dimension;
+  double time;  // (s) at the start of the step, since the parameters were set
+  double step;  // (s) negative in the third substep of fourth_order; 0 in `start` and `change`
+  std::span<Wall> walls;
+  std::span<const WallLoad> loads;  // at the start (begin_step) or the end (finish_step) of the step
+  std::span<double> state;          // kept by the host between calls
+  BoundaryEnergy& energy;
+  const scree_boundary_scene* shared;
+
+  BoundaryScene scene() const;
+};
+
+// What a boundary consists of with its present parameters.
+struct BoundaryLayout {
+  struct Axis {
+    double lower, upper;  // (m)
+  };
+  std::uint32_t walls = 0;               // the same in all stages
+  std::uint32_t state = 0;               // number of doubles that the host keeps
+  const char* const* names = nullptr;    // of the walls, if they have names
+  const double* masses = nullptr;        // (kg) of the walls, a member of the struct; 0: not moved by forces
+  double damping_rate = 0;               // (1/s) at which viscosity slows the lightest wall
+  bool still = false;                    // no wall moves, and begin_step and finish_step are not called
+  std::optional<Axis> periodic[3] = {};  // the same in all stages
+};
+
+namespace detail {
+
+// The same bytes as objects of another type with the same layout: memmove creates them, and compiles to
+// nothing.
+template <class To, class From>
+To* same_bytes(From* from, std::size_t count) {
+  static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));
+  static_assert(std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);
+  using Plain = std::remove_const_t<From>;
+  if (count > 0) std::memmove(const_cast<Plain*>(from), from, count * sizeof(From));
+  return std::launder(reinterpret_cast<To*>(const_cast<Plain*>(from)));
+}
+
+template <class To, class From>
+std::span<To> span_of(From* from, std::size_t count) {
+  return {same_bytes<To>(from, count), count};
+}
+
+inline Vec3 vector_of(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
+
+inline BoundaryStep step_of(const scree_boundary_step& s) {
+  return {int(s.dimension),
+          s.time,
+          s.step,
+          span_of<Wall>(s.planes, s.plane_count),
+          span_of<const WallLoad>(s.loads, s.plane_count),
+          {s.state, s.state_width},
+          *s.energy,
+          s.scene};
+}
+
+inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layout) {
+  instance = {};
+  instance.struct_size = sizeof(instance);
+  instance.plane_count = layout.walls;
+  instance.state_width = layout.state;
+  instance.plane_names = layout.names;
+  instance.plane_masses = layout.masses;
+  instance.damping_rate = layout.damping_rate;
+  instance.still = layout.still;
+  for (int k = 0; k < 3; ++k) {
+    if (!layout.periodic[k]) continue;
+    instance.periodic[k] = 1;
+    instance.lower[k] = layout.periodic[k]->lower;
+    instance.upper[k] = layout.periodic[k]->upper;
+  }
+}
 
 template <class Author>
 int configure_boundary(const scree_setup* setup, void* storage, scree_boundary_instance* instance) {
   if (const int failed = configure_author<Author>(setup, storage)) return failed;
-  *instance = {};
-  instance->struct_size = sizeof(*instance);
-  static_cast<const Author*>(storage)->describe(*instance);
+  BoundaryLayout layout;
+  static_cast<const Author*>(storage)->describe(layout);
+  assign(*instance, layout);
   return 0;
 }
 template <class Author>
-void start_boundary(const void* storage, const scree_boundary_step* step) {
-  static_cast<const Author*>(storage)->start(*step);
+int start_boundary(const void* storage, const scree_boundary_step* step, char* message, size_t message_size) {
+  if constexpr (requires(const Author& author, const BoundaryStep& s) { author.start(s); }) {
+    const char* problem = static_cast<const Author*>(storage)->start(step_of(*step));
+    if (problem) std::snprintf(message, message_size, "%s", problem);
+    return problem ? 1 : 0;
+  }
+  return 0;
 }
 template <class Author>
 void begin_boundary_step(const void* storage, const scree_boundary_step* step) {
-  static_cast<const Author*>(storage)->begin_step(*step);
+  if constexpr (requires(const Author& author, const BoundaryStep& s) { author.begin_step(s); })
+    static_cast<const Author*>(storage)->begin_step(step_of(*step));
 }
 template <class Author>
 void finish_boundary_step(const void* storage, const scree_boundary_step* step) {
-  static_cast<const Author*>(storage)->finish_step(*step);
+  if constexpr (requires(const Author& author, const BoundaryStep& s) { author.finish_step(s); })
+    static_cast<const Author*>(storage)->finish_step(step_of(*step));
+}
+template <class Author>
+void change_boundary(const void* storage, const void* before, double time_before,
+                     const scree_boundary_step* step) {
+  static_cast<const Author*>(storage)->change(*static_cast<const Author*>(before), time_before,
+                                              step_of(*step));
+}
+template <class Author>
+constexpr auto change_of() {
+  if constexpr (requires(const Author& author, const BoundaryStep& s) { author.change(author, 0.0, s); })
+    return &change_boundary<Author>;
+  else
+    return nullptr;
 }
 
-}  // namespace scree::detail
+}  // namespace detail
 
-#define SCREE_BOUNDARY_PLUGIN(Author)                                                           \
-  static const scree_boundary scree_interface = {sizeof(scree_boundary),                        \
-                                                 sizeof(Author),                                \
-                                                 &scree::detail::configure_boundary<Author>,    \
-                                                 &scree::detail::start_boundary<Author>,        \
-                                                 &scree::detail::begin_boundary_step<Author>,   \
-                                                 &scree::detail::finish_boundary_step<Author>}; \
+inline BoundaryScene BoundaryStep::scene() const {
+  const scree_boundary_scene& s = *shared;
+  return {detail::span_of<const Wall>(s.planes, s.plane_count),
+          detail::span_of<const WallLoad>(s.loads, s.plane_count),
+          {s.plane_names, s.plane_count},
+          detail::vector_of(s.lower),
+          detail::vector_of(s.upper),
+          {s.periodic[0] != 0, s.periodic[1] != 0, s.periodic[2] != 0},
+          detail::vector_of(s.domain_lower),
+          detail::vector_of(s.domain_upper)};
+}
+
+}  // namespace scree
+
+#define SCREE_BOUNDARY_PLUGIN(Author)                                                          \
+  static const scree_boundary scree_interface = {sizeof(scree_boundary),                       \
+                                                 sizeof(Author),                               \
+                                                 &scree::detail::configure_boundary<Author>,   \
+                                                 &scree::detail::start_boundary<Author>,       \
+                                                 &scree::detail::begin_boundary_step<Author>,  \
+                                                 &scree::detail::finish_boundary_step<Author>, \
+                                                 scree::detail::change_of<Author>()};          \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BOUNDARY, scree_interface)))

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include <scree/plugin/abi.h>
 #include <scree/plugin/numerics.hpp>
@@ -34,7 +35,7 @@ inline constexpr Range positive_coefficient{.minimum = 0, .maximum = 1, .minimum
 //   }
 class Declaration {
  public:
-  static constexpr std::uint32_t capacity = 32;
+  static constexpr std::uint32_t capacity = 64;
 
   // Options of the parameter that was declared last.
   class Entry {
@@ -84,6 +85,12 @@ class Declaration {
     if (const scree_value* value = next())
       for (int k = 0; k < 3; ++k) member[k] = value->data[k];
     return add(SCREE_VECTOR, key, unit, doc, 0, any_number);
+  }
+  // Optional: the member stays empty if the vector is not given.
+  Entry vector(const char* key, std::optional<std::array<double, 3>>& member, const char* unit,
+               const char* doc) {
+    if (const scree_value* value = next()) member = {value->data[0], value->data[1], value->data[2]};
+    return add(SCREE_VECTOR, key, unit, doc, 0, any_number).optional();
   }
   // The member becomes a view of the host's numbers, valid as long as the configuration.
   Entry list(const char* key, scree_value& member, const char* unit, const Range& range, const char* doc) {

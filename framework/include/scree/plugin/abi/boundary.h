@@ -22,47 +22,77 @@ typedef struct scree_load {
   double force[3]; /* (N) of all contacts on the plane */
 } scree_load;
 
-typedef struct scree_boundary_energy { /* totals since the start of the run, except `kinetic` */
-  double kinetic;                      /* (J) present value */
-  double work;                         /* (J) done on the scene by loads and prescribed motion */
-  double dissipated;                   /* (J) by the boundary's own viscosity */
+/* Output of a call; the host sets all three to 0 before each. */
+typedef struct scree_boundary_energy {
+  double kinetic;    /* (J) present value, set by `start`, `change` and `finish_step`; ignored otherwise */
+  double work;       /* (J) done on the scene in this call by pressing forces and prescribed motion */
+  double dissipated; /* (J) in this call, by the boundary's own viscosity */
 } scree_boundary_energy;
+
+/* What a boundary can see of the scene besides its own planes. In `begin_step` the planes of boundaries that
+ * precede this one in the scene are already at the end of the step, and in `finish_step` their velocities;
+ * in `start` the planes of boundaries that follow are not listed yet. */
+typedef struct scree_boundary_scene {
+  uint32_t struct_size;
+  uint32_t plane_count; /* of all boundaries, in the order of the scene */
+  const scree_plane* planes;
+  const scree_load* loads;        /* of the last force evaluation; 0 in `start` */
+  const char* const* plane_names; /* "<boundary>.<plane>" */
+  double lower[3], upper[3]; /* (m) bounding box of the bodies at the start of the run; 0 without bodies */
+  uint32_t periodic[3];      /* nonzero: the axis is periodic between the limits below */
+  double domain_lower[3], domain_upper[3]; /* (m) */
+} scree_boundary_scene;
 
 typedef struct scree_boundary_step {
   uint32_t struct_size;
   uint32_t dimension;
-  double time;             /* (s) at the start of the step, counted from the last change of parameters */
-  double step;             /* (s) */
+  double time; /* (s) at the start of the step; starts again from 0 when a stage sets parameters */
+  double step; /* (s) 0 in `start` and `change`; negative in the third substep of fourth_order; a half step
+                  at the start of position_verlet and before a stage */
+  uint32_t plane_count, state_width;
   const scree_load* loads; /* plane_count; at the start (begin_step) or the end (finish_step) of the step */
   scree_plane* planes;     /* plane_count */
   double* state;           /* state_width doubles, which the host stores and hashes */
   scree_boundary_energy* energy;
+  const scree_boundary_scene* scene;
 } scree_boundary_step;
 
 typedef struct scree_boundary_instance {
   uint32_t struct_size;
-  uint32_t plane_count;
-  uint32_t state_width;
-  uint32_t periodic[3];           /* nonzero: the axis is periodic between lower and upper */
-  double lower[3], upper[3];      /* (m) */
-  const char* const* plane_names; /* (optional) plane_count names */
+  uint32_t plane_count; /* the same in all stages */
+  uint32_t state_width; /* may change with the parameters: see `change` */
+  uint32_t periodic[3]; /* nonzero: the axis is periodic between lower and upper; the same in all stages */
+  double lower[3], upper[3];      /* (m) finite */
+  const char* const* plane_names; /* (optional) plane_count names, none of which is NULL */
   const double* plane_masses; /* (optional) plane_count masses (kg), in the plug-in's storage; 0 for planes
                                  that forces do not move */
   double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
-  uint32_t still;      /* nonzero: no plane moves, and steps call neither `begin_step` nor `finish_step`;
-                          `finish_step` is called with step 0 before and after a change of parameters */
+  uint32_t still;      /* nonzero: no plane moves, and `begin_step` and `finish_step` are not called */
 } scree_boundary_instance;
 
+/* Calls: `start` when a scene is set up, also where it is only checked; then for each substep `begin_step`, an
+ * evaluation of the forces, `finish_step`; between steps `change` when a stage sets parameters. Planes must be
+ * finite after every call, and normals unit vectors after `start`; otherwise the host stops with an error
+ * that names the plane. */
 typedef struct scree_boundary {
   uint32_t struct_size;
   uint32_t storage_size;
   int (*configure)(const scree_setup* setup, void* storage, scree_boundary_instance* instance);
-  /* Called once: sets state and planes at the start. */
-  void (*start)(const void* storage, const scree_boundary_step* step);
-  /* First half of a step: moves the planes from t to t + step. */
+  /* Sets planes, state and kinetic energy at the start. No forces are known. Returns 0, or nonzero with the
+   * problem and a remedy in `message`. */
+  int (*start)(const void* storage, const scree_boundary_step* step, char* message, size_t message_size);
+  /* First half of a step: moves the planes from t to t + step, sets mid_velocity, displacement / step, and
+   * predicts velocity for t + step. `loads` are those at t, also directly after a stage has changed laws. */
   void (*begin_step)(const void* storage, const scree_boundary_step* step);
-  /* Second half: sets the velocities at t + step and adds to the energies. */
+  /* Second half: sets the velocities at t + step, with the loads there. */
   void (*finish_step)(const void* storage, const scree_boundary_step* step);
+  /* (optional) New parameters apply from now on; `before` is the storage with the old ones, `time_before` the
+   * time (s) by their clock. Sets velocities and kinetic energy, a jump of which the host counts as work;
+   * must not move the planes. Forces are evaluated afterwards. State beyond the old state_width is 0; state
+   * beyond the new one is still there, and dropped after the call. Without this function velocities and
+   * kinetic energy stay, or become 0 if the planes are still from now on. */
+  void (*change)(const void* storage, const void* before, double time_before,
+                 const scree_boundary_step* step);
 } scree_boundary;
 
 #ifdef __cplusplus

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <scree/plugin/boundary.hpp>
+#include <scree/plugin/program.hpp>
+
+namespace scree {
+
+// Motion of one wall along one direction, such as its normal: x = s + d.
+//
+//   pressed:  m s" = F + P − γ s',  d: the superposed displacement, if any
+//   others:   s is constant,        d: from a displacement, a velocity or, by the caller, a strain rate
+//
+// F is the load of the contacts along the direction, P the pressing force. Only increments of d count, so that
+// the wall moves on from where it is. Energy: ½ m s'² is kinetic, P s' − F d' the power of work, γ s'² is
+// dissipated. Velocity Verlet, implicit in the viscosity; a constant force is exact.
+struct WallMotion {
+  enum Control { pressed, fixed, displaced, at_velocity, strained };
+
+  int control = fixed;
+  double mass = 1;       // m (kg)
+  double viscosity = 0;  // γ (kg/s)
+  Program displacement;  // (m) if displaced
+  Program velocity;      // (m/s) if at_velocity
+  Program superposed;    // (m) added to s if pressed
+
+  // d in a step (m), and d' at its end (m/s).
+  struct Prescribed {
+    double distance = 0;
+    double speed = 0;
+  };
+  // Along the direction (N); press is 0 unless the wall is pressed.
+  struct Forces {
+    double load;
+    double press;
+  };
+  // x and s in a step: distance (m), mean speed, speed at the end, s' at the end (m/s).
+  struct Course {
+    double distance;
+    double mid_speed;
+    double speed;
+    double free_speed;
+  };
+
+  bool moves() const { return control != fixed; }
+  // Whether s' must be kept between steps, because it is not the speed of the wall.
+  bool superposes() const { return control == pressed && superposed.given(); }
+
+  // What programs prescribe for the step from `time`; with step 0, the speed at that time. Not for `strained`.
+  Prescribed prescribed(double time, double step) const {
+    if (control == displaced) return increment(displacement, time, step);
+    if (control == at_velocity) return {step * mean(velocity, time, step), velocity(time + step)};
+    if (superposes()) return increment(superposed, time, step);
+    return {};
+  }
+
+  // First half of a step, with s' and the forces at its start.
+  Course begin(double free_speed, const Prescribed& p, const Forces& forces, double step,
+               BoundaryEnergy& energy) const {
+    energy.work -= 0.5 * forces.load * p.distance;
+    if (control != pressed) return {p.distance, p.distance / step, p.speed, 0};
+    const double change = step * (forces.load + forces.press - viscosity * free_speed) / mass;
+    const double mid = free_speed + 0.5 * change, end = free_speed + change;
+    energy.work += 0.5 * step * forces.press * mid;
+    if (!superposes()) return {step * mid, mid, end, end};
+    return {step * mid + p.distance, mid + p.distance / step, end + p.speed, end};
+  }
+
+  // Second half of the step that began at `time`, with the mean speed from `begin` and the forces at its end.
+  // Returns the course with speeds at the end; `distance` is 0.
+  Course finish(const Course& begun, const Forces& forces, double time, double step,
+                BoundaryEnergy& energy) const {
+    if (control != pressed) {
+      energy.work -= 0.5 * forces.load * step * begun.mid_speed;
+      return {0, begun.mid_speed, begun.speed, 0};
+    }
+    const Prescribed p = prescribed(time, step);
+    const double mid = superposes() ? begun.mid_speed - p.distance / step : begun.mid_speed;
+    const double end =
+        (mid + 0.5 * step * (forces.load + forces.press) / mass) / (1 + 0.5 * step * viscosity / mass);
+    energy.work += 0.5 * (step * forces.press * mid - forces.load * p.distance);
+    energy.dissipated += viscosity * mid * mid * step;
+    add_kinetic(end, energy);
+    return {0, begun.mid_speed, superposes() ? end + p.speed : end, end};
+  }
+
+  // After a change of parameters: s' is that of before, or, if the wall was not pressed, the wall's speed.
+  double free_speed_after(const WallMotion& before, double speed, double free_speed) const {
+    if (control != pressed) return 0;
+    return before.control == pressed ? free_speed : speed;
+  }
+
+  void add_kinetic(double free_speed, BoundaryEnergy& energy) const {
+    if (control == pressed) energy.kinetic += 0.5 * mass * free_speed * free_speed;
+  }
+
+  // Mean of a program over a step by Simpson's rule: exact up to cubic polynomials.
+  static double mean(const Program& program, double time, double step) {
+    return (program(time) + 4 * program(time + 0.5 * step) + program(time + step)) / 6;
+  }
+
+ private:
+  static Prescribed increment(const Program& program, double time, double step) {
+    return {program(time + step) - program(time), program.rate(time + step)};
+  }
+};
+
+}  // namespace scree

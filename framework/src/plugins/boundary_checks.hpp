@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include <scree/plugin/abi.h>
+
+namespace scree {
+
+// Throws Error if a boundary plug-in describes itself in a way that the host cannot use: planes or axes that
+// are not finite, names that are NULL.
+void check_layout(const std::string& plugin, const scree_boundary_instance& instance, int dimension);
+
+// Whether all numbers of a plane are finite.
+bool is_finite(const scree_plane& plane);
+
+// What is wrong with a plane as "<quantity> is <value>"; empty if it is finite and its normal a unit vector.
+std::string problem_of(const scree_plane& plane);
+
+}  // namespace scree
