@@ -61,10 +61,10 @@ std::string replaced(std::string text, const std::string& token, const std::stri
 
 void write_from(const fs::path& source, const fs::path& target, const NewPluginArguments& a) {
   std::string text = files::read_text(source);
-  text = replaced(text, "@name@", a.name);
-  text = replaced(text, "@Type@", type_name(a.name));
-  text = replaced(text, "@kind@", a.kind);
-  text = replaced(text, "@cmake@", (program_folder() / "../lib/cmake/scree").lexically_normal().string());
+  text = replaced(text, "plugin_name", a.name);
+  text = replaced(text, "PluginName", type_name(a.name));
+  text = replaced(text, "plugin_kind", a.kind);
+  text = replaced(text, "scree_cmake_folder", (program_folder() / "../lib/cmake/scree").lexically_normal().string());
   files::write_atomically(target, text);
 }
 

@@ -105,7 +105,7 @@ void add_test_plugin_verb(CommandLine& line) {
       .shown_as("KEY=VALUE");
   verb.option("--radius", a->pair.radius, "Radius of the smaller body, m (default 0.005)").above_zero();
   verb.option("--density", a->pair.density, "Density, kg/m^3 (default 2000)").above_zero();
-  verb.option("--speed", a->pair.speed, "Impact speed, m/s (default 1)").above_zero();
+  verb.option("--speed", a->pair.speed, "Impact speed, m/s (default 0.1)").above_zero();
   verb.footer(
       "Example: scree test-plugin build/plugins/contact/my_law.so normal_stiffness=5000\n"
       "Exit status: 0 if no check failed, 1 otherwise.");

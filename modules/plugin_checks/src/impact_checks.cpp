@@ -55,6 +55,7 @@ Scene scene_of(const Parameters& law, const CheckedPair& pair, int dimension, co
   scene.laws = {{law.plugin().name, law}};
   scene.law_of = {0};
   scene.spin = exerts_torque(law, dimension);
+  scene.limits.overlap_ratio = 1;  // soft laws are checked too
   return scene;
 }
 

@@ -7,7 +7,7 @@ using namespace scree::test;
 
 TEST_CASE("a boundary that refuses to start is reported where the file names it", "[scenario]") {
   const TemporaryFolder folder;
-  PluginHost both({SCREE_TEST_PLUGINS, SCREE_TEST_BROKEN_PLUGINS});
+  PluginHost both({SCREE_TEST_PLUGINS, SCREE_TEST_BROKEN});
   const std::string leaning = "[[boundary]]\nplugin = 'refuses_to_start'\n";
   const auto first = folder.write("first.toml", with(discs, "[[boundary]]", leaning + "[[boundary]]"));
   CHECK(message([&] { scenario::read_plan(first, {}, both); }) ==

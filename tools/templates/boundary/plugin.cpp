@@ -5,12 +5,13 @@
 
 namespace {
 
-struct @Type@ {
+struct PluginName {
   double height = 0, velocity = 0;
   int up = 2;  // the last axis of the scene
 
-  static constexpr scree::About about = {"@name@", "a floor that rises with constant velocity",
-                                         "z_w(t) = height + u t", "your source, with the number of the equation"};
+  static constexpr scree::About about = {"plugin_name", "a floor that rises with constant velocity",
+                                         "z_w(t) = height + u t",
+                                         "your source, with the number of the equation"};
 
   void declare(scree::Declaration& d) {
     d.number("height", height, "m", scree::any_number, "z_w at the start");
@@ -42,4 +43,4 @@ struct @Type@ {
 
 }  // namespace
 
-SCREE_BOUNDARY_PLUGIN(@Type@)
+SCREE_BOUNDARY_PLUGIN(PluginName)

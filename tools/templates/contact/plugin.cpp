@@ -9,22 +9,22 @@
 namespace {
 
 // The parameters. Initial values are the defaults.
-struct @Type @ : scree::ContactLaw {
+struct PluginName : scree::ContactLaw {
   double stiffness = 0, damping = 0;
 
   static constexpr scree::About about = {
-      "@name@", "linear spring and dashpot",
+      "plugin_name", "linear spring and dashpot",
       "f = k δ − γ v_n    v_n: velocity of a relative to b along the normal",
       "your source, with the number of the equation"};
 
-  void declare(scree::Declaration & d) {
+  void declare(scree::Declaration& d) {
     d.number("stiffness", stiffness, "N/m", scree::positive, "k").required();
     d.number("damping", damping, "kg/s", scree::non_negative, "γ");
   }
 
-  // For the check of the time step, and for `scree describe @name@ stiffness=5000`.
-  std::uint32_t closed_forms(const scree_encounter& pair, scree_closed_form* forms, std::uint32_t capacity)
-      const {
+  // For the check of the time step, and for `scree describe plugin_name stiffness=5000`.
+  std::uint32_t closed_forms(const scree_encounter& pair, scree_closed_form* forms,
+                             std::uint32_t capacity) const {
     const double decay = 0.5 * damping / pair.reduced_mass;
     const double frequency = std::sqrt(stiffness / pair.reduced_mass - decay * decay);
     const double time = std::numbers::pi / frequency;
@@ -35,7 +35,7 @@ struct @Type @ : scree::ContactLaw {
   }
 };
 
-struct Kernel : @Type @{
+struct Kernel : PluginName {
   // What `force` reads: anything else does not compile.
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity | scree::reads_onset_weight;
@@ -56,4 +56,4 @@ struct Kernel : @Type @{
 
 }  // namespace
 
-SCREE_CONTACT_LAW_PLUGIN(@Type @, Kernel)
+SCREE_CONTACT_LAW_PLUGIN(PluginName, Kernel)

@@ -5,8 +5,8 @@
 
 namespace {
 
-struct @Type@ {
-  static constexpr scree::About about = {"@name@", "kinetic energy of translation, now and its mean",
+struct PluginName {
+  static constexpr scree::About about = {"plugin_name", "kinetic energy of translation, now and its mean",
                                          "E = Σ ½ m v²    mean: over all steps since the start",
                                          "your source, with the number of the equation"};
 
@@ -43,4 +43,4 @@ struct @Type@ {
 
 }  // namespace
 
-SCREE_PROBE_PLUGIN(@Type@)
+SCREE_PROBE_PLUGIN(PluginName)
