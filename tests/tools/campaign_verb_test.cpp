@@ -49,7 +49,8 @@ TEST_CASE("a campaign runs every point and collects the results", "[tools]") {
   CHECK(contains(outcome.out, "campaign: 4 runs, 2 values of time.duration x 2 seeds\n4 finished\n"));
   CHECK(contains(outcome.out, "results in out: table.csv, means.csv, "));
   const std::string table = w.text("out/table.csv");
-  CHECK(table.starts_with("run,time.duration,seed,status,expectations,expectations_met,threads,step,"));
+  CHECK(table.starts_with(
+      "run,time.duration,seed,status,expectations,expectations_met,warnings,threads,step,"));
   CHECK(column(table, 0) == Cells{"0.0001", "0.0001", "0.0002", "0.0002"});
   CHECK(column(table, 1) == Cells{"1", "2", "1", "2"});
   CHECK(column(table, 2) == Cells(4, "finished"));
@@ -188,4 +189,28 @@ TEST_CASE("files in the directory of a run are not changed", "[tools]") {
   CHECK(outcome.err ==
         "scree: out/run: contains files that are not part of a scree run; give another --out\n");
   CHECK(w.has("out/run/series/energy.csv"));
+}
+
+TEST_CASE("a campaign tells of warnings of its runs", "[tools]") {
+  // 12 steps in the shortest contact of the second.
+  const CampaignWorkspace w("[set]\ncontact.normal_stiffness = [1e4, 1e8]\n");
+  const Outcome outcome = w.scree(call);
+  CHECK(outcome.status == 0);
+  CHECK(contains(outcome.out, "WARNINGS in 1 of 2 runs, see the column warnings of table.csv; "));
+  CHECK(contains(w.text("out/table.csv"), ",\"the shortest contact takes "));
+}
+
+TEST_CASE("a campaign with a pipe or an option-like name as scenario, or with a folder in its way",
+          "[tools]") {
+  const CampaignWorkspace w("");
+  w.write("pipe.toml", "[campaign]\nscenario = 'fifo'\n");
+  const Outcome pipe =
+      w.shell("mkfifo fifo; exec timeout 20 '" SCREE_TEST_PROGRAM "' campaign pipe.toml --out out");
+  check_refused(w, pipe, "pipe.toml:2:12: fifo is not a regular file; ", "read several times");
+  w.write("-x.toml", discs);
+  w.write("dash.toml", "[campaign]\nscenario = '-x.toml'\n");
+  CHECK(w.scree("campaign dash.toml --out dash").status == 0);
+  const Outcome folder = w.shell("mkdir -p out/campaign.json; scree " + call);
+  CHECK(folder.status == 2);
+  CHECK(contains(folder.err, "out/campaign.json: is not a file; remove it, or give another --out\n"));
 }

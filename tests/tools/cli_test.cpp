@@ -33,6 +33,28 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   CHECK_FALSE(w.has("runs"));
 }
 
+TEST_CASE("check tells the largest overlap at the start, and warns of a large one", "[tools]") {
+  const auto checked = [](const char* second) {
+    return Workspace(
+               with(discs,
+                    "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                    "random_velocity = 0.1\n",
+                    "[[particle]]\nradius = 0.01\nposition = [0, 0]\n[[particle]]\nradius = 0.01\n"
+                    "position = [" +
+                        std::string(second) + ", 0]\n"))
+        .scree("check scene.toml");
+  };
+  const Outcome small = checked("0.0199");
+  CHECK(contains(small.out,
+                 "  largest overlap at t = 0: 0.01 of the smaller radius, particle 1 and particle 2\n"));
+  CHECK(small.err.empty());
+  const Outcome large = checked("0.018");
+  CHECK(large.status == 0);
+  CHECK(large.err.starts_with(
+      "scree: warning: particle 1 and particle 2 overlap by 0.2 of the smaller radius at t = 0"));
+  CHECK_FALSE(contains(checked("0.021").out, "largest overlap"));
+}
+
 TEST_CASE("check finds the same errors as run", "[tools]") {
   const Workspace w;
   check_refused(w, w.scree("check scene.toml --set time.step=-1"),
@@ -112,6 +134,49 @@ TEST_CASE("render redraws the snapshots of a run", "[tools]") {
   const Workspace empty;
   check_refused(empty, empty.scree("render ."), ".: contains no particles_*.vtp; ",
                 "([snapshot] every = <s>)");
+}
+
+TEST_CASE("render takes single files of any name, and refuses others in one line", "[tools]") {
+  const Workspace w(std::string(discs) + "[snapshot]\nevery = 1e-4\n");
+  REQUIRE(w.run().status == 0);
+  std::filesystem::copy(w / "out/snapshots/particles_0000000010.vtp", w / "a.vtp");
+  CHECK(w.scree("render a.vtp --out pictures --width 300 --height 200").out == "pictures/a.png\n");
+  for (const char* other :
+       {"out/snapshots/particles.pvd", "out/run.json", "out/snapshots/contacts_0000000010.vtp"}) {
+    const Outcome refused = w.scree(std::string("render ") + other + " --out no");
+    CHECK(refused.status == 2);
+    CHECK(refused.err.starts_with(std::string("scree: ") + other + ": "));
+    CHECK(contains(refused.err, "; give a particles_<step>.vtp file"));
+    CHECK_FALSE(w.has("no"));
+  }
+  const Outcome range = w.scree("render out --color-range 3,1");
+  CHECK(range.status == 2);
+  CHECK(contains(range.err, "--color-range 3,1: is not a range; give two numbers"));
+}
+
+TEST_CASE("render joins the pictures to a movie with ffmpeg, or says that it is not there", "[tools]") {
+  const Workspace w(std::string(discs) + "[snapshot]\nevery = 5e-5\n");
+  REQUIRE(w.run().status == 0);
+  const std::string call = "scree render out --movie out.mp4 --width 300 --height 200";
+  const Outcome without = w.shell("PATH=/nowhere\n" + call);
+  CHECK(without.status == 2);
+  CHECK(contains(without.err, "--movie: the program ffmpeg is not on the PATH; install it"));
+  CHECK_FALSE(w.has("out/images"));
+  // Keeps what it is given: its arguments, and the pictures one behind the other.
+  w.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\necho \"$@\" > arguments\ncat > \"$last\"\n");
+  const Outcome with_it = w.shell("chmod +x ffmpeg; PATH=$PWD:$PATH\n" + call + " --rate 12");
+  INFO(with_it.err);
+  CHECK(with_it.status == 0);
+  CHECK(with_it.out.ends_with("frame_0000000010.png\nout.mp4\n"));
+  CHECK(contains(w.text("arguments"), "-framerate 12 -i - "));
+  std::string pictures;
+  for (const char* step : {"00", "05", "10"})
+    pictures += w.text(std::string("out/images/frame_00000000") + step + ".png");
+  CHECK(w.text("out.mp4") == pictures);
+  w.write("ffmpeg", "#!/bin/sh\necho 'no such codec' >&2\nexit 1\n");
+  const Outcome failed = w.shell("chmod +x ffmpeg; PATH=$PWD:$PATH\n" + call);
+  CHECK(failed.status == 1);
+  CHECK(contains(failed.err, "out.mp4: ffmpeg failed (no such codec); "));
 }
 #endif
 

@@ -51,7 +51,9 @@ TEST_CASE("run.json has the inputs and results of a run", "[tools]") {
   CHECK(record["scenario"] == w.text("out/scenario.toml"));
   CHECK(record["wall_s"] > 0);
   CHECK(record["particle_steps_per_second"].get<double>() ==
-        Approx(90 / record["wall_s"].get<double>()).epsilon(1e-6));
+        Approx(90 / record["stepping_s"].get<double>()).epsilon(1e-6));
+  CHECK(record["stepping_s"].get<double>() + record["output_s"].get<double>() ==
+        Approx(record["wall_s"].get<double>()).epsilon(1e-9));
   CHECK(record["energy_residual"] < 1e-3);
   CHECK(record["momentum_residual"] < 1e-12);
   CHECK(record["max_overlap_ratio"] >= 0);
@@ -72,6 +74,26 @@ TEST_CASE("the program prints the size of the scene once", "[tools]") {
   CHECK(outcome.out.find("results in out\n") != std::string::npos);
   const Outcome quiet = w.run("--overwrite --quiet");
   CHECK(quiet.out.starts_with("results in out\n"));
+}
+
+TEST_CASE("warnings go to stderr even with --quiet", "[tools]") {
+  // 12 steps in the shortest contact, π √(m*/k).
+  const Workspace w(with(discs, "1e4", "1e8"));
+  const Outcome quiet = w.run("--quiet");
+  CHECK(quiet.status == 0);
+  CHECK(quiet.err.starts_with("scree: warning: the shortest contact takes "));
+  CHECK(w.record()["warnings"].size() >= 1);
+  CHECK("scree: warning: " + w.record()["warnings"][0].get<std::string>() + "\n" == quiet.err);
+}
+
+TEST_CASE("the end of a run lists every kind of result", "[tools]") {
+  const Workspace w;
+  const Outcome outcome = w.run();
+  for (const char* line : {"out/series                   time series (CSV), 1 file\n",
+                           "out/final_packing.csv ", "out/scenario.toml ", "out/run.json "})
+    CHECK(outcome.out.find(std::string("  ") + line) != std::string::npos);
+  CHECK(outcome.out.find("10 steps in ") != std::string::npos);
+  CHECK(outcome.out.find(" s for output\n") != std::string::npos);
 }
 
 TEST_CASE("the state has the same bits for any number of threads, and different ones for another seed",
@@ -103,10 +125,12 @@ TEST_CASE("a run that blows up reports particle, contact, time and cure, and kee
     const Outcome outcome = w.run("--overwrite --quiet " + options);
     INFO(outcome.err);
     CHECK(outcome.status == 3);
-    CHECK(lines_of(outcome.err).size() == 1);
-    for (const std::string& part : parts) CHECK(outcome.err.find(part) != std::string::npos);
+    // A forced step that is too long is warned of before.
+    for (const std::string& line : lines_of(outcome.err)) CHECK(line.starts_with("scree: "));
+    const std::string last = lines_of(outcome.err).back();
+    for (const std::string& part : parts) CHECK(last.find(part) != std::string::npos);
     CHECK(w.record()["status"] == "failed");
-    CHECK("scree: " + w.record()["error"].get<std::string>() + "\n" == outcome.err);
+    CHECK("scree: " + w.record()["error"].get<std::string>() == last);
     CHECK(lines_of(w.text("out/series/energy.csv")).size() >= 2);
   };
   check("--set time.step_guard=false --set particles.random_velocity=50",

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <scree/run/set_up.hpp>
+#include <scree/run/warnings.hpp>
 
 namespace scree::tool {
 
@@ -36,6 +37,9 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
              simulation.particles().size(), plan.scene.dimension, simulation.planes().size(),
              plan.scene.laws.size(), plan.scene.body_forces.size(), plan.probes.size());
   fmt::print("  {}\n", run::describe_step(simulation));
+  if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
+    fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
+               largest.bodies);
   print_stages(plan);
 }
 
@@ -44,6 +48,7 @@ ExitStatus check(const CheckArguments& arguments) {
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
   const auto simulation = run::set_up(plan);
   print_summary(arguments.scenario, plan, *simulation);
+  for (const std::string& warning : run::start_warnings(plan, *simulation)) report_warning(warning);
   return ExitStatus::success;
 }
 

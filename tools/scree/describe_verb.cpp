@@ -158,6 +158,7 @@ ExitStatus describe(const DescribeArguments& arguments) {
     describe_one(*plugin, arguments);
     gap = "\n";
   }
+  for (const std::string& line : host.slow_laws()) report_warning(line);
   return ExitStatus::success;
 }
 

@@ -19,6 +19,8 @@ ExitStatus report(std::string_view line, ExitStatus status) {
   return status;
 }
 
+void report_warning(std::string_view line) { report(fmt::format("warning: {}", line), ExitStatus::success); }
+
 void add_plugin_options(Verb& verb, PluginOptions& options) {
   verb.option("--plugins", options.directories,
               "Directory with additional plug-ins, <DIR>/<kind>/<name>.so; also SCREE_PLUGIN_PATH=DIR:DIR")

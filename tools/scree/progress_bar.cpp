@@ -31,16 +31,25 @@ std::string duration_text(double seconds) {
 ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
 void ProgressBar::show(const run::Progress& p) {
-  show(p.share, p.wall, fmt::format("t = {:.4g} s  {}", p.time, p.stage));
+  std::string what = fmt::format("t = {:.4g} s  {}", p.time, p.stage);
+  if (p.stages > 1) what += fmt::format(" (stage {} of {})", p.stage_number, p.stages);
+  if (p.share) return show(*p.share, p.wall, what);
+  if (p.goal && p.kinetic_over_elastic)
+    what += fmt::format(", kinetic/elastic {:.2g}, goal {:g}", *p.kinetic_over_elastic, *p.goal);
+  print("", fmt::format("{}, {} so far", what, duration_text(p.wall)), p.wall);
 }
 
 void ProgressBar::show(double share, double wall, std::string_view what) {
+  const int full = int(std::clamp(share, 0.0, 1.0) * bar_width);
+  print(fmt::format("[{}{}] ", std::string(std::size_t(full), '#'),
+                    std::string(std::size_t(bar_width - full), '.')),
+        fmt::format("{:3.0f} %  {}{}", 100 * share, what, time_left(share, wall)), wall);
+}
+
+void ProgressBar::print(const std::string& bar, const std::string& text, double wall) {
   if (quiet_) return;
-  const std::string text = fmt::format("{:3.0f} %  {}{}", 100 * share, what, time_left(share, wall));
   if (terminal_) {
-    const int full = int(std::clamp(share, 0.0, 1.0) * bar_width);
-    fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(std::size_t(full), '#'),
-               std::string(std::size_t(bar_width - full), '.'), text);
+    fmt::print(stderr, "\r{}{}\x1b[K", bar, text);
     std::fflush(stderr);
   } else if (wall >= next_plain_line_) {
     if (wall >= 1) fmt::print("{}\n", text), std::fflush(stdout);

@@ -12,6 +12,7 @@ namespace scree::tool {
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
+  // Without a share: what the end of the stage waits for, and its value so far.
   void show(const run::Progress& progress);
   // A share from 0 to 1, seconds since the start, and what is going on.
   void show(double share, double wall, std::string_view what);
@@ -19,6 +20,8 @@ class ProgressBar {
   void clear();
 
  private:
+  void print(const std::string& bar, const std::string& text, double wall);
+
   bool quiet_, terminal_;
   double next_plain_line_ = 0;  // (s) of wall time
 };

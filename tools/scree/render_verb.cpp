@@ -1,11 +1,15 @@
+#include "movie.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include <scree/snapshot/load_backend.hpp>
+#include <scree/snapshot/view_range.hpp>
 
 namespace scree::tool {
 
@@ -14,20 +18,29 @@ namespace fs = std::filesystem;
 namespace {
 
 struct RenderArguments {
-  std::string source, out;
+  std::string source, out, movie, color_range;
+  int frames_per_second = 25;
   snapshot::RenderOptions options;
 };
 
+bool is_folder(const fs::path& path) {
+  std::error_code failed;
+  return fs::is_directory(path, failed);
+}
+
 // The particle files of a run directory or of its snapshots folder in order of time, or the one file named.
 std::vector<fs::path> frames_of(const fs::path& source) {
-  if (fs::is_regular_file(source)) return {source};
-  const fs::path folder = fs::is_directory(source / "snapshots") ? source / "snapshots" : source;
+  if (!is_folder(source)) return {source};
+  const fs::path folder = is_folder(source / "snapshots") ? source / "snapshots" : source;
   std::vector<fs::path> frames;
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder, failed))
     if (entry.path().extension() == ".vtp" && entry.path().filename().string().starts_with("particles_"))
       frames.push_back(entry.path());
   std::sort(frames.begin(), frames.end());
+  if (failed)
+    throw Error(
+        fmt::format("{}: cannot be read ({}); check its permissions", folder.string(), failed.message()));
   if (frames.empty())
     throw Error(
         fmt::format("{}: contains no particles_*.vtp; give a run with snapshots ([snapshot] every = <s>)",
@@ -35,18 +48,61 @@ std::vector<fs::path> frames_of(const fs::path& source) {
   return frames;
 }
 
+// particles_0000000100.vtp becomes frame_0000000100.png, any other name x.vtp x.png.
+std::string picture_name(const fs::path& frame) {
+  constexpr std::string_view prefix = "particles_";
+  const std::string stem = frame.stem().string();
+  return (stem.starts_with(prefix) ? "frame_" + stem.substr(prefix.size()) : stem) + ".png";
+}
+
+// "LOW,HIGH".
+std::optional<std::array<double, 2>> color_range_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  char* end = nullptr;
+  const double low = std::strtod(text.c_str(), &end);
+  const bool separated = end != text.c_str() && *end == ',';
+  const char* second = separated ? end + 1 : end;
+  const double high = std::strtod(second, &end);
+  if (!separated || end == second || *end || !std::isfinite(low) || !std::isfinite(high) || low >= high)
+    throw Error(fmt::format(
+        "--color-range {}: is not a range; give two numbers (SI) as 0,0.5, the lower first", text));
+  return std::array{low, high};
+}
+
+// What all pictures have in common, from a first look at every frame.
+snapshot::ViewRange view_of(const std::vector<fs::path>& frames, const std::string& color_by,
+                            snapshot::SnapshotBackend& backend) {
+  snapshot::ViewRange view(color_by);
+  for (const fs::path& file : frames) {
+    const snapshot::Frame frame = backend.read_frame(file);
+    view.add_box(frame);
+    view.add_colors(frame);
+  }
+  return view;
+}
+
 ExitStatus render(const RenderArguments& arguments) {
+  snapshot::RenderOptions options = arguments.options;
+  options.color_range = color_range_of(arguments.color_range);
+  if (!arguments.movie.empty()) require_ffmpeg();
   const auto backend = snapshot::load_backend();
   const std::vector<fs::path> frames = frames_of(arguments.source);
-  const fs::path base = fs::is_directory(arguments.source) ? fs::path(arguments.source) / "images"
-                                                           : fs::path(arguments.source).parent_path();
+  const fs::path base = is_folder(arguments.source) ? fs::path(arguments.source) / "images"
+                                                    : fs::path(arguments.source).parent_path();
   const fs::path out = arguments.out.empty() ? base : fs::path(arguments.out);
-  for (const fs::path& frame : frames) {
-    const std::string number = frame.stem().string().substr(std::string("particles_").size());
-    const fs::path picture = out / fmt::format("frame_{}.png", number);
-    backend->render(backend->read_frame(frame), arguments.options, picture);
-    fmt::print("{}\n", picture.string());
+  const snapshot::ViewRange view = view_of(frames, options.color_by, *backend);
+  if (!options.color_range) options.color_range = view.colors();
+  std::vector<fs::path> pictures;
+  for (const fs::path& file : frames) {
+    snapshot::Frame frame = backend->read_frame(file);
+    frame.lower = view.lower(), frame.upper = view.upper();
+    pictures.push_back(out / picture_name(file));
+    backend->render(frame, options, pictures.back());
+    fmt::print("{}\n", pictures.back().string());
   }
+  if (arguments.movie.empty()) return ExitStatus::success;
+  write_movie(pictures, arguments.frames_per_second, arguments.movie);
+  fmt::print("{}\n", arguments.movie);
   return ExitStatus::success;
 }
 
@@ -61,11 +117,17 @@ void add_render_verb(CommandLine& line) {
   verb.option("--out", a->out, "Directory for the images; default: images/ of the run").shown_as("DIR");
   verb.option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
       .one_of(fields);
+  verb.option("--color-range", a->color_range,
+              "Values at the ends of the colour bar, SI; default: the range in all snapshots")
+      .shown_as("LOW,HIGH");
   verb.option("--view", a->options.view, "View direction (default iso; always z in 2D)").one_of(views);
   verb.flag("--contacts", a->options.show_contacts, "Draw the contact network");
   verb.option("--width", a->options.width, "Pixels (default 1200)").between(200, 8000);
   verb.option("--height", a->options.height, "Pixels (default 900)").between(200, 8000);
-  verb.footer("Example: scree render runs/first --color-by speed --contacts");
+  verb.option("--movie", a->movie, "Also join the pictures to a movie, with ffmpeg").shown_as("FILE.mp4");
+  verb.option("--rate", a->frames_per_second, "Pictures per second of the movie (default 25)")
+      .between(1, 240);
+  verb.footer("Example: scree render runs/first --color-by speed --contacts --movie first.mp4");
   verb.action([a] { return render(*a); });
 }
 

@@ -36,26 +36,10 @@ double quantity_of(const run::RunResult& r, const char* name) {
   return 0;
 }
 
-// Told even to those who asked for quiet.
-void print_warnings(const run::RunResult& r, Precision precision) {
-  constexpr double much = 0.05;
-  if (quantity_of(r, "energy_residual") > much)
-    fmt::print(
-        "WARNING: the energy balance does not close; shorten time.step, or look for a law that creates energy\n");
-  // Dissipations of 0 round to either side, in float by some 6e-8.
-  const double rounding = precision == Precision::mixed ? 1e-6 : 1e-9;
-  if (quantity_of(r, "energy_created") > rounding)
-    fmt::print(
-        "WARNING: contact laws created {:.2g} of the energy turned over (column 'created' of the probe "
-        "energy), as "
-        "history = \"displacement\" and slip_rule = \"total\" may; their defaults do not\n",
-        quantity_of(r, "energy_created"));
-}
-
 void print_result(const run::RunResult& r) {
   const auto quantity = [&](const char* name) { return quantity_of(r, name); };
-  fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps per second\n", quantity("steps"), r.wall,
-             1e-6 * r.particle_steps_per_second);
+  fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps per second; {:.3g} s for output\n",
+             quantity("steps"), r.wall - r.output, 1e-6 * r.particle_steps_per_second, r.output);
   fmt::print(
       "energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the "
       "radius\n",
@@ -81,15 +65,26 @@ void print_unmet(const run::RunResult& r) {
   }
 }
 
+// What a folder of results holds: "12 files"; empty if it is not there.
+std::string content_of(const std::filesystem::path& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_directory(path, failed)) return "";
+  const auto files = std::distance(std::filesystem::directory_iterator(path, failed), {});
+  return fmt::format(", {} file{}", files, files == 1 ? "" : "s");
+}
+
 void print_places(const std::filesystem::path& directory) {
   fmt::print("results in {}\n", directory.string());
-  for (const auto& [folder, what] : {std::pair{"series", "time series (CSV)"},
-                                     {"snapshots", "ParaView files"},
-                                     {"images", "pictures"},
-                                     {"charts", "charts"},
-                                     {"run.json", "summary of the run"}})
-    if (std::filesystem::exists(directory / folder))
-      fmt::print("  {:<28} {}\n", (directory / folder).string(), what);
+  for (const auto& [name, what] :
+       {std::pair{"series", "time series (CSV)"},
+        {"snapshots", "ParaView files (.vtp, .pvd)"},
+        {"images", "pictures (PNG)"},
+        {"charts", "charts (PNG)"},
+        {"final_packing.csv", "bodies at the end, for the key file of [particles]"},
+        {"scenario.toml", "the scenario with its overrides"},
+        {"run.json", "summary of the run"}})
+    if (const std::filesystem::path path = directory / name; std::filesystem::exists(path))
+      fmt::print("  {:<28} {}{}\n", path.string(), what, content_of(path));
 }
 
 run::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar) {
@@ -101,9 +96,9 @@ run::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar) {
   options.stop = &watch_for_interrupt();
   if (!arguments.quiet) options.on_start = print_carried;
   options.on_progress = [&bar](const run::Progress& p) { bar.show(p); };
-  options.on_message = [&bar](const std::string& line) {
+  options.on_warning = [&bar](const std::string& line) {
     bar.clear();
-    report(line, ExitStatus::success);
+    report_warning(line);
   };
   return options;
 }
@@ -120,7 +115,6 @@ ExitStatus run_scenario(const RunArguments& arguments) {
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
   const run::RunResult result = run_with_bar(plan, arguments);
   if (!arguments.quiet) print_result(result);
-  print_warnings(result, plan.scene.precision);
   print_unmet(result);
   if (result.interrupted) fmt::print("interrupted; results so far are saved\n");
   print_places(result.directory);
@@ -145,7 +139,8 @@ void add_run_verb(CommandLine& line) {
               "Number of threads; results are bitwise identical for any number (default 1)")
       .between(1, 1024);
   verb.flag("--overwrite", arguments->overwrite, "Replace an existing run in the directory");
-  verb.flag("--quiet", arguments->quiet, "Print only the location of the results");
+  verb.flag("--quiet", arguments->quiet,
+            "Print only warnings, unmet expectations and the location of the results");
   add_plugin_options(verb, arguments->plugins);
   verb.footer(
       "Example: scree run scenarios/david2005/quickstart.toml --out runs/first --set "

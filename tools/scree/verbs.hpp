@@ -15,6 +15,8 @@ namespace scree::tool {
 
 // Writes "scree: <line>" to stderr, in one line whatever the text holds, and returns the status.
 ExitStatus report(std::string_view line, ExitStatus status);
+// Writes "scree: warning: <line>" to stderr.
+void report_warning(std::string_view line);
 
 // What every verb that looks at plug-ins shares.
 struct PluginOptions {

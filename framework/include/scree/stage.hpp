@@ -42,22 +42,25 @@ class StageRunner {
   void step();
   // Takes up to `steps` steps of this stage; `proceed` as in Simulation::run. Returns the steps taken.
   std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
-  // Completed fraction of the run, 0 to 1, estimated from the durations of the stages.
-  double progress() const;
+  // Completed fraction of the run, 0 to 1, by simulated time; absent while this stage or a later one ends by
+  // a condition, as its length is unknown.
+  std::optional<double> progress() const;
+  // Kinetic energy / elastic energy at the last test of this stage's condition; absent before the first.
+  std::optional<double> kinetic_over_elastic() const { return kinetic_over_elastic_; }
 
  private:
   void begin();
-  bool over() const;
+  bool over();
   // Steps until the end of this stage must be tested again, at least 1.
   std::uint64_t steps_to_next_check() const;
   std::uint64_t steps_in(double duration) const;
-  double expected_length(const Stage& stage) const;
 
   Simulation& simulation_;
   std::vector<Stage> stages_;
   std::size_t current_ = 0;
   double began_ = 0;
   std::uint64_t began_step_ = 0;
+  std::optional<double> kinetic_over_elastic_;
 };
 
 }  // namespace scree

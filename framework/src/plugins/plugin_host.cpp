@@ -236,6 +236,21 @@ const scree_plugin& PluginHost::find(const std::string& name, scree_kind kind) {
   return plugin;
 }
 
+std::vector<std::string> PluginHost::slow_laws() const {
+  const std::vector<std::string> levels = instruction_levels();
+  std::vector<std::string> lines;
+  if (std::getenv("SCREE_LEVEL") || levels.front() == ".") return lines;
+  const std::string level = levels[levels.size() - 2];  // the lowest above the baseline
+  for (const auto& [baseline, library] : libraries_)
+    if (library && library->plugin->kind == SCREE_CONTACT_LAW && library->path == baseline)
+      lines.push_back(fmt::format(
+          "contact law '{}' ({}) is built for the baseline of x86-64 only, on which laws are several times "
+          "slower than this processor allows; build it again with -march={} as {}",
+          library->plugin->name, baseline.string(), level,
+          (baseline.parent_path() / level / baseline.filename()).string()));
+  return lines;
+}
+
 std::vector<const scree_plugin*> PluginHost::load_all(std::vector<Broken>& broken) {
   std::vector<const scree_plugin*> plugins;
   for (const scree_kind kind : all_kinds)

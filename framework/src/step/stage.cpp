@@ -24,6 +24,7 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages)
 void StageRunner::begin() {
   began_ = simulation_.time();
   began_step_ = simulation_.steps();
+  kinetic_over_elastic_.reset();
   const Stage& stage = stages_[current_];
   if (stage.changes.empty()) return;
   for (const Stage::Change& change : stage.changes) {
@@ -49,7 +50,7 @@ std::uint64_t StageRunner::steps_to_next_check() const {
                        : next_test;
 }
 
-bool StageRunner::over() const {
+bool StageRunner::over() {
   const Stage& stage = stages_[current_];
   const std::uint64_t steps = simulation_.steps() - began_step_;
   if (stage.duration) return steps >= steps_in(*stage.duration);
@@ -57,6 +58,7 @@ bool StageRunner::over() const {
     return false;
   const scree_energy energy = simulation_.energy();
   const double elastic = elastic_energy(energy);
+  kinetic_over_elastic_ = elastic > 0 ? kinetic_energy(energy) / elastic : INFINITY;
   return elastic > 0 && kinetic_energy(energy) < *stage.kinetic_over_elastic * elastic;
 }
 
@@ -84,19 +86,15 @@ std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>&
   return taken;
 }
 
-double StageRunner::expected_length(const Stage& stage) const {
-  return stage.duration ? *stage.duration : stage.at_most.value_or(stage.at_least);
-}
-
-double StageRunner::progress() const {
-  double done = 0, all = 0;
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
-    const double length = expected_length(stages_[k]);
-    all += length;
-    if (k < current_) done += length;
-    if (k == current_) done += std::min(length, simulation_.time() - began_);
+std::optional<double> StageRunner::progress() const {
+  if (finished()) return 1;
+  double left = began_ - simulation_.time();
+  for (std::size_t k = current_; k < stages_.size(); ++k) {
+    if (!stages_[k].duration) return std::nullopt;
+    left += *stages_[k].duration;
   }
-  return all > 0 ? done / all : 1;
+  const double done = simulation_.time();
+  return done / (done + std::max(0.0, left));
 }
 
 }  // namespace scree

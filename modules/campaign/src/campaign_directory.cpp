@@ -1,16 +1,17 @@
+#include "record_json.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <fstream>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <scree/campaign/campaign_directory.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
+#include <scree/files/text_file.hpp>
 
 namespace scree::campaign {
 
@@ -20,12 +21,14 @@ namespace {
 
 // Two campaigns in one directory would replace each other's runs.
 void check_owner(const fs::path& path, const Campaign& campaign) {
-  std::ifstream file(path / "campaign.json", std::ios::binary);
-  if (!file) return;
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  std::error_code failed;
+  const fs::path record = path / "campaign.json";
+  if (!fs::exists(record, failed)) return;
+  if (!fs::is_regular_file(record, failed))
+    throw Error(fmt::format("{}: is not a file; remove it, or give another --out", record.string()));
+  const auto json = parse_record(files::read_text(record));
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return;
   const std::string owner = json["file"];
-  std::error_code failed;
   // Campaign file and directory may have been moved together.
   const bool elsewhere = fs::exists(owner, failed) && !fs::equivalent(owner, campaign.source, failed);
   if (elsewhere || fs::path(owner).filename() != campaign.source.filename())

@@ -1,7 +1,6 @@
 #include "points.hpp"
 #include "settings.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -38,8 +37,12 @@ std::vector<std::int64_t> read_seeds(const Table& table) {
   if (!table.is_array("seeds")) throw table.error("seeds", "seeds is neither a list nor a table", seeds_form);
   std::vector<std::int64_t> seeds = table.integers("seeds", Range::non_negative());
   if (seeds.empty()) throw table.error("seeds", "the list of seeds is empty", seeds_form);
+  if (seeds.size() > max_runs)
+    throw table.error("seeds", fmt::format("there are more than {} seeds", max_runs),
+                      "give fewer, or several campaigns");
+  std::set<std::int64_t> used;
   for (std::size_t k = 0; k < seeds.size(); ++k)
-    if (std::find(seeds.begin(), seeds.end(), seeds[k]) < seeds.begin() + std::ptrdiff_t(k))
+    if (!used.insert(seeds[k]).second)
       throw table.error("seeds", k, fmt::format("seed {} appears twice in the list", seeds[k]),
                         "remove one; the same seed gives the same run");
   return seeds;
@@ -88,6 +91,12 @@ void check_sources(const Campaign& c) {
 
 // Checks only that the file can be read; its content is checked for each run.
 void check_scenario(const Campaign& c) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(c.scenario, failed);
+  // Each run reads the scenario again, which a pipe gives only once.
+  if (std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status))
+    throw Error(fmt::format("{}: {} is not a regular file; give a file that can be read several times",
+                            c.scenario_place, c.scenario.string()));
   try {
     Document::load(c.scenario);
   } catch (const Error& error) {

@@ -73,15 +73,18 @@ class Executor {
       std::error_code failed;  // a failure is reported when the log is opened
       fs::create_directories(directory_.run(point), failed);
       pool_.start(k, command(point), directory_.log(point));
-      result_.outcomes[k] = {State::running, "", {}, {}};
+      result_.outcomes[k] = {};
+      result_.outcomes[k].state = State::running;
       running_.push_back(k);
     }
   }
 
   std::vector<std::string> command(const Point& point) const {
+    // A name that begins with "-" must not be taken for an option.
+    const bool like_option = campaign_.scenario.string().starts_with('-');
     std::vector<std::string> words = {options_.program.string(),
                                       "run",
-                                      campaign_.scenario.string(),
+                                      (like_option ? "." / campaign_.scenario : campaign_.scenario).string(),
                                       "--out",
                                       directory_.run(point).string(),
                                       "--overwrite",

@@ -1,11 +1,12 @@
 #include "collected.hpp"
+#include "record_json.hpp"
 
 #include <algorithm>
-#include <fstream>
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
 #include <scree/campaign/outcome.hpp>
+#include <scree/files/text_file.hpp>
 
 namespace scree::campaign {
 
@@ -64,20 +65,33 @@ std::size_t Outcome::unmet() const {
 Outcome read_outcome(const fs::path& directory, const Inputs& inputs,
                      const std::vector<std::string>& collect) {
   const fs::path record = directory / "run.json";
-  std::ifstream file(record, std::ios::binary);
-  const Json json = file ? Json::parse(file, nullptr, false) : Json();
+  Outcome outcome;
+  std::error_code failed;
+  const fs::file_status status = fs::status(record, failed);
+  if (status.type() == fs::file_type::not_found) return outcome;
+  if (!fs::status_known(status)) {
+    outcome.problem =
+        fmt::format("{}: cannot be read ({}); check its permissions", record.string(), failed.message());
+    return outcome;
+  }
   try {
-    if (!json.is_object()) return {};
-    Outcome outcome;
+    const Json json = parse_record(files::read_text(record));
+    if (!json.is_object()) return outcome;
     outcome.state = state_of(json, inputs, record);
     if (outcome.state == State::failed) outcome.problem = json.value("error", "");
     if (outcome.state != State::finished) return outcome;
-    outcome.numbers = collected(directory, collect);
+    std::vector<std::string> damaged;
+    outcome.numbers = collected(directory, collect, damaged);
     add_numbers(json, "", outcome);
     add_expectations(json, outcome);
+    if (json.contains("warnings")) outcome.warnings = json["warnings"];
+    outcome.warnings.insert(outcome.warnings.end(), damaged.begin(), damaged.end());
     return outcome;
   } catch (const Json::exception&) {
     return {};
+  } catch (const files::ReadError& error) {
+    outcome.problem = error.what();
+    return outcome;
   }
 }
 

@@ -56,6 +56,16 @@ void write_failures(const Campaign& campaign, const std::vector<Outcome>& outcom
     fmt::format_to(out, "         and {} more, see campaign.json\n", count - max_listed);
 }
 
+void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
+  std::size_t count = 0, first = outcomes.size();
+  for (std::size_t k = outcomes.size(); k-- > 0;)
+    if (!outcomes[k].warnings.empty()) first = k, ++count;
+  if (count)
+    fmt::format_to(out, "WARNINGS in {} of {}, see the column warnings of table.csv; {}: {}\n", count,
+                   counted(outcomes.size(), "run"), campaign.points[first].name,
+                   files::one_line(outcomes[first].warnings.front(), 200));
+}
+
 }  // namespace
 
 std::string text_report(const Campaign& campaign, const Execution& execution) {
@@ -71,6 +81,7 @@ std::string text_report(const Campaign& campaign, const Execution& execution) {
   fmt::format_to(out, "\n");
   write_expectations(execution.outcomes, out);
   write_failures(campaign, execution.outcomes, out);
+  write_warnings(campaign, execution.outcomes, out);
   return text;
 }
 

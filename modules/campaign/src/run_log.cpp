@@ -29,11 +29,12 @@ std::vector<std::string> last_lines(const std::filesystem::path& log) {
 }  // namespace
 
 std::string problem_of(const std::filesystem::path& log, const std::string& how) {
-  constexpr std::string_view prefix = "scree: ";
+  constexpr std::string_view prefix = "scree: ", warning = "scree: warning: ";
   constexpr std::size_t max_length = 1000;
   const std::vector<std::string> lines = last_lines(log);
-  const auto reported =
-      std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) { return line.starts_with(prefix); });
+  const auto reported = std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) {
+    return line.starts_with(prefix) && !line.starts_with(warning);
+  });
   std::string problem = reported != lines.rend() ? reported->substr(prefix.size())
                         : lines.empty()          ? ""
                                                  : lines.back();

@@ -1,5 +1,7 @@
 #include "table_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <scree/campaign/report.hpp>
 #include <scree/files/csv_line.hpp>
 
@@ -12,7 +14,7 @@ std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outc
   const std::vector<std::string> names = number_names(outcomes);
   std::vector<std::string> header = {"run"};
   append(header, point_header(campaign));
-  append(header, {"seed", "status", "expectations", "expectations_met"});
+  append(header, {"seed", "status", "expectations", "expectations_met", "warnings"});
   // The seed of the scenario, if the campaign has no seeds.
   const auto listed = [](const std::string& name) { return name != "seed"; };
   for (const std::string& name : names)
@@ -28,6 +30,7 @@ std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outc
     row.push_back(state_name(outcome.state));
     row.push_back(finished ? std::to_string(outcome.expectations.size()) : "");
     row.push_back(finished ? std::to_string(outcome.expectations.size() - outcome.unmet()) : "");
+    row.push_back(fmt::format("{}", fmt::join(outcome.warnings, " | ")));
     for (const std::string& name : names)
       if (listed(name)) row.push_back(csv_number(number_of(outcome, name)));
     text += csv_line(row);

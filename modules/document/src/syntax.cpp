@@ -27,6 +27,7 @@ struct Cure {
 constexpr Cure cures[] = {
     {"redefine existing table", "merge the two tables, or write [[name]] for each entry of a list"},
     {"redefine existing", "keep one of the two"},
+    {"is given twice", "keep one of the two"},
     {"determine value type", "give a number, true, false, an [array] or a \"string\" in quotes"},
     {"parsing boolean", "write true or false, or put the word in quotes"},
     {"end-of-file", "close the bracket, brace or quote that is open there"},
@@ -50,10 +51,26 @@ constexpr Cure cures[] = {
     {"keys, tables", "write key = value, [table], [[entry of a list]] or # comment"},
 };
 
-// Error of the TOML parser as one line "place: not valid TOML: what; cure".
-Error no_toml(std::string_view name, const toml::parse_error& error) {
+// The key of the value at a place; the parser garbles a quoted one that it complains of.
+std::string key_before(std::string_view text, const toml::source_region& region) {
+  for (toml::source_index line = 1; line < region.begin.line && !text.empty(); ++line)
+    text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  std::string_view key = text.substr(0, region.begin.column);
+  key = key.substr(0, key.rfind('='));
+  if (key.find('{') != std::string_view::npos) key.remove_prefix(key.find_last_of("{,") + 1);
+  const std::size_t first = std::min(key.find_first_not_of(" \t"), key.size());
+  return std::string(key.substr(first, key.find_last_not_of(" \t") + 1 - first));
+}
+
+// Error of the TOML parser about a text as one line "place: not valid TOML: what; cure".
+Error no_toml(std::string_view name, std::string_view text, const toml::parse_error& error) {
   constexpr std::string_view opening = "Error while parsing ";
   std::string_view description = error.description();
+  const bool of_key =
+      description.starts_with("Error while parsing key-value pair: cannot redefine existing ");
+  const std::string repeated =
+      of_key ? fmt::format("the key {} is given twice", key_before(text, error.source())) : "";
+  if (of_key && description.find("existing table") == std::string_view::npos) description = repeated;
   std::string_view cure = "correct the line by the rules of TOML (toml.io)";
   for (const Cure& candidate : cures) {
     if (description.find(candidate.sign) == std::string_view::npos) continue;
@@ -143,7 +160,7 @@ toml::table parse_text(std::string_view text, std::string_view name) {
     check_depth(name, root, 0);
     return root;
   } catch (const toml::parse_error& error) {
-    throw no_toml(name, error);
+    throw no_toml(name, text, error);
   }
 }
 
@@ -157,7 +174,7 @@ toml::table parse_value(std::string_view text, const std::string& place) {
     }
   } catch (const toml::parse_error& error) {
     const bool meant_as_toml = std::string_view("[{\"'").find(text.front()) != std::string_view::npos;
-    if (meant_as_toml) throw no_toml(place, error);
+    if (meant_as_toml) throw no_toml(place, text, error);
   }
   return toml::parse("value = " + quoted_text(text), place);
 }

@@ -29,6 +29,16 @@ packing::Packing packing_of(const Simulation& s) {
   return all;
 }
 
+// The periodic axes of the scene, around the bodies along the others.
+void add_box(const Domain& domain, packing::Packing& all) {
+  if (!domain.any_periodic()) return;
+  all.periodic = domain.periodic;
+  all.bounds = packing::enclosing_bounds(all);
+  for (int k = 0; k < 3; ++k)
+    if (domain.periodic[std::size_t(k)])
+      all.bounds->lower[k] = domain.lower[k], all.bounds->upper[k] = domain.upper[k];
+}
+
 bool is_finite(const packing::Body& b) {
   return std::isfinite(norm(b.position)) && std::isfinite(norm(b.velocity)) && std::isfinite(norm(b.spin));
 }
@@ -36,8 +46,10 @@ bool is_finite(const packing::Body& b) {
 }  // namespace
 
 void write_final_packing(const Simulation& simulation, const std::filesystem::path& path) {
-  const packing::Packing last = packing_of(simulation);
-  if (std::all_of(last.bodies.begin(), last.bodies.end(), is_finite)) packing::write_csv(last, path);
+  packing::Packing last = packing_of(simulation);
+  if (!std::all_of(last.bodies.begin(), last.bodies.end(), is_finite)) return;
+  add_box(simulation.domain(), last);
+  packing::write_csv(last, path);
 }
 
 }  // namespace scree::run

@@ -56,7 +56,9 @@ void add_contacts(const Simulation& s, snapshot::Frame& frame) {
 
 SceneBox scene_box(const Simulation& s) {
   SceneBox box;
-  const BodyBounds bodies = bounds_of(s.scene().bodies, s.dimension());
+  std::vector<Body> present;
+  for (std::size_t i = 0; i < s.particles().size(); ++i) present.push_back(s.particles().body(i));
+  const BodyBounds bodies = bounds_of(present, s.dimension());
   for (std::size_t k = 0; k < std::size_t(s.dimension()); ++k) {
     double low = bodies.lower[int(k)], high = bodies.upper[int(k)];
     for (const scree_plane& plane : s.planes())
@@ -68,6 +70,27 @@ SceneBox scene_box(const Simulation& s) {
     box.lower[k] = low, box.upper[k] = high;
   }
   return box;
+}
+
+SceneBox next_view(const SceneBox& shown, const SceneBox& scene) {
+  constexpr double well_filled = 0.7, room = 0.15;
+  const auto extent = [](const SceneBox& box, std::size_t k) { return box.upper[k] - box.lower[k]; };
+  double largest = 0, largest_shown = 0;
+  bool outgrown = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    largest = std::max(largest, extent(scene, k));
+    largest_shown = std::max(largest_shown, extent(shown, k));
+    const double slack = 1e-3 * extent(shown, k);
+    outgrown |= scene.lower[k] < shown.lower[k] - slack || scene.upper[k] > shown.upper[k] + slack;
+  }
+  if (largest_shown == 0) return scene;
+  if (!outgrown && largest >= well_filled * largest_shown) return shown;
+  SceneBox next = scene;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (scene.lower[k] < shown.lower[k]) next.lower[k] -= room * extent(scene, k);
+    if (scene.upper[k] > shown.upper[k]) next.upper[k] += room * extent(scene, k);
+  }
+  return next;
 }
 
 snapshot::Frame frame_of(const Simulation& s, const std::string& title, const SceneBox& box) {

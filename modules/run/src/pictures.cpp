@@ -1,16 +1,18 @@
 #include "pictures.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
 #include <scree/snapshot/load_backend.hpp>
+#include <scree/snapshot/scaled_unit.hpp>
 
 namespace scree::run {
 
-Pictures::Pictures(const scenario::Plan& plan, const Simulation& start, const RunDirectory& directory)
-    : plan_(plan), directory_(directory), box_(scene_box(start)) {
+Pictures::Pictures(const scenario::Plan& plan, const RunDirectory& directory)
+    : plan_(plan), directory_(directory), range_(plan.snapshot.color_by) {
   if (plan.snapshot.any()) backend();
 }
 
@@ -39,7 +41,7 @@ void Pictures::take_last(const Simulation& s) {
 void Pictures::write_snapshot(const Simulation& s) {
   if (s.steps() == last_snapshot_) return;
   last_snapshot_ = s.steps();
-  backend().write_frame(frame_of(s, plan_.title, box_), directory_.snapshots());
+  backend().write_frame(frame_of(s, plan_.title, scene_box(s)), directory_.snapshots());
 }
 
 void Pictures::write_image(const Simulation& s) {
@@ -51,15 +53,35 @@ void Pictures::write_image(const Simulation& s) {
   options.color_by = plan_.snapshot.color_by;
   options.view = plan_.snapshot.view;
   options.show_contacts = plan_.snapshot.show_contacts;
-  backend().render(frame_of(s, plan_.title, box_), options,
-                   directory_.images() / fmt::format("frame_{:010}.png", s.steps()));
+  shown_ = next_view(shown_, scene_box(s));
+  const snapshot::Frame frame = frame_of(s, plan_.title, shown_);
+  range_.add_colors(frame);
+  options.color_range = plan_.snapshot.color_range ? plan_.snapshot.color_range : range_.colors();
+  backend().render(frame, options, directory_.images() / fmt::format("frame_{:010}.png", s.steps()));
 }
+
+namespace {
+
+using Column = std::vector<double> snapshot::ChartSeries::*;
+
+// Gives the values of an axis a suitable prefix; returns the label with the unit.
+std::string scale_axis(snapshot::ChartSpec& chart, Column column, const std::string& label,
+                       const std::string& unit) {
+  double largest = 0;
+  for (const snapshot::ChartSeries& series : chart.series)
+    for (const double value : series.*column) largest = std::max(largest, std::abs(value));
+  const snapshot::ScaledUnit scaled = snapshot::scaled_unit(largest, unit);
+  for (snapshot::ChartSeries& series : chart.series)
+    for (double& value : series.*column) value *= scaled.factor;
+  if (unit.empty()) return label;
+  return label.empty() ? scaled.symbol : fmt::format("{} ({})", label, scaled.symbol);
+}
+
+}  // namespace
 
 void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
   snapshot::ChartSpec chart;
   chart.title = plan.title;
-  chart.x_label = plan.x_label;
-  chart.y_label = plan.y_label;
   chart.log_x = plan.log_x;
   chart.log_y = plan.log_y;
   for (const scenario::CurvePlan& curve : plan.curves) {
@@ -67,6 +89,8 @@ void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
     if (series.rows() > 0)
       chart.series.push_back({curve.name, series.column(curve.x), series.column(curve.y)});
   }
+  chart.x_label = scale_axis(chart, &snapshot::ChartSeries::x, plan.x_label, plan.x_unit);
+  chart.y_label = scale_axis(chart, &snapshot::ChartSeries::y, plan.y_label, plan.y_unit);
   if (chart.series.empty()) throw Error("its probe has no samples; add a stage in which it samples");
   backend().chart(chart, directory_.charts() / (plan.name + ".png"));
 }

@@ -11,14 +11,15 @@
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 #include <scree/snapshot/backend.hpp>
+#include <scree/snapshot/view_range.hpp>
 
 namespace scree::run {
 
 // Snapshots, images and charts of a run. VTK is loaded only if the plan has any.
 class Pictures {
  public:
-  // `start` determines the box of the camera. Throws Error if VTK is needed and cannot be loaded.
-  Pictures(const scenario::Plan& plan, const Simulation& start, const RunDirectory& directory);
+  // Throws Error if VTK is needed and cannot be loaded.
+  Pictures(const scenario::Plan& plan, const RunDirectory& directory);
 
   // Writes what is due `steps` after the start of a stage. Returns the step count of the next output.
   std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
@@ -36,7 +37,8 @@ class Pictures {
   const scenario::Plan& plan_;
   const RunDirectory& directory_;
   std::shared_ptr<snapshot::SnapshotBackend> backend_;
-  SceneBox box_;
+  SceneBox shown_;             // by the last picture
+  snapshot::ViewRange range_;  // of the colours of all pictures so far
   std::uint64_t last_snapshot_ = ~0ull, last_image_ = ~0ull;
 };
 

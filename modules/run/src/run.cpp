@@ -4,9 +4,9 @@
 #include "pictures.hpp"
 #include "run_record.hpp"
 #include "sampler.hpp"
+#include "stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,17 +17,12 @@
 #include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/warnings.hpp>
 #include <scree/scenario/quantities.hpp>
 
 namespace scree::run {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Calls every function, even if others throw; exceptions are discarded.
 template <class... Work>
@@ -49,17 +44,17 @@ class Run {
         directory_(options.out, options.overwrite),
         simulation_(set_up(plan, options.threads)),
         sampler_(plan),
-        pictures_(plan, *simulation_, directory_) {
+        pictures_(plan, directory_) {
     result_.directory = directory_.path();
   }
 
   RunResult execute() {
     prepare();
     if (options_.on_start) options_.on_start(*simulation_);
+    for (const std::string& warning : start_warnings(plan_, *simulation_)) warn(warning);
     try {
       loop();
-      finish_timing();
-      save();
+      watch_.time_output([&] { save(); });
     } catch (const Error& error) {
       fail(error.what());
       // The status bad_input is reserved for errors before anything is written.
@@ -68,8 +63,10 @@ class Run {
       fail(error.what());
       throw;
     }
-    pictures_.draw_charts(sampler_, options_.on_message);
+    watch_.time_output(
+        [&] { pictures_.draw_charts(sampler_, [this](const std::string& line) { warn(line); }); });
     judge();
+    for (const std::string& warning : result_warnings(*simulation_)) warn(warning);
     record(result_.interrupted ? "interrupted" : "finished", "");
     return result_;
   }
@@ -89,41 +86,72 @@ class Run {
   }
 
   void loop() {
-    started_ = Clock::now();
+    watch_ = {};
     StageRunner runner(*simulation_, plan_.stages);
     const std::string last = drive(
-        runner, [this](const std::string&) { check_step(plan_, *simulation_); },
+        runner, [this](const std::string& stage) { begin_stage(stage); },
         [this](const std::string& stage, std::uint64_t steps) { return observe(stage, steps); },
         [this](const StageRunner& r) {
           report_progress(r);
           return !(options_.stop && *options_.stop);
         });
     result_.interrupted = !runner.finished();
-    sampler_.sample_last(*simulation_, last);
+    end_stage(result_.interrupted ? "interrupted" : "");
+    watch_.time_output([&] { sampler_.sample_last(*simulation_, last); });
+  }
+
+  void begin_stage(const std::string& name) {
+    end_stage("");
+    result_.stages.push_back({name, simulation_->time(), simulation_->time(), 0, "running"});
+    stage_first_step_ = simulation_->steps();
+    sampler_.begin_stage(result_.stages.size());
+    check_step(plan_, *simulation_);
+  }
+
+  // `how`: empty if the stage has reached its end.
+  void end_stage(const std::string& how) {
+    if (result_.stages.empty()) return;
+    StageResult& stage = result_.stages.back();
+    stage.end = simulation_->time();
+    stage.steps = simulation_->steps() - stage_first_step_;
+    const bool timed = plan_.stages[result_.stages.size() - 1].duration.has_value();
+    stage.ended = !how.empty() ? how : timed ? "duration" : "condition";
   }
 
   // Takes samples and pictures that are due `steps` after the start of a stage. Returns the step count at
   // which the next are due.
   std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
-    return std::min(sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps));
+    return watch_.time_output([&] {
+      return std::min(sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps));
+    });
   }
 
   void report_progress(const StageRunner& runner) {
     constexpr std::uint64_t steps_between_checks = 32;
     constexpr double seconds_between_reports = 0.2;
     if (simulation_->steps() % steps_between_checks) return;
-    const double wall = seconds_since(started_);
+    const double wall = watch_.total();
     if (wall - last_report_ < seconds_between_reports) return;
     last_report_ = wall;
     sampler_.flush();
-    const std::string stage = runner.finished() ? "" : runner.stages()[runner.current()].name;
-    if (options_.on_progress) options_.on_progress({runner.progress(), wall, simulation_->time(), stage});
+    if (options_.on_progress && !runner.finished()) options_.on_progress(progress_of(runner, wall));
   }
 
-  void finish_timing() {
-    result_.wall = seconds_since(started_);
-    const double work = double(simulation_->steps()) * double(simulation_->particles().size());
-    result_.particle_steps_per_second = result_.wall > 0 ? work / result_.wall : 0;
+  Progress progress_of(const StageRunner& runner, double wall) const {
+    const Stage& stage = runner.stages()[runner.current()];
+    return {runner.progress(),
+            wall,
+            simulation_->time(),
+            stage.name,
+            runner.current() + 1,
+            runner.stages().size(),
+            runner.kinetic_over_elastic(),
+            stage.kinetic_over_elastic};
+  }
+
+  void warn(const std::string& line) {
+    result_.warnings.push_back(line);
+    if (options_.on_warning) options_.on_warning(line);
   }
 
   void save() {
@@ -134,7 +162,7 @@ class Run {
 
   // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
   void fail(const std::string& reason) {
-    finish_timing();
+    end_stage("failed");
     try_each([&] { record("failed", files::one_line(reason, 2000)); }, [&] { sampler_.flush(); },
              [&] { pictures_.take_last(*simulation_); },
              [&] { write_final_packing(*simulation_, directory_.path() / "final_packing.csv"); });
@@ -153,6 +181,11 @@ class Run {
   void record(const std::string& status, const std::string& error) {
     result_.quantities = scenario::run_quantities(*simulation_);
     result_.state_hash = simulation_->state_hash();
+    result_.wall = watch_.total();
+    result_.output = watch_.output();
+    const double work = double(simulation_->steps()) * double(simulation_->particles().size());
+    const double stepping = result_.wall - result_.output;
+    result_.particle_steps_per_second = stepping > 0 ? work / stepping : 0;
     directory_.write_file("run.json", run_record(plan_, options_, result_, *simulation_, status, error));
   }
 
@@ -163,8 +196,9 @@ class Run {
   Sampler sampler_;
   Pictures pictures_;
   RunResult result_;
-  Clock::time_point started_ = Clock::now();
-  double last_report_ = 0;  // (s) of wall time
+  Stopwatch watch_;
+  double last_report_ = 0;              // (s) of wall time
+  std::uint64_t stage_first_step_ = 0;  // steps before the present stage
 };
 
 }  // namespace

@@ -53,6 +53,9 @@ void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
     return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
   };
   if (!fs::is_directory(path, failed)) throw refuse("exists and is not a directory", "give another --out");
+  if (fs::directory_iterator(path, failed); failed)
+    throw refuse(fmt::format("cannot be read ({})", failed.message()),
+                 "check its permissions, or give another --out");
   if (is_unused(path, layout)) return;
   if (!fs::exists(path / layout.parts.back(), failed))
     throw refuse(fmt::format("contains files that are not part of a scree {}", layout.name),

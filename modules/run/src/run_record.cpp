@@ -33,6 +33,17 @@ Json verdict_of(const Verdict& v) {
   return json;
 }
 
+Json stages_of(const RunResult& result) {
+  Json json = Json::array();
+  for (const StageResult& stage : result.stages)
+    json.push_back({{"name", stage.name},
+                    {"start", stage.start},
+                    {"end", stage.end},
+                    {"steps", stage.steps},
+                    {"ended", stage.ended}});
+  return json;
+}
+
 }  // namespace
 
 std::string run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
@@ -44,12 +55,16 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["threads"] = options.threads;
   json["step"] = s.step_length();
   json["wall_s"] = result.wall;
+  json["stepping_s"] = result.wall - result.output;
+  json["output_s"] = result.output;
   json["particle_steps_per_second"] = result.particle_steps_per_second;
   for (const auto& [name, value] : result.quantities) json[name] = value;
   json["steps"] = s.steps();  // counts, as whole numbers
   json["neighbour_searches"] = s.rebuilds();
   json["state_hash"] = fmt::format("{:016x}", result.state_hash);
   json["footprint"] = footprint_of(s);
+  json["warnings"] = result.warnings;
+  json["stages"] = stages_of(result);
   json["expect"] = Json::array();
   for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
   json["scenario"] = plan.resolved_text;

@@ -16,14 +16,15 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step) {
   return std::uint64_t(std::round(multiple * every / step));
 }
 
-Sampler::Sampler(const scenario::Plan& plan) {
+Sampler::Sampler(const scenario::Plan& plan) : staged_(plan.stages.size() > 1) {
   for (const scenario::ProbePlan& probe : plan.probes)
     probes_.push_back({&probe, Probe(probe.parameters, plan.scene.dimension)});
 }
 
 void Sampler::open(const std::filesystem::path& folder) {
   for (Active& p : probes_)
-    p.series = std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), p.probe.units());
+    p.series =
+        std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), p.probe.units(), staged_);
 }
 
 void Sampler::open() {
@@ -83,6 +84,10 @@ void Sampler::sample(Active& p, const scree_view& view) {
   // The last row of a stage is also the first of the next stage.
   if (p.series->rows() > 0 && p.series->column("time").back() == view.time) return;
   p.series->add(view.time, p.probe.sample(view));
+}
+
+void Sampler::begin_stage(std::size_t number) {
+  for (Active& p : probes_) p.series->begin_stage(number);
 }
 
 void Sampler::flush() {

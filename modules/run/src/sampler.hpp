@@ -26,7 +26,8 @@ class Sampler {
  public:
   explicit Sampler(const scenario::Plan& plan);
 
-  // Writes the rows to CSV files in a folder, created if there are probes.
+  // Writes the rows to CSV files in a folder, created if there are probes; with several stages each row ends
+  // with the number of its own.
   void open(const std::filesystem::path& folder);
   // Keeps the rows in memory only.
   void open();
@@ -35,6 +36,8 @@ class Sampler {
   std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
   // Takes a final sample of the probes of the stage at the end of a run; observes nothing more.
   void sample_last(const Simulation& simulation, const std::string& stage);
+  // Samples from now on belong to the stage of this number, from 1.
+  void begin_stage(std::size_t number);
   void flush();
   // Series of a probe, by name.
   const Series& series(const std::string& probe) const;
@@ -56,6 +59,7 @@ class Sampler {
   void sample(Active& probe, const scree_view& view);
 
   std::vector<Active> probes_;
+  bool staged_;
 };
 
 }  // namespace scree::run

@@ -9,8 +9,9 @@
 namespace scree::run {
 
 Series::Series(const std::filesystem::path& file, std::vector<std::string> names,
-               const std::vector<std::string>& units)
+               const std::vector<std::string>& units, bool staged)
     : Series(std::move(names)) {
+  staged_ = staged;
   path_ = file;
   std::error_code failed;  // a failure is reported when the file is opened
   std::filesystem::create_directories(file.parent_path(), failed);
@@ -18,7 +19,7 @@ Series::Series(const std::filesystem::path& file, std::vector<std::string> names
   file_ << "time [s]";
   for (std::size_t k = 0; k < units.size(); ++k)
     file_ << ',' << names_[k + 1] << (units[k].empty() ? "" : fmt::format(" [{}]", units[k]));
-  file_ << '\n';
+  file_ << (staged ? ",stage\n" : "\n");
   flush();
 }
 
@@ -34,6 +35,7 @@ void Series::add(double time, const std::vector<double>& row) {
   fmt::memory_buffer line;
   fmt::format_to(std::back_inserter(line), "{}", time);
   for (const double number : row) fmt::format_to(std::back_inserter(line), ",{}", number);
+  if (staged_) fmt::format_to(std::back_inserter(line), ",{}", stage_);
   line.push_back('\n');
   file_.write(line.data(), std::streamsize(line.size()));
   check_file();

@@ -11,12 +11,15 @@ namespace scree::run {
 // during the run. Functions that write throw Error (failure) if the file cannot be written.
 class Series {
  public:
-  // Header "time [s],<name> [<unit>],..."; numbers in the shortest decimal form with the same bits.
+  // Header "time [s],<name> [<unit>],...", with `staged` a last column "stage"; numbers in the shortest decimal
+  // form with the same bits.
   Series(const std::filesystem::path& file, std::vector<std::string> names,
-         const std::vector<std::string>& units);
+         const std::vector<std::string>& units, bool staged);
   explicit Series(std::vector<std::string> names);
 
   void add(double time, const std::vector<double>& row);
+  // Rows added from now on belong to the stage of this number, from 1.
+  void begin_stage(std::size_t number) { stage_ = number; }
   void flush();
 
   // A column by name, including "time".
@@ -28,6 +31,8 @@ class Series {
 
   std::filesystem::path path_;
   std::ofstream file_;
+  bool staged_ = false;
+  std::size_t stage_ = 1;
   std::vector<std::string> names_;
   std::vector<std::vector<double>> columns_;
 };

@@ -92,29 +92,40 @@ double rounded_down(double step) {
   return std::floor(step / unit * (1 + 1e-12)) * unit;
 }
 
-}  // namespace
-
-std::string describe_step(const Simulation& s) {
-  constexpr double few = 20;  // with fewer steps, errors of contacts are several per cent
-  const double steps = s.min_steps_per_contact();
-  const double fraction = s.step_length() / shortest_limit(s).longest_step;
-  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step{}",
-                     s.step_length(), steps, fraction,
-                     fraction > 1  ? "; UNSTABLE (step_guard = false)"
-                     : steps < few ? "; use 20 or more, 50 for errors of 0.1 % unless damping is strong"
-                                   : "");
-}
-
-std::optional<std::string> step_problem(const Simulation& s) {
+// "<problem>; <cure>" if the time step is above its limit.
+std::optional<std::string> too_long(const Simulation& s) {
   const StepLimit limit = shortest_limit(s);
   if (s.step_length() <= limit.longest_step) return std::nullopt;
   const double contact = s.min_steps_per_contact() * s.step_length();
   return fmt::format(
-      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}, "
-      "or time.step_guard = false to run it anyway",
+      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}",
       s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
       rounded_down(std::min(contact / 50, limit.longest_step)),
       contact / 50 < limit.longest_step ? " (50 steps per contact)" : "");
+}
+
+}  // namespace
+
+std::string describe_step(const Simulation& s) {
+  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step",
+                     s.step_length(), s.min_steps_per_contact(),
+                     s.step_length() / shortest_limit(s).longest_step);
+}
+
+std::optional<std::string> step_warning(const Simulation& s) {
+  constexpr double few = 20;  // with fewer steps, errors of contacts are several per cent
+  if (const auto problem = too_long(s)) return problem;
+  if (s.min_steps_per_contact() >= few) return std::nullopt;
+  return fmt::format(
+      "the shortest contact takes {:.3g} time steps; use 20 or more, 50 for errors of 0.1 % unless damping is "
+      "strong",
+      s.min_steps_per_contact());
+}
+
+std::optional<std::string> step_problem(const Simulation& s) {
+  auto problem = too_long(s);
+  if (problem) *problem += ", or time.step_guard = false to run it anyway";
+  return problem;
 }
 
 }  // namespace scree::run

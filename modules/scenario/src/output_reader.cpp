@@ -79,10 +79,26 @@ std::string as_words(std::string name) {
   return name;
 }
 
-// "deviatoric strain" or "length x (m)".
-std::string label_of(const Columns& columns, std::size_t k) {
-  const std::string words = as_words(columns.names[k]);
-  return columns.units[k].empty() ? words : fmt::format("{} ({})", words, columns.units[k]);
+// The label and unit of an axis; the user's own label is complete.
+void set_axis(const document::Table& t, const StringKey& key, const std::string& words,
+              const std::string& column_unit, std::string& label, std::string& unit) {
+  const bool own = t.optional(key);
+  label = own ? t.string(key) : words;
+  unit = own ? "" : column_unit;
+}
+
+// Curves of the given columns; their common unit, or none if it differs: then their names have it.
+std::string add_curves(const Columns& columns, const std::vector<std::size_t>& at, const std::string& x,
+                       ChartPlan& chart, const std::string& probe) {
+  const auto unit = [&](std::size_t k) { return columns.units[at[k]]; };
+  bool same = true;
+  for (std::size_t k = 1; k < at.size(); ++k) same &= unit(k) == unit(0);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const std::string words = as_words(columns.names[at[k]]);
+    const std::string name = same || unit(k).empty() ? words : fmt::format("{} ({})", words, unit(k));
+    chart.curves.push_back({name, probe, x, columns.names[at[k]]});
+  }
+  return same ? unit(0) : "";
 }
 
 ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& probes, int dimension) {
@@ -92,19 +108,18 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& pro
   const ProbePlan& probe = probe_named(t, probes);
   const Columns columns = columns_of(probe, dimension);
   const std::string x = read(t, chart_keys.x);
-  chart.x_label = label_of(columns, find_name(t, "x", "column", x, columns.names));
+  const std::size_t x_at = find_name(t, "x", "column", x, columns.names);
   const bool several = t.is_array(chart_keys.y);
   const std::vector<std::string> ys = several ? t.strings(chart_keys.y) : std::vector{t.string(chart_keys.y)};
   if (ys.empty()) throw t.error("y", "'y' has no columns", "give one or more columns of the probe");
-  for (std::size_t k = 0; k < ys.size(); ++k) {
-    const std::size_t at = find_name(t, "y", "column", ys[k], columns.names, k);
-    // With several curves the axis has only the unit; the legend has the names.
-    chart.y_label = ys.size() == 1 ? label_of(columns, at) : columns.units[at];
-    chart.curves.push_back({as_words(ys[k]), probe.name, x, ys[k]});
-  }
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; k < ys.size(); ++k)
+    at.push_back(find_name(t, "y", "column", ys[k], columns.names, k));
+  const std::string y_unit = add_curves(columns, at, x, chart, probe.name);
   chart.title = t.string(chart_keys.title, chart.name);
-  chart.x_label = t.string(chart_keys.x_label, chart.x_label);
-  chart.y_label = t.string(chart_keys.y_label, chart.y_label);
+  set_axis(t, chart_keys.x_label, as_words(x), columns.units[x_at], chart.x_label, chart.x_unit);
+  // With several curves the axis has only the unit; the legend has the names.
+  set_axis(t, chart_keys.y_label, ys.size() == 1 ? as_words(ys[0]) : "", y_unit, chart.y_label, chart.y_unit);
   chart.log_x = read(t, chart_keys.log_x);
   chart.log_y = read(t, chart_keys.log_y);
   return chart;
@@ -173,6 +188,13 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   if (t->optional(snapshot_keys.image_every))
     plan.image_every = read_interval(*t, snapshot_keys.image_every, step);
   plan.color_by = read(*t, snapshot_keys.color_by);
+  if (t->optional(snapshot_keys.color_range)) {
+    const std::vector<double> range = t->numbers(snapshot_keys.color_range, 2);
+    if (range[0] >= range[1])
+      throw t->error("color_range", fmt::format("{:g} is not below {:g}", range[0], range[1]),
+                     "give the lower value first");
+    plan.color_range = {range[0], range[1]};
+  }
   plan.view = t->choice(snapshot_keys.view, snapshot_keys.view.words, "");
   plan.show_contacts = read(*t, snapshot_keys.contacts);
   plan.width = int(read(*t, snapshot_keys.width));

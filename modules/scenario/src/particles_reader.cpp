@@ -38,7 +38,13 @@ packing::Packing read_file(const document::Table& particles, int dimension,
 
 // Repeats a periodic packing along each axis, one period apart.
 void repeat(const document::Table& particles, int dimension, packing::Packing& packing) {
-  if (!particles.optional(particles_keys.repeat)) return;
+  if (!particles.optional(particles_keys.repeat)) {
+    if (particles.has(particles_keys.period))
+      throw particles.error("period",
+                            "'period' is the distance of copies, of which 'repeat' gives the number",
+                            "add repeat, such as [5, 1, 5], or remove it");
+    return;
+  }
   const std::vector<double> times =
       particles.numbers(particles_keys.repeat, std::size_t(dimension), particles_keys.repeat.range);
   const std::vector<double> period =
@@ -56,12 +62,24 @@ void repeat(const document::Table& particles, int dimension, packing::Packing& p
         copy.position[k] += n * period[std::size_t(k)];
         packing.bodies.push_back(copy);
       }
+    if (packing.bounds) packing.bounds->upper[k] += (times[std::size_t(k)] - 1) * period[std::size_t(k)];
   }
+}
+
+// These select or copy bodies of a file.
+void refuse_keys_of_files(const document::Table& particles) {
+  for (const Key& key : {Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period})
+    if (particles.has(key))
+      throw particles.error(key, fmt::format("'{}' needs 'file', which is not given", key.name),
+                            "add file = \"<path>\", or remove it; the size of a lattice is its count");
 }
 
 packing::Packing read_source(const document::Table& particles, int dimension, packing::Random& random,
                              const std::filesystem::path& folder, const std::vector<Material>& materials) {
-  if (!particles.optional(particles_keys.file)) return read_lattice_bodies(particles, dimension, random);
+  if (!particles.optional(particles_keys.file)) {
+    refuse_keys_of_files(particles);
+    return read_lattice_bodies(particles, dimension, random);
+  }
   if (particles.optional(particles_keys.lattice))
     throw particles.error("file", "both a file and a lattice are given", "keep one of them");
   packing::Packing packing = read_file(particles, dimension, folder, materials);
@@ -157,16 +175,18 @@ void sort_in_space(std::vector<Body>& bodies, int dimension) {
 
 }  // namespace
 
-std::vector<Body> read_bodies(const document::Table& root, int dimension,
-                              const std::vector<Material>& materials, std::uint64_t seed,
-                              const std::filesystem::path& folder) {
+ReadBodies read_bodies(const document::Table& root, int dimension, const std::vector<Material>& materials,
+                       std::uint64_t seed, const std::filesystem::path& folder) {
+  Domain box;
   std::vector<Body> bodies;
   packing::Random random(seed);
   if (const auto particles = root.optional_table("particles")) {
     const std::string material = read(*particles, particles_keys.material);
     const double velocity_deviation = read(*particles, particles_keys.random_velocity);
     const Vec3 velocity = read_vector(*particles, particles_keys.velocity, dimension, false);
-    for (packing::Body& from : read_source(*particles, dimension, random, folder, materials).bodies) {
+    packing::Packing source = read_source(*particles, dimension, random, folder, materials);
+    if (source.bounds) box = {source.periodic, source.bounds->lower, source.bounds->upper};
+    for (packing::Body& from : source.bodies) {
       if (from.material.empty()) from.material = material;
       from.velocity += velocity;
       for (int k = 0; k < dimension && velocity_deviation > 0; ++k)
@@ -179,7 +199,7 @@ std::vector<Body> read_bodies(const document::Table& root, int dimension,
   sort_in_space(bodies, dimension);
   if (bodies.empty())
     throw root.error("the scene has no bodies", "add [particles] with lattice and radius, or [[particle]]");
-  return bodies;
+  return {std::move(bodies), box};
 }
 
 }  // namespace scree::scenario

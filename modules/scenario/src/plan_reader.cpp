@@ -34,12 +34,14 @@ void read_header(const document::Table& root, Plan& plan) {
   scene.skin = read_optional(root.table_or_empty("neighbours"), neighbours_keys.skin).value_or(0);
 }
 
-void read_materials_and_bodies(const document::Table& root, Plan& plan) {
+// Returns the box of the file of bodies.
+Domain read_materials_and_bodies(const document::Table& root, Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
-  plan.scene.bodies =
-      read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
+  ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
+  plan.scene.bodies = std::move(read.bodies);
+  return read.box;
 }
 
 void read_boundaries(const document::Table& root, PluginHost& host, Instances& instances, Plan& plan) {
@@ -59,6 +61,21 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
         std::uint32_t(find_name(t, "material", "material", material, scene.materials));
     const bool periodic = periodic_domain(scene).any_periodic();
     if (periodic && plan.periodic_place.empty()) plan.periodic_place = t.place("plugin");
+  }
+}
+
+// A file of bodies that is periodic does not make the scene so, and its bodies may touch through its faces.
+void warn_of_box(const Domain& file, Plan& plan) {
+  const Domain scene = periodic_domain(plan.scene);
+  for (int k = 0; k < plan.scene.dimension; ++k) {
+    const double own = scene.periodic[std::size_t(k)] ? scene.length(k) : 0, length = file.length(k);
+    if (!file.periodic[std::size_t(k)] || std::abs(own - length) <= 1e-9 * length) continue;
+    const char axis = "xyz"[k];
+    plan.warnings.push_back(fmt::format(
+        "the file of bodies is periodic along {} from {:g} to {:g} m, and the scene is {}; give [[boundary]] "
+        "with plugin = \"periodic\", axes, lower and upper if it is to be the same",
+        axis, file.lower[k], file.upper[k],
+        own > 0 ? fmt::format("over {:g} m", own) : "not periodic along it"));
   }
 }
 
@@ -157,10 +174,11 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   Plan plan;
   plan.source = path;
   read_header(root, plan);
-  read_materials_and_bodies(root, plan);
+  const Domain box = read_materials_and_bodies(root, plan);
   Instances instances;
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
+  warn_of_box(box, plan);
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   plan.stages = read_stages(root, plan.scene, instances);
@@ -176,6 +194,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   check_pictures(root, plan);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
+  for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
   return plan;
 }
 

@@ -12,10 +12,23 @@ namespace scree::scenario {
 
 namespace {
 
+// Each of these keys makes a table a function of its own.
+void refuse_mixture(const document::Table& t) {
+  std::vector<std::string> given;
+  for (const char* key : {"table", "amplitude", "period", "duration"})
+    if (t.has(key)) given.push_back(key);
+  if (given.size() > 1)
+    throw t.error(given[1],
+                  fmt::format("'{}' and '{}' belong to different functions of time", given[0], given[1]),
+                  "keep one: period (there and back, again and again), duration (once from 'from' to 'to'), "
+                  "amplitude (a sine), or table");
+}
+
 // A function of time: a number, or a table whose keys determine its kind (see program.hpp of the framework).
 std::vector<double> read_program(const document::Table& table, const scree_parameter& p) {
   if (!table.is_table(p.key)) return {Program::constant, table.number(p.key)};
   const document::Table t = table.table(p.key);
+  refuse_mixture(t);
   if (t.optional("table")) {
     std::vector<double> data = {Program::table};
     double last = -std::numeric_limits<double>::infinity();

@@ -220,6 +220,8 @@ struct SnapshotKeys : TableKeys {
   ChoiceKey color_by =
       choice_or_first("color_by", {snapshot::color_fields.begin(), snapshot::color_fields.end()},
                       "quantity that colours bodies");
+  Key color_range = other("color_range", "[low, high]", Range::any(), "default that of the pictures so far",
+                          "values (SI) at the ends of the colour bar");
   ChoiceKey view = choice("view", {snapshot::view_names.begin(), snapshot::view_names.end()},
                           "direction of view", "default \"iso\", in 2D along z");
   BooleanKey contacts = boolean("contacts", false, "draw forces of contacts as tubes");

@@ -40,6 +40,9 @@ void read_end(const document::Table& t, double step, Stage& stage) {
     throw t.error(given ? "the stage has more than one end condition" : "the stage has no end condition",
                   "give one of duration = <s>, cycles and period, or until = { kinetic_over_elastic = 1e-6, "
                   "at_most = <s> }");
+  if (t.has(stage_keys.period) && !t.has(stage_keys.cycles))
+    throw t.error("period", "'period' is the length of the 'cycles', which are not given",
+                  "add cycles = <number> in place of the other end of the stage, or remove it");
   if (t.has(stage_keys.duration)) stage.duration = read_steps(t, stage_keys.duration, step);
   if (t.has(stage_keys.until)) read_condition(t.table(stage_keys.until), step, stage);
   if (t.has(stage_keys.cycles)) {

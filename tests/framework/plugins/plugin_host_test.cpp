@@ -235,3 +235,26 @@ TEST_CASE("an instruction level that the processor does not support is refused")
   unsetenv("SCREE_LEVEL");
   CHECK_THAT(line, Catch::StartsWith("SCREE_LEVEL=x86-64-v9: ") && Catch::Contains("baseline"));
 }
+
+TEST_CASE("a law that lacks the level of the processor is named") {
+  const scree::test::InstructionLevel chosen_by_host(nullptr);
+  const Folder alone, both;
+  const std::string so = "contact/" + std::string(law) + ".so";
+  alone.copy(so, so);
+  both.copy(so, so);
+  for (const char* level : {"x86-64-v3", "x86-64-v4"})
+    both.copy("contact/" + std::string(level) + "/" + law + ".so",
+              "contact/" + std::string(level) + "/" + law + ".so");
+  PluginHost slow({alone.path()}), fast({both.path()});
+  CHECK(slow.slow_laws().empty());  // not loaded yet
+  slow.find(law, SCREE_CONTACT_LAW);
+  fast.find(law, SCREE_CONTACT_LAW);
+  CHECK(fast.slow_laws().empty());
+  if (!__builtin_cpu_supports("x86-64-v3")) return;
+  REQUIRE(slow.slow_laws().size() == 1);
+  CHECK_THAT(slow.slow_laws()[0], Catch::StartsWith("contact law 'linear_spring_dashpot' (") &&
+                                      Catch::Contains("; build it again with -march=x86-64-v3 as ") &&
+                                      Catch::EndsWith("contact/x86-64-v3/linear_spring_dashpot.so"));
+  const scree::test::InstructionLevel baseline("baseline");
+  CHECK(slow.slow_laws().empty());  // chosen by the user
+}

@@ -89,10 +89,10 @@ TEST_CASE("stages last their durations, to the step, and follow each other") {
   Simulation s(disc(0, 0));
   StageRunner runner(s, {lasting("first", 0.1), lasting("second", 0.05)});
   CHECK_FALSE(runner.finished());
-  CHECK(runner.progress() == 0);
+  CHECK(*runner.progress() == 0);
   for (int k = 1; k < 100; ++k) runner.step();
   CHECK(runner.current() == 0);
-  CHECK(runner.progress() == Approx(99.0 / 150));
+  CHECK(*runner.progress() == Approx(99.0 / 150));
   runner.step();
   CHECK(runner.current() == 1);
   CHECK(runner.began() == s.time());
@@ -101,7 +101,7 @@ TEST_CASE("stages last their durations, to the step, and follow each other") {
   runner.step();
   CHECK(runner.finished());
   CHECK(s.steps() == 150);
-  CHECK(runner.progress() == Approx(1));
+  CHECK(*runner.progress() == Approx(1));
   CHECK(StageRunner(s, {}).finished());  // a run without stages is finished at once
 }
 
@@ -131,6 +131,24 @@ TEST_CASE("a condition ends a stage when kinetic over elastic energy has fallen 
   while (!patient.finished()) patient.step();
   CHECK(t.time() >= at_least - 1e-9);
   CHECK(t.time() <= at_least + 100.5 * step);
+}
+
+TEST_CASE("progress is known only while what remains has a duration") {
+  Scene scene = disc(0, 0);
+  scene.bodies[0].position[1] += 0.01;
+  Simulation s(scene);
+  StageRunner runner(s, {lasting("fall", 0.1), settling(1e-3, 0, 1000), lasting("after", 0.05)});
+  runner.step();
+  CHECK_FALSE(runner.progress().has_value());
+  while (runner.current() == 0) runner.step();
+  CHECK_FALSE(runner.kinetic_over_elastic().has_value());
+  for (int k = 0; k < 100; ++k) runner.step();
+  REQUIRE(runner.current() == 1);
+  CHECK_FALSE(runner.progress().has_value());
+  CHECK(*runner.kinetic_over_elastic() ==
+        scree::kinetic_energy(s.energy()) / scree::elastic_energy(s.energy()));
+  while (runner.current() == 1) runner.step();
+  CHECK(*runner.progress() == Approx(s.time() / (s.time() + 0.05)));
 }
 
 TEST_CASE("bodies in free flight have no elastic energy and do not fulfil the condition") {

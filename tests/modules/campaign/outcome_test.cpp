@@ -66,6 +66,47 @@ TEST_CASE("an invalid run.json counts as missing, an incomplete run as interrupt
   CHECK(state_with(record.substr(0, record.size() / 2)) == State::missing);
 }
 
+TEST_CASE("a run.json nested deeper than memory allows counts as missing", "[campaign]") {
+  const CampaignFolder folder("");
+  const Campaign c = folder.read();
+  const auto out = folder.folder() / "out";
+  make_run(c, 0, out);
+  const std::string record = test::text_of(out / "run.json");
+  std::string nested = "1";
+  const std::size_t depth = 200000;
+  std::string opening, closing;
+  for (std::size_t k = 0; k < depth; ++k) opening += "{\"a\":", closing += "}";
+  folder.folder().write(
+      "out/run.json",
+      test::with(record, "\"seed\":", "\"more\": " + opening + nested + closing + ", \"seed\":"));
+  CHECK(outcome_of(c, 0, out).state == State::finished);
+  std::filesystem::remove(out / "run.json");
+  std::filesystem::create_directory(out / "run.json");
+  CHECK(outcome_of(c, 0, out).state == State::missing);
+  CHECK_THAT(outcome_of(c, 0, out).problem, Catch::Contains("run.json: is not a regular file"));
+}
+
+TEST_CASE("a series that is not as the run wrote it is told, not read", "[campaign]") {
+  const CampaignFolder folder("collect = ['energy.time.max', 'energy.work.last']\n");
+  const Campaign c = folder.read();
+  const auto out = folder.folder() / "out";
+  make_run(c, 0, out);
+  const std::string series = test::text_of(out / "series/energy.csv");
+  const auto told = [&](const std::string& text) {
+    folder.folder().write("out/series/energy.csv", text);
+    const Outcome outcome = outcome_of(c, 0, out);
+    CHECK(outcome.state == State::finished);
+    CHECK(outcome.numbers[0].first != "energy.time.max");
+    return outcome.warnings.empty() ? "" : outcome.warnings[0];
+  };
+  CHECK(outcome_of(c, 0, out).warnings.empty());
+  CHECK_THAT(told(series.substr(0, series.size() - 5)),
+             Catch::Contains("energy.csv: is cut off; run the campaign"));
+  CHECK_THAT(told(test::with(series, "\n0,", "\n0,0,")), Catch::Contains("line 2 has "));
+  CHECK_THAT(told(test::with(series, "\n0,", "\nzero,")), Catch::Contains("line 2 is damaged at 'zero'"));
+  CHECK_THAT(told("\n"), Catch::Contains("has no column time"));
+}
+
 TEST_CASE("a run older than its file of bodies counts as changed", "[campaign]") {
   const std::string scene =
       test::with(test::with(test::discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n",

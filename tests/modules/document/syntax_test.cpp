@@ -55,6 +55,13 @@ TEST_CASE("a syntax error is one line with place and cure") {
   }
 }
 
+TEST_CASE("a key that is given twice is named as it is written") {
+  CHECK(syntax_message("[set]\n\"contact.friction\" = [1]\n\"contact.friction\" = [2]\n") ==
+        "scene.toml:3:22: not valid TOML: the key \"contact.friction\" is given twice; keep one of the two");
+  CHECK(syntax_message("a = { x = 1, b.x = 1, b.x = 2 }\n") ==
+        "scene.toml:1:29: not valid TOML: the key b.x is given twice; keep one of the two");
+}
+
 TEST_CASE("nesting without end is refused, not followed") {
   const auto nested = [](int parts) {
     std::string header = "x = 1\n[a";

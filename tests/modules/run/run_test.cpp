@@ -1,11 +1,11 @@
-#include "plan_support.hpp"
+#include "run_support.hpp"
 
 #include <atomic>
 #include <sstream>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
-#include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
 
@@ -16,19 +16,6 @@ using namespace scree::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A plan and a folder for its run.
-struct Bench {
-  TemporaryFolder folder;
-  Plan plan;
-  RunOptions options;
-
-  explicit Bench(const std::string& text = discs, const std::vector<std::string>& overrides = {})
-      : plan(plan_of(text, overrides)) {
-    options.out = folder / "out";
-  }
-  RunResult run() const { return run_plan(plan, options); }
-};
 
 std::size_t lines_of(const std::string& text) {
   return std::size_t(std::count(text.begin(), text.end(), '\n'));
@@ -138,6 +125,7 @@ TEST_CASE("an end condition that is not reached is a failure that keeps the resu
     CHECK(std::string(error.what()).starts_with("stage 'rest': kinetic/elastic energy is "));
   }
   CHECK(text_of(bench.options.out / "run.json").find("\"error\": \"stage 'rest': ") != std::string::npos);
+  CHECK(text_of(bench.options.out / "run.json").find("\"ended\": \"failed\"") != std::string::npos);
   CHECK(lines_of(text_of(bench.options.out / "series/energy.csv")) > 10);
 }
 
@@ -216,6 +204,12 @@ TEST_CASE("a run directory with foreign files or another run is not overwritten"
             .ends_with("contains files that are not part of a scree run; give another --out"));
   fs::create_directories(folder / "run");
   CHECK(reason(folder / "run", false) == "no error");
+  fs::permissions(folder / "run", fs::perms::none);
+  const bool barred = access((folder / "run").c_str(), R_OK) != 0;  // nothing is, for root
+  CHECK((!barred ||
+         reason(folder / "run", true)
+             .ends_with("cannot be read (Permission denied); check its permissions, or give another --out")));
+  fs::permissions(folder / "run", fs::perms::owner_all);
   // Files left by a run that is killed at its start.
   std::ofstream(folder / "run/run.json.part") << "{";
   CHECK(reason(folder / "run", false) == "no error");

@@ -59,6 +59,42 @@ TEST_CASE("a repetition needs whole counts and a period", "[scenario]") {
         scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host()));
 }
 
+TEST_CASE("keys of files are refused without what they belong to", "[scenario]") {
+  const auto with_keys = [](const std::string& keys) {
+    return refusal(scree::test::with(scree::test::discs, "radius = 0.01\n", "radius = 0.01\n" + keys));
+  };
+  CHECK(with_keys("timestep = 5\n")
+            .starts_with("scene.toml:16:12: 'timestep' needs 'file', which is not given; "));
+  CHECK(with_keys("repeat = [2, 2]\n").starts_with("scene.toml:16:10: 'repeat' needs 'file', "));
+  CHECK(with_keys("period = [1, 1]\n").starts_with("scene.toml:16:10: 'period' needs 'file', "));
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
+  const auto file = folder.write("scene.toml", scene_with("period = [1, 1, 1]\n"));
+  CHECK_THAT(
+      scree::test::message([&] { scree::scenario::read_plan(file, {}, scree::test::host()); }),
+      Catch::Contains("scene.toml:13:10: 'period' is the distance of copies, of which 'repeat' gives "));
+}
+
+TEST_CASE("a dump with periodic faces in a scene without is warned of", "[scenario]") {
+  const TemporaryFolder folder;
+  folder.write("two.csv",
+               "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff pp\n0 2\n0 3\n-1 4\n"
+               "ITEM: ATOMS id x y z radius\n1 1 1 1 0.1\n");
+  const auto warnings = [&](const std::string& keys) {
+    return scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host())
+        .warnings;
+  };
+  const std::vector<std::string> told = warnings("");
+  REQUIRE(told.size() == 2);
+  CHECK_THAT(told[0],
+             Catch::StartsWith("the file of bodies is periodic along x from 0 to 2 m, and the scene "));
+  CHECK_THAT(told[1], Catch::Contains("along z from -1 to 4 m"));
+  CHECK(warnings("[[boundary]]\nplugin = 'periodic'\naxes = 'xz'\nlower = [0, 0, -1]\nupper = [2, 0, 4]\n")
+            .empty());
+  // Copies make it longer.
+  CHECK_THAT(warnings("repeat = [3, 1, 1]\nperiod = [2, 3, 5]\n")[0], Catch::Contains("from 0 to 6 m"));
+}
+
 TEST_CASE("a two-dimensional packing in a three-dimensional scene is refused", "[scenario]") {
   const TemporaryFolder folder;
   folder.write("flat.csv", "x [m],y [m],radius [m]\n0,0,0.01\n");

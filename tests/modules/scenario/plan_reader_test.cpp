@@ -96,6 +96,16 @@ TEST_CASE("invalid values are refused at their position", "[scenario]") {
         std::string::npos);
 }
 
+TEST_CASE("keys of two functions of time are refused together", "[scenario]") {
+  const auto motion = [](const std::string& keys) {
+    return refusal(with(discs, "gap = 0.005", "gap = 0.005\nstress = " + keys));
+  };
+  const std::string line = motion("{ from = 0, to = 1, duration = 1, period = 2 }");
+  INFO(line);
+  CHECK(line.find("'period' and 'duration' belong to different functions of time; keep one: period (") !=
+        std::string::npos);
+}
+
 TEST_CASE("unknown names are refused with the nearest known name", "[scenario]") {
   CHECK(
       refusal(with(discs, "normal_damping", "normal_dampin")) ==
@@ -180,9 +190,26 @@ TEST_CASE("a probe of energies is refused without the balance of energy", "[scen
 }
 
 #if SCREE_TEST_PICTURES
-TEST_CASE("the y label of a chart is the unit of several curves, or the name of a single one", "[scenario]") {
-  const std::string chart = "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = ";
-  CHECK(plan_of(discs + chart + "['work', 'residual']\n").charts[0].y_label == "J");
-  CHECK(plan_of(discs + chart + "'work'\n").charts[0].y_label == "work (J)");
+TEST_CASE("a chart has the unit of its curves on the axis, or in their names where they differ",
+          "[scenario]") {
+  const auto chart = [](const std::string& y) {
+    return plan_of(discs + ("[[probe]]\nplugin = 'box'\nevery = 1e-5\n[[chart]]\nname = 'c'\nprobe = " + y))
+        .charts[0];
+  };
+  const ChartPlan several = chart("'energy'\ny = ['work', 'residual']\n");
+  CHECK(several.y_label == "");
+  CHECK(several.y_unit == "J");
+  CHECK(several.x_label == "time");
+  CHECK(several.x_unit == "s");
+  const ChartPlan single = chart("'energy'\ny = 'work'\n");
+  CHECK(single.y_label == "work");
+  CHECK(single.y_unit == "J");
+  const ChartPlan mixed = chart("'box'\ny = ['length_x', 'stress_xx', 'strain_xx']\n");
+  CHECK(mixed.y_label + mixed.y_unit == "");
+  CHECK(mixed.curves[0].name == "length x (m)");
+  CHECK(mixed.curves[1].name == "stress xx (Pa)");
+  CHECK(mixed.curves[2].name == "strain xx");
+  const ChartPlan own = chart("'energy'\ny = 'work'\ny_label = 'work per step (J)'\n");
+  CHECK(own.y_label + own.y_unit == "work per step (J)");
 }
 #endif

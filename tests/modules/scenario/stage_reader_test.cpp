@@ -58,6 +58,9 @@ TEST_CASE("a stage that cannot end is refused", "[scenario]") {
   CHECK(refusal(staged("[[stage]]\nduration = 1\ncycles = 1\n"))
             .starts_with("scene.toml:26:1: the stage has more than one end condition; "));
   CHECK(refusal(staged("[[stage]]\ncycles = 1\n")).starts_with("scene.toml:26:1: [[stage]] has no 'period'"));
+  CHECK(refusal(staged("[[stage]]\nduration = 1\nperiod = 0.1\n"))
+            .starts_with(
+                "scene.toml:28:10: 'period' is the length of the 'cycles', which are not given; add "));
   CHECK(refusal(staged("[[stage]]\nuntil = { kinetic_over_elastic = 1e-6 }\n"))
             .starts_with("scene.toml:27:9: [stage.until] has no 'at_most'"));
   CHECK(refusal(staged("[[stage]]\nuntil = { kinetic_over_elastic = 1e-6, at_least = 2, at_most = 1 }\n")) ==

@@ -1,5 +1,6 @@
 #include "sample_frame.hpp"
 
+#include <ctime>
 #include <limits>
 
 #include <catch2/catch.hpp>
@@ -128,4 +129,19 @@ TEST_CASE("a file that is not a picture is refused", "[snapshot]") {
   std::ofstream(directory / "text.png") << "not a picture";
   CHECK_THAT(error_of([&] { backend().read_png(directory / "text.png"); }), Contains("text.png"));
   CHECK_THAT(error_of([&] { backend().read_png(directory / "absent.png"); }), Contains("absent.png"));
+}
+
+TEST_CASE("a title of any length is drawn in little time", "[snapshot]") {
+  ChartSpec spec = spec_of({1, 2, 3}, {1, 2, 3});
+  for (const std::string& title : {std::string(50000, 'm'), [] {
+                                     std::string words;
+                                     for (int k = 0; k < 10000; ++k) words += "word ";
+                                     return words;
+                                   }()}) {
+    spec.title = spec.x_label = spec.series[0].name = title;
+    const std::clock_t start = std::clock();
+    CHECK(trace(draw(spec), 255, 0, 0).columns > 300);
+    // A chart takes 0.2 s; measuring all of the text again for each letter took minutes.
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 5);
+  }
 }

@@ -104,6 +104,28 @@ TEST_CASE("files that are not frames are refused by name", "[snapshot]") {
   CHECK_THAT(refusal("particles_cut.vtp"), Contains("particles_cut.vtp") && Contains("damaged"));
 }
 
+TEST_CASE("attributes that crash or hang the reader of VTK are refused as damage", "[snapshot]") {
+  const ScratchDirectory directory;
+  backend().write_frame(sample_frame(), directory.path());
+  const std::string whole = read_text(directory / particles_file);
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    REQUIRE(text.find(from) != std::string::npos);
+    text.replace(text.find(from), from.size(), to);
+    std::ofstream(directory / "particles_1.vtp") << text;
+    return error_of([&] { backend().read_frame(directory / "particles_1.vtp"); });
+  };
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"\"UInt64\" Name=\"step\"", "\"UInt65\" Name=\"step\""},
+        {"NumberOfPoints=\"7\" ", "NumberOfPoints=\"-1\""},
+        {"\"Float64\" Name=\"radius\"", "\"String\" Name=\"radius\""},
+        {"\"spin\" NumberOfComponents=\"3\"", "\"spin\" NumberOfComponents=\"4000000000\""}}) {
+    INFO(to);
+    CHECK_THAT(refusal(from, to), Contains("particles_1.vtp: ") && Contains("; give a particles_<step>.vtp"));
+  }
+  CHECK(backend().read_frame(directory / particles_file).particle_count() == 7);  // as before
+}
+
 TEST_CASE("a frame with columns of different length is refused and leaves no file", "[snapshot]") {
   const ScratchDirectory directory;
   Frame frame = sample_frame();

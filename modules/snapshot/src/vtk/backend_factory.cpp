@@ -1,10 +1,10 @@
 #include "atomic_file.hpp"
 #include "chart_picture.hpp"
 #include "frame_check.hpp"
+#include "frame_transfer.hpp"
 #include "png_file.hpp"
 #include "pvd_index.hpp"
 #include "scene_picture.hpp"
-#include "vtp_reader.hpp"
 #include "vtp_writer.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,9 @@ class VtkBackend final : public SnapshotBackend {
     add_to_series(directory, "particles", frame, particles_vtp(frame));
   }
 
-  Frame read_frame(const std::filesystem::path& particles_file) override { return read_vtp(particles_file); }
+  Frame read_frame(const std::filesystem::path& particles_file) override {
+    return read_vtp_apart(particles_file);
+  }
 
   void render(const Frame& frame, const RenderOptions& options,
               const std::filesystem::path& png_file) override {

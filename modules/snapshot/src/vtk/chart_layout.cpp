@@ -38,11 +38,17 @@ Ticks fitting_ticks(const ChartScale& scale, double room, double font) {
   return scale.ticks(2);
 }
 
-// Wraps a text at blanks into lines no longer than `room` if possible.
-std::vector<std::string> wrapped(const std::string& text, const TextStyle& style, double room) {
+// Wraps a text at blanks into lines no longer than `room` if possible; the last of four lines has the rest.
+std::vector<std::string> wrapped(const std::string& whole, const TextStyle& style, double room) {
+  constexpr std::size_t most_lines = 4;
+  const std::string text = shown_part(whole);
   std::vector<std::string> lines;
   std::size_t start = 0;
   while (start < text.size()) {
+    if (lines.size() + 1 == most_lines) {
+      lines.push_back(text.substr(start));
+      break;
+    }
     std::size_t end = text.find(' ', start);
     for (std::size_t next = end; next != std::string::npos;) {
       next = text.find(' ', next + 1);

@@ -10,9 +10,14 @@
 #include <fmt/ranges.h>
 
 #include <scree/error.hpp>
+#include <scree/snapshot/scaled_unit.hpp>
+#include <scree/snapshot/view_range.hpp>
 
 namespace scree::snapshot {
 namespace {
+
+// Discs must not hide the bars of contacts on them.
+constexpr double paleness_among_contacts = 0.6;
 
 struct RawField {
   const char* title;
@@ -21,21 +26,17 @@ struct RawField {
   bool whole_numbers = false;
 };
 
-std::vector<double> magnitudes(const std::vector<double>& vectors) {
-  std::vector<double> values(vectors.size() / 3);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    values[k] = std::hypot(vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]);
-  return values;
-}
-
 RawField raw_field(const Frame& frame, const std::string& name) {
-  if (name == "radius") return {"radius", "m", frame.radius};
-  if (name == "speed") return {"speed", "m/s", magnitudes(frame.velocity)};
-  if (name == "spin") return {"spin", "rad/s", magnitudes(frame.spin)};
-  if (name == "force") return {"net force", "N", magnitudes(frame.force)};
-  if (name == "coordination")
-    return {"contacts", "", {frame.coordination.begin(), frame.coordination.end()}, true};
-  if (name == "id") return {"id", "", {frame.id.begin(), frame.id.end()}, true};
+  struct Known {
+    std::string_view name;
+    const char *title, *unit;
+    bool whole_numbers;
+  };
+  static constexpr Known all[] = {{"radius", "radius", "m", false},       {"speed", "speed", "m/s", false},
+                                  {"spin", "spin", "rad/s", false},       {"force", "net force", "N", false},
+                                  {"coordination", "contacts", "", true}, {"id", "id", "", true}};
+  for (const Known& known : all)
+    if (known.name == name) return {known.title, known.unit, color_values(frame, name), known.whole_numbers};
   throw Error(
       fmt::format("color_by: unknown field \"{}\"; choose one of {}", name, fmt::join(color_fields, ", ")));
 }
@@ -47,6 +48,7 @@ Range value_range(const RawField& field) {
     if (std::isfinite(value)) range = {std::min(range.lower, value), std::max(range.upper, value)};
   if (range.lower > range.upper) return {0, 1};
   if (range.lower < range.upper) return range;
+  if (range.lower == 0) return {0, 1};
   return field.whole_numbers ? Range{range.lower - 1, range.upper + 1} : padded(range.lower, range.upper, 0);
 }
 
@@ -72,17 +74,10 @@ std::array<std::uint8_t, 3> viridis(double t) {
   return color;
 }
 
-ScaledUnit scaled_unit(double largest, const std::string& unit) {
-  struct Prefix {
-    double factor;
-    const char* symbol;
-  };
-  static constexpr Prefix prefixes[] = {{1e-6, "M"}, {1e-3, "k"}, {1, ""},
-                                        {1e3, "m"},  {1e6, "µ"},  {1e9, "n"}};
-  if (unit.empty() || largest == 0 || (largest >= 0.1 && largest < 1000)) return {1, unit};
-  for (const Prefix& prefix : prefixes)
-    if (largest * prefix.factor >= 1) return {prefix.factor, prefix.symbol + unit};
-  return {1, unit};
+std::array<std::uint8_t, 3> ColorField::color_at(double share) const {
+  std::array<std::uint8_t, 3> color = viridis(share);
+  for (std::uint8_t& part : color) part = std::uint8_t(std::lround(std::lerp(part, 255, paleness)));
+  return color;
 }
 
 ColorField color_field(const Frame& frame, const RenderOptions& options) {
@@ -94,8 +89,12 @@ ColorField color_field(const Frame& frame, const RenderOptions& options) {
   const ScaledUnit unit = scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
   for (double& value : raw.values) value *= unit.factor;
   const std::string title = unit.symbol.empty() ? raw.title : fmt::format("{} ({})", raw.title, unit.symbol);
-  return {title, std::move(raw.values), range.lower * unit.factor, range.upper * unit.factor,
-          raw.whole_numbers};
+  return {title,
+          std::move(raw.values),
+          range.lower * unit.factor,
+          range.upper * unit.factor,
+          raw.whole_numbers,
+          options.show_contacts && frame.dimension == 2 ? paleness_among_contacts : 0};
 }
 
 }  // namespace scree::snapshot

@@ -13,13 +13,6 @@ namespace scree::snapshot {
 // Colour of the viridis map, perceptually uniform; t in 0..1, clamped; grey for NaN.
 std::array<std::uint8_t, 3> viridis(double t);
 
-// A unit with a suitable SI prefix, for example {1e3, "mm"}.
-struct ScaledUnit {
-  double factor;  // multiplies values in SI units
-  std::string symbol;
-};
-ScaledUnit scaled_unit(double largest, const std::string& unit);
-
 // One value per particle and its colour map.
 struct ColorField {
   std::string title;  // with the unit of values, lower and upper
@@ -27,9 +20,12 @@ struct ColorField {
   double lower;
   double upper;
   bool whole_numbers;
+  double paleness = 0;  // share of white in the colours, 0 to 1
 
+  // Colour at a share of the range, 0 to 1.
+  std::array<std::uint8_t, 3> color_at(double share) const;
   std::array<std::uint8_t, 3> color(std::size_t particle) const {
-    return viridis((values[particle] - lower) / (upper - lower));
+    return color_at((values[particle] - lower) / (upper - lower));
   }
 };
 

@@ -1,7 +1,5 @@
 #include "contact_tubes.hpp"
 
-#include "color_field.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -20,6 +18,8 @@
 #include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <scree/snapshot/scaled_unit.hpp>
+
 namespace scree::snapshot {
 namespace {
 
@@ -37,9 +37,9 @@ double mean_radius(const Frame& frame) {
 }
 
 // Radius of a bar (m): a fraction of the mean particle radius, with a visible minimum.
-double bar_radius(double force, double largest_force, double mean) {
+double bar_radius(double force, double largest_force, double mean, int dimension) {
   const double fraction = largest_force > 0 ? std::abs(force) / largest_force : 0;
-  return mean * std::max(0.015, 0.18 * fraction);
+  return mean * (dimension == 2 ? std::max(0.04, 0.35 * fraction) : std::max(0.015, 0.18 * fraction));
 }
 
 vtkNew<vtkPolyData> contact_lines(const Frame& frame) {
@@ -60,7 +60,7 @@ vtkNew<vtkPolyData> contact_lines(const Frame& frame) {
     lines->InsertNextCell(2);
     for (const double* end : {from, to}) {
       lines->InsertCellPoint(points->InsertNextPoint(end));
-      radii->InsertNextValue(bar_radius(frame.contact_normal_force[k], largest, mean));
+      radii->InsertNextValue(bar_radius(frame.contact_normal_force[k], largest, mean, frame.dimension));
       colors->InsertNextTypedTuple(frame.contact_sliding[k] ? sliding_color : sticking_color);
     }
   }

@@ -59,7 +59,7 @@ void Panel::paint_color_bar(vtkContext2D* painter) const {
   const int bands = 256;
   painter->GetPen()->SetLineType(vtkPen::NO_PEN);
   for (int band = 0; band < bands; ++band) {
-    const auto color = viridis((band + 0.5) / bands);
+    const auto color = field->color_at((band + 0.5) / bands);
     painter->GetBrush()->SetColor(color[0], color[1], color[2], 255);
     painter->DrawRect(float(left), float(bottom + (top - bottom) * band / bands), float(width),
                       float((top - bottom) / bands + 1));

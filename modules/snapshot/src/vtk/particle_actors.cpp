@@ -90,7 +90,8 @@ void add_discs(vtkRenderer* renderer, const Frame& frame, const ColorField& fiel
   rim_data->SetLines(rims);
   add_flat_actor(renderer, fill_data);
   vtkProperty* rim = add_flat_actor(renderer, rim_data);
-  rim->SetColor(0.1, 0.1, 0.1);
+  const double grey = field.paleness > 0 ? 0.6 : 0.1;
+  rim->SetColor(grey, grey, grey);
   rim->SetLineWidth(float((frame.particle_count() <= 2000 ? 1.25 : 0.6) * pixel_scale));
 }
 

@@ -37,15 +37,22 @@ TextStyle fitted(const std::string& line, const TextStyle& style, double room) {
   return smaller;
 }
 
+// The first `bytes` of a line, without splitting a UTF-8 character, and an ellipsis.
+std::string beginning(const std::string& line, std::size_t bytes) {
+  while (bytes > 0 && (line[bytes] & 0xC0) == 0x80) --bytes;
+  return line.substr(0, bytes) + "...";
+}
+
 // The line, shortened with an ellipsis if it is longer than `room`.
-std::string cut(std::string line, const TextStyle& style, double room) {
-  const std::string ellipsis = "...";
-  while (line.size() > ellipsis.size() && text_width(line, style) > 1.02 * room) {
-    std::size_t end = line.size() - ellipsis.size() - 1;
-    while (end > 0 && (line[end] & 0xC0) == 0x80) --end;  // do not split a UTF-8 character
-    line = line.substr(0, end) + ellipsis;
+std::string cut(const std::string& line, const TextStyle& style, double room) {
+  const auto fits = [&](const std::string& text) { return text_width(text, style) <= 1.02 * room; };
+  if (fits(line)) return line;
+  std::size_t fitting = 0, too_long = line.size();
+  while (too_long - fitting > 1) {
+    const std::size_t middle = (fitting + too_long) / 2;
+    (fits(beginning(line, middle)) ? fitting : too_long) = middle;
   }
-  return line;
+  return beginning(line, fitting);
 }
 
 }  // namespace
@@ -64,18 +71,25 @@ void TextStyle::apply_font(vtkTextProperty* property) const {
   property->SetFontSize(int(std::lround(size)));
 }
 
+std::string shown_part(const std::string& line) {
+  constexpr std::size_t longest = 400;  // bytes; no picture is wide enough for them
+  return line.size() > longest ? beginning(line, longest) : line;
+}
+
 double text_width(const std::string& line, const TextStyle& style) {
   vtkNew<vtkTextProperty> property;
   style.apply_font(property);
   int box[4] = {0, 0, 0, 0};
   const int dots_per_inch = 72;  // makes font sizes pixels
-  vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(line), box, dots_per_inch);
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(shown_part(line)), box,
+                                                 dots_per_inch);
   return box[1] - box[0] + 1;
 }
 
-void draw_text(vtkContext2D* painter, double x, double y, const std::string& line, const TextStyle& style,
+void draw_text(vtkContext2D* painter, double x, double y, const std::string& text, const TextStyle& style,
                double room) {
-  if (line.empty()) return;
+  if (text.empty()) return;
+  const std::string line = shown_part(text);
   const TextStyle smaller = fitted(line, style, room);
   vtkNew<vtkTextProperty> property;
   smaller.apply_font(property);

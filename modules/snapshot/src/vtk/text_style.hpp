@@ -20,12 +20,16 @@ struct TextStyle {
   void apply_font(vtkTextProperty* property) const;
 };
 
-// Width of one line (drawn pixels).
+// The line, or as much of the beginning of a very long one as a picture may show. Measuring a text takes time
+// proportional to its length.
+std::string shown_part(const std::string& line);
+
+// Width of the shown part of one line (drawn pixels).
 double text_width(const std::string& line, const TextStyle& style);
 
 // Draws one line at its anchor; a line longer than `room` is reduced to not less than two thirds of its size,
 // then cut. All lengths in drawn pixels.
-void draw_text(vtkContext2D* painter, double x, double y, const std::string& line, const TextStyle& style,
+void draw_text(vtkContext2D* painter, double x, double y, const std::string& text, const TextStyle& style,
                double room);
 
 }  // namespace scree::snapshot

@@ -129,7 +129,10 @@ Frame read_vtp(const std::filesystem::path& particles_file) {
   read_particles(particles, frame);
   read_scene(particles->GetFieldData(), frame);
   frame.time = read_time(particles->GetFieldData(), particles_file);
-  if (frame.position.size() != 3 * frame.radius.size() || frame.id.size() != frame.radius.size())
+  const bool of_particles =
+      particles->GetPointData()->HasArray(vtp::id) && particles->GetPointData()->HasArray(vtp::radius);
+  if (!of_particles || frame.position.size() != 3 * frame.radius.size() ||
+      frame.id.size() != frame.radius.size())
     reject(particles_file, "has no radius or no id for each particle");
   if (!name.starts_with(prefix)) return frame;
   const auto contacts_file = particles_file.parent_path() / ("contacts" + name.substr(prefix.size()));

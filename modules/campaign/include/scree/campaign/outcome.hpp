@@ -22,7 +22,7 @@ const char* state_name(State state);
 
 struct Outcome {
   State state = State::missing;
-  std::string problem;  // one line, if the run failed
+  std::string problem;  // one line, if the run failed or its record cannot be read
   // Of a finished run, by name: collected quantities, numbers of run.json, values of its expectations.
   std::vector<std::pair<std::string, double>> numbers;
   struct Judged {
@@ -30,6 +30,7 @@ struct Outcome {
     bool met = false;
   };
   std::vector<Judged> expectations;
+  std::vector<std::string> warnings = {};  // of a finished run
 
   std::size_t unmet() const;
 };

@@ -7,8 +7,8 @@
 
 namespace scree::campaign {
 
-// One row per point: run, case, the keys that vary, seed, status, expectations, expectations_met, then every
-// quantity of the finished runs.
+// One row per point: run, case, the keys that vary, seed, status, expectations, expectations_met, warnings
+// (separated by " | "), then every quantity of the finished runs.
 std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
 // One row per group of points that differ only in their seed: case, the keys that vary, number of finished
@@ -22,7 +22,8 @@ std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& 
 void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
                   const CampaignDirectory& directory);
 
-// For a terminal: varied keys, number of finished runs, expectations, failed runs with their reasons.
+// For a terminal: varied keys, number of finished runs, expectations, failed runs with their reasons, runs
+// with warnings.
 std::string text_report(const Campaign& campaign, const Execution& execution);
 
 // For a terminal: runs that are no longer part of the campaign; empty if there are none.

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,13 @@ namespace scree::run {
 
 // Progress of a run, for progress bars.
 struct Progress {
-  double share = 0;  // 0 to 1
-  double wall = 0;   // (s) since the start
-  double time = 0;   // (s) simulated
+  std::optional<double> share;  // 0 to 1; absent while this stage or a later one ends by a condition
+  double wall = 0;              // (s) since the start
+  double time = 0;              // (s) simulated
   std::string stage;
+  std::size_t stage_number = 1, stages = 1;
+  // Kinetic over elastic energy at the last test, and the value below which it ends the stage.
+  std::optional<double> kinetic_over_elastic, goal;
 };
 
 struct RunOptions {
@@ -25,7 +29,7 @@ struct RunOptions {
   unsigned threads = 1;
   std::function<void(const Simulation&)> on_start;     // called once, when the directory is ready
   std::function<void(const Progress&)> on_progress;    // called about five times per second
-  std::function<void(const std::string&)> on_message;  // one line for the user
+  std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
   const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: the run saves its results and ends
 };
 
@@ -36,11 +40,22 @@ struct Verdict {
   bool met = false;
 };
 
+// A stage of a run that has begun.
+struct StageResult {
+  std::string name;
+  double start = 0, end = 0;  // (s) simulated
+  std::uint64_t steps = 0;
+  std::string ended;  // "duration", "condition", "interrupted", "failed"; "running" until then
+};
+
 struct RunResult {
   std::filesystem::path directory;
   bool interrupted = false;
-  double wall = 0;  // (s) of the time loop
-  double particle_steps_per_second = 0;
+  double wall = 0;                       // (s) from the first step to the last file
+  double output = 0;                     // (s) of it for samples, files, pictures and charts
+  double particle_steps_per_second = 0;  // in the rest of it
+  std::vector<StageResult> stages;
+  std::vector<std::string> warnings;  // "<what>; <cure>"
   std::vector<std::pair<std::string, double>> quantities;
   std::uint64_t state_hash = 0;
   std::vector<Verdict> verdicts;

@@ -14,8 +14,11 @@ namespace scree::run {
 // long, or if a probe reads something that does not exist.
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads = 1);
 
-// One line for people: the time step, and the number of steps per shortest contact; warns if they are few.
+// One line for people: the time step, and the number of steps per shortest contact.
 std::string describe_step(const Simulation& simulation);
+
+// Returns "<what>; <cure>" if the time step is unstable or its errors are large.
+std::optional<std::string> step_warning(const Simulation& simulation);
 
 // Returns "<problem>; <cure>" if the time step exceeds the limit of the scene: see step_guard.hpp.
 std::optional<std::string> step_problem(const Simulation& simulation);

@@ -28,6 +28,7 @@ struct SnapshotPlan {
   std::optional<double> every;        // (s) between .vtp files
   std::optional<double> image_every;  // (s) between images
   std::string color_by = "radius";
+  std::optional<std::array<double, 2>> color_range;  // (SI); absent: of all pictures so far
   std::string view;
   bool show_contacts = false;
   int width = 1200, height = 900;  // (pixels)
@@ -43,6 +44,7 @@ struct CurvePlan {
 struct ChartPlan {
   std::string name;  // of the file
   std::string title, x_label, y_label;
+  std::string x_unit, y_unit;  // SI, shown with a prefix behind the label; empty: the label is complete
   std::vector<CurvePlan> curves;
   bool log_x = false, log_y = false;
 };
@@ -72,7 +74,8 @@ struct Plan {
   std::string bodies_place;    // file:line:column, for messages
   std::string periodic_place;  // of the first periodic boundary; empty without one
   std::string step_place;
-  bool step_guard = true;  // refuse a time step that is too long
+  bool step_guard = true;             // refuse a time step that is too long
+  std::vector<std::string> warnings;  // "<what>; <cure>" of what was read
 };
 
 // Names of all quantities for expectations: the numbers of run.json, and "<probe>.<column>.<statistic>".

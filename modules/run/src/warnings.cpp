@@ -1,0 +1,72 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scree/contact_list.hpp>
+#include <scree/run/set_up.hpp>
+#include <scree/run/warnings.hpp>
+
+namespace scree::run {
+
+namespace {
+
+std::string partner_name(const Simulation& s, std::uint32_t b) {
+  const std::size_t bodies = s.particles().size();
+  return b < bodies ? fmt::format("particle {}", s.particles().id[b])
+                    : fmt::format("wall {}", s.plane_names()[b - bodies]);
+}
+
+void add_overlap_warning(const Simulation& s, std::vector<std::string>& warnings) {
+  constexpr double much = 0.05;
+  const LargestOverlap largest = largest_overlap(s);
+  if (largest.ratio > much)
+    warnings.push_back(fmt::format(
+        "{} overlap by {:.2g} of the smaller radius at t = 0 and will be driven apart; give them a gap, or a "
+        "larger periodic length",
+        largest.bodies, largest.ratio));
+}
+
+}  // namespace
+
+LargestOverlap largest_overlap(const Simulation& s) {
+  const ContactList list = s.contact_list();
+  const Particles& p = s.particles();
+  const auto ratio = [&](std::size_t c) {
+    const double radius = p.radius()[list.a[c]];
+    return list.overlap[c] / (list.b[c] < p.size() ? std::min(radius, p.radius()[list.b[c]]) : radius);
+  };
+  std::size_t largest = 0;
+  for (std::size_t c = 1; c < list.size(); ++c)
+    if (ratio(c) > ratio(largest)) largest = c;
+  if (list.size() == 0) return {};
+  return {ratio(largest),
+          fmt::format("particle {} and {}", p.id[list.a[largest]], partner_name(s, list.b[largest]))};
+}
+
+std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simulation& s) {
+  std::vector<std::string> warnings = plan.warnings;
+  if (const auto step = step_warning(s)) warnings.push_back(*step);
+  add_overlap_warning(s, warnings);
+  return warnings;
+}
+
+std::vector<std::string> result_warnings(const Simulation& s) {
+  constexpr double much = 0.05;
+  std::vector<std::string> warnings;
+  // Written so that NaN is warned of too.
+  if (!(s.energy_residual() <= much))
+    warnings.push_back(fmt::format(
+        "the energy balance does not close, by {:.2g} of the turnover; shorten time.step, or look for a law "
+        "that creates energy",
+        s.energy_residual()));
+  // Dissipations of 0 round to either side, in float by some 6e-8.
+  const double rounding = s.scene().precision == Precision::mixed ? 1e-6 : 1e-9;
+  if (!(s.energy_created() <= rounding))
+    warnings.push_back(fmt::format(
+        "contact laws created {:.2g} of the energy turned over (column 'created' of the probe energy), as "
+        "history = \"displacement\" and slip_rule = \"total\" may; use their defaults",
+        s.energy_created()));
+  return warnings;
+}
+
+}  // namespace scree::run

@@ -1,0 +1,30 @@
+#include "frame_of.hpp"
+
+#include <catch2/catch.hpp>
+
+using scree::run::next_view;
+using scree::run::SceneBox;
+
+namespace {
+
+SceneBox cube(double low, double high) { return {{low, low, low}, {high, high, high}}; }
+
+bool same(const SceneBox& a, const SceneBox& b) { return a.lower == b.lower && a.upper == b.upper; }
+
+}  // namespace
+
+TEST_CASE("pictures keep their view while the scene fills it, and follow it when it does not", "[run]") {
+  const SceneBox first = next_view({}, cube(0, 1));
+  CHECK(same(first, cube(0, 1)));
+  CHECK(same(next_view(first, cube(0.1, 0.95)), first));  // fills 85 %
+  // Collapsed: it leaves the view on two sides, which get room, and has sunk.
+  const SceneBox heap = {{-0.5, 0, 0}, {1.5, 1, 0.4}};
+  const SceneBox wide = next_view(first, heap);
+  CHECK(wide.lower[0] == Approx(-0.5 - 0.15 * 2));
+  CHECK(wide.upper[0] == Approx(1.5 + 0.15 * 2));
+  CHECK(wide.lower[1] == 0);
+  CHECK(wide.upper[2] == 0.4);
+  const SceneBox wider = {{-0.7, 0, 0}, {1.7, 1, 0.4}};
+  CHECK(same(next_view(wide, wider), wide));                      // within the room
+  CHECK(same(next_view(first, cube(0.4, 0.8)), cube(0.4, 0.8)));  // compressed to 40 %
+}

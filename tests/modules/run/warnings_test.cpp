@@ -1,0 +1,75 @@
+#include "run_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/run/set_up.hpp>
+#include <scree/run/warnings.hpp>
+
+using namespace scree;
+using namespace scree::scenario;
+using namespace scree::run;
+using namespace scree::test;
+
+namespace {
+
+// Parts of the scene discs that tests replace.
+const std::string box =
+    "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\ny_high = 'fixed'\ngap = 0.005\n";
+const std::string lattice =
+    "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+    "random_velocity = 0.1\n";
+
+}  // namespace
+
+TEST_CASE("warnings are told and kept in run.json", "[run]") {
+  // 1e8 N/m: π √(m*/k) = 1.2e-4 s, 12 steps in a contact; the discs overlap by a tenth of their radius.
+  Bench bench(with(discs, lattice,
+                   "[[particle]]\nradius = 0.01\nposition = [0, 0]\n[[particle]]\nradius = 0.01\n"
+                   "position = [0.019, 0]\n"),
+              {"contact.normal_stiffness=1e8"});
+  std::vector<std::string> told;
+  bench.options.on_warning = [&](const std::string& line) { told.push_back(line); };
+  const RunResult result = bench.run();
+  CHECK(result.warnings == told);
+  REQUIRE(told.size() >= 2);
+  CHECK(told[0].starts_with("the shortest contact takes 12"));
+  CHECK(told[0].find("; use 20 or more") != std::string::npos);
+  CHECK(told[1].find(" overlap by 0.1 of the smaller radius at t = 0") != std::string::npos);
+  CHECK(text_of(bench.options.out / "run.json").find(told[1]) != std::string::npos);
+}
+
+TEST_CASE("bodies that overlap through a periodic face are found at the start", "[run]") {
+  // Two discs of 0.01 m whose images are 0.0154 m apart: 0.46 R.
+  const std::string periodic = with(
+      with(discs, box, "plugin = 'periodic'\naxes = 'x'\nlower = [0, 0]\nupper = [0.0854, 0]\n"), lattice,
+      "[[particle]]\nradius = 0.01\nposition = [0.0077, 0]\n[[particle]]\nradius = 0.01\n"
+      "position = [0.0777, 0]\n");
+  const LargestOverlap largest = largest_overlap(*set_up(plan_of(periodic)));
+  CHECK(largest.ratio == Approx(0.46));
+  CHECK((largest.bodies == "particle 1 and particle 2" || largest.bodies == "particle 2 and particle 1"));
+}
+
+TEST_CASE("the final packing of a periodic run has its box, and a scene that drops it is warned", "[run]") {
+  const std::string periodic =
+      with(discs, box, "plugin = 'periodic'\naxes = 'x'\nlower = [0, 0]\nupper = [0.07, 0]\n");
+  const Bench bench(periodic);
+  bench.run();
+  const std::string packing = text_of(bench.options.out / "final_packing.csv");
+  CHECK(packing.find("# lower [m]: 0 ") != std::string::npos);
+  CHECK(packing.find("# upper [m]: 0.07 ") != std::string::npos);
+  CHECK(packing.find("# periodic: x\n") != std::string::npos);
+  const auto again = [&](const std::string& text) {
+    return plan_of(with(text,
+                        "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                        "random_velocity = 0.1\n",
+                        "file = '" + (bench.options.out / "final_packing.csv").string() + "'\n"))
+        .warnings;
+  };
+  CHECK(again(periodic).empty());
+  const std::vector<std::string> dropped = again(discs);
+  REQUIRE(dropped.size() == 1);
+  CHECK(dropped[0].starts_with(
+      "the file of bodies is periodic along x from 0 to 0.07 m, and the scene is not periodic along it; "));
+  CHECK(again(with(periodic, "upper = [0.07, 0]", "upper = [0.14, 0]"))[0].find("over 0.14 m") !=
+        std::string::npos);
+}
