@@ -26,5 +26,5 @@ if cmake --build my_contact/build --target check > build.log 2>&1; then
   echo "a law that creates energy passed its tests"
   exit 1
 fi
-grep -q "FAILED no energy is created" build.log || { cat build.log; exit 1; }
+grep -q "FAILED  no energy is created" build.log || { cat build.log; exit 1; }
 echo passed

@@ -2,9 +2,10 @@
 # For a plug-in outside scree's own tree: ctest runs the general checks of `scree test-plugin`, with values for the
 # parameters of a law, and each scene, whose [expect] must be met. The target `check` builds the plug-in and runs all.
 
+enable_testing()
+
 function(scree_add_plugin_tests kind name)
   cmake_parse_arguments(ARG "" "" "SCENES;VALUES" ${ARGN})
-  enable_testing()
   add_test(NAME "${name}: general checks"
     COMMAND ${SCREE_PROGRAM} test-plugin ${SCREE_PLUGIN_DIRECTORY}/${kind}/${name}.so ${ARG_VALUES})
   foreach(scene ${ARG_SCENES})

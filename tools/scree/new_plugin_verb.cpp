@@ -64,7 +64,10 @@ void write_from(const fs::path& source, const fs::path& target, const NewPluginA
   text = replaced(text, "plugin_name", a.name);
   text = replaced(text, "PluginName", type_name(a.name));
   text = replaced(text, "plugin_kind", a.kind);
-  text = replaced(text, "scree_cmake_folder", (program_folder() / "../lib/cmake/scree").lexically_normal().string());
+  // General checks are for laws; theirs are to cover the dashpot too.
+  text = replaced(text, " plugin_values", a.kind == "contact" ? " VALUES stiffness=5000 damping=0.2" : "");
+  text = replaced(text, "scree_cmake_folder",
+                  (program_folder() / "../lib/cmake/scree").lexically_normal().string());
   files::write_atomically(target, text);
 }
 

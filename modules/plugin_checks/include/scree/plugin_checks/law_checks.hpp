@@ -11,7 +11,7 @@ namespace scree::plugin_checks {
 struct CheckedPair {
   double radius = 0.005;  // (m) of the smaller body; the other is 1.5 times as large
   double density = 2000;  // (kg/m³)
-  double speed = 0.1;       // (m/s) of impacts
+  double speed = 0.1;     // (m/s) of impacts
 };
 
 // What every contact law must satisfy, in 2D and 3D: symmetry under exchange of the bodies and under
