@@ -23,13 +23,8 @@ struct BenchArguments {
   PluginOptions plugins;
 };
 
-// Where the scenes are, in the source tree or where the program is installed.
 std::filesystem::path scenes_folder() {
-  std::error_code failed;
-  const auto installed =
-      std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / SCREE_INSTALLED_BENCH_SCENES;
-  return std::filesystem::is_directory(installed, failed) ? installed.lexically_normal()
-                                                          : std::filesystem::path(SCREE_BENCH_SCENES);
+  return data_folder(SCREE_INSTALLED_BENCH_SCENES, SCREE_BENCH_SCENES);
 }
 
 std::vector<std::string> scene_names() {

@@ -21,6 +21,18 @@ ExitStatus report(std::string_view line, ExitStatus status) {
 
 void report_warning(std::string_view line) { report(fmt::format("warning: {}", line), ExitStatus::success); }
 
+std::filesystem::path program_folder() {
+  std::error_code failed;
+  return std::filesystem::read_symlink("/proc/self/exe", failed).parent_path();
+}
+
+std::filesystem::path data_folder(const std::filesystem::path& installed,
+                                  const std::filesystem::path& in_source_tree) {
+  std::error_code failed;
+  const std::filesystem::path folder = (program_folder() / installed).lexically_normal();
+  return std::filesystem::is_directory(folder, failed) ? folder : in_source_tree;
+}
+
 void add_plugin_options(Verb& verb, PluginOptions& options) {
   verb.option("--plugins", options.directories,
               "Directory with additional plug-ins, <DIR>/<kind>/<name>.so; also SCREE_PLUGIN_PATH=DIR:DIR")

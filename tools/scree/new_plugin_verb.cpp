@@ -19,18 +19,6 @@ struct NewPluginArguments {
   std::string kind, name, directory;
 };
 
-fs::path program_folder() {
-  std::error_code failed;
-  return fs::read_symlink("/proc/self/exe", failed).parent_path();
-}
-
-// Where the templates are, in the source tree or where the program is installed.
-fs::path templates_folder() {
-  std::error_code failed;
-  const fs::path installed = program_folder() / SCREE_INSTALLED_TEMPLATES;
-  return fs::is_directory(installed, failed) ? installed.lexically_normal() : fs::path(SCREE_TEMPLATES);
-}
-
 void check_name(const std::string& name) {
   const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   const bool good = !name.empty() && name.size() <= 60 && name[0] >= 'a' && name[0] <= 'z' &&
@@ -81,7 +69,7 @@ ExitStatus new_plugin(const NewPluginArguments& a) {
     throw Error(fmt::format("{}: cannot be created ({}); choose another place with --out DIR",
                             directory.string(), failed.message()),
                 ExitStatus::failure);
-  const fs::path templates = templates_folder();
+  const fs::path templates = data_folder(SCREE_INSTALLED_TEMPLATES, SCREE_TEMPLATES);
   write_from(templates / "CMakeLists.txt", directory / "CMakeLists.txt", a);
   write_from(templates / a.kind / "plugin.cpp", directory / (a.name + ".cpp"), a);
   write_from(templates / a.kind / "scene.toml", directory / "scene.toml", a);

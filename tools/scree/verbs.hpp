@@ -18,6 +18,12 @@ ExitStatus report(std::string_view line, ExitStatus status);
 // Writes "scree: warning: <line>" to stderr.
 void report_warning(std::string_view line);
 
+// The folder of the running program.
+std::filesystem::path program_folder();
+// Where files that come with the program are: `installed`, relative to the program, or in the source tree.
+std::filesystem::path data_folder(const std::filesystem::path& installed,
+                                  const std::filesystem::path& in_source_tree);
+
 // What every verb that looks at plug-ins shares.
 struct PluginOptions {
   std::vector<std::string> directories;
