@@ -68,12 +68,14 @@ std::optional<Outcome> outcome_of(const Parameters& law, const CheckedPair& pair
   Simulation simulation(scene_of(law, pair, dimension, impact, step));
   const double before = kinetic(simulation.energy());
   int touching = 0;
+  double residual = 0;  // largest, also while they touch and energy is stored
   for (int k = 0; k < 20 * steps_per_contact; ++k) {
     simulation.step();
+    residual = std::max(residual, simulation.energy_residual());
     const bool touches = !simulation.contact_list().a.empty();
     if (!touches && touching > 0)
-      return Outcome{simulation.energy_residual(), simulation.energy_created(),
-                     simulation.momentum_residual(), kinetic(simulation.energy()) / before, touching * step};
+      return Outcome{residual, simulation.energy_created(), simulation.momentum_residual(),
+                     kinetic(simulation.energy()) / before, touching * step};
     touching += touches;
   }
   return std::nullopt;

@@ -1,0 +1,52 @@
+#include "scenes.hpp"
+
+#include <map>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include <scree/plugin_checks/law_checks.hpp>
+
+using namespace scree;
+using plugin_checks::Check;
+
+namespace {
+
+// The names of the checks that a law with a mistake fails, without the dimension.
+std::set<std::string> failed_checks(int fault) {
+  static PluginHost host({SCREE_TEST_LAWS});
+  Parameters law(host.find("faulty", SCREE_CONTACT_LAW));
+  law.set("stiffness", {5000});
+  law.set("damping", {1});
+  law.set("fault", {double(fault)});
+  std::set<std::string> failed;
+  for (const Check& check :
+       plugin_checks::check_law(law, host.locate("faulty", SCREE_CONTACT_LAW), {.speed = 0.1}))
+    if (check.verdict == Check::Verdict::failed) failed.insert(check.name.substr(0, check.name.find(", ")));
+  return failed;
+}
+
+}  // namespace
+
+TEST_CASE("a law without a mistake passes all checks", "[plugin_checks]") {
+  CHECK(failed_checks(0) == std::set<std::string>{});
+}
+
+TEST_CASE("each mistake of a law fails the checks that are meant for it", "[plugin_checks]") {
+  const std::map<int, std::string> expected = {
+      {1, "force and couple change sign when the bodies change their names"},
+      {2, "force and couple rotate with the contact"},
+      {3, "no energy is created"},
+      {4, "the energy balance of impacts closes as the step falls"},
+      {5, "derivatives agree with finite differences"},
+      {6, "single precision agrees with double"},
+      {7, "finite results at the limits of the parameters"},
+      {8, "the closed form of the restitution holds"}};
+  for (const auto& [fault, check] : expected) {
+    const std::set<std::string> failed = failed_checks(fault);
+    INFO("mistake " << fault << " must fail: " << check);
+    CHECK(failed.count(check) == 1);
+    // A wrong force also changes the outcome of impacts; a mistake elsewhere changes nothing else.
+    if (fault >= 4) CHECK(failed.size() == 1);
+  }
+}
