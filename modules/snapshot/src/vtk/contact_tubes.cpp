@@ -39,7 +39,7 @@ double mean_radius(const Frame& frame) {
 // Radius of a bar (m): a fraction of the mean particle radius, with a visible minimum.
 double bar_radius(double force, double largest_force, double mean, int dimension) {
   const double fraction = largest_force > 0 ? std::abs(force) / largest_force : 0;
-  return mean * (dimension == 2 ? std::max(0.04, 0.35 * fraction) : std::max(0.015, 0.18 * fraction));
+  return mean * (dimension == 2 ? std::max(0.015, 0.15 * fraction) : std::max(0.015, 0.18 * fraction));
 }
 
 vtkNew<vtkPolyData> contact_lines(const Frame& frame) {
