@@ -80,7 +80,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
     if (dynamic_friction > static_friction)
       return setup.refuse("dynamic_friction is above static_friction; give at most the static value");
     if (static_friction > 0 && tangential_stiffness <= 0)
-      return setup.refuse("friction needs tangential_stiffness above 0");
+      return setup.refuse("friction needs tangential_stiffness above 0; give it, or static_friction = 0");
     // Its reciprocal, and the square of the time γ_t/k_t, must be finite in single precision too.
     if (static_friction > 0 && !(tangential_stiffness > 1e-15 * std::max(1.0, tangential_damping)))
       return setup.refuse(
@@ -108,7 +108,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
     const double r = scree::restitution_of(zeta, scree::Tension(tension));
     // t_c = −ln r / η holds in both conventions: the motion decays as exp(−ηt) until the contact ends.
     const double contact_time =
-        zeta > 0 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
+        zeta > 0 && r < 1 ? (r > 0 ? -std::log(r) / (zeta * omega_0) : scree::infinity) : pi / omega_0;
     const double inverse_mass = static_friction > 0 ? scree::tangential_inverse_mass / m : 0;
     const double critical_step = scree::critical_step(
         {k / m, 2 * zeta * omega_0}, {inverse_mass * tangential_stiffness, inverse_mass * tangential_damping},

@@ -120,7 +120,7 @@ TEST_CASE("an existing run is kept unless --overwrite is given", "[tools]") {
 // A limit on file sizes simulates a full disk; a block has 512 bytes.
 TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]") {
   const Workspace w;
-  const Outcome full = w.shell("trap '' XFSZ; ulimit -f 2; scree run scene.toml --out out/deep");
+  const Outcome full = w.shell("ulimit -f 2; scree run scene.toml --out out/deep");
   CHECK(full.status == 1);
   CHECK(full.err == "scree: out/deep/run.json: cannot be written; free disk space or give another --out\n");
   CHECK_FALSE(w.has("out"));
@@ -129,11 +129,40 @@ TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]")
 TEST_CASE("a disk that fills up stops the run and keeps the files written before", "[tools]") {
   const Workspace w;
   const Outcome full = w.shell(
-      "trap '' XFSZ; ulimit -f 16; scree run scene.toml --out out "
+      "ulimit -f 16; scree run scene.toml --out out "
       "--set probe.every=1e-5 --set time.duration=0.02 --quiet");
   CHECK(full.status == 1);
   CHECK(full.err ==
-        "scree: out/series/energy.csv: cannot be written; free disk space or give another --out\n");
+        "scree: out/series/energy.csv: cannot be written (it would be too large); "
+        "raise the limit (ulimit -f) or sample less often\n");
   CHECK(w.record()["status"] == "failed");
   CHECK(w.text("out/series/energy.csv").size() == 16 * 512);
+}
+
+TEST_CASE("more probes than files can be open are refused, and nothing is left behind", "[tools]") {
+  std::string scene = discs;
+  for (int k = 0; k < 100; ++k)
+    scene += "[[probe]]\nplugin = 'momentum'\nname = 'p" + std::to_string(k) + "'\nevery = 1e-4\n";
+  const Workspace w(scene);
+  const Outcome outcome = w.shell("ulimit -n 64; scree run scene.toml --out out");
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find(
+            ".csv: cannot be written (too many files are open); use fewer probes, or raise the limit "
+            "(ulimit -n)\n") != std::string::npos);
+  CHECK_FALSE(w.has("out"));
+}
+
+TEST_CASE("bodies with more close pairs than fit into memory are refused", "[tools]") {
+  std::string bodies = "x,y,radius\n";
+  for (int k = 0; k < 4000; ++k) bodies += "0,0,0.001\n";
+  const Workspace w(with(discs,
+                         "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                         "random_velocity = 0.1\n",
+                         "file = 'same.csv'\n"));
+  w.write("same.csv", bodies);
+  check_refused(
+      w, w.shell("ulimit -v 800000; scree check scene.toml"),
+      "scene.toml:13:1: there are more than 4.1e+06 pairs of bodies nearer than the skin of 0.0001 m, as many "
+      "as fit into 0.819 GB of memory; ",
+      "place the bodies apart, or give a smaller neighbours.skin");
 }

@@ -56,3 +56,9 @@ TEST_CASE("plug-ins are also found through the environment", "[tools]") {
       w.shell("SCREE_PLUGIN_PATH='" + broken + "'; export SCREE_PLUGIN_PATH; scree check scene.toml");
   check_refused(w, outcome, "scene.toml:10:10: " + library("no_query"), "macros");
 }
+
+TEST_CASE("a path of plug-ins in the environment that is no directory is refused", "[tools]") {
+  const Workspace w;
+  check_refused(w, w.shell("SCREE_PLUGIN_PATH=nowhere; export SCREE_PLUGIN_PATH; scree check scene.toml"),
+                "SCREE_PLUGIN_PATH: nowhere: is not a directory; ", "boundary/, body_force/, probe/");
+}

@@ -195,3 +195,45 @@ TEST_CASE("a run without pictures loads no VTK, one with a chart does", "[tools]
   CHECK(w.has("out/charts/work.png"));
 #endif
 }
+
+TEST_CASE("an interval of more steps than can be counted is never due", "[tools]") {
+  for (const char* every : {"1e14", "1e20", "1e300"}) {
+    const Workspace w;
+    const Outcome outcome =
+        w.shell("timeout 20 '" SCREE_TEST_PROGRAM "' run scene.toml --out out --set probe.every=" +
+                std::string(every));
+    CHECK(outcome.status == 0);
+    CHECK(lines_of(w.text("out/series/energy.csv")).size() == 1 + 2);  // at the start and at the end
+  }
+}
+
+TEST_CASE("an energy balance that is not a number is warned of", "[tools]") {
+  const Workspace w;
+  const Outcome outcome = w.run(
+      "--quiet --set material.density=1e300 --set particles.random_velocity=1e10 --set limits.speed=1e300 "
+      "--set time.step=1e-20 --set time.duration=1e-19 --set time.step_guard=false --set probe.every=1e-19");
+  CHECK((outcome.out + outcome.err).find("the energies are no longer finite numbers") != std::string::npos);
+}
+
+TEST_CASE("what is printed does not get into data where the standard streams are closed", "[tools]") {
+  const Workspace w;
+  const Outcome outcome = w.shell("scree run scene.toml --out out --set probe.every=1e-5 <&- >&- 2>&-");
+  CHECK(outcome.status == 0);
+  const auto energy = lines_of(w.text("out/series/energy.csv"));
+  REQUIRE(energy.size() == 1 + 11);
+  for (const std::string& line : energy) CHECK(std::count(line.begin(), line.end(), ',') == 17);
+}
+
+TEST_CASE("control characters in titles, stages and requirements are printed escaped", "[tools]") {
+  const Workspace w(
+      with(with(discs, "[scene]", "[scene]\ntitle = \"one\\n\\u001b[31mtwo\""), "duration = 1e-4\n", "") +
+      "[[stage]]\nname = \"a\\nb\"\nduration = 1e-4\n"
+      "[[expect]]\nrequirement = \"r\\u001b[1m\"\nquantity = 'steps'\nat_most = 10\n");
+  std::string printed = w.scree("check scene.toml").out;
+  printed += w.run().out;
+  printed += w.run("--overwrite --set expect.at_most=1").out;
+  CHECK(printed.find('\x1b') == std::string::npos);
+  for (const char* part :
+       {"valid, one\\n\\x1B[31mtwo\n", "  stage a\\nb: ", "met      r\\x1B[1m (", "NOT MET  r\\x1B[1m ("})
+    CHECK(printed.find(part) != std::string::npos);
+}

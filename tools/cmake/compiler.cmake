@@ -26,8 +26,11 @@ if(SCREE_SANITIZE)
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
   add_compile_options(-fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SCREE_SANITIZE})
+  if(SCREE_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+  endif()
   # With sanitizers GCC 12 reports uninitialised members deep inside the standard library where there are none.
-  target_compile_options(scree_compile_options INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(scree_compile_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 find_program(SCREE_CCACHE ccache)

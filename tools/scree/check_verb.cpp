@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
 
@@ -23,16 +24,17 @@ void print_stages(const scenario::Plan& plan) {
     const double length = stage.duration ? *stage.duration : stage.at_least;
     least += length;
     if (stage.duration)
-      fmt::print("  stage {}: {:g} s, {:.0f} steps\n", stage.name, length, length / plan.scene.step);
+      fmt::print("  stage {}: {:g} s, {:.0f} steps\n", files::escaped(stage.name), length,
+                 length / plan.scene.step);
     else
-      fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n", stage.name,
-                 *stage.kinetic_over_elastic, *stage.at_most);
+      fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n",
+                 files::escaped(stage.name), *stage.kinetic_over_elastic, *stage.at_most);
   }
   fmt::print("  at least {:g} s of simulated time\n", least);
 }
 
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
-  fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", plan.title);
+  fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", files::escaped(plan.title));
   fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
              simulation.particles().size(), plan.scene.dimension, simulation.planes().size(),
              plan.scene.laws.size(), plan.scene.body_forces.size(), plan.probes.size());

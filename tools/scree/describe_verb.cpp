@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/closed_forms.hpp>
 #include <scree/document/message.hpp>
 #include <scree/scenario/keys.hpp>
 
@@ -79,13 +80,11 @@ std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, const DescribeAr
 }
 
 void print_forms(const std::string& who, const ConfiguredLaw& law, const scree_encounter& encounter) {
-  scree_closed_form forms[16];
-  const std::uint32_t n = law.interface().closed_forms(law.storage(), &encounter, forms, 16);
   fmt::print("\n{} (m* = {:.6g} kg, R* = {:g} m, {:g} m/s)\n", who, encounter.reduced_mass,
              encounter.effective_radius, encounter.speed);
-  for (std::uint32_t k = 0; k < n; ++k)
-    fmt::print("  {:<16} {:<14} {}\n", forms[k].name, fmt::format("{:.6g} {}", forms[k].value, forms[k].unit),
-               forms[k].formula);
+  for (const scree_closed_form& form : closed_forms(law, encounter))
+    fmt::print("  {:<16} {:<14} {}\n", form.name, fmt::format("{:.6g} {}", form.value, form.unit),
+               form.formula);
 }
 
 void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {

@@ -3,8 +3,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
 #include <new>
 #include <sstream>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -39,17 +41,27 @@ void add_plugin_options(Verb& verb, PluginOptions& options) {
       .shown_as("DIR");
 }
 
+namespace {
+
+void check_plugin_directory(const char* source, const std::filesystem::path& directory) {
+  if (std::error_code failed; !std::filesystem::is_directory(directory, failed))
+    throw Error(fmt::format(
+        "{}{}: is not a directory; give the one that contains contact/, boundary/, body_force/, probe/",
+        source, directory.string()));
+}
+
+}  // namespace
+
 PluginHost make_host(const PluginOptions& options) {
   std::vector<std::filesystem::path> directories(options.directories.begin(), options.directories.end());
-  for (const auto& directory : directories)
-    if (std::error_code failed; !std::filesystem::is_directory(directory, failed))
-      throw Error(fmt::format(
-          "--plugins {}: is not a directory; give the one that contains contact/, boundary/, body_force/, probe/",
-          directory.string()));
+  for (const auto& directory : directories) check_plugin_directory("--plugins ", directory);
   if (const char* path = std::getenv("SCREE_PLUGIN_PATH")) {
     std::istringstream parts(path);
-    for (std::string part; std::getline(parts, part, ':');)
-      if (!part.empty()) directories.emplace_back(part);
+    for (std::string part; std::getline(parts, part, ':');) {
+      if (part.empty()) continue;
+      check_plugin_directory("SCREE_PLUGIN_PATH: ", part);
+      directories.emplace_back(part);
+    }
   }
   for (const auto& directory : PluginHost::default_directories()) directories.push_back(directory);
   return PluginHost(std::move(directories));
@@ -80,6 +92,12 @@ constexpr const char* footer =
     "  scree describe linear_spring_dashpot normal_stiffness=5000 normal_damping=0.05\n"
     "Exit status: 0 done, 1 an expectation was not met, 2 bad input (nothing written), 3 the run blew up\n"
     "(what it wrote is kept), 130 interrupted (the same).";
+
+// The next file opened would otherwise get the number of a closed descriptor, and with it what is printed.
+void open_closed_descriptors() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor)
+    if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0) return;
+}
 
 // Output that did not reach its file must not pass for success.
 ExitStatus flushed(ExitStatus status) {
@@ -118,4 +136,8 @@ ExitStatus main_of(int argc, char** argv) {
 
 }  // namespace scree::tool
 
-int main(int argc, char** argv) { return int(scree::tool::main_of(argc, argv)); }
+int main(int argc, char** argv) {
+  scree::tool::open_closed_descriptors();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is reported where a file is written
+  return int(scree::tool::main_of(argc, argv));
+}

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
+
 namespace scree::tool {
 
 namespace {
@@ -31,7 +33,7 @@ std::string duration_text(double seconds) {
 ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
 void ProgressBar::show(const run::Progress& p) {
-  std::string what = fmt::format("t = {:.4g} s  {}", p.time, p.stage);
+  std::string what = fmt::format("t = {:.4g} s  {}", p.time, files::escaped(p.stage));
   if (p.stages > 1) what += fmt::format(" (stage {} of {})", p.stage_number, p.stages);
   if (p.share) return show(*p.share, p.wall, what);
   if (p.goal && p.kinetic_over_elastic)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
 #include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
@@ -47,7 +48,8 @@ void print_result(const run::RunResult& r) {
   fmt::print("state hash {:016x}\n", r.state_hash);
   for (const run::Verdict& v : r.verdicts)
     if (v.met)
-      fmt::print("met      {} ({} = {:.6g})\n", v.expectation.requirement, v.expectation.quantity, v.value);
+      fmt::print("met      {} ({} = {:.6g})\n", files::escaped(v.expectation.requirement),
+                 v.expectation.quantity, v.value);
 }
 
 // What is not met is told even to those who asked for quiet.
@@ -61,7 +63,7 @@ void print_unmet(const run::RunResult& r) {
                             v.value - *e.reference);
     if (e.at_most) wanted += fmt::format(", expected at most {}", *e.at_most);
     if (e.at_least) wanted += fmt::format(", expected at least {}", *e.at_least);
-    fmt::print("NOT MET  {} ({} = {}{})\n", e.requirement, e.quantity, v.value, wanted);
+    fmt::print("NOT MET  {} ({} = {}{})\n", files::escaped(e.requirement), e.quantity, v.value, wanted);
   }
 }
 

@@ -69,9 +69,9 @@ class Simulation {
   ContactList contact_list() const;
 
   scree_energy energy() const;
-  // |residual| / turnover of the energy balance; 0 without an audit.
+  // |residual| / turnover of the energy balance; 0 without an audit, NaN if an energy was not finite.
   double energy_residual() const;
-  // Energy created by contact laws / turnover; 0 without an audit.
+  // Energy created by contact laws / turnover; 0 without an audit, NaN if an energy was not finite.
   double energy_created() const;
   // Net momentum created by contact forces (0 in exact arithmetic) over the momentum exchanged.
   double momentum_residual() const;

@@ -1,11 +1,18 @@
 #include "audit/energy_audit.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <scree/energy.hpp>
 
 namespace scree {
+
+namespace {
+
+// The larger number; NaN if one of them is, which std::max passes over.
+double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+
+}  // namespace
 
 void EnergyAudit::set_stored(const ContactSums& contacts, const BodySums& bodies) {
   const double before = totals_.elastic_normal + totals_.elastic_tangential + totals_.potential;
@@ -21,7 +28,7 @@ void EnergyAudit::store(const ContactSums& contacts, const BodySums& bodies) {
   totals_.elastic_tangential = contacts.elastic_tangential;
   totals_.potential = bodies.potential;
   const double height = started_ ? std::abs(totals_.potential - potential_at_start_) : 0;
-  max_stored_ = std::max(max_stored_, totals_.elastic_normal + totals_.elastic_tangential + height);
+  max_stored_ = larger(max_stored_, totals_.elastic_normal + totals_.elastic_tangential + height);
 }
 
 void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodySums& bodies) {
@@ -74,8 +81,14 @@ double dissipated_energy(const scree_energy& e) {
 }
 
 double EnergyAudit::turnover(const scree_energy& e) const {
-  const double peak = std::max({kinetic_energy(e) + elastic_energy(e), kinetic_at_start_, max_stored_});
-  return std::max(std::abs(e.work), peak + dissipated_energy(e));
+  const double peak = larger(larger(kinetic_energy(e) + elastic_energy(e), kinetic_at_start_), max_stored_);
+  return larger(std::abs(e.work), peak + dissipated_energy(e));
+}
+
+double EnergyAudit::share(double energy, const scree_energy& now) const {
+  const double all = turnover(now);
+  if (!std::isfinite(energy) || !std::isfinite(all)) return std::numeric_limits<double>::quiet_NaN();
+  return all > 0 ? energy / all : 0;
 }
 
 }  // namespace scree

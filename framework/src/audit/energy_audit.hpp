@@ -32,8 +32,10 @@ class EnergyAudit {
   // Sets the initial state, the reference of the residual; kinetic energies in J.
   void start(double kinetic_translation, double kinetic_rotation, const scree_boundary_energy& boundaries);
   // Scale of the residual (J): the larger of |work| and the dissipated energy plus the largest energy that
-  // was kinetic, or stored in springs and potentials.
+  // was kinetic, or stored in springs and potentials. NaN if one of them has been NaN.
   double turnover(const scree_energy& now) const;
+  // An energy (J) over the turnover. 0 without a turnover, NaN if one of the two is not finite.
+  double share(double energy, const scree_energy& now) const;
   // The balance at the present time.
   scree_energy balance(double kinetic_translation, double kinetic_rotation,
                        const scree_boundary_energy& boundaries) const;

@@ -1,6 +1,7 @@
 #include "plugins/boundaries.hpp"
 
 #include "plugins/boundary_checks.hpp"
+#include "plugins/plugin_call.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +59,9 @@ void Boundaries::start(Member& member) {
   scree_boundary_energy energy = {};
   const scree_boundary_step step = step_of(member, 0, 0, energy);
   char message[512] = "";
-  const int refused =
-      member.plugin.interface().start(member.plugin.storage(), &step, message, sizeof(message));
+  const int refused = plugin_call(member.plugin_name(), "start", [&] {
+    return member.plugin.interface().start(member.plugin.storage(), &step, message, sizeof(message));
+  });
   message[sizeof(message) - 1] = 0;
   if (refused)
     throw Error(fmt::format("{}: {}", member.plugin_name(), *message ? message : "refused to start"));

@@ -1,3 +1,5 @@
+#include "plugins/plugin_call.hpp"
+
 #include <cmath>
 #include <new>
 #include <type_traits>
@@ -15,6 +17,13 @@ void check_instance(const char* name, const scree_contact_instance& i) {
   if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
     throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
                             name, i.history_width, SCREE_MAX_HISTORY));
+  constexpr std::uint32_t columns = (1u << SCREE_CONTACT_INPUT_COUNT) - 1;
+  if ((i.reads & ~columns) != 0 || i.arms > SCREE_ARM_RADIUS ||
+      i.sliding_column >= std::int32_t(i.history_width))
+    throw Error(
+        fmt::format("plug-in {}: reads {:#x}, arms {} or sliding_column {} name what there is not; "
+                    "use the values of contact_law.h",
+                    name, i.reads, i.arms, i.sliding_column));
   for (const double power : {i.onset_power, i.parting_power})
     if (!(power >= 0) || (power < 1 && std::fmod(4 * power, 1) != 0))
       throw Error(
@@ -47,11 +56,12 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
   if (interface().storage_size > SCREE_MAX_INSTANCE_SIZE)
     throw Error(fmt::format("plug-in {}: needs {} bytes of storage, more than the limit of {}", name,
                             interface().storage_size, SCREE_MAX_INSTANCE_SIZE));
-  int failed = 0;
-  if constexpr (std::is_same_v<Instance, NoInstance>)
-    failed = interface().configure(&setup, storage_.get());
-  else
-    failed = interface().configure(&setup, storage_.get(), &instance_);
+  const int failed = plugin_call(name, "configure", [&] {
+    if constexpr (std::is_same_v<Instance, NoInstance>)
+      return interface().configure(&setup, storage_.get());
+    else
+      return interface().configure(&setup, storage_.get(), &instance_);
+  });
   message[sizeof(message) - 1] = 0;
   if (failed) throw Error(fmt::format("{}: {}", name, *message ? message : "refused its parameters"));
   check_instance(name, instance_);

@@ -12,7 +12,7 @@ namespace scree {
 
 std::vector<std::string> instruction_levels() {
   std::vector<std::string> all;
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)  // clang 14 knows no levels
   if (__builtin_cpu_supports("x86-64-v4")) all.push_back("x86-64-v4");
   if (__builtin_cpu_supports("x86-64-v3")) all.push_back("x86-64-v3");
 #endif

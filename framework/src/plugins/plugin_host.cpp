@@ -1,4 +1,6 @@
 #include "plugins/instruction_levels.hpp"
+#include "plugins/manifest.hpp"
+#include "plugins/trial_load.hpp"
 
 #include <algorithm>
 #include <cfenv>
@@ -22,10 +24,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Whether a file exists; false also for names that the file system cannot represent.
+// Whether there is a file or a link; false also for names that the file system cannot represent.
 bool exists_at(const fs::path& path) {
   std::error_code failed;
-  return fs::exists(path, failed);
+  return fs::exists(fs::symlink_status(path, failed));
 }
 
 // The loader maps the sizes in the headers; reading past the end of a truncated file would crash the program.
@@ -41,9 +43,23 @@ bool is_truncated(const fs::path& path) {
   for (int k = 0; k < header.e_phnum; ++k) {
     Elf64_Phdr segment = {};
     file.read(reinterpret_cast<char*>(&segment), sizeof(segment));
-    if (!file || (segment.p_type == PT_LOAD && segment.p_offset + segment.p_filesz > size)) return true;
+    if (!file || (segment.p_type == PT_LOAD &&
+                  (segment.p_offset > size || segment.p_filesz > size - segment.p_offset)))
+      return true;
   }
   return false;
+}
+
+// Opening a pipe would wait for a writer.
+void check_file(const fs::path& path) {
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  if (!fs::exists(status))
+    throw Error(fmt::format("{}: cannot be read ({}); check the link", path.string(), failed.message()));
+  if (!fs::is_regular_file(status))
+    throw Error(fmt::format("{}: is not a regular file; replace it by a plug-in library", path.string()));
+  if (is_truncated(path))
+    throw Error(fmt::format("{}: the plug-in library is truncated; rebuild it", path.string()));
 }
 
 fs::path best_build(const fs::path& baseline) {
@@ -64,39 +80,6 @@ std::string loader_reason() {
   return colon == std::string::npos ? all : all.substr(colon + 2);
 }
 
-std::size_t interface_size(std::uint32_t kind) {
-  switch (kind) {
-    case SCREE_CONTACT_LAW:
-      return sizeof(scree_contact_law);
-    case SCREE_BOUNDARY:
-      return sizeof(scree_boundary);
-    case SCREE_BODY_FORCE:
-      return sizeof(scree_body_force);
-    case SCREE_PROBE:
-      return sizeof(scree_probe);
-  }
-  return 0;
-}
-
-// Why a library of the right version cannot be used all the same, and the cure; empty if it can.
-std::string fault_of_build(const scree_plugin& plugin) {
-  if (plugin.struct_size != sizeof(scree_plugin) || plugin.parameter_size != sizeof(scree_parameter))
-    return "was built with other headers of the same interface version; rebuild it against this version";
-  if (plugin.numerics & SCREE_FAST_MATH)
-    return "was compiled with -ffast-math or a part of it, which changes results; compile it without";
-  if (plugin.numerics & SCREE_CONTRACTED)
-    return "was compiled so that products and sums are fused, which changes results; add -ffp-contract=off";
-  if (interface_size(plugin.kind) == 0)
-    return fmt::format("contains a plug-in of an unknown kind {}; rebuild it against this version",
-                       plugin.kind);
-  // Each interface begins with its struct_size.
-  if (!plugin.interface ||
-      *static_cast<const std::uint32_t*>(plugin.interface) != interface_size(plugin.kind))
-    return fmt::format("has the interface of another version of a {}; rebuild it against this version",
-                       kind_name(scree_kind(plugin.kind)));
-  return "";
-}
-
 }  // namespace
 
 struct PluginHost::Library {
@@ -104,9 +87,11 @@ struct PluginHost::Library {
   void* handle = nullptr;
   const scree_plugin* plugin = nullptr;
 
-  explicit Library(const fs::path& p) : path(p) {
-    if (is_truncated(path))
-      throw Error(fmt::format("{}: the plug-in library is truncated; rebuild it", path.string()));
+  Library(const fs::path& p, bool trusted) : path(p) {
+    check_file(path);
+    if (const auto end = trusted ? std::nullopt : fatal_load(path))
+      throw Error(fmt::format("{}: ends the program while it is loaded ({}); remove or correct it",
+                              path.string(), *end));
     // A library built with -ffast-math changes the treatment of denormal numbers when it is loaded.
     std::fenv_t numerics;
     std::fegetenv(&numerics);
@@ -119,15 +104,12 @@ struct PluginHost::Library {
     if (!query)
       fail(fmt::format("lacks the symbol {}; export the plug-in with one of the SCREE_*_PLUGIN macros",
                        SCREE_QUERY_SYMBOL));
-    plugin = query();
-    if (!plugin || plugin->struct_size < offsetof(scree_plugin, kind))
-      fail(fmt::format("{} returned no manifest; rebuild it against this version", SCREE_QUERY_SYMBOL));
-    if (plugin->abi_version != SCREE_ABI_VERSION)
-      fail(fmt::format("plug-in interface version {}, this program has {}; rebuild it against this version",
-                       plugin->abi_version, SCREE_ABI_VERSION));
-    if (plugin->features != 0)
-      fail(fmt::format("needs features {:#x} that this program lacks; use a newer scree", plugin->features));
-    if (const std::string fault = fault_of_build(*plugin); !fault.empty()) fail(fault);
+    try {
+      plugin = query();
+    } catch (...) {
+      fail(fmt::format("{} threw an exception; let it return a manifest", SCREE_QUERY_SYMBOL));
+    }
+    if (const auto problem = manifest_problem(plugin)) fail(*problem);
     if (path.stem() != plugin->name)
       fail(fmt::format("contains a plug-in named '{}'; name the library {}.so", plugin->name, plugin->name));
   }
@@ -194,9 +176,19 @@ std::vector<std::string> PluginHost::names(scree_kind kind) const {
   return {found.begin(), found.end()};
 }
 
+namespace {
+
+// Whether a library comes with the program; others are tried in a child process first.
+bool is_own(const fs::path& library) {
+  const std::vector<fs::path> own = PluginHost::default_directories();
+  return std::find(own.begin(), own.end(), library.parent_path().parent_path()) != own.end();
+}
+
+}  // namespace
+
 const scree_plugin* PluginHost::load(const fs::path& path) {
   std::unique_ptr<Library>& library = libraries_[path];
-  if (!library) library = std::make_unique<Library>(best_build(path));
+  if (!library) library = std::make_unique<Library>(best_build(path), is_own(path));
   return library->plugin;
 }
 

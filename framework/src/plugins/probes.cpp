@@ -1,3 +1,5 @@
+#include "plugins/plugin_call.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -104,7 +106,8 @@ Probe::Probe(const Parameters& parameters, int dimension)
   std::set<std::string> taken = {"time"};
   for (std::uint32_t c = 0; c < plugin_.instance().column_count; ++c) {
     char name[SCREE_MAX_NAME] = "", unit[SCREE_MAX_NAME] = "";
-    plugin_.interface().column(plugin_.storage(), c, name, unit);
+    plugin_call(plugin_.parameters().plugin().name, "column",
+                [&] { plugin_.interface().column(plugin_.storage(), c, name, unit); });
     name[SCREE_MAX_NAME - 1] = unit[SCREE_MAX_NAME - 1] = 0;
     names_.push_back(name);
     units_.push_back(unit);
@@ -125,8 +128,12 @@ std::vector<double> Probe::started(const scree_view& view) const {
       interface.state_size ? interface.state_size(plugin_.storage(), &view) : plugin_.instance().state_width;
   std::vector<double> state(size, 0.0);
   char message[512] = "";
-  if (interface.start(plugin_.storage(), &view, state.data(), message, sizeof(message)))
-    throw Error(fmt::format("probe {}: {}", plugin_.parameters().plugin().name, message));
+  const char* name = plugin_.parameters().plugin().name;
+  const int failed = plugin_call(name, "start", [&] {
+    return interface.start(plugin_.storage(), &view, state.data(), message, sizeof(message));
+  });
+  message[sizeof(message) - 1] = 0;
+  if (failed) throw Error(fmt::format("probe {}: {}", name, message));
   return state;
 }
 

@@ -23,7 +23,8 @@ void CellLevel::choose_cells(const Vec3& lower, const Vec3& upper, double reach,
     cells_[k] = int(std::min(needed[k], share));
     left /= cells_[k];
     const double length = upper[k] - lower[k];
-    inverse_width_[k] = wrapped_[k] ? 1 / reach : length > 0 ? cells_[k] / length : 0;
+    // One cell needs no width; that of the smallest lengths has no reciprocal.
+    inverse_width_[k] = wrapped_[k] ? 1 / reach : cells_[k] > 1 ? cells_[k] / length : 0;
   }
 }
 

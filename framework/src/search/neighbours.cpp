@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include <scree/available_memory.hpp>
 #include <scree/error.hpp>
 
 namespace scree {
@@ -19,6 +21,18 @@ namespace scree {
 namespace {
 
 constexpr std::size_t max_levels = 16;
+
+// Largest memory (bytes) per pair in search, contacts, history and loads; and the limit of their indices.
+constexpr double memory_per_pair = 200;
+constexpr double most_indices = 0x1p31;
+
+Error too_many_pairs(std::size_t most, double skin) {
+  return Error(
+      fmt::format("there are more than {:.2g} pairs of bodies nearer than the skin of {:g} m, as many as "
+                  "fit into {:.3g} GB of memory; place the bodies apart, or give a smaller neighbours.skin",
+                  double(most), skin, 1e-9 * available_memory()),
+      ExitStatus::failure);
+}
 
 // Level 0 holds the largest bodies; each further level half the size.
 std::size_t level_of(double radius, double largest) {
@@ -67,6 +81,8 @@ class PairCollector {
       : pairs_(pairs), folding_(folding), skin_(skin) {
     pairs_.clear();
   }
+
+  std::size_t size() const { return pairs_.size(); }
 
   // Adds the binned bodies [begin, end) to the candidates.
   void add_candidates(std::size_t begin, std::size_t end) {
@@ -122,14 +138,15 @@ struct NeighbourSearch::Hierarchy {
   std::array<CellLevel, max_levels> levels;
 
   // Finds the pairs of the binned bodies [begin, end) of a level with all bodies of coarser levels, and with
-  // those behind them in their own level.
-  void find(std::size_t level, std::size_t begin, std::size_t end, PairCollector& pairs) const;
+  // those behind them in their own level. Ends early beyond `most` pairs.
+  void find(std::size_t level, std::size_t begin, std::size_t end, std::size_t most,
+            PairCollector& pairs) const;
 };
 
 [[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
-                                                                         std::size_t end,
+                                                                         std::size_t end, std::size_t most,
                                                                          PairCollector& pairs) const {
-  for (std::size_t k = begin; k < end; ++k) {
+  for (std::size_t k = begin; k < end && pairs.size() <= most; ++k) {
     const CellLevel::BinnedBody& body = levels[level].binned()[k];
     for (std::size_t l = 0; l <= level; ++l) {
       if (members[l].empty()) continue;
@@ -144,7 +161,10 @@ struct NeighbourSearch::Hierarchy {
   }
 }
 
-NeighbourSearch::NeighbourSearch() : hierarchy_(std::make_unique<Hierarchy>()) {}
+NeighbourSearch::NeighbourSearch(std::size_t most_pairs)
+    : most_pairs_(most_pairs > 0 ? most_pairs
+                                 : std::size_t(std::min(most_indices, available_memory() / memory_per_pair))),
+      hierarchy_(std::make_unique<Hierarchy>()) {}
 NeighbourSearch::~NeighbourSearch() = default;
 
 void NeighbourSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
@@ -174,6 +194,7 @@ void NeighbourSearch::sort_pairs(std::size_t bodies) {
   std::size_t count = 0;
   for (const auto& pairs : found_) count += pairs.size();
   sorted_.resize(count);
+  if (count == 0) return;
   counting_sort(
       bodies, first_,
       [&](const auto& visit) {
@@ -189,10 +210,16 @@ void NeighbourSearch::sort_pairs(std::size_t bodies) {
 const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> bodies, int dimension,
                                                         const Domain& domain, double skin,
                                                         ThreadPool& threads) {
-  constexpr std::size_t share = 2048;
   sorted_.clear();
   if (bodies.size() < 2) return sorted_;
   bin_bodies(bodies, dimension, domain, skin);
+  collect_pairs(domain, skin, threads);
+  sort_pairs(bodies.size());
+  return sorted_;
+}
+
+void NeighbourSearch::collect_pairs(const Domain& domain, double skin, ThreadPool& threads) {
+  constexpr std::size_t share = 2048;
   struct Share {
     std::size_t level, begin, end;
   };
@@ -201,13 +228,13 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> 
     for (std::size_t begin = 0, end = hierarchy_->members[l].size(); begin < end; begin += share)
       shares.push_back({l, begin, std::min(begin + share, end)});
   found_.resize(shares.size());
+  std::atomic<std::size_t> all = 0;
   threads.each(shares.size(), [&](std::size_t k, unsigned) {
     const Share& s = shares[k];
     PairCollector pairs(found_[k], Folding(domain), skin);
-    hierarchy_->find(s.level, s.begin, s.end, pairs);
+    hierarchy_->find(s.level, s.begin, s.end, most_pairs_ - std::min(most_pairs_, all.load()), pairs);
+    if (all.fetch_add(pairs.size()) + pairs.size() > most_pairs_) throw too_many_pairs(most_pairs_, skin);
   });
-  sort_pairs(bodies.size());
-  return sorted_;
 }
 
 }  // namespace scree

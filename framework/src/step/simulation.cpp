@@ -110,14 +110,12 @@ scree_energy Simulation::energy() const {
 double Simulation::energy_residual() const {
   if (!parts_->scene.audit) return 0;
   const scree_energy e = energy();
-  const double turnover = parts_->audit.turnover(e);
-  return turnover > 0 ? std::abs(e.residual) / turnover : 0;
+  return parts_->audit.share(std::abs(e.residual), e);
 }
 
 double Simulation::energy_created() const {
   const scree_energy e = energy();
-  const double turnover = parts_->audit.turnover(e);
-  return turnover > 0 ? e.created / turnover : 0;
+  return parts_->audit.share(e.created, e);
 }
 
 double Simulation::momentum_residual() const { return parts_->momentum_audit.residual(); }

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/closed_forms.hpp>
 #include <scree/plugin/stability.hpp>
-#include <scree/plugin_host.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree {
@@ -46,10 +46,8 @@ std::vector<Smallest> smallest_bodies(const Scene& scene) {
 
 std::optional<double> closed_form(const ConfiguredLaw& law, const scree_encounter& encounter,
                                   std::string_view name) {
-  scree_closed_form forms[32] = {};
-  const std::uint32_t count = law.interface().closed_forms(law.storage(), &encounter, forms, 32);
-  for (std::uint32_t k = 0; k < count; ++k)
-    if (forms[k].name == name) return forms[k].value;
+  for (const scree_closed_form& form : closed_forms(law, encounter))
+    if (form.name == name) return form.value;
   return std::nullopt;
 }
 

@@ -125,7 +125,7 @@ class Override {
       const auto [end, failure] =
           std::from_chars(digits.data(), digits.data() + digits.size(), segment.indices.emplace_back());
       if (failure != std::errc() || end != digits.data() + digits.size())
-        throw malformed(fmt::format("'{}' is no index from 0", digits));
+        throw malformed(fmt::format("'{}' is no index from 0", files::one_line(digits)));
       rest = trimmed(rest.substr(close + 1));
     }
     return segment;

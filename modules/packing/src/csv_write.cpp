@@ -2,7 +2,6 @@
 #include "text_reader.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -58,16 +57,11 @@ void write_header(std::string& out, const Optional& columns, int dimension) {
 }
 
 void require_plain(const Body& body) {
-  const std::string& name = body.material;
-  constexpr std::string_view reserved(",\"\n\r\0", 5);
-  const bool plain = name.find_first_of(reserved) == std::string::npos;
-  const bool padded = !name.empty() && (std::isspace(static_cast<unsigned char>(name.front())) ||
-                                        std::isspace(static_cast<unsigned char>(name.back())));
-  if (plain && !padded) return;
+  if (fits_csv_cell(body.material)) return;
   throw Error(
       fmt::format("packing: body {}: material {} cannot be written as a CSV cell; rename it without "
-                  "commas, quotes, line breaks and leading or trailing blanks",
-                  body.id, quote_token(name)));
+                  "commas, quotes, control characters and leading or trailing blanks",
+                  body.id, quote_token(body.material)));
 }
 
 void write_optional(std::string& out, double value) {
@@ -89,6 +83,12 @@ void write_body(std::string& out, const Body& body, const Optional& columns, int
 }
 
 }  // namespace
+
+bool fits_csv_cell(std::string_view text) {
+  const auto breaks = [](unsigned char c) { return c < 0x20 || c == 0x7F || c == ',' || c == '"'; };
+  const bool padded = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+  return !padded && std::none_of(text.begin(), text.end(), breaks);
+}
 
 std::string format_csv(const Packing& packing) {
   check(packing);

@@ -10,7 +10,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <scree/error.hpp>
 #include <scree/files/text_file.hpp>
@@ -68,12 +67,19 @@ FileFormat detect_format(std::string_view text, std::string_view name) {
   if (reader.line().find(',') != std::string_view::npos) return FileFormat::csv;
   if (reader.words().size() == 3 && begins_with_number(reader.words()[0].text)) return FileFormat::beads;
   reader.fail(1, "the format of the file is not recognised",
-              fmt::format("name it: {}", fmt::join(names, ", ")));
+              reader.line().find(';') != std::string_view::npos
+                  ? "separate the columns of a CSV file by commas, and write decimal points"
+                  : "give CSV with a header line, 'x y r' in each line, or a data or dump file of LAMMPS");
+}
+
+Packing parse_packing(std::string_view text, const std::string& name, const ImportOptions& options) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return parse(text, name, detect_format(text, name), options);
 }
 
 Packing read_packing(const std::filesystem::path& path, const ImportOptions& options) {
-  const std::string text = files::read_text(path);
-  return parse(text, path.string(), detect_format(text, path.string()), options);
+  return parse_packing(files::read_text(path), path.string(), options);
 }
 
 Packing read_packing(const std::filesystem::path& path, FileFormat format, const ImportOptions& options) {

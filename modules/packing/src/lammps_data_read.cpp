@@ -62,6 +62,7 @@ class DataReader {
 
   Packing read() {
     if (!reader_.next()) reader_.fail(1, "the file is empty", "give a LAMMPS data file");
+    require_si();
     bool more = read_header();
     while (more) more = read_section();
     if (!has_atoms_)
@@ -70,6 +71,7 @@ class DataReader {
   }
 
  private:
+  void require_si() const;
   bool read_header();
   bool read_header_line(const std::vector<Token>& words);
   void read_extent(const std::vector<Token>& words, int axis);
@@ -93,6 +95,18 @@ class DataReader {
   bool has_atoms_ = false;
   std::unordered_map<std::int64_t, std::size_t> index_of_;
 };
+
+// LAMMPS ends the title with the units of the run, as in "..., timestep = 100, units = lj".
+void DataReader::require_si() const {
+  constexpr std::string_view mark = "units = ";
+  const std::size_t at = reader_.line().find(mark);
+  if (at == std::string_view::npos) return;
+  const std::size_t begin = at + mark.size(), end = reader_.line().find_first_of(" ,\t", begin);
+  const Token units = reader_.trimmed(begin, std::min(end, reader_.line().size()));
+  if (units.text != "si")
+    reader_.fail(units.column, fmt::format("the file is in units {}", quote_token(units.text)),
+                 "write it with units si");
+}
 
 // Reads up to the first section; the first line of the file is a title. Returns true if there is a section;
 // its keyword is then the current line.

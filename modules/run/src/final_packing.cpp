@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
 #include <scree/packing/csv.hpp>
 
 namespace scree::run {
@@ -47,7 +50,14 @@ bool is_finite(const packing::Body& b) {
 
 void write_final_packing(const Simulation& simulation, const std::filesystem::path& path) {
   packing::Packing last = packing_of(simulation);
-  if (!std::all_of(last.bodies.begin(), last.bodies.end(), is_finite)) return;
+  for (const packing::Body& body : last.bodies)
+    if (!is_finite(body))
+      throw Error(
+          fmt::format(
+              "particle {}: position, velocity or spin at t = {:g} s is beyond the range of numbers, so "
+              "that final_packing.csv is not written; use a shorter time.step or a shorter run",
+              body.id, simulation.time()),
+          ExitStatus::failure);
   add_box(simulation.domain(), last);
   packing::write_csv(last, path);
 }

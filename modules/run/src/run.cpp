@@ -77,9 +77,10 @@ class Run {
     directory_.create();
     try {
       record("running", "");
-      directory_.write_file("scenario.toml", plan_.resolved_text);
+      directory_.write_file("scenario.toml", plan_.text_for_any_folder);
       sampler_.open(directory_.series());
     } catch (const std::exception&) {
+      sampler_.close();  // too many open files cannot be removed
       directory_.discard();
       throw;
     }

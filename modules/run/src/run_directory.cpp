@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cerrno>
 #include <unistd.h>
 #include <vector>
 
@@ -105,14 +106,19 @@ void RunDirectory::write_file(const std::string& name, const std::string& text) 
   }
 }
 
-Error unwritable(const fs::path& path) {
-  return Error(fmt::format("{}: cannot be written; free disk space or give another --out", path.string()),
-               ExitStatus::failure);
+Error unwritable(const fs::path& path, int code) {
+  std::string cure = "; free disk space or give another --out";
+  if (code == EMFILE) cure = " (too many files are open); use fewer probes, or raise the limit (ulimit -n)";
+  if (code == EFBIG) cure = " (it would be too large); raise the limit (ulimit -f) or sample less often";
+  return Error(fmt::format("{}: cannot be written{}", path.string(), cure), ExitStatus::failure);
 }
 
 fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
-  if (kind == Kind::campaign) return fs::path("campaigns") / scenario.stem();
-  fs::path base = fs::path("runs") / scenario.stem();
+  // The stems of "..toml" and "...toml" are directories that exist.
+  const bool named = scenario.stem() != "." && scenario.stem() != "..";
+  const fs::path name = named ? scenario.stem() : fs::path("scenario");
+  if (kind == Kind::campaign) return "campaigns" / name;
+  fs::path base = "runs" / name;
   if (kind == Kind::study) base += "-accuracy";
   fs::path path = base;
   std::error_code failed;

@@ -13,7 +13,9 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step) {
   // Starts one multiple early, for rounding.
   double multiple = std::max(0.0, std::floor((double(steps) + 0.5) * step / every) - 1);
   while (std::round(multiple * every / step) <= double(steps)) ++multiple;
-  return std::uint64_t(std::round(multiple * every / step));
+  // Every count that a run reaches is below 2^53.
+  const double next = std::round(multiple * every / step);
+  return next < 0x1p53 ? std::uint64_t(next) : never;
 }
 
 Sampler::Sampler(const scenario::Plan& plan) : staged_(plan.stages.size() > 1) {
@@ -92,6 +94,10 @@ void Sampler::begin_stage(std::size_t number) {
 
 void Sampler::flush() {
   for (Active& p : probes_) p.series->flush();
+}
+
+void Sampler::close() {
+  for (Active& p : probes_) p.series.reset();
 }
 
 const Series& Sampler::series(const std::string& probe) const {

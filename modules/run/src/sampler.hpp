@@ -15,7 +15,7 @@ namespace scree::run {
 // Whether output with the interval `every` (s) is due after `steps` time steps of length `step` (s): at the
 // step nearest to each multiple of the interval, so that rounding errors do not accumulate.
 bool is_due(std::uint64_t steps, double every, double step);
-// Number of steps at which it is due next.
+// Number of steps at which it is due next; `never` beyond 2^53 steps.
 std::uint64_t next_due(std::uint64_t steps, double every, double step);
 
 inline constexpr std::uint64_t never = ~std::uint64_t(0);
@@ -39,6 +39,8 @@ class Sampler {
   // Samples from now on belong to the stage of this number, from 1.
   void begin_stage(std::size_t number);
   void flush();
+  // Closes the files and forgets the rows.
+  void close();
   // Series of a probe, by name.
   const Series& series(const std::string& probe) const;
 

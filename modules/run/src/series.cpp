@@ -1,6 +1,7 @@
 #include "series.hpp"
 
 #include <algorithm>
+#include <cerrno>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ void Series::flush() {
 }
 
 void Series::check_file() const {
-  if (!path_.empty() && !file_) throw unwritable(path_);
+  if (!path_.empty() && !file_) throw unwritable(path_, errno);
 }
 
 const std::vector<double>& Series::column(const std::string& name) const {

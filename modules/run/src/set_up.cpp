@@ -18,8 +18,8 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
   try {
     return std::make_unique<Simulation>(scene);
   } catch (const Error& error) {
-    // Errors of the scene as a whole concern either the bodies or a periodic length.
-    const bool of_bodies = error.status() == ExitStatus::blow_up || plan.periodic_place.empty();
+    // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
+    const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty();
     throw Error(fmt::format("{}: {}", of_bodies ? plan.bodies_place : plan.periodic_place, error.what()));
   }
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -53,15 +54,18 @@ std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simula
 std::vector<std::string> result_warnings(const Simulation& s) {
   constexpr double much = 0.05;
   std::vector<std::string> warnings;
-  // Written so that NaN is warned of too.
-  if (!(s.energy_residual() <= much))
+  if (!std::isfinite(s.energy_residual()))
+    warnings.push_back(
+        "the energies are no longer finite numbers, so that the energy balance says nothing; look for a law, "
+        "wall or body force that makes them so, or check units and magnitudes");
+  if (s.energy_residual() > much)
     warnings.push_back(fmt::format(
         "the energy balance does not close, by {:.2g} of the turnover; shorten time.step, or look for a law "
         "that creates energy",
         s.energy_residual()));
   // Dissipations of 0 round to either side, in float by some 6e-8.
   const double rounding = s.scene().precision == Precision::mixed ? 1e-6 : 1e-9;
-  if (!(s.energy_created() <= rounding))
+  if (s.energy_created() > rounding)
     warnings.push_back(fmt::format(
         "contact laws created {:.2g} of the energy turned over (column 'created' of the probe energy), as "
         "history = \"displacement\" and slip_rule = \"total\" may; use their defaults",

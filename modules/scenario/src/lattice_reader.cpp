@@ -1,11 +1,11 @@
 #include "lattice_reader.hpp"
 
+#include "body_memory.hpp"
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -14,9 +14,6 @@
 namespace scree::scenario {
 
 namespace {
-
-// Peak memory (bytes) per body from reading to running, including neighbours and contacts.
-constexpr double memory_per_body = 2000;
 
 packing::ListedRadius read_list(const document::Table& t) {
   packing::ListedRadius list = {t.numbers(radius_keys.radii, radius_keys.radii.range), {}};
@@ -47,16 +44,6 @@ packing::RadiusDistribution read_radius(const document::Table& particles) {
   return distribution;
 }
 
-// Checked before anything is allocated: a system without memory kills a program without a message.
-void check_memory(const document::Table& t, double bodies) {
-  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-  if (bodies * memory_per_body > there)
-    throw t.error("count",
-                  fmt::format("{:g} bodies need about {:.3g} GB of memory, but this computer has {:.3g} GB",
-                              bodies, 1e-9 * bodies * memory_per_body, 1e-9 * there),
-                  fmt::format("give at most {:.2g}", there / memory_per_body));
-}
-
 std::array<std::int64_t, 3> read_count(const document::Table& t, int dimension) {
   std::array<std::int64_t, 3> count = {1, 1, 1};
   const std::vector<double> numbers =
@@ -68,7 +55,7 @@ std::array<std::int64_t, 3> read_count(const document::Table& t, int dimension) 
                     "give whole numbers such as 7");
     bodies *= numbers[k];
   }
-  check_memory(t, bodies);
+  check_body_memory(t, "count", bodies);
   std::transform(numbers.begin(), numbers.end(), count.begin(), [](double n) { return std::int64_t(n); });
   return count;
 }
@@ -83,7 +70,7 @@ packing::LatticeOptions read_lattice(const document::Table& t, int dimension) {
     options.count = read_count(t, dimension);
   } else {
     options.total = read(t, lattice_keys.count);
-    check_memory(t, double(*options.total));
+    check_body_memory(t, "count", double(*options.total));
   }
   options.spacing = read_optional(t, lattice_keys.spacing);
   options.gap = read(t, lattice_keys.gap);

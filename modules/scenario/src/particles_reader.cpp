@@ -1,5 +1,6 @@
 #include "particles_reader.hpp"
 
+#include "body_memory.hpp"
 #include "lattice_reader.hpp"
 #include "names.hpp"
 #include "plugin_parameters.hpp"
@@ -49,10 +50,14 @@ void repeat(const document::Table& particles, int dimension, packing::Packing& p
       particles.numbers(particles_keys.repeat, std::size_t(dimension), particles_keys.repeat.range);
   const std::vector<double> period =
       particles.numbers(particles_keys.period, std::size_t(dimension), particles_keys.period.range);
-  for (const double n : times)
+  double bodies = double(packing.bodies.size());
+  for (const double n : times) {
     if (n != std::floor(n))
       throw particles.error("repeat", fmt::format("{:g} is not a whole number", n),
                             "give counts, such as [5, 1, 5]");
+    bodies *= n;
+  }
+  check_body_memory(particles, "repeat", bodies);
   for (int k = 0; k < dimension; ++k) {
     const std::size_t original = packing.bodies.size();
     for (int n = 1; n < int(times[std::size_t(k)]); ++n)
@@ -122,6 +127,13 @@ Body complete(const document::Table& t, const packing::Body& from, int dimension
   body.position = from.position;
   body.velocity = from.velocity;
   body.spin = from.spin;
+  if (!std::isfinite(norm(from.position)) || !std::isfinite(norm(from.velocity)) ||
+      !std::isfinite(norm(from.spin)))
+    throw t.error(
+        fmt::format("a body at ({:g}, {:g}, {:g}) m, or its velocity or spin, is outside the range of "
+                    "numbers (1e154)",
+                    from.position[0], from.position[1], from.position[2]),
+        "check position, spacing, period and velocity");
   const double r = from.radius;
   const double volume = dimension == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
   const double density = std::isnan(from.density) ? materials[body.material].density : from.density;

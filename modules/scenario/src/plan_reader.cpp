@@ -12,9 +12,11 @@
 #include <fmt/format.h>
 
 #include <scree/document/document.hpp>
+#include <scree/files/text.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/scene_checks.hpp>
+#include <scree/single_precision.hpp>
 #include <scree/snapshot/load_backend.hpp>
 #include <scree/step_guard.hpp>
 
@@ -116,6 +118,14 @@ void read_time(const document::Table& root, Plan& plan) {
   scene.step = fraction * contact;
 }
 
+void check_precision(const document::Table& root, const Scene& scene) {
+  if (scene.precision != Precision::mixed) return;
+  if (const auto problem = single_precision_problem(scene))
+    throw root.table("time").error(
+        "precision", *problem,
+        "use precision = \"double\", or check the units of radius, density and stiffness");
+}
+
 bool needs(const ProbePlan& probe, const Plan& plan, std::uint32_t what) {
   return Probe(probe.parameters, plan.scene.dimension).needs() & what;
 }
@@ -165,6 +175,23 @@ bool needs_pair_forces(const Plan& plan) {
   return plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
 }
 
+// TOML that runs from any folder: with the path of a packing made absolute.
+std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
+                                std::vector<std::string> overrides) {
+  namespace fs = std::filesystem;
+  const auto particles = document.root().optional_table("particles");
+  if (!particles || !particles->is_string(particles_keys.file)) return document.resolved_text();
+  std::error_code failed;
+  const fs::path file = fs::absolute(path.parent_path() / read(*particles, particles_keys.file), failed);
+  overrides.push_back(fmt::format("particles.file=\"{}\"",
+                                  files::escaped(file.lexically_normal().string(), files::Escapes::toml)));
+  try {
+    return document::Document::load(path, overrides).resolved_text();
+  } catch (const Error&) {
+    return document.resolved_text();  // a folder whose name is not UTF-8 cannot be written in TOML
+  }
+}
+
 }  // namespace
 
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
@@ -181,6 +208,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   warn_of_box(box, plan);
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
+  check_precision(root, plan.scene);
   plan.stages = read_stages(root, plan.scene, instances);
   plan.scene.spin = any_later(plan, &exerts_torque);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
@@ -194,6 +222,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   check_pictures(root, plan);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
+  plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
   for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
   return plan;
 }

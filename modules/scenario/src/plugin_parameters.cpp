@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
 #include <scree/plugin/program.hpp>
 
 namespace scree::scenario {
@@ -95,6 +96,9 @@ const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, P
   const std::string name = table.string("plugin");
   if (name.size() >= SCREE_MAX_NAME)
     throw table.error("plugin", fmt::format("the name of the plug-in has {} or more letters", SCREE_MAX_NAME),
+                      "see scree describe for the names");
+  if (const std::string shown = files::escaped(name); shown != name)
+    throw table.error("plugin", fmt::format("the name '{}' has control characters", shown),
                       "see scree describe for the names");
   return placed(table, "plugin", [&]() -> const scree_plugin& { return host.find(name, kind); });
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -47,8 +48,13 @@ std::vector<std::string> run_quantity_names() {
 }
 
 double series_statistic(const std::vector<double>& values, const std::string& statistic) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return nan;
   if (statistic == "first") return values.front();
+  const bool ordered = statistic == "min" || statistic == "max";
+  // Comparisons pass over NaN.
+  if (ordered && std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }))
+    return nan;
   if (statistic == "min") return *std::min_element(values.begin(), values.end());
   if (statistic == "max") return *std::max_element(values.begin(), values.end());
   if (statistic == "mean") return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());

@@ -3,6 +3,7 @@
 #include "scenes.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <catch2/catch.hpp>
 
@@ -100,6 +101,28 @@ TEST_CASE("turnover is the work, or kinetic, stored and dissipated energy if tha
   audit.add_step(1, {.elastic_normal = 6}, {.potential = 8});  // 6 in springs and 3 in potentials
   audit.add_step(1, {}, {.potential = 5});
   CHECK(audit.turnover(e) == 13);
+}
+
+TEST_CASE("an energy that was not finite leaves no share of the turnover") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto share_after = [](const ContactSums& middle, const ContactSums& last) {
+    EnergyAudit audit;
+    audit.set_stored({}, {});
+    audit.start(1, 0, {});
+    audit.add_step(1, middle, {});
+    audit.add_step(1, last, {});
+    const scree_energy e = audit.balance(1, 0, {});
+    return audit.share(std::abs(e.residual), e);
+  };
+  CHECK(share_after({}, {}) == 0);
+  CHECK(std::isnan(share_after({}, {.elastic_normal = nan})));
+  CHECK(std::isnan(share_after({.elastic_normal = nan}, {})));  // although it is finite again
+  CHECK(std::isnan(share_after({.dissipated_friction = nan}, {})));
+  CHECK(std::isnan(share_after({.elastic_normal = INFINITY}, {})));
+  EnergyAudit audit;
+  audit.start(1, 0, {});
+  const scree_energy moved = audit.balance(1, 0, {.kinetic = 0, .work = nan, .dissipated = 0});
+  CHECK(std::isnan(audit.share(std::abs(moved.residual), moved)));
 }
 
 TEST_CASE("the energy balance of an elastic bounce under gravity closes to the integrator's second order") {

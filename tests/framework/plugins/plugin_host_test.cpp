@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <sys/stat.h>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -193,7 +194,7 @@ TEST_CASE("unusable libraries are refused with the reason and do not affect the 
   }
   CHECK_THAT(names, Catch::UnorderedEquals(std::vector<std::string>{
                         "gravity", "other_name", "text", "no_query", "no_manifest", "old_version",
-                        "needs_features", "other_size", "fast_math", "contracted"}));
+                        "needs_features", "other_size", "fast_math", "contracted", "exits_on_load"}));
 }
 
 TEST_CASE("a plug-in's own refusal is passed on with its name") {
@@ -205,7 +206,9 @@ TEST_CASE("a plug-in's own refusal is passed on with its name") {
     const scree::ConfiguredLaw configured(wrong, 3, no_box, no_box);
     FAIL("not refused");
   } catch (const Error& error) {
-    CHECK_THAT(error.what(), Catch::StartsWith(std::string(law) + ": friction needs tangential_stiffness"));
+    CHECK_THAT(error.what(),
+               Catch::Equals(std::string(law) + ": friction needs tangential_stiffness above 0; "
+                                                "give it, or static_friction = 0"));
   }
 }
 
@@ -234,6 +237,26 @@ TEST_CASE("an instruction level that the processor does not support is refused")
   const std::string line = refusal(host, law, SCREE_CONTACT_LAW);
   unsetenv("SCREE_LEVEL");
   CHECK_THAT(line, Catch::StartsWith("SCREE_LEVEL=x86-64-v9: ") && Catch::Contains("baseline"));
+}
+
+TEST_CASE("a library that ends the program while it is loaded is refused by name") {
+  PluginHost host({SCREE_TEST_BROKEN});
+  CHECK_THAT(refusal(host, "exits_on_load", SCREE_BODY_FORCE),
+             Catch::EndsWith(
+                 "exits_on_load.so: ends the program while it is loaded (status 7); remove or correct it"));
+}
+
+TEST_CASE("a pipe or a broken link in place of a library is refused, not waited for") {
+  const Folder folder;
+  folder.write("body_force/notes.txt", "");
+  const fs::path pipe = folder.path() / "body_force/pipe.so", link = folder.path() / "body_force/link.so";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  fs::create_symlink(link, link);
+  PluginHost host({folder.path()});
+  CHECK_THAT(refusal(host, "pipe", SCREE_BODY_FORCE),
+             Catch::EndsWith("pipe.so: is not a regular file; replace it by a plug-in library"));
+  CHECK_THAT(refusal(host, "link", SCREE_BODY_FORCE),
+             Catch::Contains("link.so: cannot be read (Too many levels"));
 }
 
 TEST_CASE("a law that lacks the level of the processor is named") {

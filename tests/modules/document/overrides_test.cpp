@@ -156,6 +156,8 @@ TEST_CASE("a malformed override is refused with the way to write it") {
         "--set stage[1.duration=3: a bracket in the key is not closed" + form);
   CHECK(refusal("stage[-1].duration=3") == "--set stage[-1].duration=3: '-1' is no index from 0" + form);
   CHECK(refusal("stage[].duration=3") == "--set stage[].duration=3: '' is no index from 0" + form);
+  CHECK(refusal("stage[\t\x1b].duration=3") ==
+        "--set stage[\\t\\x1B].duration=3: '\\x1B' is no index from 0" + form);
   CHECK(refusal("time.rows=[1, 2") ==
         "--set time.rows=[1, 2: not valid TOML: array: encountered end-of-file; "
         "close the bracket, brace or quote that is open there");

@@ -161,3 +161,18 @@ TEST_CASE("errors within a section of a data file name the word", "[packing]") {
              Contains("id 1 was used before, in line 16; "));
   CHECK_THAT(refusal(header + "\nVelocities\n\n"), Contains("Velocities come before Atoms; "));
 }
+
+TEST_CASE("a data file in other units than SI is refused, as its title tells", "[packing]") {
+  const auto titled = [](const std::string& title) {
+    return error_of([&] {
+      parse_lammps_data(title +
+                            "\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n"
+                            "1 1 0.1 2500 0.5 0.5 0.5\n",
+                        "packing.data", {});
+    });
+  };
+  CHECK(titled("LAMMPS data file via write_data, version 2 Aug 2023, timestep = 100, units = si").empty());
+  CHECK(titled("grains").empty());
+  CHECK(titled("LAMMPS data file, timestep = 100, units = lj") ==
+        "packing.data:1:43: the file is in units 'lj'; write it with units si");
+}

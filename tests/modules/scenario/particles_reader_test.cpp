@@ -105,3 +105,20 @@ TEST_CASE("a two-dimensional packing in a three-dimensional scene is refused", "
   CHECK_THAT(scree::test::message([&] { scree::scenario::read_plan(file, {}, scree::test::host()); }),
              Catch::Contains("two dimensions") && Catch::Contains("scene.toml:14:"));
 }
+
+TEST_CASE("a repetition that memory cannot hold is refused before it is made", "[scenario]") {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
+  const auto file = folder.write("scene.toml", scene_with("repeat = [1e4, 1e4, 1e4]\nperiod = [1, 1, 1]\n"));
+  CHECK_THAT(scree::test::message([&] { scree::scenario::read_plan(file, {}, scree::test::host()); }),
+             Catch::Contains(
+                 "scene.toml:13:10: 1e+12 bodies need about 2e+06 GB of memory, but this computer has ") &&
+                 Catch::Contains("; give at most "));
+}
+
+TEST_CASE("bodies whose distance has no finite square are refused", "[scenario]") {
+  CHECK_THAT(refusal(scree::test::discs, {"particles.lattice.gap=1e300"}),
+             Catch::StartsWith("scene.toml:13:1: a body at (") &&
+                 Catch::EndsWith(
+                     "outside the range of numbers (1e154); check position, spacing, period and velocity"));
+}

@@ -213,3 +213,36 @@ TEST_CASE("a chart has the unit of its curves on the axis, or in their names whe
   CHECK(own.y_label + own.y_unit == "work per step (J)");
 }
 #endif
+
+TEST_CASE("a material name that a packing cannot hold is refused", "[scenario]") {
+  for (const std::string name : {"a,b", "a\\\"b", "a\\nb", " a", "a "})
+    CHECK_THAT(set("material.name=\"" + name + "\""),
+               Catch::Contains(": the material name '") &&
+                   Catch::Contains("' cannot be written to a packing; rename it"));
+  CHECK(set("material.name='glass bead'") == "no error");
+}
+
+TEST_CASE("more than 1000 materials are refused", "[scenario]") {
+  std::string text = discs;
+  for (int k = 0; k < 999; ++k) text += "[[material]]\nname = 'm" + std::to_string(k) + "'\ndensity = 1\n";
+  CHECK_FALSE(refusal(text).ends_with("merge those of the same density and contacts"));
+  CHECK(
+      refusal(text + "[[material]]\nname = 'one more'\ndensity = 1\n") ==
+      "scene.toml:3024:1: the scene has more than 1000 materials; merge those of the same density and contacts");
+}
+
+TEST_CASE("control characters in the name of a plug-in are refused in one line", "[scenario]") {
+  CHECK(set("contact.plugin=\"en\\u0000ergy\"") ==
+        "--set contact.plugin=\"en\\u0000ergy\": the name 'en\\x00ergy' has control characters; "
+        "see scree describe for the names");
+}
+
+TEST_CASE("mixed precision is refused where magnitudes leave its range", "[scenario]") {
+  const std::vector<std::string> mixed = {"time.precision='mixed'"};
+  CHECK(refusal(discs, mixed) == "no error");
+  // Discs of 1e-31 m.
+  CHECK_THAT(
+      refusal(discs, {"time.precision='mixed'", "particles.radius=1e-31", "particles.lattice.gap=1e-31"}),
+      Catch::StartsWith("--set time.precision='mixed': at 1 m/s, a mass of some ") &&
+          Catch::Contains("the range of single precision; use precision = \"double\", or check "));
+}

@@ -87,7 +87,7 @@ void act_with_audit(const Author& author, scree_body_batch& batch) {
 }
 
 template <class Author>
-void apply_body_force(const void* storage, scree_body_batch* batch) {
+void apply_body_force(const void* storage, scree_body_batch* batch) noexcept {
   const Author& author = *static_cast<const Author*>(storage);
   const bool with_spin = bool(batch->torque[2]);
   if (batch->dimension == 2)

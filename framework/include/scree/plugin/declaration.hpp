@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <scree/plugin/abi.h>
 #include <scree/plugin/numerics.hpp>
@@ -157,9 +159,9 @@ class Setup {
 };
 
 // Constructs an author's struct in the host's storage, assigns its parameters and calls its `prepare`.
-// Returns 0 on success, 1 if `prepare` refused.
+// Returns 0 on success, 1 if `prepare` refused or threw an exception, which becomes the message.
 template <class Author>
-int configure_author(const scree_setup* setup, void* storage) {
+int configure_author(const scree_setup* setup, void* storage) try {
   static_assert(sizeof(Author) <= SCREE_MAX_INSTANCE_SIZE, "keep large data in the host's state");
   static_assert(std::is_trivially_copyable_v<Author> && std::is_trivially_destructible_v<Author>);
   Author* author = ::new (storage) Author{};
@@ -171,6 +173,9 @@ int configure_author(const scree_setup* setup, void* storage) {
     return view.refused() ? 1 : 0;
   }
   return 0;
+} catch (const std::exception& exception) {
+  Setup(*setup).refuse(exception.what());
+  return 1;
 }
 
 // Documentation of a plug-in, shown by `scree describe`; each line of `equation` is one equation.

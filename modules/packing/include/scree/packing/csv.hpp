@@ -23,5 +23,7 @@ Packing parse_csv(std::string_view text, const std::string& name, const ImportOp
 // does, or if the file cannot be written.
 void write_csv(const Packing& packing, const std::filesystem::path& path);
 std::string format_csv(const Packing& packing);
+// Whether a text can be written as a cell: no comma, quote, control character or outer blank.
+bool fits_csv_cell(std::string_view text);
 
 }  // namespace scree::packing

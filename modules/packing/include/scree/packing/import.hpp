@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include <scree/packing/file_options.hpp>
@@ -17,7 +18,9 @@ FileFormat file_format(std::string_view name);
 // Format recognised from the first lines of a file. Throws Error if none fits.
 FileFormat detect_format(std::string_view text, std::string_view name);
 
-// Reads a packing from a file of any of these formats; the first overload detects the format.
+// Reads a packing of any of these formats; without one the format is detected. name stands for the file in
+// messages.
+Packing parse_packing(std::string_view text, const std::string& name, const ImportOptions& options = {});
 Packing read_packing(const std::filesystem::path& path, const ImportOptions& options = {});
 Packing read_packing(const std::filesystem::path& path, FileFormat format, const ImportOptions& options = {});
 

@@ -41,7 +41,7 @@ class RunDirectory {
   Kind kind_;
 };
 
-// Error for a file of a run that cannot be written.
-Error unwritable(const std::filesystem::path& path);
+// Error for a file of a run that cannot be written; code: as errno, 0 if unknown.
+Error unwritable(const std::filesystem::path& path, int code = 0);
 
 }  // namespace scree::run

@@ -70,9 +70,10 @@ struct Plan {
   SnapshotPlan snapshot;
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;
-  std::string resolved_text;   // TOML with overrides
-  std::string bodies_place;    // file:line:column, for messages
-  std::string periodic_place;  // of the first periodic boundary; empty without one
+  std::string resolved_text;        // TOML with overrides
+  std::string text_for_any_folder;  // the same with the path of a packing made absolute
+  std::string bodies_place;         // file:line:column, for messages
+  std::string periodic_place;       // of the first periodic boundary; empty without one
   std::string step_place;
   bool step_guard = true;             // refuse a time step that is too long
   std::vector<std::string> warnings;  // "<what>; <cure>" of what was read

@@ -1,0 +1,121 @@
+#include "plugins/manifest.hpp"
+
+#include <cstddef>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <scree/plugin_host.hpp>
+
+namespace scree {
+
+namespace {
+
+using Problem = std::optional<std::string>;
+
+// More than a plug-in can mean; a larger number is an error in the manifest.
+constexpr std::uint32_t most_parameters = 1000;
+
+Problem missing(std::string_view what) { return fmt::format("its manifest has no {}; set it", what); }
+
+Problem version_problem(const scree_plugin* plugin) {
+  if (!plugin || plugin->struct_size < offsetof(scree_plugin, kind))
+    return fmt::format("{} returned no manifest; rebuild it against this version", SCREE_QUERY_SYMBOL);
+  if (plugin->abi_version != SCREE_ABI_VERSION)
+    return fmt::format("plug-in interface version {}, this program has {}; rebuild it against this version",
+                       plugin->abi_version, SCREE_ABI_VERSION);
+  if (plugin->features != 0)
+    return fmt::format("needs features {:#x} that this program lacks; use a newer scree", plugin->features);
+  return {};
+}
+
+std::size_t interface_size(std::uint32_t kind) {
+  switch (kind) {
+    case SCREE_CONTACT_LAW:
+      return sizeof(scree_contact_law);
+    case SCREE_BOUNDARY:
+      return sizeof(scree_boundary);
+    case SCREE_BODY_FORCE:
+      return sizeof(scree_body_force);
+    case SCREE_PROBE:
+      return sizeof(scree_probe);
+  }
+  return 0;
+}
+
+// Why a plug-in of the right version cannot be used all the same.
+Problem build_problem(const scree_plugin& plugin) {
+  if (plugin.struct_size != sizeof(scree_plugin) || plugin.parameter_size != sizeof(scree_parameter))
+    return "was built with other headers of the same interface version; rebuild it against this version";
+  if (plugin.numerics & SCREE_FAST_MATH)
+    return "was compiled with -ffast-math or a part of it, which changes results; compile it without";
+  if (plugin.numerics & SCREE_CONTRACTED)
+    return "was compiled so that products and sums are fused, which changes results; add -ffp-contract=off";
+  if (interface_size(plugin.kind) == 0)
+    return fmt::format("contains a plug-in of an unknown kind {}; rebuild it against this version",
+                       plugin.kind);
+  if (!plugin.interface) return missing("interface");
+  // Each interface begins with its struct_size.
+  if (*static_cast<const std::uint32_t*>(plugin.interface) != interface_size(plugin.kind))
+    return fmt::format("has the interface of another version of a {}; rebuild it against this version",
+                       kind_name(scree_kind(plugin.kind)));
+  return {};
+}
+
+Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) {
+  if (!p.key) return missing("key of a parameter");
+  if (!p.unit || !p.doc) return missing(fmt::format("unit or doc of the parameter '{}'", p.key));
+  if (p.type > SCREE_PROGRAM)
+    return fmt::format("its parameter '{}' has the unknown type {}; give one of scree_type", p.key, p.type);
+  if (p.type == SCREE_CHOICE && !p.choices)
+    return missing(fmt::format("choices of the parameter '{}'", p.key));
+  if (!p.excludes) return {};
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k)
+    if (plugin.parameters[k].key && std::string_view(plugin.parameters[k].key) == p.excludes) return {};
+  return fmt::format("its parameter '{}' excludes '{}', which it does not have; give the key of another",
+                     p.key, p.excludes);
+}
+
+Problem parameters_problem(const scree_plugin& plugin) {
+  if (plugin.parameter_count > most_parameters)
+    return fmt::format("declares {} parameters, more than the limit of {}; correct parameter_count",
+                       plugin.parameter_count, most_parameters);
+  if (plugin.parameter_count > 0 && !plugin.parameters) return missing("table of parameters");
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k)
+    if (const Problem problem = parameter_problem(plugin, plugin.parameters[k])) return problem;
+  return {};
+}
+
+bool has_functions(const scree_plugin& plugin) {
+  switch (plugin.kind) {
+    case SCREE_CONTACT_LAW: {
+      const auto& law = *static_cast<const scree_contact_law*>(plugin.interface);
+      return law.configure && law.closed_forms;
+    }
+    case SCREE_BOUNDARY: {
+      const auto& boundary = *static_cast<const scree_boundary*>(plugin.interface);
+      return boundary.configure && boundary.start && boundary.begin_step && boundary.finish_step;
+    }
+    case SCREE_BODY_FORCE: {
+      const auto& force = *static_cast<const scree_body_force*>(plugin.interface);
+      return force.configure && force.apply;
+    }
+    default: {
+      const auto& probe = *static_cast<const scree_probe*>(plugin.interface);
+      return probe.configure && probe.column && probe.start && probe.sample;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> manifest_problem(const scree_plugin* plugin) {
+  if (const Problem problem = version_problem(plugin)) return problem;
+  if (const Problem problem = build_problem(*plugin)) return problem;
+  if (!plugin->name) return missing("name");
+  if (!plugin->summary || !plugin->equation || !plugin->source) return missing("summary, equation or source");
+  if (!has_functions(*plugin)) return missing("function in its interface that is not optional");
+  return parameters_problem(*plugin);
+}
+
+}  // namespace scree

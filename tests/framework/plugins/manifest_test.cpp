@@ -1,0 +1,74 @@
+#include "plugins/manifest.hpp"
+
+#include "plugins/false_law.hpp"
+
+#include <catch2/catch.hpp>
+
+using scree::manifest_problem;
+using scree::test::FalseLaw;
+
+namespace {
+
+// The problem of a manifest after a change; empty if there is none.
+template <class Change>
+std::string problem_after(const Change& change) {
+  FalseLaw law;
+  change(law);
+  return manifest_problem(&law.plugin).value_or("");
+}
+
+std::string problem_of(const scree_parameter& parameter) {
+  return problem_after([&](FalseLaw& law) {
+    law.plugin.parameters = &parameter;
+    law.plugin.parameter_count = 1;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a whole manifest has no problem") {
+  CHECK(problem_after([](FalseLaw&) {}).empty());
+}
+
+TEST_CASE("a manifest without a name, text, interface or function is refused") {
+  CHECK(problem_after([](FalseLaw& l) { l.plugin.name = nullptr; }) == "its manifest has no name; set it");
+  for (const char* scree_plugin::*text :
+       {&scree_plugin::summary, &scree_plugin::equation, &scree_plugin::source})
+    CHECK(problem_after([&](FalseLaw& l) { l.plugin.*text = nullptr; }) ==
+          "its manifest has no summary, equation or source; set it");
+  CHECK(problem_after([](FalseLaw& l) { l.plugin.interface = nullptr; }) ==
+        "its manifest has no interface; set it");
+  CHECK(problem_after([](FalseLaw& l) { l.law.closed_forms = nullptr; }) ==
+        "its manifest has no function in its interface that is not optional; set it");
+}
+
+TEST_CASE("a manifest of a wrong size, kind or number of parameters is refused") {
+  CHECK(problem_after([](FalseLaw& l) {
+          l.plugin.struct_size = 40;
+        }).starts_with("was built with other headers "));
+  CHECK(problem_after([](FalseLaw& l) {
+          l.plugin.kind = 99;
+        }).starts_with("contains a plug-in of an unknown kind 99; "));
+  CHECK(problem_after([](FalseLaw& l) { l.plugin.parameter_count = 1; }) ==
+        "its manifest has no table of parameters; set it");
+  CHECK(problem_after([](FalseLaw& l) {
+          l.plugin.parameter_count = 4000000000u;
+        }).starts_with("declares 4000000000 parameters, more than the limit of "));
+}
+
+TEST_CASE("a parameter without a key, unit, text or choices is refused, and one of an unknown type") {
+  scree_parameter good = {};
+  good.key = "k", good.unit = "", good.doc = "d", good.choices = "a|b", good.excludes = "k";
+  CHECK(problem_of(good).empty());
+  scree_parameter p = good;
+  p.key = nullptr;
+  CHECK(problem_of(p) == "its manifest has no key of a parameter; set it");
+  p = good, p.unit = nullptr;
+  CHECK(problem_of(p) == "its manifest has no unit or doc of the parameter 'k'; set it");
+  p = good, p.type = SCREE_CHOICE, p.choices = nullptr;
+  CHECK(problem_of(p) == "its manifest has no choices of the parameter 'k'; set it");
+  p = good, p.type = 99;
+  CHECK(problem_of(p).starts_with("its parameter 'k' has the unknown type 99; "));
+  p = good, p.excludes = "other";
+  CHECK(problem_of(p).starts_with("its parameter 'k' excludes 'other', which it does not have; "));
+}
