@@ -80,7 +80,7 @@ ExitStatus test_plugin(const TestPluginArguments& a) {
   fmt::print("{}, {}: {}\n", plugin.name, kind_name(kind), plugin.summary);
   if (kind != SCREE_CONTACT_LAW) {
     if (!a.values.empty())
-      throw Error(fmt::format("'{}': values are for contact laws; omit it", a.values[0]));
+      throw Error(fmt::format("'{}': values are for contact laws; omit them", a.values[0]));
     fmt::print(
         "ok      it loads, and its manifest and interface are those of this version\n"
         "General checks exist for contact laws; test a {} with a scene that has an [expect].\n",

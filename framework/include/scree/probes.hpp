@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ class Probe {
   // Throws Error if the scene lacks what the probe reads; leaves the state as it is.
   void check(const scree_view& view) const;
   // Empty before the first observation or sample.
-  const std::vector<double>& state() const { return state_; }
+  std::span<const double> state() const { return {state_.data(), state_size_}; }
 
  private:
   // The state at the start.
@@ -58,7 +59,8 @@ class Probe {
 
   ConfiguredProbe plugin_;
   std::vector<std::string> names_, units_;
-  std::vector<double> state_;
+  std::vector<double> state_;  // with a guard behind the numbers of the state
+  std::size_t state_size_ = 0;
   bool is_started_ = false;
 };
 

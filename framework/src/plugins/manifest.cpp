@@ -1,10 +1,12 @@
 #include "plugins/manifest.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include <scree/parameters.hpp>
 #include <scree/plugin_host.hpp>
 
 namespace scree {
@@ -62,6 +64,17 @@ Problem build_problem(const scree_plugin& plugin) {
   return {};
 }
 
+// A number that need not be given has a default, which is not checked when it is used.
+Problem default_problem(const scree_parameter& p) {
+  const bool number = p.type == SCREE_NUMBER || p.type == SCREE_INTEGER;
+  if (!number || (p.flags & (SCREE_REQUIRED | SCREE_OPTIONAL))) return {};
+  if (!Parameters::problem(p, {p.default_value})) return {};
+  return fmt::format(
+      "its parameter '{}' has the default {:g}, outside its range; give the member a value "
+      "within it, or declare the parameter with .required() or .optional()",
+      p.key, p.default_value);
+}
+
 Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) {
   if (!p.key) return missing("key of a parameter");
   if (!p.unit || !p.doc) return missing(fmt::format("unit or doc of the parameter '{}'", p.key));
@@ -69,6 +82,12 @@ Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) 
     return fmt::format("its parameter '{}' has the unknown type {}; give one of scree_type", p.key, p.type);
   if (p.type == SCREE_CHOICE && !p.choices)
     return missing(fmt::format("choices of the parameter '{}'", p.key));
+  if (const Problem problem = default_problem(p)) return problem;
+  const auto same_key = [&](const scree_parameter& other) {
+    return other.key && std::string_view(other.key) == p.key;
+  };
+  if (std::count_if(plugin.parameters, plugin.parameters + plugin.parameter_count, same_key) > 1)
+    return fmt::format("declares the parameter '{}' twice; rename one", p.key);
   if (!p.excludes) return {};
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k)
     if (plugin.parameters[k].key && std::string_view(plugin.parameters[k].key) == p.excludes) return {};

@@ -122,24 +122,51 @@ Probe::Probe(const Parameters& parameters, int dimension)
   }
 }
 
+namespace {
+
+// Numbers behind an array that a plug-in fills, which it must not change.
+constexpr std::size_t guard_size = 4;
+constexpr double guard = -6.02214076e-123;
+// Most numbers of a state: 8 GB.
+constexpr std::uint64_t max_state = 1'000'000'000;
+
+std::vector<double> guarded(std::size_t size) {
+  std::vector<double> numbers(size, 0.0);
+  numbers.insert(numbers.end(), guard_size, guard);
+  return numbers;
+}
+
+void check_guard(const std::vector<double>& numbers, const char* plugin, const char* what) {
+  if (std::all_of(numbers.end() - guard_size, numbers.end(), [](double x) { return x == guard; })) return;
+  throw Error(fmt::format("plug-in {}: writes beyond the {} numbers of its {}; declare as many as it writes",
+                          plugin, numbers.size() - guard_size, what));
+}
+
+}  // namespace
+
 std::vector<double> Probe::started(const scree_view& view) const {
   const scree_probe& interface = plugin_.interface();
+  const char* name = plugin_.parameters().plugin().name;
   const std::uint64_t size =
       interface.state_size ? interface.state_size(plugin_.storage(), &view) : plugin_.instance().state_width;
-  std::vector<double> state(size, 0.0);
+  if (size > max_state)
+    throw Error(fmt::format("plug-in {}: its state of {} numbers is larger than the limit of {}; keep less",
+                            name, size, max_state));
+  std::vector<double> state = guarded(size);
   char message[512] = "";
-  const char* name = plugin_.parameters().plugin().name;
   const int failed = plugin_call(name, "start", [&] {
     return interface.start(plugin_.storage(), &view, state.data(), message, sizeof(message));
   });
   message[sizeof(message) - 1] = 0;
   if (failed) throw Error(fmt::format("probe {}: {}", name, message));
+  check_guard(state, name, "state");
   return state;
 }
 
 void Probe::start_once(const scree_view& view) {
   if (is_started_) return;
   state_ = started(view);
+  state_size_ = state_.size() - guard_size;
   is_started_ = true;
 }
 
@@ -147,13 +174,17 @@ void Probe::check(const scree_view& view) const { started(view); }
 
 void Probe::observe(const scree_view& view) {
   start_once(view);
-  if (observes()) plugin_.interface().observe(plugin_.storage(), &view, state_.data());
+  if (!observes()) return;
+  plugin_.interface().observe(plugin_.storage(), &view, state_.data());
+  check_guard(state_, plugin_.parameters().plugin().name, "state");
 }
 
 std::vector<double> Probe::sample(const scree_view& view) {
   start_once(view);
-  std::vector<double> row(plugin_.instance().column_count);
+  std::vector<double> row = guarded(plugin_.instance().column_count);
   plugin_.interface().sample(plugin_.storage(), &view, state_.data(), row.data());
+  check_guard(row, plugin_.parameters().plugin().name, "row");
+  row.resize(row.size() - guard_size);
   return row;
 }
 

@@ -67,6 +67,24 @@ Checks check_symmetries(const LawUnderCheck& law) {
           bounded("force and couple rotate with the contact", deviation(law, rotated), bound)};
 }
 
+// Bodies of a law without `tangential` carry no spin, so that such a force would create angular momentum.
+Checks check_direction(const LawUnderCheck& law) {
+  const std::string name = "forces are along the normal, or `tangential` is declared";
+  if (law.law.instance().tangential) return {{name, Verdict::passed, "it is declared"}};
+  ContactColumns contacts(LawUnderCheck::variants);
+  double across = 0, largest = 0;
+  law.follow(contacts, {}, 0, [&](int) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const Vec3 force = contacts.output_vector(SCREE_FORCE, i);
+      Vec3 normal;
+      for (int k = 0; k < 3; ++k) normal[k] = contacts.input(SCREE_NORMAL, k, i);
+      across = std::max(across, norm(tangential_part(force, normal)));
+      largest = std::max(largest, norm(force));
+    }
+  });
+  return {bounded(name, largest > 0 ? across / largest : 0, 1e-12)};
+}
+
 Checks check_parting(const LawUnderCheck& law) {
   ContactColumns contacts(LawUnderCheck::variants);
   double apart = 0, history = 0;

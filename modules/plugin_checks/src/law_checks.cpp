@@ -22,10 +22,10 @@ Checks check_law(const Parameters& law, const std::filesystem::path& library, co
     const double time = contact_time_of(configured, pair, dimension);
     const LawUnderCheck checked{configured, dimension,
                                 Passage(dimension, pair, time > 0 ? time : 1e-3 * pair.radius / pair.speed)};
-    for (const Checks& some : {check_symmetries(checked), check_parting(checked), check_batches(checked),
-                               check_levels(law, library, pair, dimension), check_single_precision(checked),
-                               check_derivatives(checked), check_limits(law, pair, dimension),
-                               check_impacts(law, pair, dimension)})
+    for (const Checks& some : {check_symmetries(checked), check_direction(checked), check_parting(checked),
+                               check_batches(checked), check_levels(law, library, pair, dimension),
+                               check_single_precision(checked), check_derivatives(checked),
+                               check_limits(law, pair, dimension), check_impacts(law, pair, dimension)})
       append(all, some, dimension);
   }
   for (const Check& check : check_machine_code(library)) all.push_back(check);

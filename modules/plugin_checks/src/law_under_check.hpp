@@ -27,6 +27,7 @@ double contact_time_of(const ConfiguredLaw& law, const CheckedPair& pair, int di
 
 // One family of checks each; names are the same in both dimensions.
 Checks check_symmetries(const LawUnderCheck& law);
+Checks check_direction(const LawUnderCheck& law);
 Checks check_parting(const LawUnderCheck& law);
 Checks check_batches(const LawUnderCheck& law);
 Checks check_single_precision(const LawUnderCheck& law);

@@ -107,9 +107,9 @@ std::optional<std::string> too_long(const Simulation& s) {
 }  // namespace
 
 std::string describe_step(const Simulation& s) {
-  return fmt::format("time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest step",
-                     s.step_length(), s.min_steps_per_contact(),
-                     s.step_length() / shortest_limit(s).longest_step);
+  return fmt::format(
+      "time step {:.4g} s, {:.3g} steps in the shortest contact, {:.2g} of the longest stable step",
+      s.step_length(), s.min_steps_per_contact(), s.step_length() / shortest_limit(s).longest_step);
 }
 
 std::optional<std::string> step_warning(const Simulation& s) {

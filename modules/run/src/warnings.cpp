@@ -60,15 +60,16 @@ std::vector<std::string> result_warnings(const Simulation& s) {
         "wall or body force that makes them so, or check units and magnitudes");
   if (s.energy_residual() > much)
     warnings.push_back(fmt::format(
-        "the energy balance does not close, by {:.2g} of the turnover; shorten time.step, or look for a law "
-        "that creates energy",
+        "the energy balance does not close, by {:.2g} of the turnover; shorten time.step, or look for a law, "
+        "wall or body force that reports wrong energies",
         s.energy_residual()));
   // Dissipations of 0 round to either side, in float by some 6e-8.
   const double rounding = s.scene().precision == Precision::mixed ? 1e-6 : 1e-9;
   if (s.energy_created() > rounding)
     warnings.push_back(fmt::format(
-        "contact laws created {:.2g} of the energy turned over (column 'created' of the probe energy), as "
-        "history = \"displacement\" and slip_rule = \"total\" may; use their defaults",
+        "contact laws created {:.2g} of the energy turned over (column 'created' of the probe energy): "
+        "check the dissipation that a law of your own reports, and do not use history = \"displacement\" or "
+        "slip_rule = \"total\", which may create some",
         s.energy_created()));
   return warnings;
 }

@@ -72,3 +72,23 @@ TEST_CASE("a parameter without a key, unit, text or choices is refused, and one 
   p = good, p.excludes = "other";
   CHECK(problem_of(p).starts_with("its parameter 'k' excludes 'other', which it does not have; "));
 }
+
+TEST_CASE("a default outside its range is refused, unless the parameter must be given or may be absent") {
+  scree_parameter p = {};
+  p.key = "k", p.unit = "", p.doc = "d";
+  p.minimum = 0, p.maximum = 1, p.default_value = 2;
+  CHECK(problem_of(p).starts_with("its parameter 'k' has the default 2, outside its range; "));
+  p.flags = SCREE_REQUIRED;
+  CHECK(problem_of(p).empty());
+  p.flags = SCREE_OPTIONAL;
+  CHECK(problem_of(p).empty());
+}
+
+TEST_CASE("a parameter that is declared twice is refused") {
+  scree_parameter both[2] = {};
+  for (scree_parameter& p : both) p.key = "k", p.unit = "", p.doc = "d";
+  CHECK(problem_after([&](FalseLaw& law) {
+          law.plugin.parameters = both;
+          law.plugin.parameter_count = 2;
+        }) == "declares the parameter 'k' twice; rename one");
+}

@@ -73,6 +73,23 @@ struct Named : Minimal {
   }
 };
 
+// Writes one number too many: of the state at the start or when observing, or of a row.
+struct Careless : Minimal {
+  static constexpr About about = {"careless", "", "", ""};
+  int where = 0;
+  void declare(Declaration& d) { d.choice("where", where, "start|observe|row|huge", ""); }
+  void describe(scree_probe_instance& instance) const { instance.column_count = 1; }
+  std::uint64_t state_size(const scree_view&) const { return where == 3 ? std::uint64_t(1) << 60 : 2; }
+  std::string start(const scree_view&, double* state) const {
+    if (where == 0) state[2] = 1;
+    return "";
+  }
+  void observe(const scree_view&, double* state) const {
+    if (where == 1) state[2] = 1;
+  }
+  void sample(const scree_view&, const double*, double* row) const { row[where == 2] = 7; }
+};
+
 template <class Author>
 Probe probe_of(const Values& values = {}, int dimension = 3) {
   Parameters p(*manifest_of<Author>(SCREE_PROBE, probe_interface<Author>));
@@ -136,7 +153,26 @@ TEST_CASE("the width of a state may depend on the scene", "[probe]") {
   probe.check(SimulationView(s, 0).get());
   CHECK(probe.state().empty());
   probe.sample(SimulationView(s, 0).get());
-  CHECK(probe.state() == std::vector<double>{0, 1, 0, 2, 0, 3});
+  CHECK(std::vector<double>(probe.state().begin(), probe.state().end()) ==
+        std::vector<double>{0, 1, 0, 2, 0, 3});
+}
+
+TEST_CASE("a probe that writes beyond its state or row is named", "[probe]") {
+  const Simulation s(bodies_in_a_row(1));
+  const SimulationView view(s, 0);
+  const auto observe_and_sample = [&](int where) {
+    Probe probe = probe_of<Careless>({{"where", {double(where)}}});
+    probe.observe(view.get());
+    probe.sample(view.get());
+  };
+  const std::string state =
+      "plug-in careless: writes beyond the 2 numbers of its state; declare as many as it writes";
+  CHECK_THROWS_WITH(observe_and_sample(0), state);
+  CHECK_THROWS_WITH(observe_and_sample(1), state);
+  CHECK_THROWS_WITH(observe_and_sample(2),
+                    "plug-in careless: writes beyond the 1 numbers of its row; declare as many as it writes");
+  CHECK_THROWS_WITH(observe_and_sample(3),
+                    Catch::Contains("is larger than the limit of 1000000000; keep less"));
 }
 
 TEST_CASE("a probe refuses a scene with a text of its own", "[probe]") {

@@ -1,5 +1,5 @@
 // A contact law: linear spring and dashpot. Replace equations, parameters and forces by your own; the guide is
-// plugins/README.md of scree.
+// share/doc/scree/plugins.md of scree.
 
 #include <cmath>
 #include <numbers>
@@ -35,7 +35,7 @@ struct PluginName : scree::ContactLaw {
   }
 };
 
-struct Kernel : PluginName {
+struct PluginNameKernel : PluginName {
   // What `force` reads: anything else does not compile.
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity | scree::reads_onset_weight;
@@ -56,4 +56,4 @@ struct Kernel : PluginName {
 
 }  // namespace
 
-SCREE_CONTACT_LAW_PLUGIN(PluginName, Kernel)
+SCREE_CONTACT_LAW_PLUGIN(PluginName, PluginNameKernel)

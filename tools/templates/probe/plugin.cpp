@@ -1,5 +1,5 @@
 // A probe with memory: the mean kinetic energy since the start, updated at every step. Replace columns, state
-// and formulas by your own; the guide is plugins/README.md of scree.
+// and formulas by your own; the guide is share/doc/scree/plugins.md of scree.
 
 #include <scree/plugin/probe.hpp>
 

@@ -17,7 +17,9 @@ enum Fault {
   derivative,
   single,
   infinite,
-  closed
+  restitution,
+  duration,
+  sideways
 };
 
 struct Faulty : scree::ContactLaw {
@@ -32,15 +34,17 @@ struct Faulty : scree::ContactLaw {
     d.number("damping", damping, "kg/s", scree::non_negative, "γ");
     d.number("exponent", exponent, "", scree::coefficient,
              "divides by 0 where it is 0 and the fault infinite");
-    d.choice("fault", fault,
-             "none|asymmetric|anisotropic|creates_energy|unbalanced|derivative|single|infinite|closed",
-             "the mistake");
+    d.choice(
+        "fault", fault,
+        "none|asymmetric|anisotropic|creates_energy|unbalanced|derivative|single|infinite|restitution|duration|"
+        "sideways",
+        "the mistake");
   }
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms, std::uint32_t) const {
     const double decay = 0.5 * damping / e.reduced_mass;
     const double time = std::numbers::pi / std::sqrt(stiffness / e.reduced_mass - decay * decay);
-    forms[0] = {"contact_time", "s", "t_c", time};
-    forms[1] = {"restitution", "", "e", std::exp(-decay * time) - (fault == closed ? 0.01 : 0)};
+    forms[0] = {"contact_time", "s", "t_c", (fault == duration ? 0.5 : 1) * time};
+    forms[1] = {"restitution", "", "e", std::exp(-decay * time) - (fault == restitution ? 0.01 : 0)};
     return 2;
   }
 };
@@ -58,6 +62,7 @@ struct Kernel : Faulty {
     out.force = (spring - dashpot) * c.normal;
     out.elastic_normal = T(fault == unbalanced ? 0.6 : 0.5) * spring * c.overlap;
     out.dissipation_rate_normal = dashpot * v_n;
+    if (fault == sideways) out.force += T(-0.1 * damping) * tangential_part(c.relative_velocity, c.normal);
     if (fault == asymmetric) out.force[0] += T(1e-3) * spring;
     if (fault == anisotropic) out.force = (T(1) + T(1e-3) * c.normal[0] * c.normal[0]) * out.force;
     if (fault == infinite) out.force = (T(1) / T(exponent)) * out.force;

@@ -98,7 +98,7 @@ typedef struct scree_probe {
   uint64_t (*state_size)(const void* storage, const scree_view* view);
   /* Called at t = 0, or at the start of the first stage in which the probe records, before anything is observed
    * or sampled: checks that the scene has what the probe reads, and sets the state. Also called when a scene
-   * is checked, with a state that is then discarded. */
+   * is checked, with a state that is then discarded, unless the probe records from a later stage only. */
   int (*start)(const void* storage, const scree_view* view, double* state, char* message,
                size_t message_size);
   /* (optional) Updates the state. Called if the instance has set `observes`: at the start of each stage in
