@@ -92,6 +92,8 @@ class Simulation {
   const Contacts& contacts() const;
 
  private:
+  // Takes one step; `observed`: the bodies must be complete at its end.
+  void advance(bool observed);
   void check_health(bool sound) const;
 
   std::unique_ptr<SimulationParts> parts_;

@@ -175,15 +175,18 @@ void Probe::check(const scree_view& view) const { started(view); }
 void Probe::observe(const scree_view& view) {
   start_once(view);
   if (!observes()) return;
-  plugin_.interface().observe(plugin_.storage(), &view, state_.data());
-  check_guard(state_, plugin_.parameters().plugin().name, "state");
+  const char* const name = plugin_.parameters().plugin().name;
+  plugin_call(name, "observe", [&] { plugin_.interface().observe(plugin_.storage(), &view, state_.data()); });
+  check_guard(state_, name, "state");
 }
 
 std::vector<double> Probe::sample(const scree_view& view) {
   start_once(view);
   std::vector<double> row = guarded(plugin_.instance().column_count);
-  plugin_.interface().sample(plugin_.storage(), &view, state_.data(), row.data());
-  check_guard(row, plugin_.parameters().plugin().name, "row");
+  const char* const name = plugin_.parameters().plugin().name;
+  plugin_call(name, "sample",
+              [&] { plugin_.interface().sample(plugin_.storage(), &view, state_.data(), row.data()); });
+  check_guard(row, name, "row");
   row.resize(row.size() - guard_size);
   return row;
 }

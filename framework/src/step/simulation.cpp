@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/error.hpp>
 #include <scree/simulation.hpp>
@@ -14,9 +16,43 @@
 
 namespace scree {
 
+namespace {
+
+// Laws, walls and body forces are called in too many places to name the one that breaks the interface.
+[[noreturn]] void report_exception(const Simulation& s, const std::string& what) {
+  std::vector<std::string> names;
+  for (const Scene::Law& law : s.scene().laws) names.push_back(law.parameters.plugin().name);
+  for (const Scene::Boundary& boundary : s.scene().boundaries)
+    names.push_back(boundary.parameters.plugin().name);
+  for (const Scene::BodyForce& force : s.scene().body_forces) names.push_back(force.parameters.plugin().name);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  throw Error(fmt::format("one of the plug-ins {} threw an exception ({}) in step {}, at t = {:g} s; laws, "
+                          "walls and body forces must not throw",
+                          fmt::join(names, ", "), what, s.steps() + 1, s.time()),
+              ExitStatus::blow_up);
+}
+
+template <class Step>
+bool without_exception(const Simulation& s, const Step& step) {
+  try {
+    return step();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& exception) {
+    report_exception(s, exception.what());
+  } catch (...) {
+    report_exception(s, "of unknown type");
+  }
+}
+
+}  // namespace
+
 Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
-  p.stepper.reevaluate_forces(0);
+  without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), true; });
   p.audit.set_stored(p.contact_sums, p.body_sums);
   const scree_energy now = energy();
   p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());
@@ -25,13 +61,19 @@ Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationP
 
 Simulation::~Simulation() = default;
 
-void Simulation::step() { check_health(parts_->stepper.step(Stepper::Next::observed)); }
+void Simulation::advance(bool observed) {
+  check_health(without_exception(*this, [&] {
+    return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows);
+  }));
+}
+
+void Simulation::step() { advance(true); }
 
 std::uint64_t Simulation::run(std::uint64_t steps, const std::function<bool()>& proceed) {
   std::uint64_t taken = 0;
   for (bool more = steps > 0; more;) {
     more = ++taken < steps && proceed();
-    check_health(parts_->stepper.step(more ? Stepper::Next::follows : Stepper::Next::observed));
+    advance(!more);
   }
   return taken;
 }

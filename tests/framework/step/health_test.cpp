@@ -210,3 +210,24 @@ TEST_CASE("a wall that slides along itself infinitely fast is reported, although
              Catch::StartsWith("boundary plug-in plane, wall plane: position is (") &&
                  Catch::Contains("at t = 0.00"));
 }
+
+TEST_CASE("an exception of a law in a step is reported with the plug-ins of the scene", "[health]") {
+  scree::PluginHost laws({SCREE_TEST_LAWS});
+  scree::Parameters law(laws.find("throwing", SCREE_CONTACT_LAW));
+  const auto scene_with_limit = [&](double limit) {
+    law.set("limit", {limit});
+    scree::Scene s;
+    s.step = 1e-3;
+    s.materials = {"grain"};
+    s.bodies = {scree::test::body(1, 1, 1, {}, {}), scree::test::body(2, 1, 1, {{1.9, 0, 0}}, {{-1, 0, 0}})};
+    s.laws = {{"law", law}};
+    s.law_of = {0};
+    return s;
+  };
+  CHECK_THROWS_WITH(scree::Simulation(scene_with_limit(0.01)),
+                    Catch::StartsWith("one of the plug-ins throwing threw an exception (boo) in step 1, "));
+  scree::Simulation s(scene_with_limit(0.105));
+  CHECK_THROWS_WITH(
+      scree::test::run(s, 20),
+      Catch::StartsWith("one of the plug-ins throwing threw an exception (boo) in step 6, at t = "));
+}
