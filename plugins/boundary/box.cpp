@@ -96,6 +96,11 @@ struct Box {
     }
     for (int w = 0; w < walls(); ++w)
       if (!prepare_wall(w, setup)) return;
+    for (int w = 0; w < walls(); ++w)
+      if (strained(w) && !strained(w ^ 1) && motions[w ^ 1].moves())
+        return setup.refuse(
+            "a wall has control \"strain_rate\" and the opposite one moves otherwise, so that the strain is "
+            "not its own; fix the opposite wall, or give it \"strain_rate\" too");
   }
 
   void describe(scree::BoundaryLayout& layout) const {
@@ -218,6 +223,7 @@ struct Box {
 
   int walls() const { return 2 * dimension; }
   bool pressed(int w) const { return motions[w].control == WallMotion::pressed; }
+  bool strained(int w) const { return motions[w].control == WallMotion::strained; }
   static double sign(int w) { return w % 2 ? -1 : 1; }
   static double length(int axis, const BoundaryStep& s) {
     return s.walls[std::size_t(2 * axis + 1)].point[axis] - s.walls[std::size_t(2 * axis)].point[axis];
@@ -234,10 +240,10 @@ struct Box {
   }
 
   WallMotion::Prescribed prescribed_of(int w, const BoundaryStep& s, double step) const {
-    if (motions[w].control != WallMotion::strained) return motions[w].prescribed(s.time, step);
+    if (!strained(w)) return motions[w].prescribed(s.time, step);
     // The exact solution of L' = −ε' L over the step; the wall's share is a half if the opposite one moves too.
     const scree::Program& rate = strain_rates[w / 2];
-    const double share = motions[w ^ 1].control == WallMotion::strained ? 0.5 : 1;
+    const double share = strained(w ^ 1) ? 0.5 : 1;
     const double before = length(w / 2, s);
     const double shortening = -before * std::expm1(-step * WallMotion::mean(rate, s.time, step));
     return {share * shortening, share * rate(s.time + step) * (before - shortening)};

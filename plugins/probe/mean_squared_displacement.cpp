@@ -19,7 +19,8 @@ struct MeanSquaredDisplacementProbe {
 
   void declare(scree::Declaration& d) {
     d.list("ids", bodies.ids, "", scree::body_ids, "ids of the bodies; without it all").optional();
-    d.number("window", window, "s", scree::positive, "length t − t_0; without it t_0 is the start")
+    d.number("window", window, "s", scree::positive,
+             "length t − t_0, rounded up to a multiple of observe_every; without it t_0 is the start")
         .optional();
   }
   void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
@@ -46,7 +47,7 @@ struct MeanSquaredDisplacementProbe {
   }
 
   void observe(const scree_view& view, double* state) const {
-    if (view.time - state[0] < window - 0.5 * view.step_length) return;
+    if (view.time - state[0] < std::max(window, view.step_length) - 0.5 * view.step_length) return;
     const scree::Vec3 squares = mean_squares(view, state);
     for (int k = 0; k < 3; ++k) state[2 + k] += squares[k];
     state[1] += 1;

@@ -37,6 +37,9 @@ class Integrator {
   };
   virtual Moved finish_and_begin_step(Particles& particles, double step, double next, BodyRange bodies);
 
+  // Called when forces have changed discontinuously, before the next step: derivatives of them start anew.
+  virtual void restart() {}
+
   // Adds the state that the integrator keeps besides positions and velocities; none by default.
   virtual void add_to_hash(StateHash&) const {}
 };

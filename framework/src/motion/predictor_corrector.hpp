@@ -14,6 +14,7 @@ class PredictorCorrector : public Integrator {
   void prepare(Particles& particles, double step) override;
   double begin_step(Particles& particles, double step, BodyRange bodies) override;
   bool finish_step(Particles& particles, double step, BodyRange bodies) override;
+  void restart() override { second_.clear(); }
   void add_to_hash(StateHash& hash) const override;
 
  private:

@@ -111,6 +111,7 @@ void Simulation::apply_reconfiguration() {
     group.history_width = p.laws[group.law].interface.history_width;
   p.search_neighbours();
   p.stepper.reevaluate_forces(0);
+  p.integrator->restart();
   p.audit.set_stored(p.contact_sums, p.body_sums);
 }
 

@@ -154,13 +154,13 @@ void Stepper::rotate(BodyRange bodies, const Moves& moves) {
   const Particles& p = parts_.particles;
   Orientations& orientations = parts_.particles.orientations;
   const bool mid_step = parts_.integrator->evaluates_at_mid_step();
-  // An integrator that evaluates forces at mid-step moves the bodies by half a step before and after it.
-  const double finish = mid_step && moves.finish ? 0.5 * *moves.finish : 0;
+  // An integrator that evaluates forces at mid-step moves the bodies by half a step before and after it; each
+  // half rotates by itself, so that the bits do not depend on whether the bodies are observed in between. If
+  // the next step has begun, mid_spin is the spin at the end of this one.
+  if (mid_step && moves.finish)
+    orientations.rotate(moves.begin ? p.mid_spin() : p.spin(), 0.5 * *moves.finish, bodies.begin, bodies.end);
   if (moves.begin)
-    orientations.rotate(p.mid_spin(), (mid_step ? 0.5 : 1.0) * *moves.begin + finish, bodies.begin,
-                        bodies.end);
-  else if (finish != 0)
-    orientations.rotate(p.spin(), finish, bodies.begin, bodies.end);
+    orientations.rotate(p.mid_spin(), (mid_step ? 0.5 : 1.0) * *moves.begin, bodies.begin, bodies.end);
 }
 
 void Stepper::reevaluate_forces(double elapsed) {

@@ -54,8 +54,8 @@ struct Worst {
   int compared = 0, kinks = 0;
 };
 
-// Compares one column; where the slopes to both sides differ the law changes its branch, and the column is
-// left out.
+// Compares one column; where the slopes between neighbouring points differ the law changes its branch, and the
+// column is left out.
 void compare(const LawUnderCheck& law, int variant, int step, const std::vector<double>& history, int column,
              const std::vector<double>& jacobian, Worst& worst) {
   const int rows = law.dimension + law.spins();
@@ -74,8 +74,10 @@ void compare(const LawUnderCheck& law, int variant, int step, const std::vector<
   for (int row = 0; row < rows; ++row) {
     const auto r = std::size_t(row);
     const double unit = row < law.dimension ? force : std::max(couple, force * law.passage.overlap());
-    const double rising = (right[r] - middle[r]) / amount, falling = (middle[r] - left[r]) / amount;
-    if (std::abs(rising - falling) > 1e-2 * (std::abs(rising) + std::abs(falling)) + 1e-3 * unit) {
+    const double slopes[] = {(far_right[r] - right[r]) / amount, (right[r] - middle[r]) / amount,
+                             (middle[r] - left[r]) / amount, (left[r] - far_left[r]) / amount};
+    const auto [low, high] = std::minmax_element(std::begin(slopes), std::end(slopes));
+    if (*high - *low > 1e-2 * (std::abs(*high) + std::abs(*low)) + 1e-3 * unit) {
       ++worst.kinks;
       continue;
     }

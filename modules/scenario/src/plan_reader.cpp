@@ -209,7 +209,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   check_precision(root, plan.scene);
-  plan.stages = read_stages(root, plan.scene, instances);
+  plan.stages = read_stages(root, plan.scene, instances, plan.warnings);
   plan.scene.spin = any_later(plan, &exerts_torque);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);

@@ -4,6 +4,9 @@
 #include "scene_keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/plugin/program.hpp>
 
 namespace scree::scenario {
 
@@ -52,14 +55,42 @@ void read_end(const document::Table& t, double step, Stage& stage) {
   }
 }
 
+// Functions of time of an instance that vary and that a stage does not set anew.
+std::vector<std::string> kept_programs(const Stage::Change& instance, const document::Table& set) {
+  std::vector<std::string> kept;
+  const Parameters& parameters = instance.parameters;
+  const std::vector<scree_value> values = parameters.values();
+  for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) {
+    const scree_parameter& p = parameters.plugin().parameters[k];
+    if (p.type != SCREE_PROGRAM || !parameters.given(p.key) || set.has(p.key)) continue;
+    if (Program(values[k]).kind() != Program::constant) kept.push_back(p.key);
+  }
+  return kept;
+}
+
+// The clock of a boundary starts again when any of its parameters is set.
+void warn_of_restart(const document::Table& set, const Stage::Change& instance,
+                     std::vector<std::string>& warnings) {
+  const std::vector<std::string> kept = kept_programs(instance, set.table(instance.name));
+  if (instance.kind != SCREE_BOUNDARY || kept.empty()) return;
+  warnings.push_back(
+      set.error(instance.name,
+                fmt::format("the stage sets other keys of '{}', so that its time, and with it {}, "
+                            "starts again at 0",
+                            instance.name, fmt::join(kept, ", ")),
+                "set these too, as they are to go on")
+          .what());
+}
+
 void read_changes(const document::Table& t, const Scene& scene, std::vector<Stage::Change>& instances,
-                  Stage& stage) {
+                  Stage& stage, std::vector<std::string>& warnings) {
   const auto set = t.optional_table(stage_keys.set);
   if (!set) return;
   std::vector<std::string> names;
   for (const Stage::Change& instance : instances) names.push_back(instance.name);
   for (const std::string& name : set->keys()) {
     Stage::Change& instance = instances[find_name(*set, name, "law, boundary or body force", name, names)];
+    warn_of_restart(*set, instance, warnings);
     instance = changed_instance(set->table(name), instance, scene);
     stage.changes.push_back(instance);
   }
@@ -73,7 +104,8 @@ double read_steps(const document::Table& table, const Key& key, double step) {
   return seconds;
 }
 
-std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances) {
+std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances,
+                               std::vector<std::string>& warnings) {
   std::vector<Stage> stages;
   UniqueNames names("stage");
   const document::Table time = root.table("time");
@@ -82,7 +114,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     stage.name = t.string(stage_keys.name, fmt::format("stage {}", stages.size() + 1));
     names.add(t, stage.name);
     read_end(t, scene.step, stage);
-    read_changes(t, scene, instances.all, stage);
+    read_changes(t, scene, instances.all, stage, warnings);
     stages.push_back(std::move(stage));
   }
   if (!stages.empty() && time.optional(time_keys.duration))

@@ -11,7 +11,8 @@ namespace scree::scenario {
 
 // Reads the [[stage]]s, or makes one stage of [time] duration. A change by a stage persists in the following
 // stages. The scene must be complete except for what depends on the stages.
-std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances);
+std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances,
+                               std::vector<std::string>& warnings);
 
 // Reads a time (s). Throws Error unless it takes at least one step and at most 1e12.
 double read_steps(const document::Table& table, const Key& key, double step);

@@ -201,3 +201,26 @@ TEST_CASE("a constant torque gives a constant angular acceleration") {
     CHECK(std::abs((speed - now.velocity[0]) / (friction * gravity * slid) - 1) <= relative);
   }
 }
+
+// The acceleration is constant before and after: all integrators are exact, but for n roundings.
+TEST_CASE("a force that a stage switches on acts in full from then on") {
+  constexpr double g = 10, step = 1e-3;
+  constexpr int steps = 100;
+  for (const scree::Integration integration :
+       {scree::Integration::velocity_verlet, scree::Integration::position_verlet,
+        scree::Integration::predictor_corrector, scree::Integration::fourth_order}) {
+    Scene scene = scree::test::scene(3, step, {scree::test::body(1, 1, 1, {})}, spring(1));
+    scree::test::add_body_force(scene, "gravity", {{"acceleration", {0, 0, 0}}});
+    scene.integration = integration;
+    Simulation s(scene);
+    scree::test::run(s, steps);
+    s.reconfigure_body_force(
+        "gravity", scree::test::parameters("gravity", SCREE_BODY_FORCE, {{"acceleration", {0, 0, -g}}}));
+    s.apply_reconfiguration();
+    scree::test::run(s, steps);
+    INFO("integrator " << int(integration));
+    const double time = steps * step;
+    CHECK(std::abs(s.particles().body(0).velocity[2] + g * time) < steps * epsilon * g * time);
+    CHECK(std::abs(s.particles().body(0).position[2] + 0.5 * g * time * time) < steps * epsilon * g * time);
+  }
+}

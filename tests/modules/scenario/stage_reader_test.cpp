@@ -91,3 +91,20 @@ TEST_CASE("a stage that changes something unknown or fixed is refused", "[scenar
   CHECK(refusal(discs + stage) ==
         "scene.toml:5:12: both stages and time.duration are given; keep [[stage]] or time.duration");
 }
+
+TEST_CASE("a stage that restarts functions of time of a boundary which it does not set is warned of",
+          "[scenario]") {
+  const std::string box = with(discs, "duration = 1e-4\n", "") +
+                          "[[boundary]]\nplugin = 'box'\nname = 'cell'\ngap = 0.01\nx = 'fixed'\n"
+                          "stress_y = { from = 10, to = 20, duration = 1 }\n";
+  const std::string first = "[[stage]]\nduration = 0.5\n",
+                    second = "[[stage]]\nname = 'two'\nduration = 0.5\n";
+  const auto warnings = [&](const std::string& set) { return plan_of(box + first + second + set).warnings; };
+  CHECK(warnings("").empty());
+  CHECK(warnings("set.cell = { stress_y = 15 }\n").empty());
+  const std::vector<std::string> found = warnings("set.cell = { viscosity = 1 }\n");
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0],
+             Catch::Contains("sets other keys of 'cell', so that its time, and with it stress_y, starts "
+                             "again at 0; set these too"));
+}

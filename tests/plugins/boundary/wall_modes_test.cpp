@@ -223,6 +223,11 @@ TEST_CASE("walls without the program that their control needs are refused by nam
   CHECK_THROWS_WITH(box(Values{{"x_low", {box_fixed}}, {"x_high", {box_velocity}}})(),
                     Catch::Contains("wall x_high has no velocity; give velocity_x_high = <m/s>"));
   CHECK_THROWS_WITH(box(Values{{"x", {box_strain_rate}}})(), Catch::Contains("give strain_rate_x = <1/s>"));
+  CHECK_THROWS_WITH(box(Values{{"x_low", {box_strain_rate}},
+                               {"strain_rate_x", {0, 1}},
+                               {"x_high", {box_velocity}},
+                               {"velocity_x_high", {0, 1}}})(),
+                    Catch::Contains("the opposite one moves otherwise"));
   CHECK_THROWS_WITH(box(Values{{"x", {box_stress}}})(), Catch::Contains("give stress = <Pa>"));
   CHECK_THROWS_WITH(box(Values{{"x", {box_fixed}}, {"x_low", {box_fixed}}})(),
                     Catch::Contains("x_low and x both say what moves a wall"));
