@@ -14,13 +14,13 @@ struct MeanSquaredDisplacementProbe {
   static constexpr scree::About about = {
       "mean_squared_displacement", "mean squared displacement of bodies, since the start or over windows",
       "total = ⟨|x(t) − x(t_0)|²⟩, x, y, z: parts along the axes    x: path without jumps at periodic faces\n"
-      "with a window: mean over all windows that are complete, one after the other; 0 before the first",
+      "with a window: mean over all windows that are complete, one after the other; NaN before the first",
       "—"};
 
   void declare(scree::Declaration& d) {
     d.list("ids", bodies.ids, "", scree::body_ids, "ids of the bodies; without it all").optional();
     d.number("window", window, "s", scree::positive,
-             "length t − t_0, rounded up to a multiple of observe_every; without it t_0 is the start")
+             "length t − t_0, a multiple of observe_every if that is given; without it t_0 is the start")
         .optional();
   }
   void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
@@ -43,11 +43,14 @@ struct MeanSquaredDisplacementProbe {
   std::string start(const scree_view& view, double* state) const {
     const std::string missing = bodies.find(view, state + 5 + 3 * count(view));
     if (missing.empty()) begin_window(view, state);
-    return missing;
+    return missing.empty() ? bodies.repeated() : missing;
   }
 
   void observe(const scree_view& view, double* state) const {
-    if (view.time - state[0] < std::max(window, view.step_length) - 0.5 * view.step_length) return;
+    const double late = view.time - state[0] - std::max(window, view.step_length);
+    if (late < -0.5 * view.step_length) return;
+    // Not a window: nothing was observed at its end, as in stages in which the probe does not record.
+    if (late > 0.75 * view.step_length) return begin_window(view, state);
     const scree::Vec3 squares = mean_squares(view, state);
     for (int k = 0; k < 3; ++k) state[2 + k] += squares[k];
     state[1] += 1;
@@ -56,7 +59,7 @@ struct MeanSquaredDisplacementProbe {
 
   void sample(const scree_view& view, const double* state, double* row) const {
     const scree::Vec3 sums = {{state[2], state[3], state[4]}};
-    const scree::Vec3 mean = window > 0 ? 1 / std::max(1.0, state[1]) * sums : mean_squares(view, state);
+    const scree::Vec3 mean = window > 0 ? 1 / state[1] * sums : mean_squares(view, state);
     row[0] = mean[0] + mean[1] + mean[2];
     for (int k = 0; k < dimension; ++k) row[1 + k] = mean[k];
   }

@@ -84,7 +84,10 @@ std::string last_line(const fs::path& log) {
 
 }  // namespace
 
-void require_ffmpeg() {
+void require_ffmpeg(const fs::path& movie) {
+  std::error_code failed;
+  if (const fs::path folder = fs::absolute(movie).parent_path(); !fs::is_directory(folder, failed))
+    throw Error(fmt::format("--movie {}: there is no folder {}; create it", movie.string(), folder.string()));
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');)
@@ -95,8 +98,7 @@ void require_ffmpeg() {
 }
 
 void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, const fs::path& movie) {
-  fs::path log = movie;
-  log += ".log";
+  const fs::path log = fs::temp_directory_path() / fmt::format("scree-movie-{}.log", getpid());
   Pipe input;
   const auto before = std::signal(SIGPIPE, SIG_IGN);
   const pid_t process = start_ffmpeg(input, frames_per_second, movie, log);

@@ -49,18 +49,29 @@ std::string replaced(std::string text, const std::string& token, const std::stri
 
 void write_from(const fs::path& source, const fs::path& target, const NewPluginArguments& a) {
   std::string text = files::read_text(source);
-  text = replaced(text, "plugin_name", a.name);
-  text = replaced(text, "PluginName", type_name(a.name));
   text = replaced(text, "plugin_kind", a.kind);
   // General checks are for laws; theirs are to cover the dashpot too.
   text = replaced(text, " plugin_values", a.kind == "contact" ? " VALUES stiffness=5000 damping=0.2" : "");
   text = replaced(text, "scree_cmake_folder",
                   (program_folder() / "../lib/cmake/scree").lexically_normal().string());
+  // Last, because a name may be any of these words.
+  text = replaced(text, "PluginName", type_name(a.name));
+  text = replaced(text, "plugin_name", a.name);
   files::write_atomically(target, text);
+}
+
+// A library of the user hides one of the same kind and name that comes with the program.
+void check_new(const NewPluginArguments& a) {
+  const PluginHost host(PluginHost::default_directories());
+  for (const scree_kind kind : {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FORCE, SCREE_PROBE})
+    if (a.kind == kind_folder(kind) && !host.locate(a.name, kind).empty())
+      throw Error(
+          fmt::format("'{}': a {} of this name comes with scree; choose another", a.name, kind_name(kind)));
 }
 
 ExitStatus new_plugin(const NewPluginArguments& a) {
   check_name(a.name);
+  check_new(a);
   const fs::path directory = a.directory.empty() ? fs::path(a.name) : fs::path(a.directory);
   std::error_code failed;
   if (fs::exists(directory, failed))

@@ -84,7 +84,7 @@ snapshot::ViewRange view_of(const std::vector<fs::path>& frames, const std::stri
 ExitStatus render(const RenderArguments& arguments) {
   snapshot::RenderOptions options = arguments.options;
   options.color_range = color_range_of(arguments.color_range);
-  if (!arguments.movie.empty()) require_ffmpeg();
+  if (!arguments.movie.empty()) require_ffmpeg(arguments.movie);
   const auto backend = snapshot::load_backend();
   const std::vector<fs::path> frames = frames_of(arguments.source);
   const fs::path base = is_folder(arguments.source) ? fs::path(arguments.source) / "images"

@@ -80,9 +80,17 @@ std::vector<double> forces_of(const Parameters& law, const fs::path& library, co
   return all;
 }
 
+// A word for the shell: no character in it has a meaning.
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 // Vector multiplications in each loop over a batch, by disassembly; nothing without objdump.
 std::optional<std::pair<int, int>> vectorised_loops(const fs::path& library, const std::string& registers) {
-  const std::string command = fmt::format("objdump -d --no-show-raw-insn '{}' 2>/dev/null", library.string());
+  const std::string command =
+      fmt::format("objdump -d --no-show-raw-insn {} 2>/dev/null", shell_word(library.string()));
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   if (!pipe) return std::nullopt;
   int loops = 0, vectorised = 0;
@@ -118,8 +126,10 @@ Checks check_levels(const Parameters& law, const fs::path& library, const Checke
       if (first) same &= forces == *first;
       if (!first) first = forces;
       compared += (compared.empty() ? "" : ", ") + std::string(level);
-    } catch (const Error&) {
-      continue;  // this processor does not have the level
+    } catch (const Error& error) {
+      // This processor does not have the level, or the build is broken.
+      if (std::string_view(error.what()).starts_with("SCREE_LEVEL")) continue;
+      return {{name, Verdict::failed, error.what()}};
     }
   }
   return {{name, same ? Verdict::passed : Verdict::failed, compared}};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/error.hpp>
+
 namespace scree::plugin_checks {
 
 namespace {
@@ -17,6 +19,14 @@ void append(Checks& all, const Checks& more, int dimension) {
 
 Checks check_law(const Parameters& law, const std::filesystem::path& library, const CheckedPair& pair) {
   Checks all;
+  for (const int dimension : {2, 3}) {
+    const ConfiguredLaw configured(law, dimension, no_bounds, no_bounds);
+    try {
+      contact_time_of(configured, pair, dimension);
+    } catch (const Error& error) {
+      return {{"closed forms are usable", Check::Verdict::failed, error.what()}};
+    }
+  }
   for (const int dimension : {2, 3}) {
     const ConfiguredLaw configured(law, dimension, no_bounds, no_bounds);
     const double time = contact_time_of(configured, pair, dimension);

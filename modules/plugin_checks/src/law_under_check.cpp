@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/closed_forms.hpp>
+
 namespace scree::plugin_checks {
 
 void LawUnderCheck::follow(ContactColumns& contacts, const Frame& frame, int first,
@@ -17,17 +19,20 @@ void LawUnderCheck::follow(ContactColumns& contacts, const Frame& frame, int fir
   }
 }
 
-double contact_time_of(const ConfiguredLaw& law, const CheckedPair& pair, int dimension) {
+std::optional<double> closed_form(const ConfiguredLaw& law, const CheckedPair& pair, int dimension,
+                                  std::string_view name) {
   const double r = pair.radius, pi = std::numbers::pi;
   const double mass = pair.density * (dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r);
   const double other = mass * (dimension == 2 ? 2.25 : 3.375);
   const scree_encounter encounter = {mass * other / (mass + other), 1.5 * r / 2.5, pair.speed, 1};
-  scree_closed_form forms[16];
-  const std::uint32_t count = law.interface().closed_forms(law.storage(), &encounter, forms, 16);
-  for (std::uint32_t k = 0; k < count; ++k)
-    if (std::string_view(forms[k].name) == "contact_time" && std::isfinite(forms[k].value))
-      return forms[k].value;
-  return 0;
+  for (const scree_closed_form& form : closed_forms(law, encounter))
+    if (form.name == name) return form.value;
+  return std::nullopt;
+}
+
+double contact_time_of(const ConfiguredLaw& law, const CheckedPair& pair, int dimension) {
+  const double time = closed_form(law, pair, dimension, "contact_time").value_or(0);
+  return std::isfinite(time) ? time : 0;
 }
 
 Check bounded(const std::string& name, double measured, double bound) {

@@ -3,6 +3,8 @@
 #include "passage.hpp"
 
 #include <functional>
+#include <optional>
+#include <string_view>
 
 namespace scree::plugin_checks {
 
@@ -22,7 +24,10 @@ struct LawUnderCheck {
               const std::function<void(int step)>& visit) const;
 };
 
-// The law's own contact time (s); 0 if it states none.
+// A closed form of the law for the checked pair, if it states one. Throws Error as closed_forms() does.
+std::optional<double> closed_form(const ConfiguredLaw& law, const CheckedPair& pair, int dimension,
+                                  std::string_view name);
+// The law's own contact time (s); 0 if it states none or an infinite one.
 double contact_time_of(const ConfiguredLaw& law, const CheckedPair& pair, int dimension);
 
 // One family of checks each; names are the same in both dimensions.

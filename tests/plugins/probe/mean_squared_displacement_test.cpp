@@ -67,9 +67,30 @@ TEST_CASE("mean_squared_displacement: with a window, the mean over the windows t
   for (int k = 1; k <= 120; ++k) {
     s.step();
     observe();
-    if (k == 49) CHECK(total() == 0);
+    if (k == 49) CHECK(std::isnan(total()));
     if (k == 50) CHECK(total() == Approx((64.25 + 2.25 * 2.25) / 2 * 0.0025).epsilon(1e-12));
   }
   CHECK(p.state()[1] == 2);
   CHECK(total() == Approx((64.25 + 2.25 * 2.25) / 2 * 0.0025).epsilon(1e-12));
+}
+
+TEST_CASE("mean_squared_displacement: a time without observations is no window", "[probe]") {
+  Simulation s(drifting(3));
+  Probe p = displacement({{"window", {0.05}}}, 3);
+  const auto observe = [&] { p.observe(SimulationView(s, p.needs()).get()); };
+  observe();
+  run(s, 80);
+  observe();  // 0.03 s late
+  CHECK(p.state()[1] == 0);
+  CHECK(std::isnan(p.sample(SimulationView(s, 0).get())[0]));
+  run(s, 50);
+  observe();
+  CHECK(p.state()[1] == 1);
+  CHECK(p.sample(SimulationView(s, 0).get())[0] == Approx((64.25 + 2.25 * 2.25) / 2 * 0.0025).epsilon(1e-12));
+}
+
+TEST_CASE("mean_squared_displacement: a body given twice is refused", "[probe]") {
+  const Simulation s(drifting(3));
+  CHECK_THROWS_WITH(displacement({{"ids", {2, 2}}}, 3).check(SimulationView(s, 0).get()),
+                    Catch::Contains("the id 2 is given twice"));
 }

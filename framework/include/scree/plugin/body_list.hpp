@@ -30,6 +30,17 @@ struct BodyList {
   std::uint64_t size() const { return ids.count / stride; }
   long long id(std::uint64_t k) const { return static_cast<long long>(ids.data[k * stride]); }
 
+  // The problem and a remedy if a body is given twice, for probes that count each once; otherwise "".
+  std::string repeated() const {
+    std::vector<double> sorted(ids.data, ids.data + ids.count);
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice == sorted.end()) return "";
+    char problem[96];
+    std::snprintf(problem, sizeof(problem), "the id %.16g is given twice; give each once", *twice);
+    return problem;
+  }
+
   // Writes the index of each body to size() doubles. Returns the problem and a remedy, or "" without one.
   std::string find(const scree_view& view, double* indices) const {
     std::vector<std::pair<double, std::uint64_t>> wanted;  // id and place in the list

@@ -47,7 +47,8 @@ Range value_range(const RawField& field) {
   for (double value : field.values)
     if (std::isfinite(value)) range = {std::min(range.lower, value), std::max(range.upper, value)};
   if (range.lower > range.upper) return {0, 1};
-  if (range.lower < range.upper) return range;
+  const double size = std::max(std::abs(range.lower), std::abs(range.upper));
+  if (range.upper - range.lower > 1e-9 * size) return range;
   if (range.lower == 0) return {0, 1};
   return field.whole_numbers ? Range{range.lower - 1, range.upper + 1} : padded(range.lower, range.upper, 0);
 }

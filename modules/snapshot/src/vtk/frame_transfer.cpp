@@ -112,7 +112,8 @@ std::string read_all(int descriptor) {
   }
 }
 
-enum ChildStatus { sent_frame = 0, sent_refusal = 1 };
+// Exit statuses that no library uses when it gives up.
+enum ChildStatus { sent_frame = 101, sent_refusal = 102, failed_to_send = 103 };
 
 [[noreturn]] void run_child(const std::filesystem::path& file, int output) {
   for (const int number : {SIGINT, SIGTERM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) std::signal(number, SIG_DFL);
@@ -123,11 +124,11 @@ enum ChildStatus { sent_frame = 0, sent_refusal = 1 };
     Frame frame = read_vtp(file);
     Packer packer;
     transfer(packer, frame);
-    _exit(write_all(output, packer.bytes) ? sent_frame : 2);
+    _exit(write_all(output, packer.bytes) ? sent_frame : failed_to_send);
   } catch (const Error& error) {
-    _exit(write_all(output, error.what()) ? sent_refusal : 2);
+    _exit(write_all(output, error.what()) ? sent_refusal : failed_to_send);
   } catch (...) {
-    _exit(2);
+    _exit(failed_to_send);
   }
 }
 

@@ -8,6 +8,11 @@
 namespace scree::snapshot {
 namespace {
 
+// Nearer to each other than ticks can be told apart.
+bool almost_equal(double lower, double upper) {
+  return !(upper - lower > 1e-9 * std::max(std::abs(lower), std::abs(upper)));
+}
+
 int decade_of(double value) { return int(std::floor(std::log10(value) + 1e-9)); }
 
 double nice_step(double raw) {
@@ -49,6 +54,7 @@ Ticks decades(double lower, double upper, int stride, const std::vector<double>&
 }  // namespace
 
 Ticks linear_ticks(double lower, double upper, int target, bool whole_numbers) {
+  if (almost_equal(lower, upper)) return {{lower}, {fmt::format("{:.6g}", lower)}};
   double step = nice_step((upper - lower) / target);
   if (whole_numbers) step = std::max(1.0, step);
   const double largest = std::max(std::abs(lower), std::abs(upper));
@@ -69,8 +75,7 @@ Ticks logarithmic_ticks(double lower, double upper, int target) {
 
 Range padded(double lower, double upper, double fraction) {
   const double size = std::max(std::abs(lower), std::abs(upper));
-  const bool equal = upper - lower <= 1e-12 * size;
-  const double room = !equal ? fraction * (upper - lower) : size > 0 ? 0.1 * size : 1.0;
+  const double room = !almost_equal(lower, upper) ? fraction * (upper - lower) : size > 0 ? 0.1 * size : 1.0;
   return {lower - room, upper + room};
 }
 
