@@ -62,10 +62,13 @@ struct Box {
   void declare(scree::Declaration& d) {
     using namespace scree;
     d.vector("lower", lower_given, "m",
-             "lower corner; that of the bodies' bounding box minus the gap if absent");
+             "lower corner; that of the bodies' bounding box minus the gap if absent")
+        .at_start_only();
     d.vector("upper", upper_given, "m",
-             "upper corner; that of the bodies' bounding box plus the gap if absent");
-    d.number("gap", gap, "m", non_negative, "distance from the bodies where a corner is not given");
+             "upper corner; that of the bodies' bounding box plus the gap if absent")
+        .at_start_only();
+    d.number("gap", gap, "m", non_negative, "distance from the bodies where a corner is not given")
+        .at_start_only();
     d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");
     d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w of each stress-controlled wall");
     for (int w = 0; w < max_walls; ++w)

@@ -32,8 +32,10 @@ struct Plane {
 
   void declare(scree::Declaration& d) {
     using namespace scree;
-    d.vector("point", point, "m", "any point of the plane").required();
-    d.vector("normal", normal, "", "normal pointing to the bodies; need not be a unit vector").required();
+    d.vector("point", point, "m", "any point of the plane").required().at_start_only();
+    d.vector("normal", normal, "", "normal pointing to the bodies; need not be a unit vector")
+        .required()
+        .at_start_only();
     d.vector("direction", direction, "", "direction of motion; the normal if absent").optional();
     d.program("displacement", motion.displacement, "m", any_number,
               "d(t) along the direction; fixed if neither this nor control is given")
@@ -61,6 +63,12 @@ struct Plane {
     using scree::WallMotion;
     if (!make_unit(normal)) return setup.refuse("normal has length 0; give a vector such as [0, 0, 1]");
     if (!make_unit(direction)) direction = normal;
+    const bool moved_otherwise = motion.velocity.given() || pressing_stress.given() ||
+                                 pressing_force.given() || motion.superposed.given();
+    if (control < 0 && !motion.displacement.given() && moved_otherwise)
+      return setup.refuse(
+          "what moves the plane is given without control; give control = \"velocity\", \"stress\" or "
+          "\"force\"");
     if (control < 0) control = motion.displacement.given() ? displacement : fixed;
     if (control == displacement && !motion.displacement.given())
       return setup.refuse("control = \"displacement\" without displacement; give displacement = <m>");

@@ -96,10 +96,14 @@ double rounded_down(double step) {
 std::optional<std::string> too_long(const Simulation& s) {
   const StepLimit limit = shortest_limit(s);
   if (s.step_length() <= limit.longest_step) return std::nullopt;
+  const std::string_view plural = limit.cause.starts_with("the contacts") ? "" : "s";
+  if (!(limit.longest_step > 0))
+    return fmt::format("no time step is short enough: {} allow{} none; check speeds, masses and viscosities",
+                       limit.cause, plural);
   const double contact = s.min_steps_per_contact() * s.step_length();
   return fmt::format(
       "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}",
-      s.step_length(), limit.cause, limit.cause.starts_with("the contacts") ? "" : "s", limit.longest_step,
+      s.step_length(), limit.cause, plural, limit.longest_step,
       rounded_down(std::min(contact / 50, limit.longest_step)),
       contact / 50 < limit.longest_step ? " (50 steps per contact)" : "");
 }

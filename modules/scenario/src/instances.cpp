@@ -59,6 +59,10 @@ const Stage::Change& read_instance(const document::Table& table, scree_kind kind
 }
 
 Stage::Change changed_instance(const document::Table& table, const Stage::Change& old, const Scene& scene) {
+  for (const std::string& key : table.keys())
+    if (const scree_parameter* p = old.parameters.find(key); p && (p->flags & SCREE_AT_START_ONLY))
+      throw table.error(key, fmt::format("'{}' describes the start, and a stage cannot change it", key),
+                        fmt::format("set it where '{}' is declared", old.name));
   Stage::Change changed = old;
   read_parameters(table, scene.dimension, changed.parameters);
   check_complete(table, changed.parameters);

@@ -108,3 +108,13 @@ TEST_CASE("a stage that restarts functions of time of a boundary which it does n
              Catch::Contains("sets other keys of 'cell', so that its time, and with it stress_y, starts "
                              "again at 0; set these too"));
 }
+
+TEST_CASE("a stage cannot change what describes the start of a boundary", "[scenario]") {
+  const std::string scene =
+      with(discs, "duration = 1e-4\n", "") +
+      "[[boundary]]\nplugin = 'box'\nname = 'cell'\ngap = 0.01\nx = 'fixed'\ny = 'fixed'\n"
+      "[[stage]]\nduration = 1\nset.cell.gap = 0.02\n";
+  CHECK_THROWS_WITH(plan_of(scene),
+                    Catch::Contains("'gap' describes the start, and a stage cannot change it; set "
+                                    "it where 'cell' is declared"));
+}

@@ -47,6 +47,8 @@ class Declaration {
     Entry& required() { return flag(SCREE_REQUIRED); }
     // The parameter may be absent; the member then keeps its initial value.
     Entry& optional() { return flag(SCREE_OPTIONAL); }
+    // The parameter describes the start, and stages may not set it.
+    Entry& at_start_only() { return flag(SCREE_AT_START_ONLY); }
     // Exactly one of this parameter and `key` must be given.
     Entry& or_else(const char* key) {
       parameter_.excludes = key;

@@ -25,7 +25,8 @@ enum {
   SCREE_REQUIRED = 1u << 0,         /* must be given unless the parameter named by `excludes` is */
   SCREE_OPTIONAL = 1u << 1,         /* may be absent: its value then has count 0 */
   SCREE_MINIMUM_EXCLUDED = 1u << 2, /* range is (minimum, ...) */
-  SCREE_MAXIMUM_EXCLUDED = 1u << 3  /* range is (..., maximum) */
+  SCREE_MAXIMUM_EXCLUDED = 1u << 3, /* range is (..., maximum) */
+  SCREE_AT_START_ONLY = 1u << 4     /* holds for the whole run: stages may not set it */
 };
 
 typedef struct scree_parameter {
