@@ -48,7 +48,7 @@ Range value_range(const RawField& field) {
     if (std::isfinite(value)) range = {std::min(range.lower, value), std::max(range.upper, value)};
   if (range.lower > range.upper) return {0, 1};
   const double size = std::max(std::abs(range.lower), std::abs(range.upper));
-  if (range.upper - range.lower > 1e-9 * size) return range;
+  if (range.upper - range.lower > 1e-12 * size) return range;
   if (range.lower == 0) return {0, 1};
   return field.whole_numbers ? Range{range.lower - 1, range.upper + 1} : padded(range.lower, range.upper, 0);
 }

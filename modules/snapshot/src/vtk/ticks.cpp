@@ -10,7 +10,7 @@ namespace {
 
 // Nearer to each other than ticks can be told apart.
 bool almost_equal(double lower, double upper) {
-  return !(upper - lower > 1e-9 * std::max(std::abs(lower), std::abs(upper)));
+  return !(upper - lower > 1e-12 * std::max(std::abs(lower), std::abs(upper)));
 }
 
 int decade_of(double value) { return int(std::floor(std::log10(value) + 1e-9)); }
