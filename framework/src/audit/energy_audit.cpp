@@ -48,6 +48,10 @@ void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodyS
   store(contacts, bodies);
 }
 
+void EnergyAudit::add_turned_over(double kinetic_boundary) {
+  max_stored_ = larger(max_stored_, kinetic_boundary);
+}
+
 void EnergyAudit::start(double kinetic_translation, double kinetic_rotation,
                         const scree_boundary_energy& boundaries) {
   kinetic_at_start_ = kinetic_translation + kinetic_rotation;

@@ -28,6 +28,9 @@ class EnergyAudit {
   // Sets the energy stored in contacts and potentials without advancing time: at the start, or when a stage
   // changes parameters; a jump then counts as work.
   void set_stored(const ContactSums& contacts, const BodySums& bodies);
+  // Counts the kinetic energy of walls (J) as turned over. Called before a stage changes them: a wall that is
+  // stopped gives all of it back, and the sum of the work is then 0.
+  void add_turned_over(double kinetic_boundary);
 
   // Sets the initial state, the reference of the residual; kinetic energies in J.
   void start(double kinetic_translation, double kinetic_rotation, const scree_boundary_energy& boundaries);
@@ -47,7 +50,7 @@ class EnergyAudit {
   ContactSums contacts_;
   BodySums bodies_;
   double stored_at_start_ = 0, kinetic_at_start_ = 0, potential_at_start_ = 0;
-  double max_stored_ = 0;  // largest energy in springs and potentials since the start (J)
+  double max_stored_ = 0;  // largest energy in springs and potentials, or of walls before a change (J)
   bool started_ = false;
 };
 

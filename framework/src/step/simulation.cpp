@@ -96,6 +96,7 @@ void Simulation::reconfigure_law(const std::string& name, const Parameters& para
 
 void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
   parts_->stepper.synchronise();
+  parts_->audit.add_turned_over(parts_->boundaries.energy().kinetic);
   parts_->boundaries.reconfigure(name, parameters, time());
 }
 

@@ -165,3 +165,23 @@ TEST_CASE("without an audit all energies are zero") {
   // The audit does not change the motion.
   CHECK(with.state_hash() == without.state_hash());
 }
+
+TEST_CASE("the energy of a free wall that a stage stops counts as turned over") {
+  scree::Scene s = scree::test::scene(2, 1e-3, {scree::test::body(1, 0.005, 1, {}, {}, {}, 2)},
+                                      {{"normal_stiffness", {1e3}}, {"normal_damping", {0}}});
+  constexpr double force = 3, fixed = 0;
+  const scree::test::Values geometry = {{"point", {0, 1, 0}}, {"normal", {0, -1, 0}}};
+  scree::test::Values pressed = geometry, stopped = geometry;
+  pressed.insert(pressed.end(), {{"control", {4}}, {"force", {0, force}}});
+  stopped.push_back({"control", {fixed}});
+  scree::test::add_boundary(s, "plane", pressed);
+  scree::Simulation simulation(s);
+  scree::test::run(simulation, 100);
+  REQUIRE(simulation.energy().kinetic_boundary == Approx(0.5 * force * force * 0.01));
+  simulation.reconfigure_boundary("plane", scree::test::parameters("plane", SCREE_BOUNDARY, stopped));
+  simulation.apply_reconfiguration();
+  simulation.step();
+  CHECK(std::abs(simulation.energy().work) < 1e-15);
+  // Round-off of 100 sums, not the 1 of nothing over nothing.
+  CHECK(simulation.energy_residual() < 100 * 2.2e-16);
+}
