@@ -62,3 +62,11 @@ TEST_CASE("a path of plug-ins in the environment that is no directory is refused
   check_refused(w, w.shell("SCREE_PLUGIN_PATH=nowhere; export SCREE_PLUGIN_PATH; scree check scene.toml"),
                 "SCREE_PLUGIN_PATH: nowhere: is not a directory; ", "boundary/, body_force/, probe/");
 }
+
+TEST_CASE("a plug-in that ends the program does not pass for a success", "[tools]") {
+  const Workspace w(with(with(discs, "linear_spring_dashpot", "exits_when_configured"),
+                         "normal_stiffness = 1e4\nnormal_damping = 0\n", ""));
+  const Outcome outcome = w.run(options);
+  CHECK(outcome.status != 0);
+  CHECK_THAT(outcome.err, Catch::Contains("a plug-in ended the program with exit(); "));
+}
