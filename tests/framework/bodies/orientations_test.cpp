@@ -126,6 +126,20 @@ TEST_CASE("a law that reads orientations swings with its closed form, to second 
   }
 }
 
+// θ" = −(k/I) θ: a wall does not turn.
+TEST_CASE("a law that reads orientations holds a body at a wall to where it was", "[orientation]") {
+  for (const int dimension : {2, 3}) {
+    const double omega = std::sqrt(1e-8 / ((dimension == 2 ? 0.5 : 0.4) * 1e-12)), time = 1.7 / omega;
+    Scene s = torsion_pair(dimension, time / 400, 1e-4 * omega);
+    s.bodies.pop_back();
+    add_boundary(s, "plane", {{"point", {-0.9e-3, 0, 0}}, {"normal", {1, 0, 0}}});
+    Simulation simulation(s);
+    simulation.run(400, [] { return true; });
+    const double share = simulation.particles().spin()[2][0] / (1e-4 * omega);
+    CHECK(std::abs(share - std::cos(1.7)) < 0.2 * 1.7 * 1.7 / (400 * 400));  // as above
+  }
+}
+
 TEST_CASE("orientations have the same bits whether the bodies are observed between steps or not",
           "[orientation]") {
   for (const Integration integration : integrators)
