@@ -28,6 +28,8 @@ class Orientations {
   // Round-off does not accumulate: sums are compensated, and quaternions keep their norm.
   void rotate(const Vectors<const double>& spin, double time, std::size_t begin, std::size_t end);
 
+  void transfer(const class StateTransfer& state);
+
  private:
   int components_ = 0;
   std::size_t size_ = 0;

@@ -106,6 +106,10 @@ class Particles {
   std::size_t load_width() const { return record::load_width(dimension_, has_spin_); }
   void set_load_rows(std::size_t rows) { loads_.resize(rows * load_width()); }
 
+  // The present state; all else follows from the bodies with which these were made. mid_step: velocities of
+  // mid-step are kept too.
+  void transfer(const class StateTransfer& state, bool mid_step);
+
   // Advanced with the mid-step spin; carried only if the scene needs them.
   Orientations orientations;
 

@@ -11,6 +11,7 @@
 #include <scree/particles.hpp>
 #include <scree/profile.hpp>
 #include <scree/scene.hpp>
+#include <scree/state.hpp>
 
 namespace scree {
 
@@ -30,6 +31,10 @@ class Simulation {
  public:
   // Sets up the scene and evaluates the forces at t = 0. Throws Error for an invalid scene.
   explicit Simulation(const Scene& scene);
+  // Goes on from a state of the same scene, to the same bits as if it had never stopped. The scene has the
+  // bodies of the start (see scene_record.hpp) and the parameters of the present stage. Throws Error if the
+  // state is that of another scene.
+  Simulation(const Scene& scene, const State& state);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -84,6 +89,9 @@ class Simulation {
   // one possible so far, whichever is higher; infinite without pairs.
   double min_steps_per_contact() const;
   std::uint64_t state_hash() const;
+  // Everything that the simulation is, between two steps: its scene (see scene_record.hpp) and what has
+  // changed since the start.
+  State state() const;
   Footprint footprint() const;
 
   // For the framework and its tests only; the types are private.

@@ -21,7 +21,8 @@ struct StateArray {
   std::string unit;                // SI, "kg m^2/s"; "1" for pure numbers, "" for text and indices
 
   std::size_t size() const;
-  friend bool operator==(const StateArray&, const StateArray&) = default;
+  // Whether all bits are the same.
+  friend bool operator==(const StateArray& a, const StateArray& b);
 };
 
 // The state of a simulation or of a run: arrays by path, "bodies/position". The parts of a path are separated

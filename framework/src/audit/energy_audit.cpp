@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <scree/energy.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -93,6 +94,24 @@ double EnergyAudit::share(double energy, const scree_energy& now) const {
   const double all = turnover(now);
   if (!std::isfinite(energy) || !std::isfinite(all)) return std::numeric_limits<double>::quiet_NaN();
   return all > 0 ? energy / all : 0;
+}
+
+void BodySums::transfer(const StateTransfer& state) {
+  state.value("potential", "J", potential);
+  state.value("dissipation_rate_translation", "W", dissipation_rate_translation);
+  state.value("dissipation_rate_rotation", "W", dissipation_rate_rotation);
+}
+
+void EnergyAudit::transfer(const StateTransfer& state) {
+  static_assert(std::is_standard_layout_v<scree_energy> && sizeof(scree_energy) % sizeof(double) == 0);
+  state.numbers("totals", "J", &totals_.kinetic_translation, sizeof(totals_) / sizeof(double));
+  contacts_.transfer(state.below("contacts"));
+  bodies_.transfer(state.below("body_forces"));
+  state.value("stored_at_start", "J", stored_at_start_);
+  state.value("kinetic_at_start", "J", kinetic_at_start_);
+  state.value("potential_at_start", "J", potential_at_start_);
+  state.value("max_stored", "J", max_stored_);
+  state.value("started", "", started_);
 }
 
 }  // namespace scree

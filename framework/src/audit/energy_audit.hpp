@@ -12,6 +12,7 @@ struct BodySums {
   double dissipation_rate_translation = 0;  // (W)
   double dissipation_rate_rotation = 0;     // (W)
 
+  void transfer(const class StateTransfer& state);
   BodySums& operator+=(const BodySums& other) {
     potential += other.potential;
     dissipation_rate_translation += other.dissipation_rate_translation;
@@ -42,6 +43,8 @@ class EnergyAudit {
   // The balance at the present time.
   scree_energy balance(double kinetic_translation, double kinetic_rotation,
                        const scree_boundary_energy& boundaries) const;
+
+  void transfer(const class StateTransfer& state);
 
  private:
   void store(const ContactSums& contacts, const BodySums& bodies);

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <scree/state_transfer.hpp>
+
 namespace scree {
 
 namespace {
@@ -55,5 +57,10 @@ void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_loa
 }
 
 double MomentumAudit::residual() const { return exchanged_ > 0 ? norm(net_) / exchanged_ : 0; }
+
+void MomentumAudit::transfer(const StateTransfer& state) {
+  state.numbers("net", "N s", net_.component, 3);
+  state.value("exchanged", "N s", exchanged_);
+}
 
 }  // namespace scree

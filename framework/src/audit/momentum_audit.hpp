@@ -26,6 +26,7 @@ class MomentumAudit {
   void add_step(double step, Sums bodies, const std::vector<scree_load>& loads);
   // |net momentum| / exchanged momentum; 0 while none has been exchanged.
   double residual() const;
+  void transfer(const class StateTransfer& state);
 
  private:
   Vec3 net_ = {};         // (N s)

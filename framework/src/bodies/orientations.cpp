@@ -2,6 +2,7 @@
 
 #include <scree/orientations.hpp>
 #include <scree/plugin/vec.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -81,6 +82,14 @@ void Orientations::rotate(const Vectors<const double>& spin, double time, std::s
     else
       rotate_quaternion(body, time * Vec3{{spin[0][i], spin[1][i], spin[2][i]}});
   }
+}
+
+void Orientations::transfer(const StateTransfer& state) {
+  const Vectors<double> sums(values_.data(), stride(), size_, 0, components_);
+  const Vectors<double> rounded_off(values_.data() + components_, stride(), size_, 0, components_);
+  const char* const unit = components_ == orientation_components<2> ? "rad" : "1";
+  state.vectors("orientation", unit, sums, 0, components_);
+  state.vectors("orientation_rounded_off", unit, rounded_off, 0, components_);
 }
 
 }  // namespace scree

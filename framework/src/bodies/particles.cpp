@@ -1,6 +1,9 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include <scree/particles.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -34,6 +37,23 @@ Particles::Particles(int dimension, const Features& features, const std::vector<
     id[i] = body.id;
     material[i] = body.material;
   }
+}
+
+void Particles::transfer(const StateTransfer& state, bool mid_step) {
+  const auto [first, last] = axes();
+  const auto [first_spin, last_spin] = spin_axes();
+  state.vectors("position", "m", position(), first, last);
+  state.vectors("velocity", "m/s", velocity(), first, last);
+  state.vectors("force", "N", force(), first, last);
+  if (mid_step) state.vectors("mid_velocity", "m/s", mid_velocity(), first, last);
+  if (has_spin_) {
+    state.vectors("spin", "rad/s", spin(), first_spin, last_spin);
+    state.vectors("torque", "N m", torque(), first_spin, last_spin);
+    if (mid_step) state.vectors("mid_spin", "rad/s", mid_spin(), first_spin, last_spin);
+  }
+  for (int k = 0; k < dimension_; ++k)
+    if (!image[k].empty()) state.sized_rows(fmt::format("image_{}", "xyz"[k]), "1", image[k]);
+  if (orientations) orientations.transfer(state);
 }
 
 Body Particles::body(std::size_t i) const {

@@ -15,6 +15,7 @@ struct ContactSums {
   double max_overlap_ratio = 0;                            // overlap / smaller radius, largest so far
 
   ContactSums& operator+=(const ContactSums& other);
+  void transfer(const class StateTransfer& state);
 };
 
 inline ContactSums& ContactSums::operator+=(const ContactSums& other) {

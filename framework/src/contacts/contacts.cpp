@@ -53,12 +53,17 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
         if (law_of(lookup.body_material[p.a], lookup.body_material[p.b]) == group.law)
           take(p.a, p.b, p.image);
     }
-    group.end = a.size();
-    while (a.size() % SCREE_LANES) take(a.back(), group.planes ? 0 : a.back(), Domain::no_shift);
-    group.history.reset(group.history_width, group.padded_size());
+    append_padding(group);
   }
   carry_history();
   ++revision_;
+}
+
+void Contacts::append_padding(PairGroup& group) {
+  group.end = a.size();
+  while (a.size() % SCREE_LANES)
+    a.push_back(a.back()), b.push_back(group.planes ? 0 : a.back()), image.push_back(Domain::no_shift);
+  group.history.reset(group.history_width, group.padded_size());
 }
 
 void Contacts::carry_history() {

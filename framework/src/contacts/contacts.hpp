@@ -54,6 +54,9 @@ class Contacts {
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
                const Lookup& lookup);
 
+  // Pairs and histories, with as many bodies and planes as the scene has.
+  void transfer(const class StateTransfer& state, std::size_t bodies, std::size_t planes);
+
   std::vector<PairGroup>& groups() { return groups_; }
   const std::vector<PairGroup>& groups() const { return groups_; }
   std::size_t padded_size() const { return a.size(); }
@@ -66,6 +69,7 @@ class Contacts {
 
  private:
   void carry_history();
+  void append_padding(PairGroup& group);
 
   // A group before the last rebuild; its memory is reused by the next.
   struct Before {

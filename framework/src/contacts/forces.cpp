@@ -8,6 +8,8 @@
 #include <array>
 #include <limits>
 
+#include <scree/state_transfer.hpp>
+
 namespace scree {
 
 struct Forces::Work {
@@ -140,6 +142,21 @@ Vec3 Forces::pair_force(std::size_t p) const {
 
 std::size_t Forces::bytes_per_pair() const {
   return work_->constants.bytes_per_pair() + 4 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
+}
+
+void Forces::transfer(const StateTransfer& state, Particles& particles, const Contacts& contacts,
+                      const std::vector<LawInstance>& laws, std::size_t planes) {
+  update_pairs(particles, contacts, reads_of(laws), planes);
+  state.value("max_overlap_ratio", "1", work_->max_overlap_ratio);
+  if (!features_.pair_forces) return;
+  PairColumns& force = work_->constants.force;
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t row = 0; !state.restoring() && row < contacts.padded_size(); ++row)
+    if (force.is_used(row)) rows.push_back(row);
+  state.rows("force_row", "", rows);
+  for (const std::uint32_t row : rows)
+    if (row >= contacts.padded_size()) state.refuse("force_row", "lists a pair that there is not");
+  force.transfer(state, "force", "N", rows);
 }
 
 }  // namespace scree

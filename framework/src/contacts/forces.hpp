@@ -61,6 +61,10 @@ class Forces {
   ContactSums evaluate(const Evaluation& evaluation, ThreadPool& threads, const FinishPart& finish_part,
                        Profile* profile = nullptr);
 
+  // Forces of pairs in the last evaluation, and the largest overlap so far.
+  void transfer(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
+                const std::vector<LawInstance>& laws, std::size_t planes);
+
   // Force on a of pair p in the last evaluation (N), z = 0 in 2D; NaN if pair forces are not stored.
   Vec3 pair_force(std::size_t p) const;
   std::size_t bytes_per_pair() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -79,6 +80,12 @@ class PairColumns {
     else
       single_[i] = float(number);
   }
+
+  // The listed rows, with the width that the columns have.
+  void transfer(const class StateTransfer& state, const std::string& name, const char* unit,
+                const std::vector<std::uint32_t>& rows);
+  // Whether any bit of a row is set.
+  bool is_used(std::size_t row) const;
 
  private:
   Precision precision_;

@@ -8,6 +8,7 @@
 #include <scree/integration.hpp>
 #include <scree/particles.hpp>
 #include <scree/state_hash.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -40,8 +41,9 @@ class Integrator {
   // Called when forces have changed discontinuously, before the next step: derivatives of them start anew.
   virtual void restart() {}
 
-  // Adds the state that the integrator keeps besides positions and velocities; none by default.
+  // What the integrator keeps besides positions and velocities; nothing by default.
   virtual void add_to_hash(StateHash&) const {}
+  virtual void transfer(const StateTransfer&) {}
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

@@ -57,4 +57,11 @@ void PredictorCorrector::add_to_hash(StateHash& hash) const {
   for (const auto* column : {&second_, &third_, &fourth_}) hash.add(column->data(), column->size());
 }
 
+// Terms h²/2 x", h³/6 x‴ and h⁴/24 x⁗: lengths for translations, angles for rotations.
+void PredictorCorrector::transfer(const StateTransfer& state) {
+  state.rows("second", "m or rad", second_, 4);
+  state.rows("third", "m or rad", third_, 4);
+  state.rows("fourth", "m or rad", fourth_, 4);
+}
+
 }  // namespace scree

@@ -16,6 +16,7 @@ class PredictorCorrector : public Integrator {
   bool finish_step(Particles& particles, double step, BodyRange bodies) override;
   void restart() override { second_.clear(); }
   void add_to_hash(StateHash& hash) const override;
+  void transfer(const StateTransfer& state) override;
 
  private:
   // r_2, r_3, r_4 of each motion, four numbers each.

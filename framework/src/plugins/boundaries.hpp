@@ -47,6 +47,8 @@ class Boundaries {
   // Largest mid-step speed of a plane along its normal (m/s); infinite if any is not finite.
   double largest_speed() const;
   void add_to_hash(class StateHash& hash) const;
+  // extrapolated: the planes are ahead of the last force evaluation, as extrapolate() has left them.
+  void transfer(const class StateTransfer& state, bool extrapolated);
 
  private:
   struct Member {
@@ -70,6 +72,7 @@ class Boundaries {
   // Adds work and dissipated energy of a call.
   static void add_energy(Member& member, const scree_boundary_energy& energy);
   void check_finite(const Member& member, double time);
+  void show_domain();
 
   int dimension_;
   double lower_[3], upper_[3];

@@ -1,9 +1,13 @@
 #include "search/neighbour_list.hpp"
 
+#include "plugins/plane_transfer.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -128,6 +132,25 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   body_travel_ = plane_travel_ = 0;
   steps_ = 0;
   ++rebuilds_;
+}
+
+void NeighbourList::transfer(const StateTransfer& state, const Particles& particles,
+                             const Boundaries& boundaries) {
+  if (state.restoring()) {
+    bodies_at_search_.resize(particles.size());
+    for (std::size_t i = 0; i < particles.size(); ++i) bodies_at_search_[i] = {{}, particles.radius()[i]};
+    planes_at_search_ = boundaries.planes();
+  }
+  state.value("skin", "m", skin_);
+  choice_.transfer(state);
+  state.value("steps", "1", steps_);
+  state.value("searches", "1", rebuilds_);
+  state.value("body_travel", "m", body_travel_);
+  state.value("plane_travel", "m", plane_travel_);
+  double* const first = bodies_at_search_.empty() ? nullptr : bodies_at_search_[0].position.component;
+  state.vectors("position_at_search", "m",
+                {first, sizeof(Sphere) / sizeof(double), bodies_at_search_.size(), 0, 3}, 0, 3);
+  transfer_planes(state.below("planes_at_search"), planes_at_search_);
 }
 
 }  // namespace scree

@@ -26,6 +26,9 @@ class NeighbourList {
   // Searches now and folds positions into the periodic domain.
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
 
+  // All but the pairs; the skin of the first search follows from the scene.
+  void transfer(const class StateTransfer& state, const Particles& particles, const Boundaries& boundaries);
+
   double skin() const { return skin_; }
   double first_skin() const { return choice_.first(); }
   std::uint64_t rebuilds() const { return rebuilds_; }

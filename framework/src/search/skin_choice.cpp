@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <scree/state_transfer.hpp>
+
 namespace scree {
 
 namespace {
@@ -39,5 +41,7 @@ double SkinChoice::reviewed_skin(const ListStatistics& list) {
   next_review_ = first_review;
   return skin;
 }
+
+void SkinChoice::transfer(const StateTransfer& state) { state.value("next_review", "1", next_review_); }
 
 }  // namespace scree

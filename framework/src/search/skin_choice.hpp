@@ -30,6 +30,8 @@ class SkinChoice {
   // as long again; otherwise the present skin.
   double reviewed_skin(const ListStatistics& list);
 
+  void transfer(const class StateTransfer& state);
+
  private:
   double optimal_skin(const ListStatistics& list) const;
 

@@ -10,8 +10,10 @@
 #include <fmt/ranges.h>
 
 #include <scree/error.hpp>
+#include <scree/scene_record.hpp>
 #include <scree/simulation.hpp>
 #include <scree/state_hash.hpp>
+#include <scree/state_transfer.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree {
@@ -48,10 +50,22 @@ bool without_exception(const Simulation& s, const Step& step) {
   }
 }
 
+template <class Entries>
+void set_parameters(Entries& entries, const char* kind, const std::string& name,
+                    const Parameters& parameters) {
+  for (auto& entry : entries)
+    if (entry.name == name) {
+      entry.parameters = parameters;
+      return;
+    }
+  throw Error(fmt::format("no {} '{}'", kind, name));
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
+  p.search_neighbours();
   without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), true; });
   p.audit.set_stored(p.contact_sums, p.body_sums);
   const scree_energy now = energy();
@@ -59,7 +73,28 @@ Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationP
   check_health(p.stepper.initial_state_is_sound());
 }
 
+Simulation::Simulation(const Scene& scene, const State& state) {
+  const StateTransfer from = StateTransfer::restoring_from(state);
+  check_scene(state, scene);
+  parts_ = std::make_unique<SimulationParts>(scene);
+  parts_->transfer(from);
+  std::uint64_t hash = 0;
+  from.value("state_hash", "", hash);
+  if (hash != state_hash()) from.refuse("state_hash", "is not that of the numbers in the state");
+}
+
 Simulation::~Simulation() = default;
+
+State Simulation::state() const {
+  State state;
+  const StateTransfer to = StateTransfer::saving_to(state);
+  save_scene(to.below("scene"), parts_->scene);
+  save_bodies_at_start(to, parts_->scene);
+  parts_->transfer(to);
+  std::uint64_t hash = state_hash();
+  to.value("state_hash", "", hash);
+  return state;
+}
 
 void Simulation::advance(bool observed) {
   check_health(without_exception(*this, [&] {
@@ -86,23 +121,20 @@ void Simulation::measure(Profile* profile) { parts_->profile = profile; }
 
 void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
   parts_->stepper.synchronise();
-  for (Scene::Law& law : parts_->scene.laws)
-    if (law.name == name) {
-      law.parameters = parameters;
-      return;
-    }
-  throw Error(fmt::format("no contact law '{}'", name));
+  set_parameters(parts_->scene.laws, "contact law", name, parameters);
 }
 
 void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
   parts_->stepper.synchronise();
   parts_->audit.add_turned_over(parts_->boundaries.energy().kinetic);
   parts_->boundaries.reconfigure(name, parameters, time());
+  set_parameters(parts_->scene.boundaries, "boundary", name, parameters);
 }
 
 void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters) {
   parts_->stepper.synchronise();
   parts_->body_forces.reconfigure(name, parameters);
+  set_parameters(parts_->scene.body_forces, "body force", name, parameters);
 }
 
 void Simulation::apply_reconfiguration() {

@@ -28,6 +28,8 @@ struct SimulationParts {
 
   // Configures the laws of the scene again. Throws Error if a law needs what the scene does not carry.
   void configure_laws();
+  // All that changes in a run.
+  void transfer(const class StateTransfer& state);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
 
   Scene scene;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include <scree/state_transfer.hpp>
+
 // Sequence of a substep from t to t + h (one per step; five in `fourth_order`):
 //
 //   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
@@ -206,6 +208,14 @@ bool Stepper::too_deep() const {
 bool Stepper::may_become_too_deep(double distance) const {
   return parts_.contact_sums.max_overlap_ratio + 2 * std::abs(distance) / parts_.smallest_radius >
          parts_.scene.limits.overlap_ratio;
+}
+
+void Stepper::transfer(const StateTransfer& state) {
+  state.value("time", "s", time_);
+  state.value("steps", "1", steps_);
+  state.value("force_time", "s", force_time_);
+  state.value("forces_at", "", forces_at_);
+  state.value("max_square_speed", "m^2/s^2", max_square_speed_);
 }
 
 }  // namespace scree

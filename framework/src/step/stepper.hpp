@@ -38,6 +38,8 @@ class Stepper {
   std::uint64_t steps() const { return steps_; }
   ForcesAt forces_at() const { return forces_at_; }
   double max_speed() const;  // largest speed of any body so far (m/s)
+  // Between steps, when no next step has begun.
+  void transfer(const class StateTransfer& state);
 
  private:
   // Motion of the bodies of a part after their forces have been evaluated: second half of this substep and,

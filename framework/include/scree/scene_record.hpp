@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <scree/scene.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree {
+
+// The scene in the state of a simulation:
+//   scene/       dimension, integrator, precision, materials, and plug-ins with names and parameter values
+//   bodies/      id, material, radius, mass, inertia, which are constant
+//   start/       position, velocity and spin at t = 0, from which limits of the scene follow; velocity and
+//                spin only if not all are 0
+
+void save_scene(const StateTransfer& state, const Scene& scene);
+void save_bodies_at_start(const StateTransfer& state, const Scene& scene);
+
+// Throws Error if a state belongs to another scene: it names what differs.
+void check_scene(const State& state, const Scene& scene);
+
+// The bodies at t = 0. Throws Error if an array is missing or has another size.
+std::vector<Body> bodies_at_start(const State& state);
+
+// "key = value" of every parameter, with defaults.
+std::vector<std::string> parameter_lines(const Parameters& parameters);
+
+}  // namespace scree

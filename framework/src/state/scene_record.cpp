@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/error.hpp>
+#include <scree/scene_record.hpp>
+
+namespace scree {
+
+namespace {
+
+// Names, plug-ins and parameters of the laws, boundaries or body forces of a scene.
+template <class Entries>
+void save_plugins(const StateTransfer& state, const std::string& kind, const Entries& entries) {
+  std::vector<std::string> names, plugins;
+  for (const auto& entry : entries) {
+    names.push_back(entry.name);
+    plugins.push_back(entry.parameters.plugin().name);
+    std::vector<std::string> lines = parameter_lines(entry.parameters);
+    state.rows(fmt::format("{}_values_{}", kind, names.size() - 1), "", lines);
+  }
+  state.rows(kind + "_names", "", names);
+  state.rows(kind + "_plugins", "", plugins);
+}
+
+std::vector<double> components(const std::vector<Body>& bodies, Vec3 Body::*vector) {
+  std::vector<double> all;
+  all.reserve(3 * bodies.size());
+  for (const Body& body : bodies)
+    for (int k = 0; k < 3; ++k) all.push_back((body.*vector)[k]);
+  return all;
+}
+
+// Transfers one property of all bodies.
+template <class T>
+void transfer_property(const StateTransfer& state, const char* name, const char* unit,
+                       std::vector<Body>& bodies, T Body::*property) {
+  std::vector<T> all(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) all[i] = bodies[i].*property;
+  state.sized_rows(name, unit, all);
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].*property = all[i];
+}
+
+void transfer_vector(const StateTransfer& state, const char* name, const char* unit,
+                     std::vector<Body>& bodies, Vec3 Body::*vector, bool always) {
+  std::vector<double> all = components(bodies, vector);
+  const bool zero = std::all_of(all.begin(), all.end(), [](double x) { return x == 0; });
+  if (state.restoring() ? !always && !state.has(name) : !always && zero) return;
+  state.sized_rows(name, unit, all, 3);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (int k = 0; k < 3; ++k) (bodies[i].*vector)[k] = all[3 * i + std::size_t(k)];
+}
+
+void transfer_bodies_at_start(const StateTransfer& state, std::vector<Body>& bodies) {
+  const StateTransfer constant = state.below("bodies"), start = state.below("start");
+  transfer_property(constant, "id", "", bodies, &Body::id);
+  transfer_property(constant, "material", "", bodies, &Body::material);
+  transfer_property(constant, "radius", "m", bodies, &Body::radius);
+  transfer_property(constant, "mass", "kg", bodies, &Body::mass);
+  transfer_property(constant, "inertia", "kg m^2", bodies, &Body::inertia);
+  transfer_vector(start, "position", "m", bodies, &Body::position, true);
+  transfer_vector(start, "velocity", "m/s", bodies, &Body::velocity, false);
+  transfer_vector(start, "spin", "rad/s", bodies, &Body::spin, false);
+}
+
+// The first of the values in which two arrays differ, as text.
+std::string difference(const StateArray& stored, const StateArray& present) {
+  if (stored.values.index() != present.values.index()) return "another type of values";
+  return std::visit(
+      [&]<class T>(const std::vector<T>& before) {
+        const auto& now = std::get<std::vector<T>>(present.values);
+        const auto [x, y] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
+        const auto text = [](auto at, const std::vector<T>& all) {
+          return at == all.end() ? std::string("nothing more") : fmt::format("'{}'", *at);
+        };
+        return fmt::format("{} there, {} here", text(x, before), text(y, now));
+      },
+      stored.values);
+}
+
+}  // namespace
+
+std::vector<std::string> parameter_lines(const Parameters& parameters) {
+  std::vector<std::string> lines;
+  const std::vector<scree_value> values = parameters.values();
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto& [data, count] = values[k];
+    if (count > 0)
+      lines.push_back(
+          fmt::format("{} = {}", parameters.plugin().parameters[k].key, fmt::join(data, data + count, ", ")));
+  }
+  return lines;
+}
+
+void save_scene(const StateTransfer& state, const Scene& scene) {
+  std::uint32_t interface = SCREE_ABI_VERSION;
+  std::int32_t dimension = scene.dimension;
+  double step = scene.step;
+  std::string integrator = traits_of(scene.integration).name;
+  bool single = scene.precision == Precision::mixed, audit = scene.audit;
+  std::vector<std::string> materials = scene.materials;
+  std::vector<std::uint32_t> law_of = scene.law_of;
+  state.value("plugin_interface", "", interface);
+  state.value("dimension", "", dimension);
+  state.value("step", "s", step);
+  state.value("integrator", "", integrator);
+  state.value("mixed_precision", "", single);
+  state.value("energy_audit", "", audit);
+  state.rows("materials", "", materials);
+  state.rows("law_of", "", law_of, std::max<std::size_t>(1, materials.size()));
+  save_plugins(state, "law", scene.laws);
+  save_plugins(state, "boundary", scene.boundaries);
+  save_plugins(state, "body_force", scene.body_forces);
+}
+
+void check_scene(const State& state, const Scene& scene) {
+  State present;
+  save_scene(StateTransfer::saving_to(present).below("scene"), scene);
+  for (const auto& [path, array] : present.arrays())
+    if (const StateArray& stored = state.at(path); stored != array)
+      throw Error(
+          fmt::format("'{}' is not that of this scene: {}; go on with the scenario of the state, or "
+                      "begin a new run from it (particles.state)",
+                      path, difference(stored, array)));
+}
+
+void save_bodies_at_start(const StateTransfer& state, const Scene& scene) {
+  std::vector<Body> bodies = scene.bodies;
+  transfer_bodies_at_start(state, bodies);
+}
+
+std::vector<Body> bodies_at_start(const State& state) {
+  std::vector<Body> bodies(state.at("bodies/id").size());
+  transfer_bodies_at_start(StateTransfer::restoring_from(state), bodies);
+  return bodies;
+}
+
+}  // namespace scree

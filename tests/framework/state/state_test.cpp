@@ -1,0 +1,271 @@
+#include "scenes.hpp"
+
+#include <random>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/scene_record.hpp>
+#include <scree/state_transfer.hpp>
+
+using scree::Body;
+using scree::Integration;
+using scree::Precision;
+using scree::Scene;
+using scree::Simulation;
+using scree::State;
+using scree::StateTransfer;
+using scree::Vec3;
+
+namespace {
+
+constexpr int steps = 90;
+
+// Bodies of two sizes that collide: touching and separate pairs, sliding and sticking contacts, walls that
+// forces move or periodic faces that bodies cross, a body force, several searches.
+Scene heap(int dimension, bool periodic) {
+  std::mt19937_64 generator(17);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const int per_axis = dimension == 2 ? 16 : 6;
+  std::vector<Body> bodies;
+  for (int i = 0; i < (dimension == 2 ? 256 : 216); ++i) {
+    Vec3 x = {}, v = {}, spin = {};
+    for (int k = 0, rest = i; k < dimension; ++k, rest /= per_axis) {
+      x[k] = 1.9 * (rest % per_axis) + 0.05 * uniform(generator);
+      v[k] = 5 * uniform(generator);
+    }
+    spin[2] = uniform(generator);
+    const double radius = i % 2 ? 1 : 0.8;
+    bodies.push_back(scree::test::body(1000 - i, radius, radius, x, v, spin, dimension));
+  }
+  Scene s = scree::test::scene(dimension, 1e-3, bodies,
+                               {{"normal_stiffness", {1e4}},
+                                {"restitution", {0.8}},
+                                {"tangential_stiffness", {3e3}},
+                                {"tangential_damping", {1}},
+                                {"static_friction", {0.3}}});
+  s.min_bodies_per_thread = 1;
+  if (periodic)
+    scree::test::add_boundary(
+        s, "periodic",
+        {{"axes", {3}}, {"lower", {-1, -1, 0}}, {"upper", {1.9 * per_axis - 1, 1.9 * per_axis - 1, 0}}});
+  else
+    scree::test::add_boundary(s, "box",
+                              {{"stress", {0, 30}}, {"mass", {1000}}, {"viscosity", {10}}, {"x_low", {1}}});
+  scree::test::add_body_force(s, "gravity", {{"acceleration", {0, -10, 0}}});
+  return s;
+}
+
+// Compares array by array, for a message that names the first difference.
+void check_same(const State& a, const State& b) {
+  REQUIRE(a.arrays().size() == b.arrays().size());
+  for (const auto& [path, array] : a.arrays()) {
+    INFO(path);
+    CHECK(b.at(path) == array);
+  }
+}
+
+// Goes on from the state of a simulation after some steps, and compares with the simulation that never stopped.
+void check_resumed(Simulation& whole, Scene scene) {
+  const State stopped = whole.state();
+  scene.bodies = scree::bodies_at_start(stopped);
+  scene.threads = 3;
+  Simulation resumed(scene, stopped);
+  check_same(stopped, resumed.state());
+  scree::test::run(whole, steps);
+  resumed.run(steps, [] { return true; });
+  REQUIRE(whole.rebuilds() > 2);
+  check_same(whole.state(), resumed.state());
+  CHECK(whole.state_hash() == resumed.state_hash());
+}
+
+std::string message_of(const auto& action) {
+  try {
+    action();
+  } catch (const scree::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a simulation goes on from its state to the same bits") {
+  const int dimension = GENERATE(2, 3);
+  const bool periodic = GENERATE(false, true);
+  const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
+                                    Integration::fourth_order, Integration::predictor_corrector);
+  const auto precision = GENERATE(Precision::double_precision, Precision::mixed);
+  Scene scene = heap(dimension, periodic);
+  scene.integration = integration;
+  scene.precision = precision;
+  INFO(dimension << "D, periodic: " << periodic << ", integrator " << int(integration) << ", precision "
+                 << int(precision));
+  Simulation whole(scene);
+  scree::test::run(whole, steps);
+  REQUIRE(whole.contact_list().size() > 100);
+  check_resumed(whole, scene);
+}
+
+TEST_CASE("a simulation goes on from the state at its start") {
+  const Scene scene = heap(3, false);
+  Simulation whole(scene);
+  check_resumed(whole, scene);
+}
+
+TEST_CASE("a simulation goes on from its state within a later stage") {
+  const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet);
+  Scene scene = heap(3, false);
+  scene.integration = integration;
+  Simulation whole(scene);
+  scree::test::run(whole, steps);
+  scene.laws[0].parameters = scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW,
+                                                     {{"normal_stiffness", {2e4}},
+                                                      {"restitution", {0.6}},
+                                                      {"tangential_stiffness", {5e3}},
+                                                      {"static_friction", {0.5}},
+                                                      {"tangential_damping", {1}}});
+  scene.boundaries[0].parameters = scree::test::parameters(
+      "box", SCREE_BOUNDARY, {{"stress", {0, 60}}, {"mass", {500}}, {"viscosity", {5}}, {"x_low", {1}}});
+  whole.reconfigure_law("linear_spring_dashpot", scene.laws[0].parameters);
+  whole.reconfigure_boundary("box", scene.boundaries[0].parameters);
+  whole.apply_reconfiguration();
+  scree::test::run(whole, steps);
+  check_resumed(whole, scene);
+}
+
+TEST_CASE("orientations and their rounded-off parts are in the state") {
+  const int dimension = GENERATE(2, 3);
+  Scene scene = heap(dimension, false);
+  scene.orientations = true;
+  Simulation whole(scene);
+  scree::test::run(whole, steps);
+  const auto& rounded =
+      std::get<std::vector<double>>(whole.state().at("bodies/orientation_rounded_off").values);
+  REQUIRE(std::any_of(rounded.begin(), rounded.end(), [](double x) { return x != 0; }));
+  check_resumed(whole, scene);
+}
+
+TEST_CASE("forces of pairs are in the state only if the scene keeps them") {
+  Scene scene = heap(2, false);
+  scene.pair_forces = GENERATE(false, true);
+  Simulation whole(scene);
+  scree::test::run(whole, steps);
+  const State state = whole.state();
+  CHECK(state.has("contacts/force") == scene.pair_forces);
+  const Simulation resumed(scene, state);
+  const scree::ContactList before = whole.contact_list(), after = resumed.contact_list();
+  CHECK(before.pair == after.pair);
+  if (!scene.pair_forces) return;
+  CHECK(before.force == after.force);
+  CHECK(std::any_of(after.force.begin(), after.force.end(), [](double f) { return f > 0; }));
+}
+
+TEST_CASE("the bodies at the start come back from the state") {
+  const Scene scene = heap(3, true);
+  Simulation s(scene);
+  scree::test::run(s, 10);
+  const std::vector<Body> bodies = scree::bodies_at_start(s.state());
+  REQUIRE(bodies.size() == scene.bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    CHECK(bodies[i].id == scene.bodies[i].id);
+    CHECK(bodies[i].radius == scene.bodies[i].radius);
+    CHECK(bodies[i].mass == scene.bodies[i].mass);
+    CHECK(bodies[i].inertia == scene.bodies[i].inertia);
+    CHECK(bodies[i].position == scene.bodies[i].position);
+    CHECK(bodies[i].velocity == scene.bodies[i].velocity);
+    CHECK(bodies[i].spin == scene.bodies[i].spin);
+  }
+}
+
+TEST_CASE("a state of another scene is refused with what differs") {
+  const Scene scene = heap(3, false);
+  Simulation s(scene);
+  scree::test::run(s, 10);
+  const State state = s.state();
+  const auto refusal = [&](const Scene& other) { return message_of([&] { Simulation(other, state); }); };
+  REQUIRE(refusal(scene).empty());
+
+  Scene other = heap(2, false);
+  CHECK_THAT(refusal(other),
+             Catch::Matchers::Contains("scene/dimension") && Catch::Matchers::Contains("'3' there"));
+  other = scene;
+  other.laws[0].parameters =
+      scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, {{"normal_stiffness", {2e4}}});
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains("normal_stiffness = 10000"));
+  other.laws[0].parameters = scree::test::parameters("hertz_mindlin", SCREE_CONTACT_LAW,
+                                                     {{"youngs_modulus", {1e7}}, {"poissons_ratio", {0.3}}});
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains("hertz_mindlin"));
+  other = scene;
+  other.materials[0] = "sand";
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains("sand"));
+  other = scene;
+  other.boundaries.clear();
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains("boundary"));
+  other = scene;
+  other.integration = Integration::fourth_order;
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains("fourth_order"));
+  other = scene;
+  other.bodies.pop_back();
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains("values instead of"));
+}
+
+TEST_CASE("a state without one of its arrays, or with one of another size or type, is refused by its name") {
+  Scene scene = heap(2, false);
+  Simulation s(scene);
+  scree::test::run(s, steps);
+  const State state = s.state();
+  const auto restore = [&](const State& damaged) {
+    return message_of([&] {
+      Scene present = scene;
+      present.bodies = scree::bodies_at_start(damaged);
+      Simulation(present, damaged);
+    });
+  };
+  REQUIRE(restore(state).empty());
+  for (const auto& [path, array] : state.arrays()) {
+    INFO(path);
+    State cut, longer = state, other_type = state;
+    for (const auto& [name, numbers] : state.arrays())
+      if (name != path) cut.put(name, numbers);
+    // Absent velocities at the start stand for 0, from which other limits follow than in the scene.
+    if (!path.starts_with("start/velocity") && !path.starts_with("start/spin"))
+      CHECK_THAT(restore(cut), Catch::Matchers::Contains(path));
+    scree::StateArray more = array;
+    std::visit([](auto& numbers) { numbers.emplace_back(); }, more.values);
+    longer.put(path, more);
+    CHECK(restore(longer) != "");
+    other_type.put(path, {std::vector<float>(array.size()), array.shape, array.unit});
+    CHECK(restore(other_type) != "");
+  }
+}
+
+TEST_CASE("a state with pairs of bodies that do not exist is refused") {
+  Scene scene = heap(2, false);
+  Simulation s(scene);
+  scree::test::run(s, steps);
+  const State state = s.state();
+  const char* const path =
+      GENERATE("contacts/0/b", "contacts/0/history_row", "contacts/0/a", "contacts/force_row");
+  scree::StateArray pairs = state.at(path);
+  auto& numbers = std::get<std::vector<std::uint32_t>>(pairs.values);
+  REQUIRE(!numbers.empty());
+  numbers.back() = 1u << 31;
+  State damaged = state;
+  damaged.put(path, pairs);
+  CHECK_THAT(message_of([&] { Simulation(scene, damaged); }), Catch::Matchers::Contains("'contacts/"));
+}
+
+TEST_CASE("a changed number in a state is noticed") {
+  Scene scene = heap(2, false);
+  Simulation s(scene);
+  scree::test::run(s, steps);
+  State state = s.state();
+  const char* const path =
+      GENERATE("bodies/position", "bodies/velocity", "contacts/0/history", "walls/planes/point");
+  scree::StateArray numbers = state.at(path);
+  std::get<std::vector<double>>(numbers.values).at(0) += 1e-9;
+  state.put(path, numbers);
+  CHECK_THAT(message_of([&] { Simulation(scene, state); }), Catch::Matchers::Contains("state_hash"));
+}
