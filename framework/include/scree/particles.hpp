@@ -121,6 +121,7 @@ class Particles {
   Column<std::uint32_t> material;
 
  private:
+  void transfer_images(const class StateTransfer& state);
   template <class T>
   Vectors<T> vectors(T* records, std::size_t part) const {
     return {records + part, width(), size(), 0, dimension_};

@@ -6,6 +6,7 @@
 
 #include <scree/plugin_host.hpp>
 #include <scree/simulation.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -49,6 +50,8 @@ class Probe {
   std::vector<double> sample(const scree_view& view);
   // Throws Error if the scene lacks what the probe reads; leaves the state as it is.
   void check(const scree_view& view) const;
+  // What the probe keeps.
+  void transfer(const StateTransfer& state);
   // Empty before the first observation or sample.
   std::span<const double> state() const { return {state_.data(), state_size_}; }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <scree/simulation.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -31,12 +32,19 @@ struct Stage {
 class StageRunner {
  public:
   StageRunner(Simulation& simulation, std::vector<Stage> stages);
+  // Goes on within the stage in which the state was saved; if all had ended, within the last one if its duration
+  // is longer now. The simulation has the parameters of that stage already. Throws Error if a duration is
+  // shorter than the time that the stage has taken.
+  StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state);
+  void save(const StateTransfer& state) const;
 
   bool finished() const { return current_ == stages_.size(); }
   std::size_t current() const { return current_; }
   const std::vector<Stage>& stages() const { return stages_; }
   // Start time of the current stage (s).
   double began() const { return began_; }
+  // Steps taken in the current stage, or in the last one if all have ended.
+  std::uint64_t steps() const { return simulation_.steps() - began_step_; }
   // Takes one time step and enters the next stage when this one has ended. Throws Error(failure) if the
   // condition is not fulfilled by `at_most`.
   void step();
@@ -49,6 +57,8 @@ class StageRunner {
   std::optional<double> kinetic_over_elastic() const { return kinetic_over_elastic_; }
 
  private:
+  void transfer(const StateTransfer& state);
+  void check_resumed() const;
   void begin();
   bool over();
   // Steps until the end of this stage must be tested again, at least 1.
@@ -62,5 +72,11 @@ class StageRunner {
   std::uint64_t began_step_ = 0;
   std::optional<double> kinetic_over_elastic_;
 };
+
+// Index of the stage whose parameters a saved simulation has: the current one, or the last if all had ended.
+std::size_t stage_of(const StateTransfer& state);
+
+// The scene with the parameters that it has in a stage.
+Scene scene_in_stage(Scene scene, const std::vector<Stage>& stages, std::size_t stage);
 
 }  // namespace scree

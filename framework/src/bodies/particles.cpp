@@ -1,7 +1,5 @@
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include <scree/particles.hpp>
 #include <scree/state_transfer.hpp>
 
@@ -51,9 +49,16 @@ void Particles::transfer(const StateTransfer& state, bool mid_step) {
     state.vectors("torque", "N m", torque(), first_spin, last_spin);
     if (mid_step) state.vectors("mid_spin", "rad/s", mid_spin(), first_spin, last_spin);
   }
-  for (int k = 0; k < dimension_; ++k)
-    if (!image[k].empty()) state.sized_rows(fmt::format("image_{}", "xyz"[k]), "1", image[k]);
+  if (!image[0].empty()) transfer_images(state);
   if (orientations) orientations.transfer(state);
+}
+
+void Particles::transfer_images(const StateTransfer& state) {
+  const auto width = std::size_t(dimension_);
+  std::vector<std::int32_t> all(size() * width);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = image[i % width][i / width];
+  state.sized_rows("image", "1", all, width);
+  for (std::size_t i = 0; i < all.size(); ++i) image[i % width][i / width] = all[i];
 }
 
 Body Particles::body(std::size_t i) const {

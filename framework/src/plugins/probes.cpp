@@ -191,4 +191,17 @@ std::vector<double> Probe::sample(const scree_view& view) {
   return row;
 }
 
+void Probe::transfer(const StateTransfer& state) {
+  std::vector<double> kept(state_.begin(), state_.begin() + std::ptrdiff_t(state_size_));
+  state.value("is_started", "", is_started_);
+  state.rows("state", "1", kept);
+  if (!state.restoring() || !is_started_) return;
+  if (!plugin_.interface().state_size && kept.size() != plugin_.instance().state_width)
+    state.refuse("state", fmt::format("is not that of the plug-in {}, which keeps {} numbers",
+                                      plugin_.parameters().plugin().name, plugin_.instance().state_width));
+  state_size_ = kept.size();
+  state_ = guarded(state_size_);
+  std::copy(kept.begin(), kept.end(), state_.begin());
+}
+
 }  // namespace scree

@@ -21,6 +21,33 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages)
   if (!finished()) begin();
 }
 
+StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state)
+    : simulation_(simulation), stages_(std::move(stages)) {
+  transfer(state);
+  if (current_ > stages_.size()) state.refuse("stage", "is not one of the scenario");
+  const Stage& last = stages_.back();
+  if (finished() && last.duration && steps_in(*last.duration) > steps()) --current_;
+  if (!finished()) check_resumed();
+}
+
+void StageRunner::check_resumed() const {
+  const Stage& stage = stages_[current_];
+  if (stage.duration && steps_in(*stage.duration) <= steps())
+    throw Error(fmt::format("stage '{}' has already taken {:g} s, and its duration is {:g} s; give a longer one",
+                            stage.name, simulation_.time() - began_, *stage.duration));
+}
+
+void StageRunner::save(const StateTransfer& state) const { StageRunner(*this).transfer(state); }
+
+void StageRunner::transfer(const StateTransfer& state) {
+  state.value("stage", "", current_);
+  state.value("began", "s", began_);
+  state.value("began_step", "1", began_step_);
+  double ratio = kinetic_over_elastic_.value_or(-1);
+  state.value("kinetic_over_elastic", "1", ratio);
+  kinetic_over_elastic_ = ratio >= 0 ? std::optional(ratio) : std::nullopt;
+}
+
 void StageRunner::begin() {
   began_ = simulation_.time();
   began_step_ = simulation_.steps();
@@ -41,7 +68,7 @@ std::uint64_t StageRunner::steps_in(double duration) const {
 
 std::uint64_t StageRunner::steps_to_next_check() const {
   const Stage& stage = stages_[current_];
-  const std::uint64_t steps = simulation_.steps() - began_step_;
+  const std::uint64_t steps = this->steps();
   const auto left = [&](std::uint64_t last) { return last > steps ? last - steps : 1; };
   if (stage.duration) return left(steps_in(*stage.duration));
   const std::uint64_t next_test = condition_interval - steps % condition_interval;
@@ -52,7 +79,7 @@ std::uint64_t StageRunner::steps_to_next_check() const {
 
 bool StageRunner::over() {
   const Stage& stage = stages_[current_];
-  const std::uint64_t steps = simulation_.steps() - began_step_;
+  const std::uint64_t steps = this->steps();
   if (stage.duration) return steps >= steps_in(*stage.duration);
   if (!stage.kinetic_over_elastic || steps % condition_interval || steps < steps_in(stage.at_least))
     return false;
@@ -95,6 +122,26 @@ std::optional<double> StageRunner::progress() const {
   }
   const double done = simulation_.time();
   return done / (done + std::max(0.0, left));
+}
+
+std::size_t stage_of(const StateTransfer& state) {
+  std::size_t stage = 0;
+  state.value("stage", "", stage);
+  return stage;
+}
+
+Scene scene_in_stage(Scene scene, const std::vector<Stage>& stages, std::size_t stage) {
+  const auto set = [](auto& entries, const Stage::Change& change) {
+    for (auto& entry : entries)
+      if (entry.name == change.name) entry.parameters = change.parameters;
+  };
+  for (std::size_t k = 0; k < std::min(stage + 1, stages.size()); ++k)
+    for (const Stage::Change& change : stages[k].changes) {
+      if (change.kind == SCREE_CONTACT_LAW) set(scene.laws, change);
+      if (change.kind == SCREE_BOUNDARY) set(scene.boundaries, change);
+      if (change.kind == SCREE_BODY_FORCE) set(scene.body_forces, change);
+    }
+  return scene;
 }
 
 }  // namespace scree

@@ -1,32 +1,45 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <scree/stage.hpp>
 
 namespace scree::run {
 
-// Runs a simulation through its stages until they end or proceed(runner) returns false. Calls begin(stage
-// name) before the first step of each stage, and observe(stage name, steps since the start of the stage) at
-// the start and end of each stage and at the step that its last call returned. Returns the last stage name.
-template <class Begin, class Observe, class Proceed>
-std::string drive(StageRunner& runner, const Begin& begin, const Observe& observe, const Proceed& proceed) {
-  std::size_t stage = 0;
+// Runs a simulation through its stages, or the rest of them, until they end or hooks.proceed(runner) returns
+// false. resumed_next: the runner has begun already, and output is due at this step of its stage. Returns the
+// name of the last stage. The hooks:
+//   begin(stage)             before the first step of each stage
+//   observe(stage, steps)    takes what is due `steps` after the start of the stage: at its start, its end and
+//                            the step that the last call returned. Returns the step at which more is due
+//   proceed(runner)          polled during each step
+//   pauses(runner)           polled likewise: true ends the steps early, so that between() is called
+//   between(runner)          before steps and after the last, when nothing is under way: a state saved here
+//                            goes on as if the run had not stopped
+template <class Hooks>
+std::string drive(StageRunner& runner, Hooks&& hooks, std::optional<std::uint64_t> resumed_next = {}) {
+  std::size_t stage = runner.current();
   std::uint64_t steps = 0, next = 0;
   const auto name = [&] { return runner.stages()[stage].name; };
   const auto start = [&] {
-    begin(name());
-    next = observe(name(), steps = 0);
+    hooks.begin(name());
+    next = hooks.observe(name(), steps = 0);
   };
-  start();
-  while (!runner.finished() && proceed(runner)) {
-    steps += runner.run(next - steps, [&] { return proceed(runner); });
-    next = observe(name(), steps);
+  if (resumed_next)
+    steps = runner.steps(), next = *resumed_next;
+  else
+    start();
+  while (!runner.finished() && hooks.proceed(runner)) {
+    hooks.between(runner);
+    steps += runner.run(next - steps, [&] { return hooks.proceed(runner) && !hooks.pauses(runner); });
+    next = hooks.observe(name(), steps);
     if (runner.current() == stage || runner.finished()) continue;
     stage = runner.current();
     start();
   }
+  hooks.between(runner);
   return name();
 }
 

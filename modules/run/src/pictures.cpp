@@ -27,10 +27,25 @@ std::uint64_t Pictures::take(const Simulation& s, std::uint64_t steps) {
   };
   if (due(plan_.snapshot.every)) write_snapshot(s);
   if (due(plan_.snapshot.image_every)) write_image(s);
+  return next(s, steps);
+}
+
+std::uint64_t Pictures::next(const Simulation& s, std::uint64_t steps) const {
   const auto next = [&](const std::optional<double>& every) {
     return every ? next_due(steps, *every, s.step_length()) : never;
   };
   return std::min(next(plan_.snapshot.every), next(plan_.snapshot.image_every));
+}
+
+void Pictures::transfer(const StateTransfer& state) {
+  std::vector<double> colors;
+  if (const auto& range = range_.color_extent()) colors.assign(range->begin(), range->end());
+  state.numbers("lower", "m", shown_.lower.data(), shown_.lower.size());
+  state.numbers("upper", "m", shown_.upper.data(), shown_.upper.size());
+  state.rows("colors", "", colors);
+  state.value("last_snapshot", "1", last_snapshot_);
+  state.value("last_image", "1", last_image_);
+  if (state.restoring() && colors.size() == 2) range_.extend_colors({colors[0], colors[1]});
 }
 
 void Pictures::take_last(const Simulation& s) {

@@ -23,6 +23,10 @@ class Pictures {
 
   // Writes what is due `steps` after the start of a stage. Returns the step count of the next output.
   std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
+  // Step count after the start of a stage at which the next output is due.
+  std::uint64_t next(const Simulation& simulation, std::uint64_t steps) const;
+  // What the next pictures take from the last: their frame and the range of their colours.
+  void transfer(const StateTransfer& state);
   // Writes the final state, if the plan has snapshots or images.
   void take_last(const Simulation& simulation);
   // Draws the charts; one that cannot be drawn is reported and skipped.

@@ -1,24 +1,21 @@
+#include "checkpoints.hpp"
 #include "drive.hpp"
-#include "expectations.hpp"
 #include "final_packing.hpp"
 #include "pictures.hpp"
-#include "run_record.hpp"
+#include "results.hpp"
 #include "sampler.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
-#include <fmt/format.h>
-
-#include <scree/document/message.hpp>
 #include <scree/error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
-#include <scree/scenario/quantities.hpp>
 
 namespace scree::run {
 
@@ -36,22 +33,34 @@ void try_each(const Work&... work) {
   (attempt(work), ...);
 }
 
+// The simulation of a run that goes on, with the parameters of its present stage.
+std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state, unsigned threads) {
+  const std::size_t stage = stage_of(StateTransfer::restoring_from(state).below("run/stages"));
+  Scene scene = scene_in_stage(plan.scene, plan.stages, stage);
+  scene.threads = threads;
+  return std::make_unique<Simulation>(scene, state);
+}
+
 class Run {
  public:
-  Run(const scenario::Plan& plan, const RunOptions& options)
+  // state: that from which the run in the directory goes on; null for a new run.
+  Run(const scenario::Plan& plan, const RunOptions& options, RunDirectory& directory, const State* state)
       : plan_(plan),
         options_(options),
-        directory_(options.out, options.overwrite),
-        simulation_(set_up(plan, options.threads)),
+        directory_(directory),
+        checkpoints_(directory),
+        simulation_(state ? resumed(plan, *state, options.threads) : set_up(plan, options.threads)),
         sampler_(plan),
-        pictures_(plan, directory_) {
-    result_.directory = directory_.path();
+        pictures_(plan, directory_),
+        results_(plan, options, directory_, *simulation_) {
+    if (state) restore(*state);
   }
 
   RunResult execute() {
-    prepare();
+    runner_ ? reopen() : prepare();
     if (options_.on_start) options_.on_start(*simulation_);
-    for (const std::string& warning : start_warnings(plan_, *simulation_)) warn(warning);
+    if (!runner_)
+      for (const std::string& warning : start_warnings(plan_, *simulation_)) results_.warn(warning);
     try {
       loop();
       watch_.time_output([&] { save(); });
@@ -64,11 +73,37 @@ class Run {
       throw;
     }
     watch_.time_output(
-        [&] { pictures_.draw_charts(sampler_, [this](const std::string& line) { warn(line); }); });
-    judge();
-    for (const std::string& warning : result_warnings(*simulation_)) warn(warning);
-    record(result_.interrupted ? "interrupted" : "finished", "");
-    return result_;
+        [&] { pictures_.draw_charts(sampler_, [this](const std::string& line) { results_.warn(line); }); });
+    results_.judge(sampler_);
+    for (const std::string& warning : result_warnings(*simulation_)) results_.warn(warning);
+    results_.record(results_.interrupted() ? "interrupted" : "finished", "", watch_);
+    return results_.result();
+  }
+
+  // Hooks of drive().
+  void begin(const std::string& stage) {
+    results_.begin_stage(stage);
+    sampler_.begin_stage(results_.stages());
+    check_step(plan_, *simulation_);
+  }
+
+  std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
+    return watch_.time_output([&] {
+      return std::min({sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps),
+                       next_checkpoint(steps)});
+    });
+  }
+
+  bool proceed(const StageRunner& runner) {
+    report_progress(runner);
+    return !stopped();
+  }
+
+  bool pauses(const StageRunner&) const { return checkpoint_due_; }
+
+  void between(const StageRunner& runner) {
+    if (runner.finished() || stopped() || !(checkpoint_due_ || checkpoint_due_now())) return;
+    watch_.time_output([&] { write_checkpoint(); });
   }
 
  private:
@@ -76,7 +111,7 @@ class Run {
   void prepare() {
     directory_.create();
     try {
-      record("running", "");
+      results_.record("running", "", watch_);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
       sampler_.open(directory_.series());
     } catch (const std::exception&) {
@@ -86,46 +121,90 @@ class Run {
     }
   }
 
+  void restore(const State& state) {
+    const StateTransfer from = StateTransfer::restoring_from(state).below("run");
+    runner_.emplace(*simulation_, plan_.stages, from.below("stages"));
+    sampler_.transfer(from.below("probes"));
+    pictures_.transfer(from.below("pictures"));
+    results_.transfer(from.below("results"), watch_);
+    from.value("written", "1", written_);
+    last_checkpoint_step_ = simulation_->steps();
+  }
+
+  // Continues the files of the run; what it wrote after the state is dropped.
+  void reopen() {
+    sampler_.reopen(directory_.series());
+    directory_.written().return_to(written_);
+    results_.record("running", "", watch_);
+  }
+
+  State state() {
+    State state = simulation_->state();
+    const StateTransfer to = StateTransfer::saving_to(state).below("run");
+    std::string scenario = plan_.resolved_text;
+    to.value("scenario", "", scenario);
+    runner_->save(to.below("stages"));
+    sampler_.flush();
+    sampler_.transfer(to.below("probes"));
+    pictures_.transfer(to.below("pictures"));
+    results_.transfer(to.below("results"), watch_);
+    written_ = directory_.written().size();
+    to.value("written", "1", written_);
+    return state;
+  }
+
   void loop() {
-    watch_ = {};
-    StageRunner runner(*simulation_, plan_.stages);
-    const std::string last = drive(
-        runner, [this](const std::string& stage) { begin_stage(stage); },
-        [this](const std::string& stage, std::uint64_t steps) { return observe(stage, steps); },
-        [this](const StageRunner& r) {
-          report_progress(r);
-          return !(options_.stop && *options_.stop);
-        });
-    result_.interrupted = !runner.finished();
-    end_stage(result_.interrupted ? "interrupted" : "");
-    watch_.time_output([&] { sampler_.sample_last(*simulation_, last); });
-  }
-
-  void begin_stage(const std::string& name) {
-    end_stage("");
-    result_.stages.push_back({name, simulation_->time(), simulation_->time(), 0, "running"});
-    stage_first_step_ = simulation_->steps();
-    sampler_.begin_stage(result_.stages.size());
-    check_step(plan_, *simulation_);
-  }
-
-  // `how`: empty if the stage has reached its end.
-  void end_stage(const std::string& how) {
-    if (result_.stages.empty()) return;
-    StageResult& stage = result_.stages.back();
-    stage.end = simulation_->time();
-    stage.steps = simulation_->steps() - stage_first_step_;
-    const bool timed = plan_.stages[result_.stages.size() - 1].duration.has_value();
-    stage.ended = !how.empty() ? how : timed ? "duration" : "condition";
-  }
-
-  // Takes samples and pictures that are due `steps` after the start of a stage. Returns the step count at
-  // which the next are due.
-  std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
-    return watch_.time_output([&] {
-      return std::min(sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps));
+    std::optional<std::uint64_t> next;
+    if (runner_) {
+      const std::uint64_t steps = runner_->steps();
+      const std::string stage = runner_->stages()[runner_->current()].name;
+      next = std::min({sampler_.next(*simulation_, stage, steps), pictures_.next(*simulation_, steps),
+                       next_checkpoint(steps)});
+    } else {
+      runner_.emplace(*simulation_, plan_.stages);
+    }
+    const std::string last = drive(*runner_, *this, next);
+    if (!runner_->finished()) results_.interrupt();
+    results_.end_stage(results_.interrupted() ? "interrupted" : "");
+    watch_.time_output([&] {
+      write_last_state();
+      sampler_.sample_last(*simulation_, last);
     });
   }
+
+  // Step count after the start of the stage at which a checkpoint is due by simulated time.
+  std::uint64_t next_checkpoint(std::uint64_t steps) const {
+    if (!plan_.checkpoint.every_time) return never;
+    const std::uint64_t now = simulation_->steps(),
+                        next = next_due(now, *plan_.checkpoint.every_time, simulation_->step_length());
+    return next == never ? never : steps + (next - now);
+  }
+
+  bool checkpoint_due_now() const {
+    const std::uint64_t steps = simulation_->steps();
+    return plan_.checkpoint.every_time && steps > last_checkpoint_step_ &&
+           is_due(steps, *plan_.checkpoint.every_time, simulation_->step_length());
+  }
+
+  void write_checkpoint() {
+    checkpoint_due_ = false;
+    last_checkpoint_step_ = simulation_->steps();
+    try {
+      checkpoints_.write(state(), simulation_->steps());
+    } catch (const Error& error) {
+      results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
+    }
+    last_checkpoint_ = watch_.total();
+  }
+
+  void write_last_state() {
+    if (results_.interrupted())
+      write_checkpoint();
+    else if (plan_.checkpoint.final_state)
+      checkpoints_.write_final(state());
+  }
+
+  bool stopped() const { return options_.stop && *options_.stop; }
 
   void report_progress(const StageRunner& runner) {
     constexpr std::uint64_t steps_between_checks = 32;
@@ -135,6 +214,7 @@ class Run {
     if (wall - last_report_ < seconds_between_reports) return;
     last_report_ = wall;
     sampler_.flush();
+    checkpoint_due_ |= plan_.checkpoint.every && wall - last_checkpoint_ >= *plan_.checkpoint.every;
     if (options_.on_progress && !runner.finished()) options_.on_progress(progress_of(runner, wall));
   }
 
@@ -150,11 +230,6 @@ class Run {
             stage.kinetic_over_elastic};
   }
 
-  void warn(const std::string& line) {
-    result_.warnings.push_back(line);
-    if (options_.on_warning) options_.on_warning(line);
-  }
-
   void save() {
     sampler_.flush();
     pictures_.take_last(*simulation_);
@@ -163,49 +238,33 @@ class Run {
 
   // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
   void fail(const std::string& reason) {
-    end_stage("failed");
-    try_each([&] { record("failed", files::one_line(reason, 2000)); }, [&] { sampler_.flush(); },
-             [&] { pictures_.take_last(*simulation_); },
+    results_.end_stage("failed");
+    try_each([&] { results_.record("failed", files::one_line(reason, 2000), watch_); },
+             [&] { sampler_.flush(); }, [&] { pictures_.take_last(*simulation_); },
              [&] { write_final_packing(*simulation_, directory_.path() / "final_packing.csv"); });
-  }
-
-  void judge() {
-    if (result_.interrupted) return;
-    result_.quantities = scenario::run_quantities(*simulation_);
-    const auto column = [&](const std::string& probe, const std::string& name) {
-      return sampler_.series(probe).column(name);
-    };
-    for (const scenario::Expectation& e : plan_.expectations)
-      result_.verdicts.push_back(judge_expectation(e, result_.quantities, column));
-  }
-
-  void record(const std::string& status, const std::string& error) {
-    result_.quantities = scenario::run_quantities(*simulation_);
-    result_.state_hash = simulation_->state_hash();
-    result_.wall = watch_.total();
-    result_.output = watch_.output();
-    const double work = double(simulation_->steps()) * double(simulation_->particles().size());
-    const double stepping = result_.wall - result_.output;
-    result_.particle_steps_per_second = stepping > 0 ? work / stepping : 0;
-    directory_.write_file("run.json", run_record(plan_, options_, result_, *simulation_, status, error));
   }
 
   const scenario::Plan& plan_;
   const RunOptions& options_;
-  RunDirectory directory_;
+  RunDirectory& directory_;
+  Checkpoints checkpoints_;
   std::unique_ptr<Simulation> simulation_;
   Sampler sampler_;
   Pictures pictures_;
-  RunResult result_;
+  Results results_;
+  std::optional<StageRunner> runner_;
   Stopwatch watch_;
-  double last_report_ = 0;              // (s) of wall time
-  std::uint64_t stage_first_step_ = 0;  // steps before the present stage
+  std::uint64_t written_ = 0;                          // see WrittenFiles::size
+  double last_report_ = 0, last_checkpoint_ = 0;       // (s) of wall time
+  std::uint64_t last_checkpoint_step_ = 0;
+  bool checkpoint_due_ = false;  // by wall time
 };
 
 }  // namespace
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
-  return Run(plan, options).execute();
+  RunDirectory directory(options.out, options.overwrite);
+  return Run(plan, options, directory, nullptr).execute();
 }
 
 }  // namespace scree::run

@@ -56,13 +56,10 @@ std::uint64_t Sampler::Active::next(double step, std::uint64_t steps) const {
 std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
   std::uint32_t needs = 0;
   bool any = false;
-  std::uint64_t next = never;
-  for (const Active& p : probes_) {
-    if (!p.records_in(stage)) continue;
-    next = std::min(next, p.next(simulation.step_length(), steps));
-    if (p.is_observed(simulation, steps) || p.is_sampled(simulation, steps))
+  for (const Active& p : probes_)
+    if (p.records_in(stage) && (p.is_observed(simulation, steps) || p.is_sampled(simulation, steps)))
       any = true, needs |= p.probe.needs();
-  }
+  const std::uint64_t next = this->next(simulation, stage, steps);
   if (!any) return next;
   const SimulationView view(simulation, needs);
   for (Active& p : probes_) {
@@ -70,6 +67,13 @@ std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& s
     if (p.is_observed(simulation, steps)) p.probe.observe(view.get()), p.observed = simulation.steps();
     if (p.is_sampled(simulation, steps)) sample(p, view.get());
   }
+  return next;
+}
+
+std::uint64_t Sampler::next(const Simulation& simulation, const std::string& stage, std::uint64_t steps) const {
+  std::uint64_t next = never;
+  for (const Active& p : probes_)
+    if (p.records_in(stage)) next = std::min(next, p.next(simulation.step_length(), steps));
   return next;
 }
 

@@ -34,6 +34,8 @@ class Sampler {
   // Takes the observations, then the samples due `steps` after the start of a stage. Returns the step count at
   // which the next are due.
   std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
+  // Step count after the start of a stage at which the next observation or sample is due.
+  std::uint64_t next(const Simulation& simulation, const std::string& stage, std::uint64_t steps) const;
   // Takes a final sample of the probes of the stage at the end of a run; observes nothing more.
   void sample_last(const Simulation& simulation, const std::string& stage);
   // Samples from now on belong to the stage of this number, from 1.

@@ -26,6 +26,28 @@ std::vector<double> quantities_of(const scenario::Plan& plan, const Simulation& 
   return values;
 }
 
+struct TrialHooks {
+  const scenario::Plan& plan;
+  const TrialOptions& options;
+  const Simulation& simulation;
+  Sampler& sampler;
+  Trial& trial;
+  double end;  // (s)
+
+  void begin(const std::string&) { check_step(plan, simulation); }
+  std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
+    const double left = std::ceil((end - simulation.time()) / plan.scene.step);
+    return std::min(sampler.sample(simulation, stage, steps),
+                    steps + std::uint64_t(std::clamp(left, 1.0, 1e15)));
+  }
+  bool proceed(const StageRunner&) {
+    trial.stopped = options.stop && *options.stop;
+    return !trial.stopped && simulation.time() < end;
+  }
+  bool pauses(const StageRunner&) const { return false; }
+  void between(const StageRunner&) {}
+};
+
 }  // namespace
 
 std::vector<Vec3> unwrapped_positions(const Simulation& s) {
@@ -50,17 +72,7 @@ Trial run_trial(const scenario::Plan& plan, const TrialOptions& options) {
   // Half a step earlier, so that rounding does not add a step.
   const double end = options.until - 0.5 * plan.scene.step;
   const auto start = Clock::now();
-  const std::string last = drive(
-      runner, [&](const std::string&) { check_step(plan, *simulation); },
-      [&](const std::string& stage, std::uint64_t steps) {
-        const double left = std::ceil((end - simulation->time()) / plan.scene.step);
-        return std::min(sampler.sample(*simulation, stage, steps),
-                        steps + std::uint64_t(std::clamp(left, 1.0, 1e15)));
-      },
-      [&](const StageRunner&) {
-        trial.stopped = options.stop && *options.stop;
-        return !trial.stopped && simulation->time() < end;
-      });
+  const std::string last = drive(runner, TrialHooks{plan, options, *simulation, sampler, trial, end});
   trial.wall = std::chrono::duration<double>(Clock::now() - start).count();
   sampler.sample_last(*simulation, last);
   trial.steps = simulation->steps();

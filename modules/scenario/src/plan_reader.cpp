@@ -1,3 +1,4 @@
+#include "checkpoint_reader.hpp"
 #include "contact_reader.hpp"
 #include "output_reader.hpp"
 #include "particles_reader.hpp"
@@ -37,10 +38,14 @@ void read_header(const document::Table& root, Plan& plan) {
 }
 
 // Returns the box of the file of bodies.
-Domain read_materials_and_bodies(const document::Table& root, Plan& plan) {
+Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> given, Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
+  if (!given.empty()) {
+    plan.scene.bodies = std::move(given);
+    return {};
+  }
   ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
   plan.scene.bodies = std::move(read.bodies);
   return read.box;
@@ -192,20 +197,19 @@ std::string text_for_any_folder(const document::Document& document, const std::f
   }
 }
 
-}  // namespace
-
-Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-               PluginHost& host) {
-  const document::Document document = document::Document::load(path, overrides);
+// Reads all but the texts. `bodies`: those of a run that goes on; if empty, they are read too.
+Plan read(const document::Document& document, const std::filesystem::path& path, std::vector<Body> bodies,
+          PluginHost& host) {
   const document::Table root = document.root();
   Plan plan;
   plan.source = path;
   read_header(root, plan);
-  const Domain box = read_materials_and_bodies(root, plan);
+  const bool goes_on = !bodies.empty();
+  const Domain box = read_materials_and_bodies(root, std::move(bodies), plan);
   Instances instances;
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
-  warn_of_box(box, plan);
+  if (!goes_on) warn_of_box(box, plan);
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   check_precision(root, plan.scene);
@@ -213,6 +217,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   plan.scene.spin = any_later(plan, &exerts_torque);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);
+  plan.checkpoint = read_checkpoint(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
   plan.scene.pair_forces = needs_pair_forces(plan);
@@ -220,10 +225,27 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
       any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_later(plan, &reads_orientations);
   check_audit(root, plan);
   check_pictures(root, plan);
+  return plan;
+}
+
+}  // namespace
+
+Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+               PluginHost& host) {
+  const document::Document document = document::Document::load(path, overrides);
+  Plan plan = read(document, path, {}, host);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
   plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
   for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
+  return plan;
+}
+
+Plan read_plan_again(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                     std::vector<Body> bodies, PluginHost& host) {
+  const document::Document document = document::Document::parse(text, name, overrides);
+  Plan plan = read(document, name, std::move(bodies), host);
+  plan.resolved_text = document.resolved_text();
   return plan;
 }
 

@@ -13,7 +13,7 @@ std::vector<TableDescription> describe_tables() {
                                   &neighbours_keys, &particles_keys, &lattice_keys, &radius_keys,
                                   &particle_keys,   &material_keys,  &contact_keys, &boundary_keys,
                                   &body_force_keys, &stage_keys,     &until_keys,   &probe_keys,
-                                  &chart_keys,      &snapshot_keys,  &expect_keys};
+                                  &chart_keys,      &snapshot_keys,  &checkpoint_keys, &expect_keys};
   std::vector<TableDescription> tables;
   for (const TableKeys* keys : all) tables.push_back(keys->description());
   return tables;

@@ -229,6 +229,17 @@ struct SnapshotKeys : TableKeys {
   IntegerKey height = integer("height", Range::between(200, 8000, "pixels"), 900, "of a picture");
 };
 
+struct CheckpointKeys : TableKeys {
+  CheckpointKeys()
+      : TableKeys("checkpoint", "[checkpoint]",
+                  "states from which scree resume goes on; the two latest are kept in checkpoint/") {}
+  StringKey every = string("every", "10 min", "wall time between them, as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
+                           "default \"10 min\"");
+  Key every_time = other("every_time", "number", Range::positive("s"), "default never",
+                         "simulated time between them");
+  BooleanKey final_state = boolean("final_state", true, "leave the state at the end in final_state.h5");
+};
+
 struct ExpectKeys : TableKeys {
   ExpectKeys()
       : TableKeys("expect", "[[expect]]",
@@ -265,6 +276,7 @@ inline const UntilKeys until_keys;
 inline const ProbeKeys probe_keys;
 inline const ChartKeys chart_keys;
 inline const SnapshotKeys snapshot_keys;
+inline const CheckpointKeys checkpoint_keys;
 inline const ExpectKeys expect_keys;
 
 }  // namespace scree::scenario

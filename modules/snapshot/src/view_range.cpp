@@ -26,11 +26,13 @@ std::vector<double> color_values(const Frame& frame, const std::string& color_by
 }
 
 void ViewRange::add_colors(const Frame& frame) {
-  for (const double value : color_values(frame, color_by_)) {
-    if (!std::isfinite(value)) continue;
-    if (!colors_) colors_ = {value, value};
-    colors_ = {std::min((*colors_)[0], value), std::max((*colors_)[1], value)};
-  }
+  for (const double value : color_values(frame, color_by_))
+    if (std::isfinite(value)) extend_colors({value, value});
+}
+
+void ViewRange::extend_colors(const std::array<double, 2>& extent) {
+  if (!colors_) colors_ = extent;
+  colors_ = {std::min((*colors_)[0], extent[0]), std::max((*colors_)[1], extent[1])};
 }
 
 void ViewRange::add_box(const Frame& frame) {

@@ -44,7 +44,7 @@ struct Verdict {
 struct StageResult {
   std::string name;
   double start = 0, end = 0;  // (s) simulated
-  std::uint64_t steps = 0;
+  std::uint64_t first_step = 0, steps = 0;
   std::string ended;  // "duration", "condition", "interrupted", "failed"; "running" until then
 };
 

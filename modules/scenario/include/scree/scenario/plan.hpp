@@ -35,6 +35,17 @@ struct SnapshotPlan {
   bool any() const { return every || image_every; }
 };
 
+// When the state of a run is written.
+struct CheckpointPlan {
+  std::optional<double> every = 600;  // (s) of wall time; absent: never
+  std::optional<double> every_time;   // (s) simulated, from t = 0
+  bool final_state = true;            // at the end of the run
+};
+
+// Reads a wall time: "30 s", "10 min", "2 h", or "never", which gives nothing. Throws Error "'<text>' <problem>;
+// <cure>".
+std::optional<double> parse_wall_time(const std::string& text);
+
 // One curve of a chart, from the series of a probe.
 struct CurvePlan {
   std::string name;
@@ -68,6 +79,7 @@ struct Plan {
   std::vector<Stage> stages;
   std::vector<ProbePlan> probes;
   SnapshotPlan snapshot;
+  CheckpointPlan checkpoint;
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;
   std::string resolved_text;        // TOML with overrides
@@ -87,5 +99,10 @@ std::optional<std::string> quantity_problem(const std::string& name, const std::
 // Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any error in it.
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                PluginHost& host);
+
+// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start, so
+// that no packing is read again. name: of the text in messages.
+Plan read_plan_again(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                     std::vector<Body> bodies, PluginHost& host);
 
 }  // namespace scree::scenario

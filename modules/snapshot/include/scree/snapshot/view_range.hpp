@@ -22,6 +22,9 @@ class ViewRange {
   const std::array<double, 3>& upper() const { return upper_; }  // (m)
   // (SI unit of the field); absent without finite values or if all are equal.
   std::optional<std::array<double, 2>> colors() const;
+  // The same, also if all are equal.
+  const std::optional<std::array<double, 2>>& color_extent() const { return colors_; }
+  void extend_colors(const std::array<double, 2>& extent);
 
  private:
   void add_extent(std::size_t axis, double low, double high);

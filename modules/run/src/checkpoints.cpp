@@ -1,0 +1,72 @@
+#include "checkpoints.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/state_file/state_file.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kept = 2;
+
+std::uint64_t steps_of(const State& state) {
+  std::uint64_t steps = 0;
+  StateTransfer::restoring_from(state).below("clock").value("steps", "1", steps);
+  return steps;
+}
+
+}  // namespace
+
+std::vector<fs::path> Checkpoints::all() const {
+  std::vector<fs::path> paths;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder(), failed)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("step_") && name.ends_with(".h5")) paths.push_back(entry.path());
+  }
+  // Numbers of steps have a fixed width, so that names are sorted as they are.
+  std::sort(paths.rbegin(), paths.rend());
+  return paths;
+}
+
+void Checkpoints::write(const State& state, std::uint64_t steps) const {
+  std::error_code failed;  // a failure is reported when the file is opened
+  fs::create_directories(folder(), failed);
+  state_file::write_state(folder() / fmt::format("step_{:015}.h5", steps), state);
+  const std::vector<fs::path> paths = all();
+  for (std::size_t k = kept; k < paths.size(); ++k) fs::remove(paths[k], failed);
+}
+
+void Checkpoints::write_final(const State& state) const { state_file::write_state(final_state(), state); }
+
+Checkpoints::Latest Checkpoints::latest(const std::function<void(const std::string&)>& report) const {
+  std::optional<Latest> found;
+  const auto consider = [&](const fs::path& path) {
+    try {
+      State state = state_file::read_state(path);
+      if (!found || steps_of(state) > steps_of(found->state)) found = Latest{std::move(state), path};
+      return true;
+    } catch (const Error& error) {
+      report(error.what());
+      return false;
+    }
+  };
+  for (const fs::path& path : all())
+    if (consider(path)) break;
+  std::error_code failed;
+  if (fs::exists(fs::symlink_status(final_state(), failed))) consider(final_state());
+  if (!found)
+    throw Error(fmt::format("{}: there is no state from which the run can go on; run the scenario again",
+                            directory_.path().string()));
+  return std::move(*found);
+}
+
+}  // namespace scree::run

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "sampler.hpp"
+#include "stopwatch.hpp"
+
+#include <string>
+
+#include <scree/run/run.hpp>
+#include <scree/run/run_directory.hpp>
+#include <scree/simulation.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree::run {
+
+// What a run has to report: its stages, warnings, verdicts and numbers, in run.json.
+class Results {
+ public:
+  Results(const scenario::Plan& plan, const RunOptions& options, const RunDirectory& directory,
+          const Simulation& simulation);
+
+  // The stages so far, warnings and wall times, which go on in a run that is resumed.
+  void transfer(const StateTransfer& state, const Stopwatch& watch);
+
+  void begin_stage(const std::string& name);
+  // `how`: "interrupted" or "failed"; empty if the stage has reached its end.
+  void end_stage(const std::string& how);
+  std::size_t stages() const { return result_.stages.size(); }
+  void interrupt() { result_.interrupted = true; }
+  bool interrupted() const { return result_.interrupted; }
+  void warn(const std::string& line);
+  void judge(const Sampler& sampler);
+  // Writes run.json. `status` and `error` as in run_record.
+  void record(const std::string& status, const std::string& error, const Stopwatch& watch);
+
+  const RunResult& result() const { return result_; }
+
+ private:
+  const scenario::Plan& plan_;
+  const RunOptions& options_;
+  const RunDirectory& directory_;
+  const Simulation& simulation_;
+  RunResult result_;
+  double wall_before_ = 0, output_before_ = 0;  // (s) until the state from which the run goes on
+};
+
+}  // namespace scree::run

@@ -1,0 +1,37 @@
+#include "checkpoint_reader.hpp"
+
+#include "plugin_parameters.hpp"
+#include "scene_keys.hpp"
+#include "stage_reader.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace scree::scenario {
+
+std::optional<double> parse_wall_time(const std::string& text) {
+  if (text == "never") return std::nullopt;
+  constexpr std::pair<std::string_view, double> units[] = {{"s", 1}, {"min", 60}, {"h", 3600}, {"d", 86400}};
+  double number = 0;
+  const auto [rest, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::size_t unit_at = text.find_first_not_of(' ', std::size_t(rest - text.data()));
+  const std::string_view unit = unit_at == std::string::npos ? "" : std::string_view(text).substr(unit_at);
+  for (const auto& [name, seconds] : units)
+    if (failed == std::errc() && unit == name && number > 0 && std::isfinite(number * seconds))
+      return number * seconds;
+  throw Error(fmt::format("'{}' is not a wall time; give \"30 s\", \"10 min\", \"2 h\" or \"never\"", text));
+}
+
+CheckpointPlan read_checkpoint(const document::Table& root, double step) {
+  const document::Table t = root.table_or_empty("checkpoint");
+  CheckpointPlan plan;
+  const std::string every = read(t, checkpoint_keys.every);
+  plan.every = placed(t, "every", [&] { return parse_wall_time(every); });
+  if (t.optional(checkpoint_keys.every_time)) plan.every_time = read_steps(t, checkpoint_keys.every_time, step);
+  plan.final_state = read(t, checkpoint_keys.final_state);
+  return plan;
+}
+
+}  // namespace scree::scenario
