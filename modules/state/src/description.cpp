@@ -1,0 +1,96 @@
+#include "opened_file.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include <scree/files/text.hpp>
+#include <scree/state_file/description.hpp>
+
+namespace scree::state_file {
+namespace {
+
+constexpr std::size_t longest_value = 60;  // characters
+
+template <class T>
+constexpr const char* type_name() {
+  if constexpr (std::is_same_v<T, std::string>) return "text";
+  if constexpr (std::is_same_v<T, double>) return "double";
+  if constexpr (std::is_same_v<T, float>) return "float";
+  if constexpr (std::is_same_v<T, std::int64_t>) return "int64";
+  if constexpr (std::is_same_v<T, std::uint64_t>) return "uint64";
+  if constexpr (std::is_same_v<T, std::int32_t>) return "int32";
+  if constexpr (std::is_same_v<T, std::uint32_t>) return "uint32";
+  if constexpr (std::is_same_v<T, std::uint8_t>) return "uint8";
+}
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  if constexpr (!std::is_same_v<T, std::string>) return values.size() * sizeof(T);
+  std::size_t bytes = 0;
+  if constexpr (std::is_same_v<T, std::string>)
+    for (const std::string& text : values) bytes += text.size();
+  return bytes;
+}
+
+// The values, separated by commas, if they are few and short; empty otherwise.
+template <class T>
+std::string short_values(const std::vector<T>& values) {
+  std::string text;
+  for (const T& value : values) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", value);
+    if (text.size() > longest_value) return "";
+  }
+  return files::escaped(text);
+}
+
+std::string shape_of(const StateArray& array) {
+  return array.shape.empty() ? "one" : fmt::format("{}", fmt::join(array.shape, " x "));
+}
+
+std::string line_of(const std::string& path, const StateArray& array, std::size_t width) {
+  return std::visit(
+      [&]<class T>(const std::vector<T>& values) {
+        const std::string shown = short_values(values);
+        return fmt::format("  {:<{}}  {:<6}  {:<12}  {:<8}  {:>12} bytes{}{}\n", path, width, type_name<T>(),
+                           shape_of(array), files::one_line(array.unit, longest_value), bytes_of(values),
+                           shown.empty() ? "" : "  ", shown);
+      },
+      array.values);
+}
+
+// A line of the summary from the values of an array; none if there is no such array.
+std::string summary_line(const State& state, const char* name, const char* path) {
+  if (!state.has(path)) return "";
+  const StateArray& array = state.at(path);
+  const std::string values = std::visit([](const auto& of) { return short_values(of); }, array.values);
+  const bool pure = array.unit.empty() || array.unit == "1";
+  return fmt::format("{:<10} {}{}{}\n", name,
+                     values.empty() ? fmt::format("{} values", array.size()) : values, pure ? "" : " ",
+                     pure ? "" : files::one_line(array.unit, longest_value));
+}
+
+}  // namespace
+
+std::string describe_state_file(const std::filesystem::path& path) {
+  const OpenedFile file(path);
+  const State state = file.state();
+  const Seal& seal = file.seal();
+  std::string text =
+      fmt::format("{}: state written by scree {}, format {}, {} bytes, checksum {:016x}\n", path.string(),
+                  seal.program_version, Seal::format, seal.bytes, seal.checksum);
+  text += summary_line(state, "time", "clock/time");
+  text += summary_line(state, "steps", "clock/steps");
+  if (state.has("bodies/position"))
+    text += fmt::format("bodies     {}\n", fmt::join(state.at("bodies/position").shape, " in dimension "));
+  text += summary_line(state, "materials", "scene/materials");
+  text += summary_line(state, "stage", "run/stage");
+  std::size_t width = 0;
+  for (const auto& [name, array] : state.arrays()) width = std::max(width, name.size());
+  text += fmt::format("{} arrays\n", state.arrays().size());
+  for (const auto& [name, array] : state.arrays()) text += line_of(name, array, width);
+  return text;
+}
+
+}  // namespace scree::state_file

@@ -1,0 +1,111 @@
+#include "file_writer.hpp"
+
+#include "element_type.hpp"
+#include "seal.hpp"
+#include "text.hpp"
+
+#include <algorithm>
+
+namespace scree::state_file {
+namespace {
+
+Handle without_times(hid_t kind) {
+  Handle properties(H5Pcreate(kind), H5Pclose, "properties");
+  checked(H5Pset_obj_track_times(properties, false), "properties");
+  return properties;
+}
+
+Handle create_file(const std::filesystem::path& file) {
+  const Handle creation = without_times(H5P_FILE_CREATE),
+               access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
+  checked(H5Pset_userblock(creation, Seal::size), "room for the seal");
+  // What HDF5 1.8 and later read: shorter than what its first versions do, and with its own checksums.
+  checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "version of the format");
+  // Nobody else knows the file yet, and some network file systems have no locks.
+  checked(H5Pset_file_locking(access, false, true), "locks");
+  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "new file"};
+}
+
+// The last part of a path, and in `folder` what stands before it.
+std::string split(const std::string& name, std::string& folder) {
+  const std::size_t slash = name.rfind('/');
+  folder = slash == name.npos ? "" : name.substr(0, slash);
+  return slash == name.npos ? name : name.substr(slash + 1);
+}
+
+void write_lengths(hid_t dataset, const std::vector<std::string>& lines) {
+  if (std::none_of(lines.begin(), lines.end(), [](const auto& line) { return line.ends_with('\0'); })) return;
+  std::vector<std::uint64_t> lengths;
+  for (const std::string& line : lines) lengths.push_back(line.size());
+  const Handle space = dataspace({lengths.size()}, false);
+  const Handle attribute(
+      H5Acreate2(dataset, lengths_attribute, file_type<std::uint64_t>(), space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, lengths_attribute);
+  checked(H5Awrite(attribute, memory_type<std::uint64_t>(), lengths.data()), lengths_attribute);
+}
+
+}  // namespace
+
+Handle dataspace(const std::vector<std::size_t>& shape, bool as_frame) {
+  std::vector<hsize_t> extents(shape.begin(), shape.end());
+  if (as_frame) extents.insert(extents.begin(), 1);
+  if (extents.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, "shape"};
+  return {H5Screate_simple(int(extents.size()), extents.data(), nullptr), H5Sclose, "shape"};
+}
+
+FileWriter::FileWriter(const std::filesystem::path& file)
+    : file_(create_file(file)),
+      group_properties_(without_times(H5P_GROUP_CREATE)),
+      dataset_properties_(without_times(H5P_DATASET_CREATE)) {}
+
+Handle FileWriter::group(const std::string& name) {
+  if (name.empty()) return {H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "root"};
+  std::string folder;
+  const std::string own = split(name, folder);
+  const Handle parent = group(folder);
+  if (checked(H5Lexists(parent, own.c_str(), H5P_DEFAULT), name) > 0)
+    return {H5Gopen2(parent, own.c_str(), H5P_DEFAULT), H5Gclose, name};
+  return {H5Gcreate2(parent, own.c_str(), H5P_DEFAULT, group_properties_, H5P_DEFAULT), H5Gclose, name};
+}
+
+Handle FileWriter::dataset(hid_t group, const std::string& name, hid_t type, hid_t space,
+                           const StateArray& array) {
+  Handle made(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, dataset_properties_, H5P_DEFAULT),
+              H5Dclose, name);
+  write_attribute(made, unit_attribute, array.unit.empty() ? "1" : array.unit);
+  if (array.unit.empty()) write_attribute(made, label_attribute, "a name, number or flag, not a quantity");
+  return made;
+}
+
+template <class T>
+void FileWriter::write(hid_t group, const std::string& name, const std::vector<T>& numbers, hid_t space,
+                       const StateArray& array) {
+  const Handle made = dataset(group, name, file_type<T>(), space, array);
+  if (!numbers.empty())
+    checked(H5Dwrite(made, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), name);
+}
+
+template <>
+void FileWriter::write(hid_t group, const std::string& name, const std::vector<std::string>& lines,
+                       hid_t space, const StateArray& array) {
+  const PaddedText text(lines);
+  const Handle type = text_type(text.width), made = dataset(group, name, type, space, array);
+  write_lengths(made, lines);
+  if (!lines.empty()) checked(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.bytes.data()), name);
+}
+
+void FileWriter::array(const std::string& name, const StateArray& array, bool as_frame) {
+  std::string folder;
+  const std::string own = split(name, folder);
+  const Handle parent = group(folder), space = dataspace(array.shape, as_frame);
+  std::visit([&](const auto& numbers) { write(parent, own, numbers, space, array); }, array.values);
+}
+
+void FileWriter::link(const std::string& existing, const std::string& name) {
+  std::string folder;
+  const std::string own = split(name, folder);
+  const Handle parent = group(folder);
+  checked(H5Lcreate_hard(file_, existing.c_str(), parent, own.c_str(), H5P_DEFAULT, H5P_DEFAULT), name);
+}
+
+}  // namespace scree::state_file

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "handle.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scree::state_file {
+
+// Text is stored in UTF-8 with a fixed number of bytes, filled with 0, which C and Fortran read as it stands.
+Handle text_type(std::size_t bytes);
+
+// Adds an attribute with one text.
+void write_attribute(hid_t object, const char* name, std::string_view text);
+// Text of an attribute; empty if there is none, or none of the kind that write_attribute writes.
+std::string read_attribute(hid_t object, const char* name);
+
+// Lines of text filled to the longest; at least one byte each.
+struct PaddedText {
+  std::vector<char> bytes;
+  std::size_t width = 1;
+
+  explicit PaddedText(const std::vector<std::string>& lines);
+};
+
+}  // namespace scree::state_file
