@@ -33,8 +33,9 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, cons
 void StageRunner::check_resumed() const {
   const Stage& stage = stages_[current_];
   if (stage.duration && steps_in(*stage.duration) <= steps())
-    throw Error(fmt::format("stage '{}' has already taken {:g} s, and its duration is {:g} s; give a longer one",
-                            stage.name, simulation_.time() - began_, *stage.duration));
+    throw Error(
+        fmt::format("stage '{}' has already taken {:g} s, and its duration is {:g} s; give a longer one",
+                    stage.name, simulation_.time() - began_, *stage.duration));
 }
 
 void StageRunner::save(const StateTransfer& state) const { StageRunner(*this).transfer(state); }

@@ -46,7 +46,9 @@ void Results::transfer(const StateTransfer& state, const Stopwatch& watch) {
   double wall = wall_before_ + watch.total(), output = output_before_ + watch.output();
   state.value("wall", "s", wall);
   state.value("output", "s", output);
-  if (state.restoring()) wall_before_ = wall, output_before_ = output;
+  if (!state.restoring()) return;
+  wall_before_ = wall, output_before_ = output;
+  if (!result_.stages.empty()) result_.stages.back().ended = "running";
 }
 
 void Results::begin_stage(const std::string& name) {

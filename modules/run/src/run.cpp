@@ -3,6 +3,7 @@
 #include "final_packing.hpp"
 #include "pictures.hpp"
 #include "results.hpp"
+#include "run_from.hpp"
 #include "sampler.hpp"
 #include "stopwatch.hpp"
 
@@ -127,14 +128,12 @@ class Run {
     sampler_.transfer(from.below("probes"));
     pictures_.transfer(from.below("pictures"));
     results_.transfer(from.below("results"), watch_);
-    from.value("written", "1", written_);
     last_checkpoint_step_ = simulation_->steps();
   }
 
   // Continues the files of the run; what it wrote after the state is dropped.
   void reopen() {
     sampler_.reopen(directory_.series());
-    directory_.written().return_to(written_);
     results_.record("running", "", watch_);
   }
 
@@ -148,8 +147,6 @@ class Run {
     sampler_.transfer(to.below("probes"));
     pictures_.transfer(to.below("pictures"));
     results_.transfer(to.below("results"), watch_);
-    written_ = directory_.written().size();
-    to.value("written", "1", written_);
     return state;
   }
 
@@ -254,17 +251,21 @@ class Run {
   Results results_;
   std::optional<StageRunner> runner_;
   Stopwatch watch_;
-  std::uint64_t written_ = 0;                          // see WrittenFiles::size
-  double last_report_ = 0, last_checkpoint_ = 0;       // (s) of wall time
+  double last_report_ = 0, last_checkpoint_ = 0;  // (s) of wall time
   std::uint64_t last_checkpoint_step_ = 0;
   bool checkpoint_due_ = false;  // by wall time
 };
 
 }  // namespace
 
+RunResult run_from(const State* state, const scenario::Plan& plan, const RunOptions& options,
+                   RunDirectory& directory) {
+  return Run(plan, options, directory, state).execute();
+}
+
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
   RunDirectory directory(options.out, options.overwrite);
-  return Run(plan, options, directory, nullptr).execute();
+  return run_from(nullptr, plan, options, directory);
 }
 
 }  // namespace scree::run

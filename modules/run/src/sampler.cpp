@@ -70,7 +70,8 @@ std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& s
   return next;
 }
 
-std::uint64_t Sampler::next(const Simulation& simulation, const std::string& stage, std::uint64_t steps) const {
+std::uint64_t Sampler::next(const Simulation& simulation, const std::string& stage,
+                            std::uint64_t steps) const {
   std::uint64_t next = never;
   for (const Active& p : probes_)
     if (p.records_in(stage)) next = std::min(next, p.next(simulation.step_length(), steps));
@@ -108,6 +109,26 @@ const Series& Sampler::series(const std::string& probe) const {
   return *std::find_if(probes_.begin(), probes_.end(), [&](const Active& p) {
             return p.plan->name == probe;
           })->series;
+}
+
+void Sampler::reopen(const std::filesystem::path& folder) {
+  for (Active& p : probes_)
+    p.series =
+        std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), p.position, staged_);
+}
+
+void Sampler::transfer(const StateTransfer& state) {
+  for (std::size_t k = 0; k < probes_.size(); ++k) {
+    Active& p = probes_[k];
+    const StateTransfer of_probe = state.below(std::to_string(k));
+    if (!state.restoring()) p.position = p.series->position();
+    p.probe.transfer(of_probe);
+    of_probe.value("observed", "1", p.observed);
+    of_probe.value("rows", "1", p.position.rows);
+    of_probe.value("bytes", "1", p.position.bytes);
+    of_probe.value("last_time", "s", p.position.last_time);
+    of_probe.value("series_stage", "1", p.position.stage);
+  }
 }
 
 }  // namespace scree::run

@@ -29,8 +29,12 @@ class Sampler {
   // Writes the rows to CSV files in a folder, created if there are probes; with several stages each row ends
   // with the number of its own.
   void open(const std::filesystem::path& folder);
+  // Goes on with the files of a run whose state has been restored: cut to the lengths that they had then.
+  void reopen(const std::filesystem::path& folder);
   // Keeps the rows in memory only.
   void open();
+  // What the probes keep, and how far their series have come; these must be flushed.
+  void transfer(const StateTransfer& state);
   // Takes the observations, then the samples due `steps` after the start of a stage. Returns the step count at
   // which the next are due.
   std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
@@ -52,6 +56,7 @@ class Sampler {
     Probe probe;
     std::unique_ptr<Series> series = nullptr;
     std::uint64_t observed = never;  // step of the last observation
+    Series::Position position = {};  // at which a series that is reopened goes on
 
     bool records_in(const std::string& stage) const;
     // At the start of a stage, after which the clock runs anew, it may have been observed already.

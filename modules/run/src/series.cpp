@@ -29,6 +29,19 @@ Series::Series(std::vector<std::string> names) : names_(std::move(names)) {
   columns_.resize(names_.size());
 }
 
+Series::Series(const std::filesystem::path& file, std::vector<std::string> names, const Position& position,
+               bool staged)
+    : Series(std::move(names)) {
+  staged_ = staged;
+  stage_ = position.stage;
+  path_ = file;
+  std::filesystem::resize_file(file, position.bytes);
+  file_.open(file, std::ios::binary | std::ios::app | std::ios::ate);
+}
+Series::Position Series::position() {
+  return {rows(), std::uint64_t(file_.tellp()), stage_, rows() ? columns_[0].back() : 0};
+}
+
 void Series::add(double time, const std::vector<double>& row) {
   columns_[0].push_back(time);
   for (std::size_t k = 0; k < row.size(); ++k) columns_[k + 1].push_back(row[k]);

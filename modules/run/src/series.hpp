@@ -16,6 +16,15 @@ class Series {
   Series(const std::filesystem::path& file, std::vector<std::string> names,
          const std::vector<std::string>& units, bool staged);
   explicit Series(std::vector<std::string> names);
+  // How far a series has come.
+  struct Position {
+    std::uint64_t rows = 0, bytes = 0, stage = 1;
+    double last_time = 0;
+  };
+  // Goes on with a file at a position.
+  Series(const std::filesystem::path& file, std::vector<std::string> names, const Position& position,
+         bool staged);
+  Position position();
 
   void add(double time, const std::vector<double>& row);
   // Rows added from now on belong to the stage of this number, from 1.

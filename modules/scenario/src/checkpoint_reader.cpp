@@ -29,7 +29,8 @@ CheckpointPlan read_checkpoint(const document::Table& root, double step) {
   CheckpointPlan plan;
   const std::string every = read(t, checkpoint_keys.every);
   plan.every = placed(t, "every", [&] { return parse_wall_time(every); });
-  if (t.optional(checkpoint_keys.every_time)) plan.every_time = read_steps(t, checkpoint_keys.every_time, step);
+  if (t.optional(checkpoint_keys.every_time))
+    plan.every_time = read_steps(t, checkpoint_keys.every_time, step);
   plan.final_state = read(t, checkpoint_keys.final_state);
   return plan;
 }

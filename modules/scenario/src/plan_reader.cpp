@@ -241,8 +241,8 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   return plan;
 }
 
-Plan read_plan_again(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
-                     std::vector<Body> bodies, PluginHost& host) {
+Plan read_plan_again(const std::string& text, const std::string& name,
+                     const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host) {
   const document::Document document = document::Document::parse(text, name, overrides);
   Plan plan = read(document, name, std::move(bodies), host);
   plan.resolved_text = document.resolved_text();

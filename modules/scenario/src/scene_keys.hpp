@@ -233,10 +233,11 @@ struct CheckpointKeys : TableKeys {
   CheckpointKeys()
       : TableKeys("checkpoint", "[checkpoint]",
                   "states from which scree resume goes on; the two latest are kept in checkpoint/") {}
-  StringKey every = string("every", "10 min", "wall time between them, as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
-                           "default \"10 min\"");
-  Key every_time = other("every_time", "number", Range::positive("s"), "default never",
-                         "simulated time between them");
+  StringKey every =
+      string("every", "10 min", "wall time between them, as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
+             "default \"10 min\"");
+  Key every_time =
+      other("every_time", "number", Range::positive("s"), "default never", "simulated time between them");
   BooleanKey final_state = boolean("final_state", true, "leave the state at the end in final_state.h5");
 };
 

@@ -65,4 +65,15 @@ struct RunResult {
 // or Error (failure) if an end condition is not reached in time or the disk is full; results so far are kept.
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options);
 
+// What changes in a run that goes on.
+struct ResumeChanges {
+  std::vector<std::string> overrides;                     // "key=value" of the lengths of stages
+  std::optional<double> until;                            // (s) end of the last stage
+  std::optional<std::optional<double>> checkpoint_every;  // see CheckpointPlan::every
+};
+
+// Goes on with the run in the directory options.out, from the latest of its states that can be read, to the same
+// bits as if it had never stopped. Throws Error as run_plan() does; nothing is changed if the status is bad_input.
+RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host);
+
 }  // namespace scree::run

@@ -102,7 +102,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
 
 // Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start, so
 // that no packing is read again. name: of the text in messages.
-Plan read_plan_again(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
-                     std::vector<Body> bodies, PluginHost& host);
+Plan read_plan_again(const std::string& text, const std::string& name,
+                     const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host);
 
 }  // namespace scree::scenario
