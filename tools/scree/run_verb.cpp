@@ -8,7 +8,6 @@
 
 #include <scree/files/text.hpp>
 #include <scree/run/run.hpp>
-#include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
 
 namespace scree::tool {
@@ -91,8 +90,7 @@ void print_places(const std::filesystem::path& directory) {
 
 run::RunOptions options_of(const RunArguments& arguments, ProgressBar& bar) {
   run::RunOptions options;
-  options.out = arguments.out.empty() ? run::RunDirectory::default_for(arguments.scenario)
-                                      : std::filesystem::path(arguments.out);
+  options.out = arguments.out;
   options.overwrite = arguments.overwrite;
   options.threads = arguments.threads;
   options.stop = &watch_for_interrupt();

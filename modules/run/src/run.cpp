@@ -36,12 +36,20 @@ void try_each(const Work&... work) {
   (attempt(work), ...);
 }
 
+RunDirectory directory_of(const scenario::Plan& plan, const RunOptions& options) {
+  if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source));
+  using Existing = RunDirectory::Existing;
+  RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse);
+  directory.take();
+  return directory;
+}
+
 class Run {
  public:
   Run(const scenario::Plan& plan, const RunOptions& options)
       : plan_(plan),
         options_(options),
-        directory_(options.out, options.overwrite),
+        directory_(directory_of(plan, options)),
         simulation_(set_up(plan, options.threads)),
         sampler_(plan),
         pictures_(plan, directory_) {
