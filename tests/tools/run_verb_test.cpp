@@ -175,6 +175,41 @@ TEST_CASE("without --out runs are numbered", "[tools]") {
   }
 }
 
+TEST_CASE("runs started at once end in a directory each", "[tools]") {
+  const Workspace w;
+  const Outcome outcome = w.shell("for k in 1 2 3 4; do '" SCREE_TEST_PROGRAM
+                                  "' run scene.toml --set time.duration=2e-3 --quiet & done; wait");
+  INFO(outcome.err);
+  CHECK(outcome.err.empty());
+  const auto runs = std::filesystem::directory_iterator(w / "runs");
+  CHECK(std::distance(runs, {}) == 4);
+  for (const char* directory : {"runs/scene", "runs/scene-2", "runs/scene-3", "runs/scene-4"}) {
+    CHECK(w.record(directory)["status"] == "finished");
+    CHECK_FALSE(w.has(std::string(directory) + "/.lock"));
+  }
+}
+
+TEST_CASE("the directory of a run that is going on is refused, and nothing in it is touched", "[tools]") {
+  const Workspace w(with(discs, "duration = 1e-4", "duration = 5000"));
+  const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
+                                  "' run scene.toml --out out --quiet &\nrun=$!\n"
+                                  "until test -s out/series/energy.csv; do sleep 0.05; done\n"
+                                  "cp out/run.json out/scenario.toml .\n"
+                                  "scree run scene.toml --out out --overwrite; echo second $?\n"
+                                  "cmp out/run.json run.json && cmp out/scenario.toml scenario.toml\n"
+                                  "kill -INT $run; wait $run");
+  CHECK(outcome.status == 130);
+  CHECK(outcome.out.starts_with("second 2\n"));
+  CHECK(outcome.err == "scree: out: another run is running there; wait for it or give another --out\n");
+  CHECK(w.record()["status"] == "interrupted");
+}
+
+TEST_CASE("a scene that is refused leaves no directory, nor the folder of runs", "[tools]") {
+  const Workspace w;
+  CHECK(w.scree("run scene.toml --set time.step=1").status == 2);
+  CHECK_FALSE(w.has("runs"));
+}
+
 TEST_CASE("a run without pictures loads no VTK, one with a chart does", "[tools]") {
   const Workspace w;
   const auto loads_vtk = [&](const std::string& options) {

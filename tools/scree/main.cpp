@@ -12,6 +12,7 @@
 
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
+#include <scree/scenario/plan.hpp>
 
 namespace scree::tool {
 
@@ -51,6 +52,20 @@ void check_plugin_directory(const char* source, const std::filesystem::path& dir
 }
 
 }  // namespace
+
+void add_checkpoint_option(Verb& verb, std::string& text) {
+  verb.option("--checkpoint-every", text,
+              "Wall time between checkpoints, such as 30s, 10min, 2h or never; default that of the scenario")
+      .shown_as("TIME");
+}
+
+std::optional<double> wall_time_option(const char* option, const std::string& text) {
+  try {
+    return scenario::parse_wall_time(text);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", option, error.what()));
+  }
+}
 
 PluginHost make_host(const PluginOptions& options) {
   std::vector<std::filesystem::path> directories(options.directories.begin(), options.directories.end());
@@ -111,6 +126,7 @@ ExitStatus main_of(int argc, char** argv) {
     CommandLine line("scree: a discrete-element laboratory for granular matter", "scree " SCREE_VERSION,
                      footer);
     add_run_verb(line);
+    add_resume_verb(line);
     add_check_verb(line);
     add_describe_verb(line);
     add_render_verb(line);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +35,14 @@ void add_plugin_options(Verb& verb, PluginOptions& options);
 // Directories of --plugins, then of SCREE_PLUGIN_PATH, then of the build or install tree.
 PluginHost make_host(const PluginOptions& options);
 
+// Adds --checkpoint-every TIME.
+void add_checkpoint_option(Verb& verb, std::string& text);
+// The wall time (s) that an option gives; nothing for "never". Throws Error "<option>: ...".
+std::optional<double> wall_time_option(const char* option, const std::string& text);
+
 // Each adds its verb.
 void add_run_verb(CommandLine& line);
+void add_resume_verb(CommandLine& line);
 void add_check_verb(CommandLine& line);
 void add_describe_verb(CommandLine& line);
 void add_render_verb(CommandLine& line);

@@ -81,7 +81,7 @@ void draw(const snapshot::ChartSpec& chart, const std::filesystem::path& file) {
 
 }  // namespace
 
-void write_report(const Study& study, const std::string& title, const run::RunDirectory& files) {
+void write_report(const Study& study, const std::string& title, run::RunDirectory& files) {
   files.create();
   files.write_file("accuracy.csv", csv_report(study));
   files.write_file("accuracy.json", json_report(study));

@@ -1,15 +1,12 @@
 #include "record_json.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include <scree/campaign/campaign_directory.hpp>
 #include <scree/document/message.hpp>
+#include <scree/files/directory_lock.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
 
@@ -36,32 +33,15 @@ void check_owner(const fs::path& path, const Campaign& campaign) {
                             files::one_line(owner)));
 }
 
-Error in_use(const fs::path& path) {
-  return Error(
-      fmt::format("{}: another campaign is running there; wait for it or give another --out", path.string()));
-}
-
 }  // namespace
 
 CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bool alone)
-    : files_(std::move(path), true, run::RunDirectory::Kind::campaign) {
+    : files_(std::move(path), run::RunDirectory::Existing::keep, run::RunDirectory::Kind::campaign) {
+  if (alone)
+    files_.take();
+  else
+    in_use_ = files::DirectoryLock::is_held(files_.path());
   check_owner(files_.path(), campaign);
-  in_use_ = !lock();
-  if (alone && in_use_) throw in_use(files_.path());
-}
-
-CampaignDirectory::~CampaignDirectory() {
-  if (lock_ >= 0) close(lock_);
-}
-
-bool CampaignDirectory::lock() {
-  lock_ = open(files_.path().c_str(), O_RDONLY | O_DIRECTORY);
-  return lock_ < 0 || flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-}
-
-void CampaignDirectory::create() {
-  files_.create();
-  if (lock_ < 0 && !lock()) throw in_use(files_.path());
 }
 
 std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign) const {

@@ -38,13 +38,12 @@ class Executor {
       if (options_.on_check) options_.on_check(checked++, to_do_);
       check_point(campaign_, campaign_.points[k], host);
       // The same check as by the run itself: the directory may contain other files.
-      run::RunDirectory(directory_.run(campaign_.points[k]), true);
+      run::RunDirectory(directory_.run(campaign_.points[k]), run::RunDirectory::Existing::replace);
     }
   }
 
   Execution run() {
     if (stopped()) return end();  // before anything is written
-    directory_.create();
     write_report(campaign_, result_.outcomes, directory_);
     while (!(stopped() || waiting_.empty()) || pool_.size() > 0) {
       fill();

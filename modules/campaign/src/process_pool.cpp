@@ -6,33 +6,19 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include <scree/campaign/process_pool.hpp>
 #include <scree/error.hpp>
+#include <scree/files/descriptor.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::campaign {
 
 namespace {
 
-// Closes a file descriptor at the end of its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-  int release() { return std::exchange(number_, -1); }
-
- private:
-  int number_;
-};
+using files::Descriptor;
 
 Error no_process(int code) {
   return Error(fmt::format("no process can be started ({}); use fewer --jobs", std::strerror(code)),
@@ -102,8 +88,8 @@ ProcessPool::~ProcessPool() {
 
 void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
                         const std::filesystem::path& log) {
-  const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (output.get() < 0) throw run::unwritable(log);
+  const Descriptor output = files::create_file(log.c_str());
+  if (!output.is_open()) throw run::unwritable(log);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw no_process(errno);
   Descriptor alive(ends[0]);

@@ -1,6 +1,5 @@
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/descriptor.hpp>
 #include <scree/files/text_file.hpp>
 
 namespace scree::files {
@@ -41,17 +41,14 @@ std::string read_blocks(std::FILE* file, std::size_t expected, std::size_t large
 }
 
 void write_whole(const fs::path& path, const fs::path& temporary, std::string_view text) {
-  std::error_code failed;
-  fs::remove(temporary, failed);  // otherwise a link of that name would be followed
-  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  const Descriptor file = create_file(temporary.c_str());
   const std::string unopened =
       line(path, "cannot be opened for writing", "check that its folder exists and is writable");
-  if (!stream) throw Error(unopened, ExitStatus::failure);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream)
+  if (!file.is_open()) throw Error(unopened, ExitStatus::failure);
+  if (write_all(file, text) != 0)
     throw Error(line(path, "could not be written in full", "check the space on the disk"),
                 ExitStatus::failure);
+  std::error_code failed;
   fs::rename(temporary, path, failed);
   if (failed) throw Error(unopened, ExitStatus::failure);
 }

@@ -54,7 +54,11 @@ std::string scenario_of(const State& state) {
 
 RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
   check_overrides(changes.overrides);
-  RunDirectory directory(options.out, true);
+  std::error_code failed;
+  if (!std::filesystem::exists(options.out / "run.json", failed))
+    throw Error(fmt::format("{}: contains no run; give the directory of one", options.out.string()));
+  RunDirectory directory(options.out, RunDirectory::Existing::keep);
+  directory.take();
   const Checkpoints::Latest latest = Checkpoints(directory).latest(options.on_warning);
   const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)";
   std::vector<std::string> overrides = changes.overrides;

@@ -34,6 +34,14 @@ void try_each(const Work&... work) {
   (attempt(work), ...);
 }
 
+RunDirectory directory_of(const scenario::Plan& plan, const RunOptions& options) {
+  if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source));
+  using Existing = RunDirectory::Existing;
+  RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse);
+  directory.take();
+  return directory;
+}
+
 // The simulation of a run that goes on, with the parameters of its present stage.
 std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state, unsigned threads) {
   const std::size_t stage = stage_of(StateTransfer::restoring_from(state).below("run/stages"));
@@ -264,7 +272,7 @@ RunResult run_from(const State* state, const scenario::Plan& plan, const RunOpti
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
-  RunDirectory directory(options.out, options.overwrite);
+  RunDirectory directory = directory_of(plan, options);
   return run_from(nullptr, plan, options, directory);
 }
 

@@ -35,7 +35,7 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
-// True if there is nothing but the log and incomplete files of a killed write_file.
+// True if there is nothing but the log, the lock and incomplete files of a killed write_file.
 bool is_unused(const fs::path& path, const Layout& layout) {
   std::error_code failed;
   const auto is_partial = [&](const std::string& name) {
@@ -43,12 +43,13 @@ bool is_unused(const fs::path& path, const Layout& layout) {
                        [&](const char* part) { return name == std::string(part) + files::part_suffix; });
   };
   for (const auto& entry : fs::directory_iterator(path, failed))
-    if (entry.path().filename() != RunDirectory::log_name && !is_partial(entry.path().filename().string()))
+    if (const std::string name = entry.path().filename().string();
+        name != RunDirectory::log_name && name != files::DirectoryLock::file_name && !is_partial(name))
       return false;
   return !failed;
 }
 
-void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
+void check_present(const fs::path& path, const Layout& layout, RunDirectory::Existing existing) {
   std::error_code failed;
   const auto refuse = [&](const std::string& problem, const char* cure) {
     return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
@@ -62,40 +63,66 @@ void check_present(const fs::path& path, const Layout& layout, bool overwrite) {
     throw refuse(fmt::format("contains files that are not part of a scree {}", layout.name),
                  "give another --out");
   const char* article = layout.name[0] == 'a' ? "an" : "a";
-  if (!overwrite)
+  if (existing == RunDirectory::Existing::refuse)
     throw refuse(fmt::format("already contains {} {}", article, layout.name),
                  "give another --out, or --overwrite to replace it");
 }
 
+Error in_use(const fs::path& path, const Layout& layout) {
+  const char* another = layout.name[0] == 'a' ? "an" : "another";
+  return Error(fmt::format("{}: {} {} is running there; wait for it or give another --out", path.string(),
+                           another, layout.name));
+}
+
 }  // namespace
 
-RunDirectory::RunDirectory(fs::path path, bool overwrite, Kind kind)
-    : path_(std::move(path)), existing_(existing_part(path_)), kind_(kind) {
+RunDirectory::RunDirectory(fs::path path, Existing existing, Kind kind)
+    : path_(std::move(path)), existing_(existing), kind_(kind) {
+  check();
+}
+
+RunDirectory::RunDirectory(fs::path path, Kind kind, files::DirectoryLock lock)
+    : path_(std::move(path)), existing_(Existing::refuse), kind_(kind), lock_(std::move(lock)) {
+  check();
+}
+
+RunDirectory RunDirectory::numbered(const fs::path& path, Kind kind) {
+  for (int k = 1;; ++k) {
+    const fs::path one = k == 1 ? path : fs::path(fmt::format("{}-{}", path.string(), k));
+    if (auto lock = files::DirectoryLock::take_new(one)) return {one, kind, std::move(*lock)};
+  }
+}
+
+void RunDirectory::check() const {
   std::error_code failed;
-  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, layout_of(kind_), overwrite);
-  if (!fs::is_directory(existing_, failed) || access(existing_.c_str(), W_OK | X_OK) != 0)
+  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, layout_of(kind_), existing_);
+  const fs::path existing = existing_part(path_);
+  if (!fs::is_directory(existing, failed) || access(existing.c_str(), W_OK | X_OK) != 0)
     throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out",
-                            path_.string(), existing_.string()));
+                            path_.string(), existing.string()));
 }
 
-void RunDirectory::create() const {
+void RunDirectory::take() {
+  if (lock_) return;
+  using Children = files::DirectoryLock::Children;
+  auto lock = files::DirectoryLock::take(path_, kind_ == Kind::campaign ? Children::inherit : Children::none);
+  if (!lock) throw in_use(path_, layout_of(kind_));
+  lock_.emplace(std::move(*lock));
+  check();  // another process may have written there before it was locked
+}
+
+void RunDirectory::create() {
+  take();
   std::error_code failed;
-  if (kind_ != Kind::campaign)
-    for (const std::string part : layout_of(kind_).parts)
-      fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + files::part_suffix), failed);
-  fs::create_directories(path_, failed);
-  if (failed)
-    throw Error(
-        fmt::format("{}: cannot be created ({}); give another --out", path_.string(), failed.message()));
+  if (existing_ == Existing::keep) return;
+  for (const std::string part : layout_of(kind_).parts)
+    fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + files::part_suffix), failed);
 }
 
-void RunDirectory::discard() const {
+void RunDirectory::discard() {
   std::error_code failed;
   for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
-  // Removes only empty directories: another run may have created files there.
-  for (fs::path p = fs::absolute(path_, failed).lexically_normal(); p != existing_ && p != p.parent_path();
-       p = p.parent_path())
-    fs::remove(p, failed);
+  lock_.reset();
 }
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
@@ -118,11 +145,8 @@ fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
   const bool named = scenario.stem() != "." && scenario.stem() != "..";
   const fs::path name = named ? scenario.stem() : fs::path("scenario");
   if (kind == Kind::campaign) return "campaigns" / name;
-  fs::path base = "runs" / name;
-  if (kind == Kind::study) base += "-accuracy";
-  fs::path path = base;
-  std::error_code failed;
-  for (int k = 2; fs::exists(path, failed); ++k) path = fs::path(fmt::format("{}-{}", base.string(), k));
+  fs::path path = "runs" / name;
+  if (kind == Kind::study) path += "-accuracy";
   return path;
 }
 

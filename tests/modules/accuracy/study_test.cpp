@@ -120,8 +120,9 @@ TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as 
   StudyOptions options = quick();
   options.integrations = {Integration::velocity_verlet};
   const Study result = study(closed_form_plan(), options);
-  write_report(result, "Oscillator",
-               run::RunDirectory(folder.path() / "out", false, run::RunDirectory::Kind::study));
+  using run::RunDirectory;
+  RunDirectory directory(folder.path() / "out", RunDirectory::Existing::refuse, RunDirectory::Kind::study);
+  write_report(result, "Oscillator", directory);
   std::ifstream csv(folder.path() / "out/accuracy.csv");
   std::string header, row;
   std::getline(csv, header);

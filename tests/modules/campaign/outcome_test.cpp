@@ -126,14 +126,22 @@ TEST_CASE("a run older than its file of bodies counts as changed", "[campaign]")
   CHECK(outcome_of(c, 0, out).state == State::changed);
 }
 
+TEST_CASE("a campaign that writes nothing leaves no directory", "[campaign]") {
+  const CampaignFolder folder("");
+  const auto path = folder.folder() / "out";
+  {
+    const CampaignDirectory directory(path, folder.read(), true);
+    CHECK(std::filesystem::exists(path));
+  }
+  CHECK_FALSE(std::filesystem::exists(path));
+}
+
 TEST_CASE("a directory is used by one campaign at a time, and only by its own", "[campaign]") {
   const CampaignFolder folder("");
   const Campaign c = folder.read();
   const auto path = folder.folder() / "out";
   {
     CampaignDirectory first(path, c, true);
-    CHECK_FALSE(std::filesystem::exists(path));
-    first.create();
     CHECK_THROWS_WITH(CampaignDirectory(path, c, true), Catch::Contains("another campaign is running there"));
     CHECK_NOTHROW(CampaignDirectory(path, c, false));
     first.files().write_file("campaign.json", "{ \"file\": \"other.toml\" }");
@@ -158,7 +166,6 @@ TEST_CASE("runs with values that a campaign no longer has are reported", "[campa
   const Campaign c = folder.read();
   CampaignDirectory directory(folder.folder() / "campaign", c, true);
   CHECK(directory.leftovers(c).empty());
-  directory.create();
   make_run(c, 0, directory.run(c.points[0]));
   make_run(c, 1, directory.run(c.points[1]));
   std::filesystem::create_directory(directory.files().path() / "no run");

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/run.hpp>
-#include <scree/run/run_directory.hpp>
 
 using namespace scree;
 using namespace scree::scenario;
@@ -35,12 +34,6 @@ TEST_CASE("the scenario of a run that started from a packing can be run again fr
   const Plan same = read_plan(options.out / "scenario.toml", {}, host());
   options.out = folder / "again";
   CHECK(run_plan(same, options).state_hash == first.state_hash);
-}
-
-TEST_CASE("the folder of a run has a name even if its scenario has none", "[run]") {
-  CHECK(RunDirectory::default_for("..toml") == fs::path("runs/scenario"));
-  CHECK(RunDirectory::default_for("...toml", RunDirectory::Kind::campaign) == fs::path("campaigns/scenario"));
-  CHECK(RunDirectory::default_for("a/b.toml", RunDirectory::Kind::campaign) == fs::path("campaigns/b"));
 }
 
 TEST_CASE("a run whose bodies have left the range of numbers fails instead of ending without a packing",

@@ -2,11 +2,9 @@
 
 #include <atomic>
 #include <sstream>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
-#include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
 
 using namespace scree;
@@ -189,47 +187,4 @@ TEST_CASE("errors of the scene as a whole have a position in the file too", "[ru
                                 {"probe={plugin='box',every=1e-5}"});
   CHECK(reason(no_walls).starts_with(
       "--set probe={plugin='box',every=1e-5}: probe box: the box probe needs walls"));
-}
-
-TEST_CASE("a run directory with foreign files or another run is not overwritten", "[run]") {
-  const TemporaryFolder folder;
-  const auto reason = [](const fs::path& path, bool overwrite) {
-    return message([&] { RunDirectory(path, overwrite); });
-  };
-  folder.write("file", "x");
-  CHECK(reason(folder / "file", true).ends_with("exists and is not a directory; give another --out"));
-  CHECK(reason(folder / "file/below", true).find("file is not a writable directory); give another --out") !=
-        std::string::npos);
-  CHECK(reason(folder.path(), true)
-            .ends_with("contains files that are not part of a scree run; give another --out"));
-  fs::create_directories(folder / "run");
-  CHECK(reason(folder / "run", false) == "no error");
-  fs::permissions(folder / "run", fs::perms::none);
-  const bool barred = access((folder / "run").c_str(), R_OK) != 0;  // nothing is, for root
-  CHECK((!barred ||
-         reason(folder / "run", true)
-             .ends_with("cannot be read (Permission denied); check its permissions, or give another --out")));
-  fs::permissions(folder / "run", fs::perms::owner_all);
-  // Files left by a run that is killed at its start.
-  std::ofstream(folder / "run/run.json.part") << "{";
-  CHECK(reason(folder / "run", false) == "no error");
-  RunDirectory(folder / "run", false).create();
-  CHECK(fs::is_empty(folder / "run"));
-  std::ofstream(folder / "run/run.json") << "{}";
-  CHECK(reason(folder / "run", false).ends_with("or --overwrite to replace it"));
-  CHECK(reason(folder / "run", true) == "no error");
-}
-
-TEST_CASE("discarding a directory keeps what existed before", "[run]") {
-  const TemporaryFolder folder;
-  fs::create_directories(folder / "there");
-  const RunDirectory below(folder / "there/a/b", false), there(folder / "there", false);
-  below.create();
-  below.write_file("run.json", "{}");
-  CHECK(fs::exists(folder / "there/a/b/run.json"));
-  below.discard();
-  CHECK(fs::is_empty(folder / "there"));
-  there.create();
-  there.discard();
-  CHECK(fs::exists(folder / "there"));
 }

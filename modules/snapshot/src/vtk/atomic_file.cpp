@@ -3,13 +3,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <string>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/descriptor.hpp>
+#include <scree/files/text_file.hpp>
 
 namespace scree::snapshot {
 namespace {
@@ -29,27 +30,15 @@ void create_directories_of(const std::filesystem::path& file) {
   if (error) fail(file, error.value());
 }
 
-// Returns 0, or the error number of the first failed call.
-int write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    bytes.remove_prefix(std::size_t(written));
-  }
-  return 0;
-}
-
 }  // namespace
 
 void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
   create_directories_of(file);
-  const std::string temporary =
-      (file.parent_path() / fmt::format(".{}.{}.part", file.filename().string(), ::getpid())).string();
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) fail(file, errno);
-  int error_number = write_all(descriptor, bytes);
-  if (::close(descriptor) != 0 && error_number == 0) error_number = errno;
+  const std::string temporary = file.string() + files::part_suffix;
+  files::Descriptor open_file = files::create_file(temporary.c_str());
+  if (!open_file.is_open()) fail(file, errno);
+  int error_number = files::write_all(open_file, bytes);
+  if (::close(open_file.release()) != 0 && error_number == 0) error_number = errno;
   if (error_number == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) error_number = errno;
   if (error_number == 0) return;
   ::unlink(temporary.c_str());

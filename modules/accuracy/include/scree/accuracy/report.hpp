@@ -18,6 +18,6 @@ std::string csv_report(const Study& study);
 // Writes accuracy.csv, accuracy.json and charts/<quantity>.png (error against wall time with the Pareto
 // front), of the worst error and of up to six quantities, to the directory of a study; no charts if the
 // program was built without pictures. Throws Error (failure) if a file cannot be written.
-void write_report(const Study& study, const std::string& title, const run::RunDirectory& directory);
+void write_report(const Study& study, const std::string& title, run::RunDirectory& directory);
 
 }  // namespace scree::accuracy

@@ -13,15 +13,10 @@ namespace scree::campaign {
 // by one campaign at a time, and by the runs it started until the last of them has ended.
 class CampaignDirectory {
  public:
-  // Changes nothing. Throws Error if the directory contains other files or another campaign, cannot be
-  // created, or, with `alone`, is in use.
+  // Alone: takes the directory, created if it does not exist, and removed at the end if it is empty then; else
+  // changes nothing. Throws Error if it contains other files or another campaign, cannot be created, or, alone, is
+  // in use.
   CampaignDirectory(std::filesystem::path path, const Campaign& campaign, bool alone);
-  ~CampaignDirectory();
-  CampaignDirectory(const CampaignDirectory&) = delete;
-  CampaignDirectory& operator=(const CampaignDirectory&) = delete;
-
-  // Creates it if it does not exist. Throws Error if another campaign has locked it meanwhile.
-  void create();
 
   const run::RunDirectory& files() const { return files_; }
   std::filesystem::path run(const Point& point) const { return files_.path() / point.name; }
@@ -35,12 +30,8 @@ class CampaignDirectory {
   std::vector<std::string> leftovers(const Campaign& campaign) const;
 
  private:
-  // Locks the directory; false if it is in use. Also true without directory or file locks.
-  bool lock();
-
   run::RunDirectory files_;
-  int lock_ = -1;  // descriptor of the directory, inherited by the runs
-  bool in_use_ = false;
+  bool in_use_ = false;  // by another campaign
 };
 
 }  // namespace scree::campaign

@@ -24,7 +24,7 @@ struct Progress {
 };
 
 struct RunOptions {
-  std::filesystem::path out;
+  std::filesystem::path out;  // empty: runs/<stem of the scenario>, numbered if it exists
   bool overwrite = false;
   unsigned threads = 1;
   std::function<void(const Simulation&)> on_start;     // called once, when the directory is ready

@@ -1,28 +1,37 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <scree/error.hpp>
+#include <scree/files/directory_lock.hpp>
 
 namespace scree::run {
 
-// The directory of one run, study or campaign. That of a run has series/, snapshots/, images/, charts/,
-// scenario.toml, run.json, final_packing.csv.
+// The directory of one run, study or campaign, used by one process at a time. That of a run has series/, snapshots/,
+// images/, charts/, scenario.toml, run.json, final_packing.csv.
 class RunDirectory {
  public:
   enum class Kind { run, study, campaign };
+  // What becomes of a run, study or campaign that is in the directory already.
+  enum class Existing { refuse, replace, keep };
   // File for the terminal output of a run, written by its caller; not counted as foreign, and not removed.
   static constexpr const char* log_name = "log.txt";
 
-  // Checks, without changing anything, that the directory can be used. Throws Error if it contains a run
-  // (unless `overwrite`) or foreign files, or cannot be created.
-  RunDirectory(std::filesystem::path path, bool overwrite, Kind kind = Kind::run);
+  // Checks, without changing anything, that the directory can be used. Throws Error if it contains a run that is
+  // to be refused, or foreign files, or cannot be created.
+  RunDirectory(std::filesystem::path path, Existing existing, Kind kind = Kind::run);
+  // Takes the first of path, path-2, path-3, ... that does not exist.
+  static RunDirectory numbered(const std::filesystem::path& path, Kind kind = Kind::run);
 
-  // Creates it empty; an earlier run is removed only now. A campaign keeps the runs in its directory.
-  void create() const;
-  // Removes it, and the parent directories that create() made.
-  void discard() const;
+  // Creates it if it is not there, and locks it until this object or the process ends; if it is empty then, it is
+  // removed again. The runs of a campaign hold its lock too. Throws Error if another process uses it.
+  void take();
+  // Takes it, and removes an earlier run that is to be replaced.
+  void create();
+  // Removes what was written since create(), and the directories that were made for it.
+  void discard();
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path series() const { return path_ / "series"; }
@@ -33,12 +42,17 @@ class RunDirectory {
   // Writes a file under a temporary name, then renames it, so that readers never see an incomplete file.
   void write_file(const std::string& name, const std::string& text) const;
 
-  // runs/<stem of the scenario>, with -2, -3, ... appended if it exists; campaigns/<stem>.
+  // runs/<stem of the scenario>, runs/<stem>-accuracy, campaigns/<stem>.
   static std::filesystem::path default_for(const std::filesystem::path& scenario, Kind kind = Kind::run);
 
  private:
-  std::filesystem::path path_, existing_;  // existing_: the part of the path that existed before
+  RunDirectory(std::filesystem::path path, Kind kind, files::DirectoryLock lock);
+  void check() const;
+
+  std::filesystem::path path_;
+  Existing existing_;
   Kind kind_;
+  std::optional<files::DirectoryLock> lock_;
 };
 
 // Error for a file of a run that cannot be written; code: as errno, 0 if unknown.

@@ -1,0 +1,60 @@
+#include "run_report.hpp"
+#include "verbs.hpp"
+
+#include <memory>
+
+#include <scree/run/run.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+struct ResumeArguments {
+  std::string directory, checkpoint_every;
+  std::vector<std::string> overrides;
+  double until = 0;  // (s); 0: as before
+  unsigned threads = 1;
+  bool quiet = false;
+  PluginOptions plugins;
+};
+
+ExitStatus resume(const ResumeArguments& arguments) {
+  PluginHost host = make_host(arguments.plugins);
+  run::ResumeChanges changes;
+  changes.overrides = arguments.overrides;
+  if (arguments.until > 0) changes.until = arguments.until;
+  if (!arguments.checkpoint_every.empty())
+    changes.checkpoint_every = wall_time_option("--checkpoint-every", arguments.checkpoint_every);
+  const run::RunResult result = with_progress(arguments.quiet, [&](run::RunOptions options) {
+    options.out = arguments.directory;
+    options.threads = arguments.threads;
+    return run::resume_run(options, changes, host);
+  });
+  return report_run(result, arguments.quiet);
+}
+
+}  // namespace
+
+void add_resume_verb(CommandLine& line) {
+  Verb verb = line.verb("resume", "Go on with a run from its latest state, to the same bits");
+  auto arguments = std::make_shared<ResumeArguments>();
+  verb.option("directory", arguments->directory, "Directory of the run").required();
+  verb.option("--until", arguments->until,
+              "Time (s) at which the last stage is to end; prolongs a finished run")
+      .above_zero()
+      .shown_as("SECONDS");
+  verb.option("--set", arguments->overrides,
+              "Change how long a stage lasts, for example --set stage.cycle.duration=5")
+      .shown_as("KEY=VALUE");
+  verb.option("--threads", arguments->threads,
+              "Number of threads; results are bitwise identical for any number (default 1)")
+      .between(1, 1024);
+  add_checkpoint_option(verb, arguments->checkpoint_every);
+  verb.flag("--quiet", arguments->quiet,
+            "Print only warnings, unmet expectations and the location of the results");
+  add_plugin_options(verb, arguments->plugins);
+  verb.footer("Example: scree resume runs/first --until 0.5");
+  verb.action([arguments] { return resume(*arguments); });
+}
+
+}  // namespace scree::tool

@@ -1,0 +1,120 @@
+#include "run_report.hpp"
+
+#include "progress_bar.hpp"
+#include "verbs.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <scree/files/text.hpp>
+#include <scree/run/set_up.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+void print_carried(const Simulation& simulation) {
+  const Footprint f = simulation.footprint();
+  fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes per body, {} bytes per pair\n",
+             simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
+             f.bytes_per_pair);
+  fmt::print("{}\n", run::describe_step(simulation));
+}
+
+double quantity_of(const run::RunResult& r, const char* name) {
+  for (const auto& [key, value] : r.quantities)
+    if (key == name) return value;
+  return 0;
+}
+
+void print_result(const run::RunResult& r) {
+  const auto quantity = [&](const char* name) { return quantity_of(r, name); };
+  fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps per second; {:.3g} s for output\n",
+             quantity("steps"), r.wall - r.output, 1e-6 * r.particle_steps_per_second, r.output);
+  fmt::print(
+      "energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the "
+      "radius\n",
+      quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
+  fmt::print("state hash {:016x}\n", r.state_hash);
+  for (const run::Verdict& v : r.verdicts)
+    if (v.met)
+      fmt::print("met      {} ({} = {:.6g})\n", files::escaped(v.expectation.requirement),
+                 v.expectation.quantity, v.value);
+}
+
+// What is not met is told even to those who asked for quiet.
+void print_unmet(const run::RunResult& r) {
+  for (const run::Verdict& v : r.verdicts) {
+    if (v.met) continue;
+    const scenario::Expectation& e = v.expectation;
+    std::string wanted;
+    if (e.reference)
+      wanted += fmt::format(", expected {} ± {:g}, off by {:.3g}", *e.reference, *e.tolerance,
+                            v.value - *e.reference);
+    if (e.at_most) wanted += fmt::format(", expected at most {}", *e.at_most);
+    if (e.at_least) wanted += fmt::format(", expected at least {}", *e.at_least);
+    fmt::print("NOT MET  {} ({} = {}{})\n", files::escaped(e.requirement), e.quantity, v.value, wanted);
+  }
+}
+
+// What a folder of results holds: "12 files"; empty if it is not there.
+std::string content_of(const std::filesystem::path& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_directory(path, failed)) return "";
+  const auto files = std::distance(std::filesystem::directory_iterator(path, failed), {});
+  return fmt::format(", {} file{}", files, files == 1 ? "" : "s");
+}
+
+void print_places(const std::filesystem::path& directory) {
+  fmt::print("results in {}\n", directory.string());
+  for (const auto& [name, what] :
+       {std::pair{"series", "time series (CSV)"},
+        {"snapshots", "ParaView files (.vtp, .pvd)"},
+        {"images", "pictures (PNG)"},
+        {"charts", "charts (PNG)"},
+        {"final_packing.csv", "bodies at the end, for the key file of [particles]"},
+        {"final_state.h5", "the whole state at the end"},
+        {"checkpoint", "states for scree resume"},
+        {"scenario.toml", "the scenario with its overrides"},
+        {"run.json", "summary of the run"}})
+    if (const std::filesystem::path path = directory / name; std::filesystem::exists(path))
+      fmt::print("  {:<28} {}{}\n", path.string(), what, content_of(path));
+}
+
+run::RunOptions reporting_options(ProgressBar& bar, bool quiet) {
+  run::RunOptions options;
+  options.stop = &watch_for_interrupt();
+  if (!quiet) options.on_start = print_carried;
+  options.on_progress = [&bar](const run::Progress& p) { bar.show(p); };
+  options.on_warning = [&bar](const std::string& line) {
+    bar.clear();
+    report_warning(line);
+  };
+  return options;
+}
+
+}  // namespace
+
+run::RunResult with_progress(bool quiet, const std::function<run::RunResult(run::RunOptions)>& work) {
+  ProgressBar bar(quiet);
+  // Cleared also where an error leaves, so that its line stands alone.
+  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
+  return work(reporting_options(bar, quiet));
+}
+
+ExitStatus report_run(const run::RunResult& result, bool quiet) {
+  if (!quiet) print_result(result);
+  print_unmet(result);
+  if (result.interrupted)
+    fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
+               result.directory.string());
+  print_places(result.directory);
+  if (result.interrupted) return ExitStatus::interrupted;
+  const bool met =
+      std::all_of(result.verdicts.begin(), result.verdicts.end(), [](const auto& v) { return v.met; });
+  return met ? ExitStatus::success : ExitStatus::failure;
+}
+
+}  // namespace scree::tool
