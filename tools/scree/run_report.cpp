@@ -7,6 +7,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/files/text.hpp>
 #include <scree/run/set_up.hpp>
@@ -21,6 +22,8 @@ void print_carried(const Simulation& simulation) {
              simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
              f.bytes_per_pair);
   fmt::print("{}\n", run::describe_step(simulation));
+  if (!simulation.taken_over().empty())
+    fmt::print("taken over from the state: {}\n", fmt::join(simulation.taken_over(), ", "));
 }
 
 double quantity_of(const run::RunResult& r, const char* name) {

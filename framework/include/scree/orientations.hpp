@@ -28,7 +28,8 @@ class Orientations {
   // Round-off does not accumulate: sums are compensated, and quaternions keep their norm.
   void rotate(const Vectors<const double>& spin, double time, std::size_t begin, std::size_t end);
 
-  void transfer(const class StateTransfer& state);
+  // Of the first bodies.
+  void transfer(const class StateTransfer& state, std::size_t bodies);
 
  private:
   int components_ = 0;

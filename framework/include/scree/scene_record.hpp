@@ -18,11 +18,13 @@ void save_bodies_at_start(const StateTransfer& state, const Scene& scene);
 
 // Throws Error if a state belongs to another scene: it names what differs.
 void check_scene(const State& state, const Scene& scene);
+bool is_scene_of(const State& state, const Scene& scene);
 
 // The bodies at t = 0. Throws Error if an array is missing or has another size.
 std::vector<Body> bodies_at_start(const State& state);
 
-// "key = value" of every parameter, with defaults.
+// "key = value" of every parameter, with defaults; and the parameters that such lines give.
 std::vector<std::string> parameter_lines(const Parameters& parameters);
+Parameters parameters_of(const scree_plugin& plugin, const std::vector<std::string>& lines);
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/branching.hpp>
 #include <scree/contact_list.hpp>
 #include <scree/domain.hpp>
 #include <scree/particles.hpp>
@@ -35,6 +36,10 @@ class Simulation {
   // bodies of the start (see scene_record.hpp) and the parameters of the present stage. Throws Error if the
   // state is that of another scene.
   Simulation(const Scene& scene, const State& state);
+  // Begins at t = 0 from a state of another simulation, whose bodies come first in the scene, as they were in
+  // the state (see branching.hpp). Without other changes the motion goes on to the same bits. Throws Error if
+  // something in the state has no place in the scene.
+  Simulation(const Scene& scene, const State& state, const Branching& branching);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -72,6 +77,8 @@ class Simulation {
   Vec3 lengths() const;
   const Vec3& lengths_at_start() const;
   ContactList contact_list() const;
+  // What was taken over from a state, "walls of 'box'"; empty for a new packing.
+  const std::vector<std::string>& taken_over() const;
 
   scree_energy energy() const;
   // |residual| / turnover of the energy balance; 0 without an audit, NaN if an energy was not finite.
@@ -103,6 +110,7 @@ class Simulation {
   // Takes one step; `observed`: the bodies must be complete at its end.
   void advance(bool observed);
   void check_health(bool sound) const;
+  void start_audits();
 
   std::unique_ptr<SimulationParts> parts_;
 };

@@ -84,9 +84,9 @@ void Orientations::rotate(const Vectors<const double>& spin, double time, std::s
   }
 }
 
-void Orientations::transfer(const StateTransfer& state) {
-  const Vectors<double> sums(values_.data(), stride(), size_, 0, components_);
-  const Vectors<double> rounded_off(values_.data() + components_, stride(), size_, 0, components_);
+void Orientations::transfer(const StateTransfer& state, std::size_t bodies) {
+  const Vectors<double> sums(values_.data(), stride(), bodies, 0, components_);
+  const Vectors<double> rounded_off(values_.data() + components_, stride(), bodies, 0, components_);
   const char* const unit = components_ == orientation_components<2> ? "rad" : "1";
   state.vectors("orientation", unit, sums, 0, components_);
   state.vectors("orientation_rounded_off", unit, rounded_off, 0, components_);

@@ -50,7 +50,7 @@ void Particles::transfer(const StateTransfer& state, bool mid_step) {
     if (mid_step) state.vectors("mid_spin", "rad/s", mid_spin(), first_spin, last_spin);
   }
   if (!image[0].empty()) transfer_images(state);
-  if (orientations) orientations.transfer(state);
+  if (orientations) orientations.transfer(state, size());
 }
 
 void Particles::transfer_images(const StateTransfer& state) {

@@ -9,6 +9,8 @@ namespace scree {
 
 namespace {
 
+std::uint64_t key(std::uint32_t first, std::uint32_t second) { return std::uint64_t(first) << 32 | second; }
+
 constexpr std::size_t pad(std::size_t n) { return (n + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
 
 }  // namespace
@@ -66,10 +68,20 @@ void Contacts::append_padding(PairGroup& group) {
   group.history.reset(group.history_width, group.padded_size());
 }
 
+Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second) {
+  for (PairGroup& group : groups_) {
+    if (group.planes != plane) continue;
+    std::size_t low = group.begin, high = group.end;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      key(a[middle], b[middle]) < key(first, second) ? low = middle + 1 : high = middle;
+    }
+    if (low < group.end && key(a[low], b[low]) == key(first, second)) return {&group, low - group.begin};
+  }
+  return {nullptr, 0};
+}
+
 void Contacts::carry_history() {
-  const auto key = [](std::uint32_t first, std::uint32_t second) {
-    return std::uint64_t(first) << 32 | second;
-  };
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& now = groups_[g];
     const Before& before = before_[g];

@@ -57,6 +57,13 @@ class Contacts {
   // Pairs and histories, with as many bodies and planes as the scene has.
   void transfer(const class StateTransfer& state, std::size_t bodies, std::size_t planes);
 
+  // The group of a pair and its row there; no group if it is not listed.
+  struct Place {
+    PairGroup* group;
+    std::size_t row;
+  };
+  Place find(bool plane, std::uint32_t first, std::uint32_t second);
+
   std::vector<PairGroup>& groups() { return groups_; }
   const std::vector<PairGroup>& groups() const { return groups_; }
   std::size_t padded_size() const { return a.size(); }

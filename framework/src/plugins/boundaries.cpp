@@ -1,7 +1,6 @@
 #include "plugins/boundaries.hpp"
 
 #include "plugins/boundary_checks.hpp"
-#include "plugins/plane_transfer.hpp"
 #include "plugins/plugin_call.hpp"
 
 #include <algorithm>
@@ -250,27 +249,6 @@ void Boundaries::add_to_hash(StateHash& hash) const {
 
 Boundaries boundaries_of(const Scene& scene) {
   return Boundaries(scene.boundaries, scene.dimension, bounds_of(scene.bodies, scene.dimension));
-}
-
-void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    Member& member = members_[k];
-    const StateTransfer of_member = state.below(std::to_string(k));
-    of_member.value("clock_start", "s", member.clock_start);
-    of_member.sized_rows("state", "1", member.state);
-    of_member.value("kinetic", "J", member.energy.kinetic);
-    of_member.value("work", "J", member.energy.work);
-    of_member.value("dissipated", "J", member.energy.dissipated);
-  }
-  transfer_planes(state.below("planes"), planes_);
-  double* const force = loads_.empty() ? nullptr : loads_[0].force;
-  state.vectors("load", "N", {force, 3, loads_.size(), 0, 3}, 0, 3);
-  state.numbers("domain_lower", "m", domain_.lower.component, 3);
-  state.numbers("domain_upper", "m", domain_.upper.component, 3);
-  show_domain();
-  if (!extrapolated) return;
-  planes_before_extrapolation_.resize(planes_.size());
-  transfer_planes(state.below("before_extrapolation"), planes_before_extrapolation_);
 }
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 #include <scree/domain.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/scene.hpp>
+#include <scree/state.hpp>
 
 namespace scree {
 
@@ -47,6 +48,12 @@ class Boundaries {
   // Largest mid-step speed of a plane along its normal (m/s); infinite if any is not finite.
   double largest_speed() const;
   void add_to_hash(class StateHash& hash) const;
+  // Takes over the walls of boundary `from` of a state for the boundary of a name, whose plug-in and
+  // parameters are those of the state.
+  void take_over(const State& state, std::size_t from, const std::string& name);
+  std::size_t first_plane(std::size_t boundary) const { return members_[boundary].first_plane; }
+  // Begins the balance and the programs anew, at t = 0.
+  void begin_anew();
   // extrapolated: the planes are ahead of the last force evaluation, as extrapolate() has left them.
   void transfer(const class StateTransfer& state, bool extrapolated);
 

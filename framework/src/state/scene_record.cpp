@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <charconv>
 #include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/branching.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 
@@ -94,6 +96,26 @@ std::vector<std::string> parameter_lines(const Parameters& parameters) {
   return lines;
 }
 
+Parameters parameters_of(const scree_plugin& plugin, const std::vector<std::string>& lines) {
+  Parameters parameters(plugin);
+  const std::vector<std::string> defaults = parameter_lines(parameters);
+  for (const std::string& line : lines) {
+    // A default that is set would count as given, beside an alternative that excludes it.
+    if (std::find(defaults.begin(), defaults.end(), line) != defaults.end()) continue;
+    const std::size_t equals = line.find(" = ");
+    std::vector<double> data;
+    const char* at = line.data() + std::min(line.size(), equals + 3);
+    for (const char* const end = line.data() + line.size(); at < end; at += 2) {
+      const auto [rest, failed] = std::from_chars(at, end, data.emplace_back());
+      if (failed != std::errc())
+        throw Error(fmt::format("'{}' in the state is not a parameter of {}", line, plugin.name));
+      at = rest;
+    }
+    parameters.set(line.substr(0, equals), std::move(data));
+  }
+  return parameters;
+}
+
 void save_scene(const StateTransfer& state, const Scene& scene) {
   std::uint32_t interface = SCREE_ABI_VERSION;
   std::int32_t dimension = scene.dimension;
@@ -115,9 +137,25 @@ void save_scene(const StateTransfer& state, const Scene& scene) {
   save_plugins(state, "body_force", scene.body_forces);
 }
 
+namespace {
+
+State record_of(const Scene& scene) {
+  State record;
+  save_scene(StateTransfer::saving_to(record).below("scene"), scene);
+  return record;
+}
+
+}  // namespace
+
+bool is_scene_of(const State& state, const Scene& scene) {
+  const State present = record_of(scene);
+  return std::all_of(present.arrays().begin(), present.arrays().end(), [&](const auto& entry) {
+    return state.has(entry.first) && state.at(entry.first) == entry.second;
+  });
+}
+
 void check_scene(const State& state, const Scene& scene) {
-  State present;
-  save_scene(StateTransfer::saving_to(present).below("scene"), scene);
+  const State present = record_of(scene);
   for (const auto& [path, array] : present.arrays())
     if (const StateArray& stored = state.at(path); stored != array)
       throw Error(
@@ -135,6 +173,41 @@ std::vector<Body> bodies_at_start(const State& state) {
   std::vector<Body> bodies(state.at("bodies/id").size());
   transfer_bodies_at_start(StateTransfer::restoring_from(state), bodies);
   return bodies;
+}
+
+std::vector<Body> present_bodies(const State& state) {
+  std::vector<Body> bodies = bodies_at_start(state);
+  const StateTransfer present = StateTransfer::restoring_from(state).below("bodies");
+  const bool spinning = state.has("bodies/spin");
+  const std::size_t axes = state.at("bodies/position").size() / std::max<std::size_t>(1, bodies.size());
+  const std::size_t spins = axes == 2 ? 1 : 3;
+  std::vector<double> position(axes * bodies.size()), velocity(position),
+      spin(spinning ? spins * bodies.size() : 0);
+  present.sized_rows("position", "m", position);
+  present.sized_rows("velocity", "m/s", velocity);
+  if (spinning) present.sized_rows("spin", "rad/s", spin);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].position = bodies[i].velocity = bodies[i].spin = {};
+    for (std::size_t k = 0; k < axes; ++k) {
+      bodies[i].position[int(k)] = position[axes * i + k];
+      bodies[i].velocity[int(k)] = velocity[axes * i + k];
+    }
+    for (std::size_t k = 0; k < spins && spinning; ++k)
+      bodies[i].spin[int(k + 3 - spins)] = spin[spins * i + k];
+  }
+  return bodies;
+}
+
+std::vector<std::string> materials_of(const State& state) {
+  std::vector<std::string> names;
+  StateTransfer::restoring_from(state).rows("scene/materials", "", names);
+  return names;
+}
+
+double time_of(const State& state) {
+  double time = 0;
+  StateTransfer::restoring_from(state).value("clock/time", "s", time);
+  return time;
 }
 
 }  // namespace scree

@@ -1,4 +1,5 @@
 #include "plugins/enclosure.hpp"
+#include "step/branch.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
 
@@ -67,9 +68,7 @@ Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationP
   SimulationParts& p = *parts_;
   p.search_neighbours();
   without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), true; });
-  p.audit.set_stored(p.contact_sums, p.body_sums);
-  const scree_energy now = energy();
-  p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());
+  start_audits();
   check_health(p.stepper.initial_state_is_sound());
 }
 
@@ -84,6 +83,22 @@ Simulation::Simulation(const Scene& scene, const State& state) {
 }
 
 Simulation::~Simulation() = default;
+
+Simulation::Simulation(const Scene& scene, const State& state, const Branching& branching) {
+  Branch branch(scene, state, branching);
+  parts_ = std::make_unique<SimulationParts>(branch.scene());
+  without_exception(*this, [&] { return branch.take_over(*this, *parts_), true; });
+  parts_->taken_over = branch.report();
+  start_audits();
+  check_health(parts_->stepper.initial_state_is_sound());
+}
+
+void Simulation::start_audits() {
+  SimulationParts& p = *parts_;
+  p.audit.set_stored(p.contact_sums, p.body_sums);
+  const scree_energy now = energy();
+  p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());
+}
 
 State Simulation::state() const {
   State state;
@@ -160,6 +175,7 @@ const std::vector<scree_load>& Simulation::loads() const { return parts_->bounda
 const std::vector<std::string>& Simulation::plane_names() const { return parts_->boundaries.plane_names(); }
 Vec3 Simulation::lengths() const { return enclosed_lengths(planes(), domain(), dimension()); }
 const Vec3& Simulation::lengths_at_start() const { return parts_->lengths_at_start; }
+const std::vector<std::string>& Simulation::taken_over() const { return parts_->taken_over; }
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }

@@ -53,6 +53,7 @@ struct SimulationParts {
   double smallest_radius;  // (m)
   double speed_limit;      // (m/s) above which the run is stopped as a blow-up
   Vec3 lengths_at_start;   // (m) see Simulation::lengths
+  std::vector<std::string> taken_over;
 
   Stepper stepper;
 };

@@ -218,4 +218,10 @@ void Stepper::transfer(const StateTransfer& state) {
   state.value("max_square_speed", "m^2/s^2", max_square_speed_);
 }
 
+void Stepper::begin_anew() {
+  force_time_ -= time_;
+  time_ = 0;
+  steps_ = 0;
+}
+
 }  // namespace scree

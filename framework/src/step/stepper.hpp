@@ -38,6 +38,8 @@ class Stepper {
   std::uint64_t steps() const { return steps_; }
   ForcesAt forces_at() const { return forces_at_; }
   double max_speed() const;  // largest speed of any body so far (m/s)
+  // Sets the clock to t = 0 and keeps how far the forces are behind.
+  void begin_anew();
   // Between steps, when no next step has begun.
   void transfer(const class StateTransfer& state);
 

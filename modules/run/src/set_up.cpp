@@ -16,7 +16,8 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
   Scene scene = plan.scene;
   scene.threads = threads;
   try {
-    return std::make_unique<Simulation>(scene);
+    if (!plan.from_state) return std::make_unique<Simulation>(scene);
+    return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching);
   } catch (const Error& error) {
     // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
     const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty();

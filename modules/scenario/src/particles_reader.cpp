@@ -5,6 +5,7 @@
 #include "names.hpp"
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
+#include "state_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -185,14 +186,50 @@ void sort_in_space(std::vector<Body>& bodies, int dimension) {
   bodies = std::move(sorted);
 }
 
+void refuse_without_state(const document::Table& particles) {
+  if (particles.has(particles_keys.leave_out))
+    throw particles.error(particles_keys.leave_out, "'leave_out' needs 'state', which is not given",
+                          "add state = \"<path>\", or remove it");
+}
+
+// Bodies keep the order of the state, by which its contacts number them.
+ReadBodies read_bodies_of_state(const document::Table& root, const document::Table& particles, int dimension,
+                                const std::vector<Material>& materials, std::uint64_t seed,
+                                const std::filesystem::path& folder) {
+  for (const Key& key : {Key(particles_keys.file), particles_keys.lattice, Key(particles_keys.radius),
+                         Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period,
+                         Key(particles_keys.material)})
+    if (particles.has(key))
+      throw particles.error(key, fmt::format("both state and {} are given", key.name), "keep one of them");
+  ReadBodies read_bodies;
+  read_bodies.state = read_state(particles, folder);
+  read_bodies.branching = read_branching(particles);
+  std::vector<Body>& bodies = read_bodies.bodies;
+  bodies = bodies_of(particles, *read_bodies.state, materials);
+  packing::Random random(seed);
+  const double deviation = read(particles, particles_keys.random_velocity);
+  const Vec3 velocity = read_vector(particles, particles_keys.velocity, dimension, false);
+  for (Body& body : bodies) {
+    body.velocity += velocity;
+    for (int k = 0; k < dimension && deviation > 0; ++k) body.velocity[k] += deviation * random.normal();
+  }
+  add_inline(root, dimension, materials, bodies);
+  number_bodies(root, bodies);
+  return read_bodies;
+}
+
 }  // namespace
 
 ReadBodies read_bodies(const document::Table& root, int dimension, const std::vector<Material>& materials,
                        std::uint64_t seed, const std::filesystem::path& folder) {
+  if (const auto particles = root.optional_table("particles");
+      particles && particles->optional(particles_keys.state))
+    return read_bodies_of_state(root, *particles, dimension, materials, seed, folder);
   Domain box;
   std::vector<Body> bodies;
   packing::Random random(seed);
   if (const auto particles = root.optional_table("particles")) {
+    refuse_without_state(*particles);
     const std::string material = read(*particles, particles_keys.material);
     const double velocity_deviation = read(*particles, particles_keys.random_velocity);
     const Vec3 velocity = read_vector(*particles, particles_keys.velocity, dimension, false);

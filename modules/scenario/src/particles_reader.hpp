@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
+#include <scree/branching.hpp>
 #include <scree/document/table.hpp>
 #include <scree/domain.hpp>
 #include <scree/particles.hpp>
@@ -14,7 +16,9 @@ namespace scree::scenario {
 
 struct ReadBodies {
   std::vector<Body> bodies;
-  Domain box;  // of the file of bodies; not periodic without one
+  Domain box;                                    // of the file of bodies; not periodic without one
+  std::shared_ptr<const State> state = nullptr;  // in which they were; null for a new packing
+  Branching branching = {};
 };
 
 // Reads the bodies of [particles] (a lattice or a file) and of [[particle]], with mass and inertia: spheres

@@ -48,6 +48,8 @@ Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> 
   }
   ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
   plan.scene.bodies = std::move(read.bodies);
+  plan.from_state = std::move(read.state);
+  plan.branching = read.branching;
   return read.box;
 }
 

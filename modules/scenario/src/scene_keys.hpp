@@ -65,12 +65,17 @@ struct ParticlesKeys : TableKeys {
              "required with lattice");
   StringKey file =
       string("file", "CSV, or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
-             "this or lattice");
+             "this, state or lattice");
   IntegerKey timestep = integer("timestep", Range::any(), "frame of a dump", "default the last");
   Key repeat = other("repeat", "[nx, ny, nz]", Range::between(1, 1e4), "optional",
                      "copies of the file's bodies along each axis");
   Key period =
       other("period", "[x, y, z]", Range::positive("m"), "required with repeat", "distance of the copies");
+  StringKey state =
+      string("state", "state file of a run to begin from, with springs and walls; relative to the scenario",
+             "instead of lattice and file");
+  Key leave_out = other("leave_out", "[\"histories\", \"walls\", \"orientations\"]", Range::any(),
+                        "default nothing", "what is not taken over from the state");
   StringKey material =
       string("material", "", "of bodies without one in the file", "required with several materials");
   Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "default 0", "added to all bodies");

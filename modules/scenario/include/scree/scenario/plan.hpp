@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <scree/branching.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
@@ -76,6 +78,8 @@ struct Plan {
   std::filesystem::path source;
   std::uint64_t seed = 1;
   Scene scene;
+  std::shared_ptr<const State> from_state;  // in which the bodies were; null for a new packing
+  Branching branching;                      // what is taken over from it
   std::vector<Stage> stages;
   std::vector<ProbePlan> probes;
   SnapshotPlan snapshot;

@@ -1,0 +1,58 @@
+#include "contacts/stored_histories.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree {
+
+namespace {
+
+// Histories of mixed precision are stored as float.
+std::vector<double> as_double(const StateArray& array) {
+  std::vector<double> numbers;
+  std::visit(
+      [&]<class T>(const std::vector<T>& stored) {
+        if constexpr (std::is_floating_point_v<T>) numbers.assign(stored.begin(), stored.end());
+      },
+      array.values);
+  return numbers;
+}
+
+void visit_group(const State& state, const StateTransfer& group, const std::string& path,
+                 const std::vector<std::string>& plugins,
+                 const std::function<void(const StoredHistory&)>& visit) {
+  std::uint32_t law = 0;
+  bool planes = false;
+  std::vector<std::uint32_t> a, b, rows;
+  group.value("law", "", law);
+  group.value("planes", "", planes);
+  group.rows("a", "", a);
+  group.rows("b", "", b);
+  group.rows("history_row", "", rows);
+  const std::vector<double> numbers = as_double(state.at(path + "/history"));
+  if (law >= plugins.size() || a.size() != b.size() || (rows.empty() ? 0 : numbers.size() % rows.size()))
+    group.refuse("history", "does not fit the pairs of its group");
+  const std::size_t width = rows.empty() ? 0 : numbers.size() / rows.size();
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r] >= a.size()) group.refuse("history_row", "lists a pair that there is not");
+    visit({plugins[law], planes, a[rows[r]], b[rows[r]], std::span(numbers).subspan(r * width, width)});
+  }
+}
+
+}  // namespace
+
+void each_history(const State& state, const std::function<void(const StoredHistory&)>& visit) {
+  const StateTransfer all = StateTransfer::restoring_from(state);
+  std::vector<std::string> plugins;
+  all.rows("scene/law_plugins", "", plugins);
+  for (std::size_t g = 0; state.has(fmt::format("contacts/{}/law", g)); ++g) {
+    const std::string path = fmt::format("contacts/{}", g);
+    if (state.has(path + "/history")) visit_group(state, all.below(path), path, plugins, visit);
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,60 @@
+#include "plugins/boundaries.hpp"
+#include "plugins/plane_transfer.hpp"
+
+#include <string>
+
+#include <scree/state_transfer.hpp>
+
+namespace scree {
+
+void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    Member& member = members_[k];
+    const StateTransfer of_member = state.below(std::to_string(k));
+    std::uint64_t first_plane = member.first_plane, planes = member.plugin.instance().plane_count;
+    of_member.value("first_plane", "", first_plane);
+    of_member.value("plane_count", "1", planes);
+    of_member.value("clock_start", "s", member.clock_start);
+    of_member.sized_rows("state", "1", member.state);
+    of_member.value("kinetic", "J", member.energy.kinetic);
+    of_member.value("work", "J", member.energy.work);
+    of_member.value("dissipated", "J", member.energy.dissipated);
+  }
+  transfer_planes(state.below("planes"), planes_);
+  double* const force = loads_.empty() ? nullptr : loads_[0].force;
+  state.vectors("load", "N", {force, 3, loads_.size(), 0, 3}, 0, 3);
+  state.numbers("domain_lower", "m", domain_.lower.component, 3);
+  state.numbers("domain_upper", "m", domain_.upper.component, 3);
+  show_domain();
+  if (!extrapolated) return;
+  planes_before_extrapolation_.resize(planes_.size());
+  transfer_planes(state.below("before_extrapolation"), planes_before_extrapolation_);
+}
+
+void Boundaries::take_over(const State& state, std::size_t from, const std::string& name) {
+  const StateTransfer walls = StateTransfer::restoring_from(state).below("walls"),
+                      of_member = walls.below(std::to_string(from));
+  for (Member& member : members_) {
+    if (member.entry.name != name) continue;
+    std::uint64_t first_plane = 0, count = 0;
+    of_member.value("first_plane", "", first_plane);
+    of_member.value("plane_count", "1", count);
+    of_member.sized_rows("state", "1", member.state);
+    of_member.value("kinetic", "J", member.energy.kinetic);
+    std::vector<scree_plane> all(state.at("walls/planes/point").size() / 3);
+    transfer_planes(walls.below("planes"), all);
+    const std::span<scree_plane> planes = planes_of(member);
+    if (count != planes.size() || first_plane + count > all.size())
+      of_member.refuse("plane_count", "is not that of the boundary here");
+    std::copy_n(all.begin() + std::ptrdiff_t(first_plane), planes.size(), planes.begin());
+  }
+}
+
+void Boundaries::begin_anew() {
+  for (Member& member : members_) {
+    member.clock_start = 0;
+    member.energy.work = member.energy.dissipated = 0;
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "material_reader.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <scree/branching.hpp>
+#include <scree/document/table.hpp>
+#include <scree/particles.hpp>
+
+namespace scree::scenario {
+
+// Reads the state that [particles] names: in `folder`, the working folder, or below one of those in the
+// environment variable SCREE_STATE_PATH=DIR:DIR.
+std::shared_ptr<const State> read_state(const document::Table& particles,
+                                        const std::filesystem::path& folder);
+Branching read_branching(const document::Table& particles);
+
+// Its bodies, with materials of the scenario found by their names.
+std::vector<Body> bodies_of(const document::Table& particles, const State& state,
+                            const std::vector<Material>& materials);
+
+}  // namespace scree::scenario
