@@ -100,12 +100,12 @@ TEST_CASE("The box of H5MD has the periods of the scene", "[h5md]") {
   CHECK(file.attribute("particles/bodies/box", "boundary", 8) ==
         std::string("periodicnone\0\0\0\0none\0\0\0\0", 24));
   CHECK(file.values<double>("particles/bodies/box/edges/value", H5T_NATIVE_DOUBLE, {1, 3}) ==
-        std::vector<double>{10, 8, 7});
+        std::vector<double>{10, 0, 0});
 }
 
 TEST_CASE("A scene without periods has a box without edges, and one without positions no bodies", "[h5md]") {
   State state = sample_state();
-  state.put("scene/periodic", {std::vector<std::uint8_t>{0, 0, 0}, {3}, ""});
+  state.put("walls/domain_upper", state.at("walls/domain_lower"));
   const File walled(state);
   CHECK(walled.attribute("particles/bodies/box", "boundary", 4) == "nonenonenone");
   CHECK_FALSE(walled.has("particles/bodies/box/edges"));
