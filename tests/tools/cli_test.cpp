@@ -103,6 +103,23 @@ TEST_CASE("describe shows all plug-ins of a name, or the one of a kind", "[tools
   CHECK_FALSE(contains(one.out, "boundary: "));
 }
 
+TEST_CASE("describe takes a file for a state, and a plug-in of its name for the plug-in", "[tools]") {
+  const Workspace w;
+  w.write("box", "x");
+  check_refused(w, w.scree("describe none.h5"), "none.h5: there is no such file", "; check the path");
+  check_refused(w, w.scree("describe scene.toml"), "scene.toml: is not a state file of scree",
+                "; give one that scree has written");
+  CHECK(contains(w.scree("describe box").out, "box, boundary: "));
+}
+
+TEST_CASE("HDF5 is loaded only to read or write a state", "[tools]") {
+  const Workspace w;
+  const Outcome check = w.shell("LD_DEBUG=files scree check scene.toml");
+  CHECK(check.status == 0);
+  CHECK(contains(check.err, "libfmt.so"));
+  CHECK_FALSE(contains(check.err, "hdf5"));
+}
+
 TEST_CASE("describe refuses unknown names and options", "[tools]") {
   const Workspace w;
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {

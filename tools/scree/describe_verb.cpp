@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <scree/closed_forms.hpp>
 #include <scree/document/message.hpp>
 #include <scree/scenario/keys.hpp>
+#include <scree/state_file/description.hpp>
 
 namespace scree::tool {
 
@@ -137,6 +139,12 @@ void describe_one(const scree_plugin& plugin, const DescribeArguments& arguments
     fmt::print("\nGive parameters as KEY=VALUE to see contact time, restitution and critical step.\n");
 }
 
+// Whether a name is meant as that of a state file, which may be missing.
+bool is_file(const std::string& name) {
+  std::error_code failed;
+  return name.ends_with(".h5") || std::filesystem::exists(name, failed);
+}
+
 ExitStatus describe(const DescribeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   if (arguments.all) {
@@ -149,6 +157,10 @@ ExitStatus describe(const DescribeArguments& arguments) {
   }
   const auto table = find_table(arguments.name);
   const auto plugins = find_plugins(host, arguments.name);
+  if (!table && plugins.empty() && is_file(arguments.name)) {
+    fmt::print("{}", state_file::describe_state_file(arguments.name));
+    return ExitStatus::success;
+  }
   if (!table && plugins.empty()) refuse_name(host, arguments.name);
   if (table) print_table(*table);
   const char* gap = table ? "\n" : "";
@@ -165,10 +177,12 @@ ExitStatus describe(const DescribeArguments& arguments) {
 
 void add_describe_verb(CommandLine& line) {
   Verb verb = line.verb(
-      "describe", "List tables and plug-ins, or show keys, equations, parameters and closed forms of one");
+      "describe",
+      "List tables and plug-ins, or show keys, equations, parameters and closed forms of one, or a state file");
   auto a = std::make_shared<DescribeArguments>();
-  verb.option("name", a->name,
-              "Table or plug-in; kind/name where two kinds share a name, as boundary/box and probe/box");
+  verb.option(
+      "name", a->name,
+      "Table or plug-in; kind/name where two kinds share a name, as boundary/box and probe/box; or a state file");
   verb.option("values", a->values, "Parameters as KEY=VALUE, for the closed forms").shown_as("KEY=VALUE");
   verb.flag("--all", a->all, "All tables and plug-ins as Markdown");
   verb.option("--dimension", a->dimension, "2 or 3 (default 3)").between(2, 3);

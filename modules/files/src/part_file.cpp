@@ -36,7 +36,7 @@ bool is_folder_on_disk(const std::filesystem::path& file) {
 
 PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
   temporary_ += part_suffix;
-  ::unlink(temporary_.c_str());
+  if (::unlink(temporary_.c_str()) != 0 && errno != ENOENT) fail(path_, errno);
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(path_, errno);
 }

@@ -9,7 +9,7 @@
 namespace scree::state_file {
 
 // 64-bit checksum of bytes that detects every single changed word of 8 bytes. Four hashes take turns, since each waits
-// for its last multiplication: 12 GB/s, where one has 3.
+// for its last multiplication: 12 GB/s, where one has 4.
 class Checksum {
  public:
   // All pieces but the last must be multiples of 32 bytes.

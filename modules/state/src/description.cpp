@@ -1,6 +1,7 @@
 #include "opened_file.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -27,11 +28,11 @@ constexpr const char* type_name() {
 
 template <class T>
 std::size_t bytes_of(const std::vector<T>& values) {
-  if constexpr (!std::is_same_v<T, std::string>) return values.size() * sizeof(T);
-  std::size_t bytes = 0;
   if constexpr (std::is_same_v<T, std::string>)
-    for (const std::string& text : values) bytes += text.size();
-  return bytes;
+    return std::accumulate(values.begin(), values.end(), std::size_t(0),
+                           [](std::size_t sum, const std::string& text) { return sum + text.size(); });
+  else
+    return values.size() * sizeof(T);
 }
 
 // The values, separated by commas, if they are few and short; empty otherwise.
@@ -46,7 +47,7 @@ std::string short_values(const std::vector<T>& values) {
 }
 
 std::string shape_of(const StateArray& array) {
-  return array.shape.empty() ? "one" : fmt::format("{}", fmt::join(array.shape, " x "));
+  return array.shape.empty() ? "single" : fmt::format("{}", fmt::join(array.shape, " x "));
 }
 
 std::string line_of(const std::string& path, const StateArray& array, std::size_t width) {
@@ -71,6 +72,12 @@ std::string summary_line(const State& state, const char* name, const char* path)
                      pure ? "" : files::one_line(array.unit, longest_value));
 }
 
+std::string bodies_line(const State& state) {
+  const auto found = state.arrays().find("bodies/position");
+  if (found == state.arrays().end() || found->second.shape.size() != 2) return "";
+  return fmt::format("{:<10} {} in {}D\n", "bodies", found->second.shape[0], found->second.shape[1]);
+}
+
 }  // namespace
 
 std::string describe_state_file(const std::filesystem::path& path) {
@@ -82,10 +89,12 @@ std::string describe_state_file(const std::filesystem::path& path) {
                   seal.program_version, Seal::format, seal.bytes, seal.checksum);
   text += summary_line(state, "time", "clock/time");
   text += summary_line(state, "steps", "clock/steps");
-  if (state.has("bodies/position"))
-    text += fmt::format("bodies     {}\n", fmt::join(state.at("bodies/position").shape, " in dimension "));
+  text += bodies_line(state);
   text += summary_line(state, "materials", "scene/materials");
-  text += summary_line(state, "stage", "run/stage");
+  text += summary_line(state, "laws", "scene/law_plugins");
+  text += summary_line(state, "walls", "scene/boundary_plugins");
+  text += summary_line(state, "integrator", "scene/integrator");
+  text += summary_line(state, "stage", "run/stages/stage");
   std::size_t width = 0;
   for (const auto& [name, array] : state.arrays()) width = std::max(width, name.size());
   text += fmt::format("{} arrays\n", state.arrays().size());

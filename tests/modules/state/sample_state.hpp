@@ -22,9 +22,8 @@ inline State sample_state() {
   state.put("clock/steps", {std::vector<std::uint64_t>{18'446'744'073'709'551'615u}, {}, ""});
   state.put("scene/dimension", {std::vector<std::int32_t>{3}, {}, ""});
   state.put("scene/materials", {std::vector<std::string>{"glass", "Größe 石 \U0001FAA8", ""}, {3}, ""});
-  state.put("scene/periodic", {std::vector<std::uint8_t>{1, 0, 0}, {3}, ""});
-  state.put("scene/lower", {std::vector<double>{-1, 0, 0}, {3}, "m"});
-  state.put("scene/upper", {std::vector<double>{9, 8, 7}, {3}, "m"});
+  state.put("walls/domain_lower", {std::vector<double>{-1, 0, 0}, {3}, "m"});
+  state.put("walls/domain_upper", {std::vector<double>{9, 0, 0}, {3}, "m"});
   return state;
 }
 

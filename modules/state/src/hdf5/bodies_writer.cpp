@@ -63,19 +63,18 @@ void BodiesWriter::write_box() {
   const std::string name = "particles/bodies/box";
   const Handle box = writer_.group(name);
   write_integers(box, "dimension", {std::int32_t(dimension_)}, true);
-  const auto* periodic = numbers<std::uint8_t>(state_, "scene/periodic", dimension_);
-  const auto* lower = numbers<double>(state_, "scene/lower", dimension_);
-  const auto* upper = numbers<double>(state_, "scene/upper", dimension_);
+  const auto* lower = numbers<double>(state_, "walls/domain_lower", dimension_);
+  const auto* upper = numbers<double>(state_, "walls/domain_upper", dimension_);
   std::vector<std::string> boundary(dimension_, "none");
   std::vector<double> edges(dimension_);
-  bool any = false;
-  for (std::size_t k = 0; k < dimension_; ++k) {
-    if (lower && upper) edges[k] = upper[k] - lower[k];
-    if (!periodic || !periodic[k]) continue;
-    boundary[k] = "periodic", any = true;
+  bool periodic = false;
+  for (std::size_t k = 0; lower && upper && k < dimension_; ++k) {
+    edges[k] = upper[k] - lower[k];
+    if (edges[k] <= 0) continue;  // the domain has no extent along an axis that is not periodic
+    boundary[k] = "periodic", periodic = true;
   }
   write_boundary(box, boundary);
-  if (!any || !lower || !upper) return;  // without a period, edges are left out
+  if (!periodic) return;  // edges of what is not there are left out
   writer_.array(name + "/edges/value", {edges, {dimension_}, "m"}, true);
   write_time(name + "/edges");
 }

@@ -16,9 +16,10 @@ inline constexpr const char* label_attribute = "label";
 // Lengths of texts of which one ends with a character 0, which reads like filling.
 inline constexpr const char* lengths_attribute = "lengths";
 
-// Writes an HDF5 file dataset by dataset. Datasets lie in one piece and are not compressed: of a packing of 10^6 bodies,
-// deflate at level 1 after shuffle saves a quarter of the bytes and takes 30 times as long. A reader can thus compare the
-// size that a dataset claims with that of the file. No times are stored, so that equal states give equal bytes.
+// Writes an HDF5 file dataset by dataset. Datasets lie in one piece and are not compressed: of 10^6 bodies with
+// 4.5 pairs each, shuffle and deflate at level 1 would save a third of 288 MB, but take 6 s instead of 0.3 to write
+// and 1.8 s instead of 0.2 to read. A reader can thus compare the size that a dataset claims with that of the file.
+// No times are stored, so that equal states give equal bytes.
 // Names are paths from the root without a leading '/'. Every function throws Error without path and cure.
 class FileWriter {
  public:

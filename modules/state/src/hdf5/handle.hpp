@@ -9,7 +9,7 @@
 
 namespace scree::state_file {
 
-// "what (reason)", with the reason that HDF5 gives for its last failure.
+// "what: reason" with what HDF5 says of its last failure, or the reason of a failed call of the system alone.
 [[noreturn]] void fail_of_hdf5(std::string_view what);
 
 // Result of a call of HDF5, which is below 0 after a failure.

@@ -1,0 +1,46 @@
+#include "sample_state.hpp"
+#include "temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/state_file/description.hpp>
+#include <scree/state_file/state_file.hpp>
+
+using namespace scree;
+using namespace scree::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("The description of a state file tells what it is and lists its arrays", "[description]") {
+  const TemporaryFolder folder;
+  State state = sample_state();
+  state.put("scene/law_plugins", {std::vector<std::string>{"hertz_mindlin"}, {1}, ""});
+  state.put("run/scenario", {std::vector(1, std::string(1000, 'x')), {}, ""});
+  const auto file = folder / "a.h5";
+  state_file::write_state(file, state);
+  const std::string text = state_file::describe_state_file(file);
+  CHECK(text.starts_with(file.string() + ": state written by scree " SCREE_TEST_VERSION ", format 1, " +
+                         std::to_string(std::filesystem::file_size(file)) + " bytes, checksum "));
+  CHECK_THAT(text, Contains("\ntime       0.1 s\nsteps      18446744073709551615\nbodies     3 in 3D\n"));
+  CHECK_THAT(text, Contains("\nmaterials  glass, Größe 石 \U0001FAA8, \nlaws       hertz_mindlin\n"));
+  CHECK_THAT(text,
+             Contains("\n  bodies/position     double  3 x 3         m                   72 bytes  0, 1, 2"));
+  CHECK_THAT(text,
+             Contains("\n  clock/time          double  single        s                    8 bytes  0.1\n"));
+  CHECK_THAT(text, Contains("\n  run/scenario        text    single                          1000 bytes\n"));
+}
+
+TEST_CASE("What is written of texts and units in a description is printable", "[description]") {
+  const TemporaryFolder folder;
+  State state;
+  state.put("scene/materials", {std::vector<std::string>{"a\nb\x1b[2J"}, {1}, "m\n\x1b"});
+  state_file::write_state(folder / "a.h5", state);
+  const std::string text = state_file::describe_state_file(folder / "a.h5");
+  CHECK_THAT(text, Contains("a\\nb\\x1B[2J"));
+  CHECK(text.find('\x1b') == text.npos);
+}
+
+TEST_CASE("A damaged file is not described", "[description]") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(state_file::describe_state_file(folder.write("a.h5", "scree state\n")), Error);
+}

@@ -1,0 +1,103 @@
+#include "sample_state.hpp"
+#include "temporary_folder.hpp"
+
+#include <csignal>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/state_file/state_file.hpp>
+
+using namespace scree;
+using namespace scree::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// Limits the size of files while it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_ = {};
+};
+
+State large_state() {
+  State state = sample_state();
+  state.put("large", {std::vector<double>(100'000, 1.5), {100'000}, "m"});
+  return state;
+}
+
+// What write_state says: one line for a failure, with a cure.
+std::string failure(const std::filesystem::path& file, const State& state) {
+  try {
+    state_file::write_state(file, state);
+  } catch (const Error& error) {
+    const std::string line = error.what();
+    CHECK(error.status() == ExitStatus::failure);
+    CHECK(line.starts_with(file.string() + ": cannot be written ("));
+    CHECK(line.find("; ") != line.npos);
+    CHECK(line.find('\n') == line.npos);
+    return line;
+  }
+  return "";
+}
+
+std::size_t open_files() {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("A state that does not fit leaves the earlier one whole and no part behind", "[write_failure]") {
+  const TemporaryFolder folder;
+  state_file::write_state(folder / "a.h5", sample_state());
+  const std::string before = text_of(folder / "a.h5");
+  state_file::write_state(folder / "large.h5", large_state());
+  const std::size_t whole = std::filesystem::file_size(folder / "large.h5"), open = open_files();
+  for (const std::size_t bytes :
+       {std::size_t(0), std::size_t(100), std::size_t(512), std::size_t(3000), whole / 2, whole - 1}) {
+    INFO(bytes);
+    {
+      const FileSizeLimit limit(bytes);
+      CHECK_THAT(failure(folder / "a.h5", large_state()), Contains("File too large"));
+    }
+    CHECK(text_of(folder / "a.h5") == before);
+    CHECK_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+  }
+  CHECK(open_files() == open);
+  state_file::write_state(folder / "a.h5", large_state());
+  CHECK(state_file::read_state(folder / "a.h5") == large_state());
+}
+
+TEST_CASE("A state is not written where there is no folder or no permission", "[write_failure]") {
+  const TemporaryFolder folder;
+  CHECK_THAT(failure(folder / "none/a.h5", sample_state()), Contains("No such file or directory"));
+  CHECK_THAT(failure(folder.write("file", "") / "a.h5", sample_state()), Contains("Not a directory"));
+  CHECK_THAT(failure("/proc/a.h5", sample_state()),
+             Contains("; check that its folder exists and is writable"));
+  std::filesystem::create_directory(folder / "a.h5");
+  CHECK_THAT(failure(folder / "a.h5", sample_state()), Contains("Is a directory"));
+  CHECK_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+}
+
+TEST_CASE("A link of the name of the part is replaced and not followed", "[write_failure]") {
+  const TemporaryFolder folder;
+  const auto other = folder.write("other", "precious");
+  std::filesystem::create_symlink(other, folder / "a.h5.part");
+  state_file::write_state(folder / "a.h5", sample_state());
+  CHECK(text_of(other) == "precious");
+  CHECK(std::filesystem::is_regular_file(std::filesystem::symlink_status(folder / "a.h5")));
+  CHECK_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+}
