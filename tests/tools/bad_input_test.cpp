@@ -117,6 +117,45 @@ TEST_CASE("an existing run is kept unless --overwrite is given", "[tools]") {
   CHECK(w.record()["seed"] == 2);
 }
 
+TEST_CASE("a run does not replace the files that its scene reads", "[tools]") {
+  const Workspace w;
+  REQUIRE(w.run().status == 0);
+  w.write("again.toml", with(discs,
+                             "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                             "random_velocity = 0.1\n",
+                             "file = 'out/final_packing.csv'\n"));
+  const std::string before = w.text("out/final_packing.csv");
+  for (const char* scene : {"again.toml", "out/scenario.toml"}) {
+    const Outcome outcome = w.scree(std::string("run ") + scene + " --out out --overwrite");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(
+              "is read by this scene and a file of the run in out, which would be removed first; copy it "
+              "elsewhere, or give another --out\n") != std::string::npos);
+  }
+  CHECK(w.text("out/final_packing.csv") == before);
+  CHECK(w.record()["status"] == "finished");
+}
+
+TEST_CASE("everything in the directory of a run is listed, and replaced by the next", "[tools]") {
+#if SCREE_TEST_PICTURES
+  const Workspace w(std::string(discs) +
+                    "[[chart]]\nname = 'work'\nprobe = 'energy'\ny = 'work'\n"
+                    "[snapshot]\nevery = 5e-5\nimage_every = 5e-5\n");
+#else
+  const Workspace w;
+#endif
+  REQUIRE(w.run().status == 0);
+  const std::string list = w.text("out/written.txt");
+  for (const auto& entry : fs::recursive_directory_iterator(w / "out"))
+    if (const auto name = fs::relative(entry.path(), w / "out").string();
+        name != "written.txt" && !entry.is_directory())
+      CHECK(("\n" + list).find("\n" + name + "\n") != std::string::npos);
+  w.write("out/series/mine.csv", "mine");
+  CHECK(w.run("--overwrite --set chart=[] --set snapshot={}").status == 0);
+  CHECK(w.text("out/series/mine.csv") == "mine");
+  for (const char* gone : {"out/charts", "out/images", "out/snapshots"}) CHECK_FALSE(w.has(gone));
+}
+
 // A limit on file sizes simulates a full disk; a block has 512 bytes.
 TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]") {
   const Workspace w;

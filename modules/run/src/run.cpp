@@ -40,9 +40,12 @@ RunDirectory directory_of(const scenario::Plan& plan, const RunOptions& options)
   if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source));
   using Existing = RunDirectory::Existing;
   RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse);
+  directory.protect(plan.inputs);
   directory.take();
   return directory;
 }
+
+constexpr const char* final_packing = "final_packing.csv";
 
 class Run {
  public:
@@ -86,6 +89,8 @@ class Run {
     try {
       record("running", "");
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      directory_.add(final_packing);
+      for (const scenario::ProbePlan& probe : plan_.probes) directory_.add("series/" + probe.name + ".csv");
       sampler_.open(directory_.series());
     } catch (const std::exception&) {
       sampler_.close();  // too many open files cannot be removed
@@ -166,7 +171,7 @@ class Run {
   void save() {
     sampler_.flush();
     pictures_.take_last(*simulation_);
-    write_final_packing(*simulation_, directory_.path() / "final_packing.csv");
+    write_final_packing(*simulation_, directory_.path() / final_packing);
   }
 
   // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
@@ -174,7 +179,7 @@ class Run {
     end_stage("failed");
     try_each([&] { record("failed", files::one_line(reason, 2000)); }, [&] { sampler_.flush(); },
              [&] { pictures_.take_last(*simulation_); },
-             [&] { write_final_packing(*simulation_, directory_.path() / "final_packing.csv"); });
+             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); });
   }
 
   void judge() {

@@ -63,6 +63,7 @@ struct Expectation {
 struct Plan {
   std::string title;
   std::filesystem::path source;
+  std::vector<std::filesystem::path> inputs;  // files that were read: the source and a packing
   std::uint64_t seed = 1;
   Scene scene;
   std::vector<Stage> stages;
