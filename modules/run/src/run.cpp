@@ -65,7 +65,11 @@ class Run {
     for (const std::string& warning : start_warnings(plan_, *simulation_)) warn(warning);
     try {
       loop();
-      watch_.time_output([&] { save(); });
+      watch_.time_output([&] {
+        save();
+        pictures_.draw_charts(sampler_, [this](const std::string& line) { warn(line); });
+      });
+      judge();
     } catch (const Error& error) {
       fail(error.what());
       // The status bad_input is reserved for errors before anything is written.
@@ -74,9 +78,6 @@ class Run {
       fail(error.what());
       throw;
     }
-    watch_.time_output(
-        [&] { pictures_.draw_charts(sampler_, [this](const std::string& line) { warn(line); }); });
-    judge();
     for (const std::string& warning : result_warnings(*simulation_)) warn(warning);
     record(result_.interrupted ? "interrupted" : "finished", "");
     return result_;

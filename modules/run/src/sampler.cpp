@@ -84,7 +84,7 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
 
 void Sampler::sample(Active& p, const scree_view& view) {
   // The last row of a stage is also the first of the next stage.
-  if (p.series->rows() > 0 && p.series->column("time").back() == view.time) return;
+  if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
   p.series->add(view.time, p.probe.sample(view));
 }
 
