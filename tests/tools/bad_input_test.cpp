@@ -182,6 +182,38 @@ TEST_CASE("a disk that fills up stops the run and keeps the files written before
   CHECK(cut < longest);
 }
 
+// A file system of its own in memory, where this is allowed, is really full.
+TEST_CASE("a full disk leaves a run that is told to have failed, and whole files", "[tools]") {
+  const Workspace w;
+  const auto run_on_disk = [&](const std::string& size, const std::string& options) {
+    return w.shell(
+        "mkdir -p out disk\nunshare -m true 2> no || exit 77\nexec unshare -m sh -c '"
+        "mount -t tmpfs -o size=" +
+        size +
+        " none disk || exit 77\n"
+        "\"" SCREE_TEST_PROGRAM "\" run scene.toml --out disk/run " +
+        options +
+        "\n"
+        "status=$?; cp -a disk/. out; exit $status'");
+  };
+  const Outcome full = run_on_disk("300k", "--set probe.every=1e-5 --set time.duration=0.2 --quiet");
+  if (full.status == 77) return;
+  CHECK(full.status == 1);
+  CHECK(full.err ==
+        "scree: disk/run/series/energy.csv: cannot be written; free disk space or give another --out\n");
+  CHECK(w.record("out/run")["status"] == "failed");
+  CHECK(w.record("out/run")["error"] == full.err.substr(7, full.err.size() - 8));
+  CHECK(w.record("out/run")["steps"] > 10);
+  CHECK(w.text("out/run/series/energy.csv").ends_with('\n'));
+  CHECK_FALSE(w.has("out/run/.room"));
+  CHECK_THAT(w.text("out/run/final_packing.csv"), Catch::Contains("# time [s]: "));
+  fs::remove_all(w / "out");
+  const Outcome tiny = run_on_disk("40k", "");
+  CHECK(tiny.status == 1);
+  CHECK(tiny.err == "scree: disk/run/.room: cannot be written; free disk space or give another --out\n");
+  CHECK(fs::is_empty(w / "out"));
+}
+
 TEST_CASE("more probes than files can be open are refused, and nothing is left behind", "[tools]") {
   std::string scene = discs;
   for (int k = 0; k < 100; ++k)

@@ -4,6 +4,7 @@
 #include "pictures.hpp"
 #include "run_record.hpp"
 #include "sampler.hpp"
+#include "spare_room.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -79,6 +80,7 @@ class Run {
       throw;
     }
     for (const std::string& warning : result_warnings(*simulation_)) warn(warning);
+    room_.release();
     record(result_.interrupted ? "interrupted" : "finished", "");
     return result_;
   }
@@ -90,6 +92,8 @@ class Run {
     try {
       record("running", "");
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      room_.reserve(directory_.add(SpareRoom::file_name),
+                    SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
       directory_.add(final_packing);
       for (const scenario::ProbePlan& probe : plan_.probes) directory_.add("series/" + probe.name + ".csv");
       sampler_.open(directory_.series());
@@ -178,6 +182,7 @@ class Run {
   // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
   void fail(const std::string& reason) {
     end_stage("failed");
+    room_.release();
     try_each([&] { record("failed", files::one_line(reason, 2000)); }, [&] { sampler_.flush(); },
              [&] { pictures_.take_last(*simulation_); },
              [&] { write_final_packing(*simulation_, directory_.path() / final_packing); });
@@ -208,6 +213,7 @@ class Run {
   const RunOptions& options_;
   RunDirectory directory_;
   std::unique_ptr<Simulation> simulation_;
+  SpareRoom room_;
   Sampler sampler_;
   Pictures pictures_;
   RunResult result_;
