@@ -117,6 +117,45 @@ TEST_CASE("an existing run is kept unless --overwrite is given", "[tools]") {
   CHECK(w.record()["seed"] == 2);
 }
 
+TEST_CASE("a run does not replace the files that its scene reads", "[tools]") {
+  const Workspace w;
+  REQUIRE(w.run().status == 0);
+  w.write("again.toml", with(discs,
+                             "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                             "random_velocity = 0.1\n",
+                             "file = 'out/final_packing.csv'\n"));
+  const std::string before = w.text("out/final_packing.csv");
+  for (const char* scene : {"again.toml", "out/scenario.toml"}) {
+    const Outcome outcome = w.scree(std::string("run ") + scene + " --out out --overwrite");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(
+              "is read by this scene and a file of the run in out, which would be removed first; copy it "
+              "elsewhere, or give another --out\n") != std::string::npos);
+  }
+  CHECK(w.text("out/final_packing.csv") == before);
+  CHECK(w.record()["status"] == "finished");
+}
+
+TEST_CASE("everything in the directory of a run is listed, and replaced by the next", "[tools]") {
+#if SCREE_TEST_PICTURES
+  const Workspace w(std::string(discs) +
+                    "[[chart]]\nname = 'work'\nprobe = 'energy'\ny = 'work'\n"
+                    "[snapshot]\nevery = 5e-5\nimage_every = 5e-5\n");
+#else
+  const Workspace w;
+#endif
+  REQUIRE(w.run().status == 0);
+  const std::string list = w.text("out/written.txt");
+  for (const auto& entry : fs::recursive_directory_iterator(w / "out"))
+    if (const auto name = fs::relative(entry.path(), w / "out").string();
+        name != "written.txt" && !entry.is_directory())
+      CHECK(("\n" + list).find("\n" + name + "\n") != std::string::npos);
+  w.write("out/series/mine.csv", "mine");
+  CHECK(w.run("--overwrite --set chart=[] --set snapshot={}").status == 0);
+  CHECK(w.text("out/series/mine.csv") == "mine");
+  for (const char* gone : {"out/charts", "out/images", "out/snapshots"}) CHECK_FALSE(w.has(gone));
+}
+
 // A limit on file sizes simulates a full disk; a block has 512 bytes.
 TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]") {
   const Workspace w;
@@ -136,7 +175,43 @@ TEST_CASE("a disk that fills up stops the run and keeps the files written before
         "scree: out/series/energy.csv: cannot be written (it would be too large); "
         "raise the limit (ulimit -f) or sample less often\n");
   CHECK(w.record()["status"] == "failed");
-  CHECK(w.text("out/series/energy.csv").size() == 16 * 512);
+  const std::string series = w.text("out/series/energy.csv");
+  CHECK(series.ends_with('\n'));
+  const std::size_t cut = 16 * 512 - series.size(),
+                    longest = 500;  // a row has 15 numbers of up to 25 characters
+  CHECK(cut < longest);
+}
+
+// A file system of its own in memory, where this is allowed, is really full.
+TEST_CASE("a full disk leaves a run that is told to have failed, and whole files", "[tools]") {
+  const Workspace w;
+  const auto run_on_disk = [&](const std::string& size, const std::string& options) {
+    return w.shell(
+        "mkdir -p out disk\nunshare -m true 2> no || exit 77\nexec unshare -m sh -c '"
+        "mount -t tmpfs -o size=" +
+        size +
+        " none disk || exit 77\n"
+        "\"" SCREE_TEST_PROGRAM "\" run scene.toml --out disk/run " +
+        options +
+        "\n"
+        "status=$?; cp -a disk/. out; exit $status'");
+  };
+  const Outcome full = run_on_disk("300k", "--set probe.every=1e-5 --set time.duration=0.2 --quiet");
+  if (full.status == 77) return;
+  CHECK(full.status == 1);
+  CHECK(full.err ==
+        "scree: disk/run/series/energy.csv: cannot be written; free disk space or give another --out\n");
+  CHECK(w.record("out/run")["status"] == "failed");
+  CHECK(w.record("out/run")["error"] == full.err.substr(7, full.err.size() - 8));
+  CHECK(w.record("out/run")["steps"] > 10);
+  CHECK(w.text("out/run/series/energy.csv").ends_with('\n'));
+  CHECK_FALSE(w.has("out/run/.room"));
+  CHECK_THAT(w.text("out/run/final_packing.csv"), Catch::Contains("# time [s]: "));
+  fs::remove_all(w / "out");
+  const Outcome tiny = run_on_disk("40k", "");
+  CHECK(tiny.status == 1);
+  CHECK(tiny.err == "scree: disk/run/.room: cannot be written; free disk space or give another --out\n");
+  CHECK(fs::is_empty(w / "out"));
 }
 
 TEST_CASE("more probes than files can be open are refused, and nothing is left behind", "[tools]") {

@@ -184,6 +184,7 @@ TEST_CASE("files in the directory of a run are not changed", "[tools]") {
   const CampaignWorkspace w("");
   REQUIRE(w.scree(call).status == 0);
   std::filesystem::remove(w / "out/run/run.json");
+  std::filesystem::remove(w / "out/run/written.txt");
   const Outcome outcome = w.scree(call);
   CHECK(outcome.status == 2);
   CHECK(outcome.err ==

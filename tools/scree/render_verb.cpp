@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/run/written_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
 #include <scree/snapshot/view_range.hpp>
 
@@ -81,6 +82,14 @@ snapshot::ViewRange view_of(const std::vector<fs::path>& frames, const std::stri
   return view;
 }
 
+// The list of files of the run into which pictures are drawn, so that they are removed with it.
+std::optional<run::WrittenFiles> list_of(const RenderArguments& arguments) {
+  const fs::path run = arguments.source;
+  std::error_code failed;
+  if (!arguments.out.empty() || !fs::exists(run / run::WrittenFiles::file_name, failed)) return std::nullopt;
+  return run::WrittenFiles(run);
+}
+
 ExitStatus render(const RenderArguments& arguments) {
   snapshot::RenderOptions options = arguments.options;
   options.color_range = color_range_of(arguments.color_range);
@@ -93,10 +102,11 @@ ExitStatus render(const RenderArguments& arguments) {
   const snapshot::ViewRange view = view_of(frames, options.color_by, *backend);
   if (!options.color_range) options.color_range = view.colors();
   std::vector<fs::path> pictures;
+  std::optional<run::WrittenFiles> written = list_of(arguments);
   for (const fs::path& file : frames) {
     snapshot::Frame frame = backend->read_frame(file);
     frame.lower = view.lower(), frame.upper = view.upper();
-    pictures.push_back(out / picture_name(file));
+    pictures.push_back(written ? written->add("images/" + picture_name(file)) : out / picture_name(file));
     backend->render(frame, options, pictures.back());
     fmt::print("{}\n", pictures.back().string());
   }

@@ -74,25 +74,25 @@ snapshot::ChartSpec chart_of(const Study& study, const std::string& title, const
   return chart;
 }
 
-void draw(const snapshot::ChartSpec& chart, const std::filesystem::path& file) {
+void draw(const snapshot::ChartSpec& chart, const std::string& name, const run::RunDirectory& files) {
   if (chart.series.size() < 2 || chart.series.back().x.empty()) return;  // all errors are 0
-  snapshot::load_backend()->chart(chart, file);
+  snapshot::load_backend()->chart(chart, files.add("charts/" + name + ".png"));
 }
 
 }  // namespace
 
 void write_report(const Study& study, const std::string& title, run::RunDirectory& files) {
   files.create();
-  files.write_file("accuracy.csv", csv_report(study));
   files.write_file("accuracy.json", json_report(study));
+  files.write_file("accuracy.csv", csv_report(study));
   if (!snapshot::has_pictures()) return;
   constexpr std::size_t max_charts = 6;
-  draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt),
-       files.charts() / "worst_error.png");
+  draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt), "worst_error",
+       files);
   for (std::size_t k = 0; k < study.quantities.size(); ++k)
     if (k < max_charts || k + 1 == study.quantities.size())
       draw(chart_of(study, title, fmt::format("error of {}", study.quantities[k].name), k),
-           files.charts() / (study.quantities[k].name + ".png"));
+           study.quantities[k].name, files);
 }
 
 }  // namespace scree::accuracy

@@ -37,15 +37,17 @@ std::vector<fs::path> Checkpoints::all() const {
   return paths;
 }
 
-void Checkpoints::write(const State& state, std::uint64_t steps) const {
+fs::path Checkpoints::add(std::uint64_t steps) const {
+  return directory_.add(fmt::format("checkpoint/step_{:015}.h5", steps));
+}
+
+void Checkpoints::write(const fs::path& path, const State& state) const {
   std::error_code failed;  // a failure is reported when the file is opened
   fs::create_directories(folder(), failed);
-  state_file::write_state(folder() / fmt::format("step_{:015}.h5", steps), state);
+  state_file::write_state(path, state);
   const std::vector<fs::path> paths = all();
   for (std::size_t k = kept; k < paths.size(); ++k) fs::remove(paths[k], failed);
 }
-
-void Checkpoints::write_final(const State& state) const { state_file::write_state(final_state(), state); }
 
 Checkpoints::Latest Checkpoints::latest(const std::function<void(const std::string&)>& report) const {
   std::optional<Latest> found;
@@ -62,7 +64,8 @@ Checkpoints::Latest Checkpoints::latest(const std::function<void(const std::stri
   for (const fs::path& path : all())
     if (consider(path)) break;
   std::error_code failed;
-  if (fs::exists(fs::symlink_status(final_state(), failed))) consider(final_state());
+  if (fs::exists(fs::symlink_status(directory_.path() / final_name, failed)))
+    consider(directory_.path() / final_name);
   if (!found)
     throw Error(fmt::format("{}: there is no state from which the run can go on; run the scenario again",
                             directory_.path().string()));

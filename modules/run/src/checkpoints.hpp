@@ -17,8 +17,11 @@ class Checkpoints {
  public:
   explicit Checkpoints(const RunDirectory& directory) : directory_(directory) {}
 
-  void write(const State& state, std::uint64_t steps) const;
-  void write_final(const State& state) const;
+  // List the file of a checkpoint, and of the state at the end; return their paths.
+  std::filesystem::path add(std::uint64_t steps) const;
+  std::filesystem::path add_final() const { return directory_.add(final_name); }
+  // Writes a checkpoint and removes the oldest.
+  void write(const std::filesystem::path& path, const State& state) const;
 
   struct Latest {
     State state;
@@ -29,7 +32,7 @@ class Checkpoints {
 
  private:
   std::filesystem::path folder() const { return directory_.path() / "checkpoint"; }
-  std::filesystem::path final_state() const { return directory_.path() / "final_state.h5"; }
+  static constexpr const char* final_name = "final_state.h5";
   // Sorted from the latest to the first.
   std::vector<std::filesystem::path> all() const;
 

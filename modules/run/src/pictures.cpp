@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/snapshot/frame_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
 #include <scree/snapshot/scaled_unit.hpp>
 
@@ -56,7 +57,10 @@ void Pictures::take_last(const Simulation& s) {
 void Pictures::write_snapshot(const Simulation& s) {
   if (s.steps() == last_snapshot_) return;
   last_snapshot_ = s.steps();
-  backend().write_frame(frame_of(s, plan_.title, scene_box(s)), directory_.snapshots());
+  for (const char* kind : snapshot::frame_kinds)
+    directory_.add("snapshots/" + snapshot::frame_file(kind, s.steps())),
+        directory_.add("snapshots/" + snapshot::frame_index(kind));
+  backend().write_frame(frame_of(s, plan_.title, scene_box(s)), directory_.path() / "snapshots");
 }
 
 void Pictures::write_image(const Simulation& s) {
@@ -72,7 +76,7 @@ void Pictures::write_image(const Simulation& s) {
   const snapshot::Frame frame = frame_of(s, plan_.title, shown_);
   range_.add_colors(frame);
   options.color_range = plan_.snapshot.color_range ? plan_.snapshot.color_range : range_.colors();
-  backend().render(frame, options, directory_.images() / fmt::format("frame_{:010}.png", s.steps()));
+  backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));
 }
 
 namespace {
@@ -107,7 +111,7 @@ void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
   chart.x_label = scale_axis(chart, &snapshot::ChartSeries::x, plan.x_label, plan.x_unit);
   chart.y_label = scale_axis(chart, &snapshot::ChartSeries::y, plan.y_label, plan.y_unit);
   if (chart.series.empty()) throw Error("its probe has no samples; add a stage in which it samples");
-  backend().chart(chart, directory_.charts() / (plan.name + ".png"));
+  backend().chart(chart, directory_.add("charts/" + plan.name + ".png"));
 }
 
 void Pictures::draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report) {

@@ -5,6 +5,7 @@
 #include "results.hpp"
 #include "run_from.hpp"
 #include "sampler.hpp"
+#include "spare_room.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
+#include <scree/state_file/state_file.hpp>
 
 namespace scree::run {
 
@@ -38,9 +40,12 @@ RunDirectory directory_of(const scenario::Plan& plan, const RunOptions& options)
   if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source));
   using Existing = RunDirectory::Existing;
   RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse);
+  directory.protect(plan.inputs);
   directory.take();
   return directory;
 }
+
+constexpr const char* final_packing = "final_packing.csv";
 
 // The simulation of a run that goes on, with the parameters of its present stage.
 std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state, unsigned threads) {
@@ -72,7 +77,11 @@ class Run {
       for (const std::string& warning : start_warnings(plan_, *simulation_)) results_.warn(warning);
     try {
       loop();
-      watch_.time_output([&] { save(); });
+      watch_.time_output([&] {
+        save();
+        pictures_.draw_charts(sampler_, [this](const std::string& line) { results_.warn(line); });
+      });
+      results_.judge(sampler_);
     } catch (const Error& error) {
       fail(error.what());
       // The status bad_input is reserved for errors before anything is written.
@@ -81,10 +90,8 @@ class Run {
       fail(error.what());
       throw;
     }
-    watch_.time_output(
-        [&] { pictures_.draw_charts(sampler_, [this](const std::string& line) { results_.warn(line); }); });
-    results_.judge(sampler_);
     for (const std::string& warning : result_warnings(*simulation_)) results_.warn(warning);
+    room_.release();
     results_.record(results_.interrupted() ? "interrupted" : "finished", "", watch_);
     return results_.result();
   }
@@ -122,6 +129,10 @@ class Run {
     try {
       results_.record("running", "", watch_);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      room_.reserve(directory_.add(SpareRoom::file_name),
+                    SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
+      directory_.add(final_packing);
+      for (const scenario::ProbePlan& probe : plan_.probes) directory_.add("series/" + probe.name + ".csv");
       sampler_.open(directory_.series());
     } catch (const std::exception&) {
       sampler_.close();  // too many open files cannot be removed
@@ -136,15 +147,25 @@ class Run {
     sampler_.transfer(from.below("probes"));
     pictures_.transfer(from.below("pictures"));
     results_.transfer(from.below("results"), watch_);
+    from.value("written", "1", written_);
     last_checkpoint_step_ = simulation_->steps();
   }
 
   // Continues the files of the run; what it wrote after the state is dropped.
   void reopen() {
-    sampler_.reopen(directory_.series());
+    sampler_.reopen(directory_.series(), results_.stages());
+    directory_.create();
+    directory_.written().return_to(written_);
     results_.record("running", "", watch_);
+    reserve_room();
   }
 
+  void reserve_room() {
+    room_.reserve(directory_.add(SpareRoom::file_name),
+                  SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
+  }
+
+  // The list of files must contain that of the state already.
   State state() {
     State state = simulation_->state();
     const StateTransfer to = StateTransfer::saving_to(state).below("run");
@@ -155,6 +176,8 @@ class Run {
     sampler_.transfer(to.below("probes"));
     pictures_.transfer(to.below("pictures"));
     results_.transfer(to.below("results"), watch_);
+    written_ = directory_.written().size();
+    to.value("written", "1", written_);
     return state;
   }
 
@@ -195,7 +218,8 @@ class Run {
     checkpoint_due_ = false;
     last_checkpoint_step_ = simulation_->steps();
     try {
-      checkpoints_.write(state(), simulation_->steps());
+      const std::filesystem::path path = checkpoints_.add(simulation_->steps());
+      checkpoints_.write(path, state());
     } catch (const Error& error) {
       results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
     }
@@ -206,7 +230,7 @@ class Run {
     if (results_.interrupted())
       write_checkpoint();
     else if (plan_.checkpoint.final_state)
-      checkpoints_.write_final(state());
+      state_file::write_state(checkpoints_.add_final(), state());
   }
 
   bool stopped() const { return options_.stop && *options_.stop; }
@@ -238,15 +262,16 @@ class Run {
   void save() {
     sampler_.flush();
     pictures_.take_last(*simulation_);
-    write_final_packing(*simulation_, directory_.path() / "final_packing.csv");
+    write_final_packing(*simulation_, directory_.path() / final_packing);
   }
 
   // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
   void fail(const std::string& reason) {
     results_.end_stage("failed");
+    room_.release();
     try_each([&] { results_.record("failed", files::one_line(reason, 2000), watch_); },
              [&] { sampler_.flush(); }, [&] { pictures_.take_last(*simulation_); },
-             [&] { write_final_packing(*simulation_, directory_.path() / "final_packing.csv"); });
+             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); });
   }
 
   const scenario::Plan& plan_;
@@ -254,11 +279,13 @@ class Run {
   RunDirectory& directory_;
   Checkpoints checkpoints_;
   std::unique_ptr<Simulation> simulation_;
+  SpareRoom room_;
   Sampler sampler_;
   Pictures pictures_;
   Results results_;
   std::optional<StageRunner> runner_;
   Stopwatch watch_;
+  std::uint64_t written_ = 0;                     // see WrittenFiles::size
   double last_report_ = 0, last_checkpoint_ = 0;  // (s) of wall time
   std::uint64_t last_checkpoint_step_ = 0;
   bool checkpoint_due_ = false;  // by wall time

@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <cerrno>
+#include <set>
 #include <unistd.h>
 #include <vector>
 
@@ -14,16 +14,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Files and folders of each kind of directory; the last entry identifies the kind.
+// Each kind of directory. The record identifies the kind; without a list of files, other files are `tables`.
 struct Layout {
-  const char* name;
-  std::vector<const char*> parts;
+  const char *name, *record;
+  std::vector<const char*> folders, tables;
 };
 const Layout& layout_of(RunDirectory::Kind kind) {
-  static const Layout run = {
-      "run", {"series", "snapshots", "images", "charts", "scenario.toml", "final_packing.csv", "run.json"}};
-  static const Layout study = {"accuracy study", {"charts", "accuracy.csv", "accuracy.json"}};
-  static const Layout campaign = {"campaign", {"table.csv", "means.csv", "campaign.json"}};
+  static const Layout run = {"run", "run.json", {"series", "snapshots", "images", "charts"}, {}};
+  static const Layout study = {"accuracy study", "accuracy.json", {"charts"}, {}};
+  static const Layout campaign = {"campaign", "campaign.json", {}, {"table.csv", "means.csv"}};
   return kind == RunDirectory::Kind::run ? run : kind == RunDirectory::Kind::study ? study : campaign;
 }
 
@@ -35,43 +34,56 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
-// True if there is nothing but the log, the lock and incomplete files of a killed write_file.
+// True if there is nothing but the log, the lock, the list and incomplete files of a process killed at its start.
 bool is_unused(const fs::path& path, const Layout& layout) {
+  std::set<std::string> known = {RunDirectory::log_name, files::DirectoryLock::file_name,
+                                 WrittenFiles::file_name, std::string(layout.record) + files::part_suffix};
+  for (const std::string table : layout.tables) known.insert(table + files::part_suffix);
   std::error_code failed;
-  const auto is_partial = [&](const std::string& name) {
-    return std::any_of(layout.parts.begin(), layout.parts.end(),
-                       [&](const char* part) { return name == std::string(part) + files::part_suffix; });
-  };
   for (const auto& entry : fs::directory_iterator(path, failed))
-    if (const std::string name = entry.path().filename().string();
-        name != RunDirectory::log_name && name != files::DirectoryLock::file_name && !is_partial(name))
-      return false;
+    if (!known.contains(entry.path().filename().string())) return false;
   return !failed;
 }
 
-void check_present(const fs::path& path, const Layout& layout, RunDirectory::Existing existing) {
-  std::error_code failed;
-  const auto refuse = [&](const std::string& problem, const char* cure) {
-    return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
-  };
-  if (!fs::is_directory(path, failed)) throw refuse("exists and is not a directory", "give another --out");
-  if (fs::directory_iterator(path, failed); failed)
-    throw refuse(fmt::format("cannot be read ({})", failed.message()),
-                 "check its permissions, or give another --out");
-  if (is_unused(path, layout)) return;
-  if (!fs::exists(path / layout.parts.back(), failed))
-    throw refuse(fmt::format("contains files that are not part of a scree {}", layout.name),
-                 "give another --out");
-  const char* article = layout.name[0] == 'a' ? "an" : "a";
-  if (existing == RunDirectory::Existing::refuse)
-    throw refuse(fmt::format("already contains {} {}", article, layout.name),
-                 "give another --out, or --overwrite to replace it");
+Error refusal(const fs::path& path, const std::string& problem, const char* cure = "give another --out") {
+  return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
 }
 
-Error in_use(const fs::path& path, const Layout& layout) {
-  const char* another = layout.name[0] == 'a' ? "an" : "another";
-  return Error(fmt::format("{}: {} {} is running there; wait for it or give another --out", path.string(),
-                           another, layout.name));
+std::string with_article(const Layout& layout, const char* article = "a") {
+  return fmt::format("{} {}", layout.name[0] == 'a' ? "an" : article, layout.name);
+}
+
+// Where files are listed, only those can be replaced.
+void check_list(const fs::path& path, const Layout& layout) {
+  std::error_code failed;
+  for (const char* folder : layout.folders)
+    if (fs::is_symlink(fs::symlink_status(path / folder, failed)))
+      throw refusal(path / folder, "is a symbolic link, which is not followed",
+                    "remove it, or give another --out");
+  if (WrittenFiles(path).contains(layout.record)) return;
+  if (fs::exists(path / layout.record, failed))
+    throw refusal(path,
+                  fmt::format("contains {} without {}, the list of its files, so that it cannot be replaced",
+                              with_article(layout), WrittenFiles::file_name),
+                  "move it elsewhere, or give another --out");
+  throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
+}
+
+void check_present(const fs::path& path, RunDirectory::Kind kind, RunDirectory::Existing existing) {
+  const Layout& layout = layout_of(kind);
+  std::error_code failed;
+  if (!fs::is_directory(path, failed)) throw refusal(path, "exists and is not a directory");
+  if (fs::directory_iterator(path, failed); failed)
+    throw refusal(path, fmt::format("cannot be read ({})", failed.message()),
+                  "check its permissions, or give another --out");
+  if (is_unused(path, layout)) return;
+  if (kind != RunDirectory::Kind::campaign)
+    check_list(path, layout);
+  else if (!fs::exists(path / layout.record, failed))
+    throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
+  if (existing == RunDirectory::Existing::refuse)
+    throw refusal(path, fmt::format("already contains {}", with_article(layout)),
+                  "give another --out, or --overwrite to replace it");
 }
 
 }  // namespace
@@ -95,7 +107,7 @@ RunDirectory RunDirectory::numbered(const fs::path& path, Kind kind) {
 
 void RunDirectory::check() const {
   std::error_code failed;
-  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, layout_of(kind_), existing_);
+  if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, kind_, existing_);
   const fs::path existing = existing_part(path_);
   if (!fs::is_directory(existing, failed) || access(existing.c_str(), W_OK | X_OK) != 0)
     throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out",
@@ -106,30 +118,45 @@ void RunDirectory::take() {
   if (lock_) return;
   using Children = files::DirectoryLock::Children;
   auto lock = files::DirectoryLock::take(path_, kind_ == Kind::campaign ? Children::inherit : Children::none);
-  if (!lock) throw in_use(path_, layout_of(kind_));
+  if (!lock)
+    throw refusal(path_, fmt::format("{} is running there", with_article(layout_of(kind_), "another")),
+                  "wait for it or give another --out");
   lock_.emplace(std::move(*lock));
   check();  // another process may have written there before it was locked
 }
 
+void RunDirectory::protect(const std::vector<fs::path>& inputs) const {
+  std::error_code failed;
+  const fs::path directory = fs::canonical(path_, failed);
+  if (failed) return;  // it is not there
+  const WrittenFiles written(path_);
+  for (const fs::path& input : inputs)
+    if (written.contains(fs::canonical(input, failed).lexically_relative(directory).string()))
+      throw refusal(
+          input,
+          fmt::format("is read by this scene and a file of the {} in {}, which would be removed first",
+                      layout_of(kind_).name, path_.string()),
+          "copy it elsewhere, or give another --out");
+}
+
 void RunDirectory::create() {
   take();
-  std::error_code failed;
-  if (existing_ == Existing::keep) return;
-  for (const std::string part : layout_of(kind_).parts)
-    fs::remove_all(path_ / part, failed), fs::remove(path_ / (part + files::part_suffix), failed);
+  if (kind_ == Kind::campaign) return;
+  written_ = std::make_unique<WrittenFiles>(path_);
+  if (existing_ != Existing::keep) written_->return_to(0);
 }
 
 void RunDirectory::discard() {
-  std::error_code failed;
-  for (const char* part : layout_of(kind_).parts) fs::remove_all(path_ / part, failed);
+  if (written_) written_->return_to(0);
   lock_.reset();
 }
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
+  const fs::path path = written_ ? add(name) : path_ / name;
   try {
-    files::write_atomically(path_ / name, text);
+    files::write_atomically(path, text);
   } catch (const Error&) {
-    throw unwritable(path_ / name);
+    throw unwritable(path);
   }
 }
 

@@ -89,7 +89,7 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
 
 void Sampler::sample(Active& p, const scree_view& view) {
   // The last row of a stage is also the first of the next stage.
-  if (p.series->rows() > 0 && p.series->column("time").back() == view.time) return;
+  if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
   p.series->add(view.time, p.probe.sample(view));
 }
 
@@ -111,23 +111,22 @@ const Series& Sampler::series(const std::string& probe) const {
           })->series;
 }
 
-void Sampler::reopen(const std::filesystem::path& folder) {
+void Sampler::reopen(const std::filesystem::path& folder, std::size_t stage) {
   for (Active& p : probes_)
-    p.series =
-        std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), p.position, staged_);
+    p.series = std::make_unique<Series>(folder / (p.plan->name + ".csv"), p.probe.names(), staged_, p.end);
+  begin_stage(stage);
 }
 
 void Sampler::transfer(const StateTransfer& state) {
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     Active& p = probes_[k];
     const StateTransfer of_probe = state.below(std::to_string(k));
-    if (!state.restoring()) p.position = p.series->position();
+    if (!state.restoring()) p.end = {p.series->bytes(), p.series->rows(), p.series->last_time()};
     p.probe.transfer(of_probe);
     of_probe.value("observed", "1", p.observed);
-    of_probe.value("rows", "1", p.position.rows);
-    of_probe.value("bytes", "1", p.position.bytes);
-    of_probe.value("last_time", "s", p.position.last_time);
-    of_probe.value("series_stage", "1", p.position.stage);
+    of_probe.value("bytes", "1", p.end.bytes);
+    of_probe.value("rows", "1", p.end.rows);
+    of_probe.value("last_time", "s", p.end.last_time);
   }
 }
 

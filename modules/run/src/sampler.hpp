@@ -29,8 +29,9 @@ class Sampler {
   // Writes the rows to CSV files in a folder, created if there are probes; with several stages each row ends
   // with the number of its own.
   void open(const std::filesystem::path& folder);
-  // Goes on with the files of a run whose state has been restored: cut to the lengths that they had then.
-  void reopen(const std::filesystem::path& folder);
+  // Goes on with the files of a run whose state has been restored, in the stage of this number: they are cut to the
+  // lengths that they had then.
+  void reopen(const std::filesystem::path& folder, std::size_t stage);
   // Keeps the rows in memory only.
   void open();
   // What the probes keep, and how far their series have come; these must be flushed.
@@ -56,7 +57,7 @@ class Sampler {
     Probe probe;
     std::unique_ptr<Series> series = nullptr;
     std::uint64_t observed = never;  // step of the last observation
-    Series::Position position = {};  // at which a series that is reopened goes on
+    SeriesEnd end = {};              // behind which a series that is reopened goes on
 
     bool records_in(const std::string& stage) const;
     // At the start of a stage, after which the clock runs anew, it may have been observed already.

@@ -1,11 +1,10 @@
 #include "series.hpp"
 
 #include <algorithm>
-#include <cerrno>
 
 #include <fmt/format.h>
 
-#include <scree/run/run_directory.hpp>
+#include <scree/run/series_column.hpp>
 
 namespace scree::run {
 
@@ -13,15 +12,21 @@ Series::Series(const std::filesystem::path& file, std::vector<std::string> names
                const std::vector<std::string>& units, bool staged)
     : Series(std::move(names)) {
   staged_ = staged;
-  path_ = file;
-  std::error_code failed;  // a failure is reported when the file is opened
-  std::filesystem::create_directories(file.parent_path(), failed);
-  file_.open(file, std::ios::binary);
-  file_ << "time [s]";
+  file_.emplace(file);
+  std::string header = "time [s]";
   for (std::size_t k = 0; k < units.size(); ++k)
-    file_ << ',' << names_[k + 1] << (units[k].empty() ? "" : fmt::format(" [{}]", units[k]));
-  file_ << (staged ? ",stage\n" : "\n");
+    header += ',' + names_[k + 1] + (units[k].empty() ? "" : fmt::format(" [{}]", units[k]));
+  file_->add(header + (staged ? ",stage\n" : "\n"));
   flush();
+}
+
+Series::Series(const std::filesystem::path& file, std::vector<std::string> names, bool staged,
+               const SeriesEnd& end)
+    : Series(std::move(names)) {
+  staged_ = staged;
+  file_.emplace(file, end.bytes);
+  rows_ = end.rows;
+  last_time_ = end.last_time;
 }
 
 Series::Series(std::vector<std::string> names) : names_(std::move(names)) {
@@ -29,42 +34,28 @@ Series::Series(std::vector<std::string> names) : names_(std::move(names)) {
   columns_.resize(names_.size());
 }
 
-Series::Series(const std::filesystem::path& file, std::vector<std::string> names, const Position& position,
-               bool staged)
-    : Series(std::move(names)) {
-  staged_ = staged;
-  stage_ = position.stage;
-  path_ = file;
-  std::filesystem::resize_file(file, position.bytes);
-  file_.open(file, std::ios::binary | std::ios::app | std::ios::ate);
-}
-Series::Position Series::position() {
-  return {rows(), std::uint64_t(file_.tellp()), stage_, rows() ? columns_[0].back() : 0};
-}
-
 void Series::add(double time, const std::vector<double>& row) {
-  columns_[0].push_back(time);
-  for (std::size_t k = 0; k < row.size(); ++k) columns_[k + 1].push_back(row[k]);
-  if (path_.empty()) return;
+  ++rows_;
+  last_time_ = time;
+  if (!file_) {
+    columns_[0].push_back(time);
+    for (std::size_t k = 0; k < row.size(); ++k) columns_[k + 1].push_back(row[k]);
+    return;
+  }
   fmt::memory_buffer line;
   fmt::format_to(std::back_inserter(line), "{}", time);
   for (const double number : row) fmt::format_to(std::back_inserter(line), ",{}", number);
   if (staged_) fmt::format_to(std::back_inserter(line), ",{}", stage_);
   line.push_back('\n');
-  file_.write(line.data(), std::streamsize(line.size()));
-  check_file();
+  file_->add({line.data(), line.size()});
 }
 
 void Series::flush() {
-  file_.flush();
-  check_file();
+  if (file_) file_->flush();
 }
 
-void Series::check_file() const {
-  if (!path_.empty() && !file_) throw unwritable(path_, errno);
-}
-
-const std::vector<double>& Series::column(const std::string& name) const {
+std::vector<double> Series::column(const std::string& name) const {
+  if (file_) return series_column(file_->path(), name, "leave the files of a run alone until it ends");
   return columns_.at(std::size_t(std::find(names_.begin(), names_.end(), name) - names_.begin()));
 }
 

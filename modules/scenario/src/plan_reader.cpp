@@ -182,16 +182,23 @@ bool needs_pair_forces(const Plan& plan) {
   return plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
 }
 
+// Absolute path of the packing that a scene reads.
+std::optional<std::filesystem::path> packing_file(const document::Document& document,
+                                                  const std::filesystem::path& path) {
+  const auto particles = document.root().optional_table("particles");
+  if (!particles || !particles->is_string(particles_keys.file)) return std::nullopt;
+  std::error_code failed;
+  const auto file = path.parent_path() / read(*particles, particles_keys.file);
+  return std::filesystem::absolute(file, failed).lexically_normal();
+}
+
 // TOML that runs from any folder: with the path of a packing made absolute.
 std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
                                 std::vector<std::string> overrides) {
-  namespace fs = std::filesystem;
-  const auto particles = document.root().optional_table("particles");
-  if (!particles || !particles->is_string(particles_keys.file)) return document.resolved_text();
-  std::error_code failed;
-  const fs::path file = fs::absolute(path.parent_path() / read(*particles, particles_keys.file), failed);
-  overrides.push_back(fmt::format("particles.file=\"{}\"",
-                                  files::escaped(file.lexically_normal().string(), files::Escapes::toml)));
+  const auto file = packing_file(document, path);
+  if (!file) return document.resolved_text();
+  overrides.push_back(
+      fmt::format("particles.file=\"{}\"", files::escaped(file->string(), files::Escapes::toml)));
   try {
     return document::Document::load(path, overrides).resolved_text();
   } catch (const Error&) {
@@ -239,6 +246,8 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
   plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
+  plan.inputs = {path};
+  if (const auto packing = packing_file(document, path)) plan.inputs.push_back(*packing);
   for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
   return plan;
 }

@@ -48,10 +48,17 @@ TEST_CASE("a run directory with foreign files or another run is not overwritten"
   // Files left by a run that is killed at its start.
   folder.write("run/run.json.part", "{");
   folder.write("run/.lock", "");
+  folder.write("run/written.txt", "run.json\nscen");
   CHECK(reason(folder / "run", Existing::refuse) == "no error");
   RunDirectory(folder / "run", Existing::refuse).create();
   CHECK(fs::is_empty(folder / "run"));
   folder.write("run/run.json", "{}");
+  for (const Existing existing : {Existing::refuse, Existing::replace})
+    CHECK(reason(folder / "run", existing)
+              .ends_with(
+                  "contains a run without written.txt, the list of its files, so that it cannot be replaced; "
+                  "move it elsewhere, or give another --out"));
+  folder.write("run/written.txt", "run.json\n");
   CHECK(reason(folder / "run", Existing::refuse).ends_with("or --overwrite to replace it"));
   CHECK(reason(folder / "run", Existing::replace) == "no error");
 }
@@ -107,4 +114,61 @@ TEST_CASE("numbered directories go to one run each", "[run]") {
   CHECK(first.path() == folder / "run");
   CHECK(second.path() == folder / "run-2");
   CHECK(third.path() == folder / "run-3");
+}
+
+TEST_CASE("a run that is replaced leaves what it did not write", "[run]") {
+  const TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  {
+    RunDirectory first(run, Existing::refuse);
+    first.create();
+    first.write_file("run.json", "{}");
+    for (const char* name : {"charts/work.png", "images/frame.png"}) {
+      first.add(name);
+      fs::create_directory((run / name).parent_path());
+      folder.write("run/" + std::string(name), "drawn");
+    }
+    folder.write("run/images/frame.png.part", "killed");
+    for (const char* name : {"run/charts/my.png", "run/letter.txt", "run/log.txt"})
+      folder.write(name, "mine");
+  }
+  RunDirectory second(run, Existing::replace);
+  second.create();
+  for (const char* name : {"charts/my.png", "letter.txt", "log.txt"}) CHECK(text_of(run / name) == "mine");
+  for (const char* name : {"run.json", "charts/work.png", "images", "written.txt"})
+    CHECK_FALSE(fs::exists(run / name));
+  CHECK_THROWS_WITH(second.add("charts/my.png"), Catch::Contains("was not written by a run"));
+}
+
+TEST_CASE("a run is not replaced if its list or its folders lead elsewhere", "[run]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "run");
+  folder.write("run/run.json", "{}");
+  folder.write("precious", "mine");
+  const std::vector<std::string> outside = {"../precious", folder / "precious", "series/../../precious", ""};
+  for (const std::string& line : outside) {
+    folder.write("run/written.txt", "run.json\n" + line + "\n");
+    CHECK(reason(folder / "run", Existing::replace).find("run/written.txt:2: ") != std::string::npos);
+  }
+  fs::create_directory_symlink(folder.path(), folder / "run/elsewhere");
+  folder.write("run/written.txt", "run.json\nelsewhere/precious\n");
+  CHECK(reason(folder / "run", Existing::replace).find("leads out of the directory") != std::string::npos);
+  folder.write("run/written.txt", "run.json\n");
+  fs::rename(folder / "run/elsewhere", folder / "run/series");
+  CHECK(reason(folder / "run", Existing::replace).find("run/series: is a symbolic link") !=
+        std::string::npos);
+  CHECK(text_of(folder / "precious") == "mine");
+  CHECK(text_of(folder / "run/run.json") == "{}");
+}
+
+TEST_CASE("a file that cannot be removed is an error, and stays listed", "[run]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "run/scenario.toml/below");
+  folder.write("run/run.json", "{}");
+  folder.write("run/written.txt", "run.json\nscenario.toml\n");
+  RunDirectory directory(folder / "run", Existing::replace);
+  CHECK_THROWS_WITH(directory.create(),
+                    Catch::Contains("run/scenario.toml: cannot be removed (Is a directory)"));
+  CHECK(text_of(folder / "run/written.txt") == "run.json\nscenario.toml\n");
+  CHECK(text_of(folder / "run/run.json") == "{}");
 }

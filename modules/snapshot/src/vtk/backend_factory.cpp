@@ -7,17 +7,16 @@
 #include "scene_picture.hpp"
 #include "vtp_writer.hpp"
 
-#include <fmt/format.h>
-
 #include <scree/snapshot/backend.hpp>
+#include <scree/snapshot/frame_files.hpp>
 
 namespace scree::snapshot {
 namespace {
 
-void add_to_series(const std::filesystem::path& directory, const char* series, const Frame& frame,
+void add_to_series(const std::filesystem::path& directory, const char* kind, const Frame& frame,
                    const std::string& content) {
-  PvdIndex index(directory / fmt::format("{}.pvd", series));
-  const std::string file_name = fmt::format("{}_{:010}.vtp", series, frame.step);
+  PvdIndex index(directory / frame_index(kind));
+  const std::string file_name = frame_file(kind, frame.step);
   write_atomically(directory / file_name, content);
   index.put(file_name, frame.time);
   index.save();
@@ -27,8 +26,8 @@ class VtkBackend final : public SnapshotBackend {
  public:
   void write_frame(const Frame& frame, const std::filesystem::path& directory) override {
     check_columns(frame);
-    add_to_series(directory, "contacts", frame, contacts_vtp(frame));
-    add_to_series(directory, "particles", frame, particles_vtp(frame));
+    add_to_series(directory, frame_kinds[0], frame, contacts_vtp(frame));
+    add_to_series(directory, frame_kinds[1], frame, particles_vtp(frame));
   }
 
   Frame read_frame(const std::filesystem::path& particles_file) override {

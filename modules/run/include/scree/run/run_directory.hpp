@@ -1,16 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <scree/error.hpp>
 #include <scree/files/directory_lock.hpp>
+#include <scree/run/written_files.hpp>
 
 namespace scree::run {
 
 // The directory of one run, study or campaign, used by one process at a time. That of a run has series/, snapshots/,
-// images/, charts/, scenario.toml, run.json, final_packing.csv.
+// images/, charts/, scenario.toml, run.json, final_packing.csv. What a run or study writes is listed in written.txt, and
+// nothing else is ever removed; a campaign removes nothing.
 class RunDirectory {
  public:
   enum class Kind { run, study, campaign };
@@ -28,18 +32,21 @@ class RunDirectory {
   // Creates it if it is not there, and locks it until this object or the process ends; if it is empty then, it is
   // removed again. The runs of a campaign hold its lock too. Throws Error if another process uses it.
   void take();
-  // Takes it, and removes an earlier run that is to be replaced.
+  // Throws Error if one of these files is listed, so that create() would remove it.
+  void protect(const std::vector<std::filesystem::path>& inputs) const;
+  // Takes it, and removes the files of an earlier run that is to be replaced. Throws Error (failure) if one cannot be
+  // removed.
   void create();
   // Removes what was written since create(), and the directories that were made for it.
   void discard();
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path series() const { return path_ / "series"; }
-  std::filesystem::path snapshots() const { return path_ / "snapshots"; }
-  std::filesystem::path images() const { return path_ / "images"; }
-  std::filesystem::path charts() const { return path_ / "charts"; }
 
-  // Writes a file under a temporary name, then renames it, so that readers never see an incomplete file.
+  // Lists a file that is about to be written; returns its path. After create(), as the next two.
+  std::filesystem::path add(const std::string& name) const { return written_->add(name); }
+  WrittenFiles& written() const { return *written_; }
+  // Lists a file (of a campaign: does not), writes it under a temporary name, then renames it, so that readers never see an incomplete file.
   void write_file(const std::string& name, const std::string& text) const;
 
   // runs/<stem of the scenario>, runs/<stem>-accuracy, campaigns/<stem>.
@@ -53,6 +60,7 @@ class RunDirectory {
   Existing existing_;
   Kind kind_;
   std::optional<files::DirectoryLock> lock_;
+  std::unique_ptr<WrittenFiles> written_;  // from create() on, but of a campaign
 };
 
 // Error for a file of a run that cannot be written; code: as errno, 0 if unknown.

@@ -76,6 +76,7 @@ struct Expectation {
 struct Plan {
   std::string title;
   std::filesystem::path source;
+  std::vector<std::filesystem::path> inputs;  // files that were read: the source and a packing
   std::uint64_t seed = 1;
   Scene scene;
   std::shared_ptr<const State> from_state;  // in which the bodies were; null for a new packing

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <unordered_set>
+
+namespace scree::run {
+
+// The list of the files that runs wrote into a directory, in the directory itself: one relative path per line, there
+// before the file is. Only what is listed is ever removed.
+class WrittenFiles {
+ public:
+  static constexpr const char* file_name = "written.txt";
+
+  // Reads the list; empty if there is none. Throws Error if it cannot be read, or a line leads out of the directory:
+  // it is absolute, contains "..", or leads through a symbolic link.
+  explicit WrittenFiles(std::filesystem::path directory);
+
+  bool contains(const std::string& file) const { return listed_.contains(file); }
+  // Lists a file, unless it is listed. Returns its path. Throws Error (failure) if there is a file of that name that
+  // is not listed, or the list cannot be written.
+  std::filesystem::path add(const std::string& file);
+
+  // Bytes of the list so far.
+  std::uint64_t size() const { return size_; }
+  // Removes the files listed behind a former size() and not before it, the last first, then folders that are empty,
+  // and cuts the list there. At 0 the list is removed too. Throws Error if a line does not end there, Error (failure)
+  // if a file cannot be removed.
+  void return_to(std::uint64_t size);
+
+ private:
+  std::string text() const;
+  void read();
+
+  std::filesystem::path directory_;
+  std::uint64_t size_ = 0;
+  std::unordered_set<std::string> listed_;
+};
+
+}  // namespace scree::run

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sstream>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <scree/files/descriptor.hpp>
+#include <scree/files/text.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/run/run_directory.hpp>
+#include <scree/run/written_files.hpp>
+
+namespace scree::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// Whether the path is relative and stays below its directory as far as its text tells.
+bool stays_below(const std::string& file) {
+  const fs::path path(file);
+  const auto is_odd = [](const fs::path& part) { return part.empty() || part == "." || part == ".."; };
+  const bool is_plain = std::none_of(file.begin(), file.end(), [](unsigned char c) { return c < 0x20; });
+  return is_plain && !file.empty() && path.is_relative() && std::none_of(path.begin(), path.end(), is_odd);
+}
+
+bool leads_through_link(const fs::path& directory, const fs::path& folder) {
+  std::error_code failed;
+  fs::path path = directory;
+  return std::any_of(folder.begin(), folder.end(), [&](const fs::path& part) {
+    return fs::is_symlink(fs::symlink_status(path /= part, failed));
+  });
+}
+
+void check_lines(const fs::path& directory, const std::vector<std::string>& lines) {
+  std::unordered_set<std::string> checked;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string folder = fs::path(lines[k]).parent_path().string();
+    if (stays_below(lines[k]) && (!checked.insert(folder).second || !leads_through_link(directory, folder)))
+      continue;
+    throw Error(fmt::format(
+        "{}:{}: '{}' leads out of the directory; remove the line or the link, or give another --out",
+        (directory / WrittenFiles::file_name).string(), k + 1, files::one_line(lines[k])));
+  }
+}
+
+void remove_file(const fs::path& path) {
+  if (unlink(path.c_str()) == 0 || errno == ENOENT || errno == ENOTDIR) return;
+  throw Error(fmt::format("{}: cannot be removed ({}); check its permissions, or give another --out",
+                          path.string(), std::strerror(errno)),
+              ExitStatus::failure);
+}
+
+void remove_empty_folders(const fs::path& directory, const fs::path& file) {
+  for (fs::path folder = file.parent_path(); !folder.empty(); folder = folder.parent_path())
+    rmdir((directory / folder).c_str());
+}
+
+}  // namespace
+
+WrittenFiles::WrittenFiles(fs::path directory) : directory_(std::move(directory)) { read(); }
+
+void WrittenFiles::read() {
+  const std::string all = text();
+  const std::vector<std::string> lines = lines_of(all);
+  check_lines(directory_, lines);
+  size_ = all.size();
+  listed_ = {lines.begin(), lines.end()};
+}
+
+// Up to the last line that is complete.
+std::string WrittenFiles::text() const {
+  const fs::path path = directory_ / file_name;
+  std::error_code failed;
+  const fs::file_status status = fs::symlink_status(path, failed);
+  if (status.type() == fs::file_type::not_found) return "";
+  if (!fs::is_regular_file(status))
+    throw Error(fmt::format("{}: is not a file; remove it, or give another --out", path.string()));
+  std::string text = files::read_text(path);
+  text.resize(text.rfind('\n') + 1);
+  return text;
+}
+
+fs::path WrittenFiles::add(const std::string& file) {
+  const fs::path path = directory_ / file, list = directory_ / file_name;
+  if (contains(file)) return path;
+  std::error_code failed;
+  // `scree render` may have added lines meanwhile, or a run that was killed half of one.
+  if (fs::file_size(list, failed) != size_ && !failed) read();
+  if (!stays_below(file) || fs::exists(fs::symlink_status(path, failed)))
+    throw Error(
+        fmt::format("{}: is there and was not written by a run; move it elsewhere, or give another --out",
+                    path.string()),
+        ExitStatus::failure);
+  const files::Descriptor descriptor(
+      open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!descriptor.is_open()) throw unwritable(list, errno);
+  int code = ftruncate(descriptor.get(), off_t(size_)) == 0 ? 0 : errno;
+  if (!code) code = files::write_all(descriptor, file + '\n');
+  if (code) throw unwritable(list, code);
+  size_ += file.size() + 1;
+  listed_.insert(file);
+  return path;
+}
+
+void WrittenFiles::return_to(std::uint64_t size) {
+  const std::string all = text();
+  if (size > all.size() || (size > 0 && all[size - 1] != '\n'))
+    throw Error(
+        fmt::format("{}: has no line that ends at byte {}; the directory was changed, start the run again",
+                    (directory_ / file_name).string(), size));
+  const std::vector<std::string> kept = lines_of(all.substr(0, size)), dropped = lines_of(all.substr(size));
+  check_lines(directory_, dropped);
+  std::unordered_set<std::string> remaining(kept.begin(), kept.end());
+  for (auto file = dropped.rbegin(); file != dropped.rend(); ++file) {
+    if (remaining.contains(*file)) continue;
+    remove_file(directory_ / *file);
+    remove_file(directory_ / (*file + files::part_suffix));
+    remove_empty_folders(directory_, *file);
+  }
+  const fs::path list = directory_ / file_name;
+  if (size == 0)
+    remove_file(list);
+  else if (truncate(list.c_str(), off_t(size)) != 0)
+    throw unwritable(list, errno);
+  size_ = size;
+  listed_ = std::move(remaining);
+}
+
+}  // namespace scree::run

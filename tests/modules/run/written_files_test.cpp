@@ -1,0 +1,83 @@
+#include "temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/run/written_files.hpp>
+
+using namespace scree;
+using namespace scree::run;
+using namespace scree::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write(WrittenFiles& files, const std::string& name) {
+  const fs::path path = files.add(name);
+  fs::create_directories(path.parent_path());
+  std::ofstream(path) << name;
+}
+
+}  // namespace
+
+TEST_CASE("files are listed once, before they are there", "[run]") {
+  const TemporaryFolder folder;
+  WrittenFiles files(folder.path());
+  CHECK(files.size() == 0);
+  CHECK(files.add("series/a.csv") == folder / "series/a.csv");
+  CHECK(text_of(folder / "written.txt") == "series/a.csv\n");
+  write(files, "series/a.csv");
+  files.add("series/a.csv");
+  CHECK(files.size() == 13);
+  CHECK(fs::file_size(folder / "written.txt") == 13);
+  CHECK(WrittenFiles(folder.path()).contains("series/a.csv"));
+  for (const char* odd : {"", "/etc/a", "../a", "a/../b", "a\nb"}) CHECK_THROWS_AS(files.add(odd), Error);
+}
+
+TEST_CASE("a return removes what was listed since, but for what was listed before", "[run]") {
+  const TemporaryFolder folder;
+  WrittenFiles files(folder.path());
+  write(files, "run.json");
+  write(files, "images/1.png");
+  const std::uint64_t size = files.size();
+  write(files, "images/2.png");
+  write(files, "charts/c.png");
+  std::ofstream(folder / "written.txt", std::ios::app) << "run.json\n";
+  files.return_to(size);
+  CHECK(files.size() == size);
+  CHECK(text_of(folder / "written.txt") == "run.json\nimages/1.png\n");
+  CHECK(fs::exists(folder / "run.json"));
+  CHECK(fs::exists(folder / "images/1.png"));
+  CHECK_FALSE(fs::exists(folder / "images/2.png"));
+  CHECK_FALSE(fs::exists(folder / "charts"));
+  CHECK_FALSE(files.contains("images/2.png"));
+  for (const std::uint64_t nowhere : {size - 1, size + 1}) CHECK_THROWS_AS(files.return_to(nowhere), Error);
+}
+
+TEST_CASE("a line that a killed run began is not followed, and lines of others are kept", "[run]") {
+  const TemporaryFolder folder;
+  folder.write("written.txt", "run.json\nimag");
+  folder.write("imag", "mine");
+  WrittenFiles files(folder.path());
+  CHECK_FALSE(files.contains("imag"));
+  files.add("a.csv");
+  CHECK(text_of(folder / "written.txt") == "run.json\na.csv\n");
+  std::ofstream(folder / "written.txt", std::ios::app) << "images/of_render.png\n";
+  files.add("b.csv");
+  CHECK(files.contains("images/of_render.png"));
+  CHECK(text_of(folder / "written.txt") == "run.json\na.csv\nimages/of_render.png\nb.csv\n");
+  files.return_to(0);
+  CHECK(text_of(folder / "imag") == "mine");
+  CHECK_FALSE(fs::exists(folder / "written.txt"));
+}
+
+TEST_CASE("a list that is a link is neither read nor written", "[run]") {
+  const TemporaryFolder folder;
+  folder.write("list", "run.json\n");
+  fs::create_directory(folder / "run");
+  WrittenFiles before(folder / "run");
+  fs::create_symlink(folder / "list", folder / "run/written.txt");
+  CHECK_THROWS_WITH(WrittenFiles(folder / "run"), Catch::Contains("run/written.txt: is not a file"));
+  CHECK_THROWS_AS(before.add("a.csv"), Error);
+  CHECK(text_of(folder / "list") == "run.json\n");
+}
