@@ -70,6 +70,9 @@ class Run {
     if (state) restore(*state);
   }
 
+  // Whether nothing is left to do.
+  bool finished() const { return runner_ && runner_->finished(); }
+
   RunResult execute() {
     runner_ ? reopen() : prepare();
     if (options_.on_start) options_.on_start(*simulation_);
@@ -295,7 +298,10 @@ class Run {
 
 RunResult run_from(const State* state, const scenario::Plan& plan, const RunOptions& options,
                    RunDirectory& directory) {
-  return Run(plan, options, directory, state).execute();
+  Run run(plan, options, directory, state);
+  if (run.finished())
+    throw Error(fmt::format("{}: the run has finished; give --until to prolong it", directory.path().string()));
+  return run.execute();
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
