@@ -300,7 +300,8 @@ RunResult run_from(const State* state, const scenario::Plan& plan, const RunOpti
                    RunDirectory& directory) {
   Run run(plan, options, directory, state);
   if (run.finished())
-    throw Error(fmt::format("{}: the run has finished; give --until to prolong it", directory.path().string()));
+    throw Error(
+        fmt::format("{}: the run has finished; give --until to prolong it", directory.path().string()));
   return run.execute();
 }
 

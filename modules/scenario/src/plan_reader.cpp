@@ -5,6 +5,7 @@
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 #include "stage_reader.hpp"
+#include "state_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,23 +183,30 @@ bool needs_pair_forces(const Plan& plan) {
   return plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
 }
 
-// Absolute path of the packing that a scene reads.
-std::optional<std::filesystem::path> packing_file(const document::Document& document,
-                                                  const std::filesystem::path& path) {
+// A file from which a scene takes its bodies: the key that names it, and its absolute path.
+struct BodyFile {
+  std::string key;
+  std::filesystem::path path;
+};
+std::optional<BodyFile> body_file(const document::Document& document, const std::filesystem::path& scenario) {
   const auto particles = document.root().optional_table("particles");
-  if (!particles || !particles->is_string(particles_keys.file)) return std::nullopt;
+  if (!particles) return std::nullopt;
+  const std::filesystem::path folder = scenario.parent_path();
+  if (particles->is_string(particles_keys.state))
+    return BodyFile{particles_keys.state.name, find_state(*particles, folder)};
+  if (!particles->is_string(particles_keys.file)) return std::nullopt;
   std::error_code failed;
-  const auto file = path.parent_path() / read(*particles, particles_keys.file);
-  return std::filesystem::absolute(file, failed).lexically_normal();
+  const auto file = std::filesystem::absolute(folder / read(*particles, particles_keys.file), failed);
+  return BodyFile{particles_keys.file.name, file.lexically_normal()};
 }
 
-// TOML that runs from any folder: with the path of a packing made absolute.
+// TOML that runs from any folder: with the path of a packing or state made absolute.
 std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
                                 std::vector<std::string> overrides) {
-  const auto file = packing_file(document, path);
+  const auto file = body_file(document, path);
   if (!file) return document.resolved_text();
-  overrides.push_back(
-      fmt::format("particles.file=\"{}\"", files::escaped(file->string(), files::Escapes::toml)));
+  overrides.push_back(fmt::format("particles.{}=\"{}\"", file->key,
+                                  files::escaped(file->path.string(), files::Escapes::toml)));
   try {
     return document::Document::load(path, overrides).resolved_text();
   } catch (const Error&) {
@@ -247,7 +255,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   plan.resolved_text = document.resolved_text();
   plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
   plan.inputs = {path};
-  if (const auto packing = packing_file(document, path)) plan.inputs.push_back(*packing);
+  if (const auto file = body_file(document, path)) plan.inputs.push_back(file->path);
   for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
   return plan;
 }

@@ -34,6 +34,8 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return end == folder.end();
 }
 
+}  // namespace
+
 fs::path find_state(const document::Table& particles, const fs::path& folder) {
   const fs::path given = read(particles, particles_keys.state);
   std::error_code failed;
@@ -54,8 +56,6 @@ fs::path find_state(const document::Table& particles, const fs::path& folder) {
       particles_keys.state, fmt::format("there is no file '{}'", given.string()),
       "give its path from the folder of the scenario, or name its folder in SCREE_STATE_PATH");
 }
-
-}  // namespace
 
 std::shared_ptr<const State> read_state(const document::Table& particles, const fs::path& folder) {
   const fs::path path = find_state(particles, folder);

@@ -12,8 +12,10 @@
 
 namespace scree::scenario {
 
-// Reads the state that [particles] names: in `folder`, the working folder, or below one of those in the
-// environment variable SCREE_STATE_PATH=DIR:DIR.
+// Path of the state that [particles] names: in or below `folder`, the working folder, or one of those in the
+// environment variable SCREE_STATE_PATH=DIR:DIR. Throws Error if there is none.
+std::filesystem::path find_state(const document::Table& particles, const std::filesystem::path& folder);
+// Reads it.
 std::shared_ptr<const State> read_state(const document::Table& particles,
                                         const std::filesystem::path& folder);
 Branching read_branching(const document::Table& particles);

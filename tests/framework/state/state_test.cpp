@@ -1,7 +1,4 @@
-#include "scenes.hpp"
-
-#include <random>
-#include <string>
+#include "state/heap.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -15,47 +12,12 @@ using scree::Precision;
 using scree::Scene;
 using scree::Simulation;
 using scree::State;
-using scree::StateTransfer;
-using scree::Vec3;
+using scree::test::heap;
+using scree::test::message_of;
 
 namespace {
 
 constexpr int steps = 90;
-
-// Bodies of two sizes that collide: touching and separate pairs, sliding and sticking contacts, walls that
-// forces move or periodic faces that bodies cross, a body force, several searches.
-Scene heap(int dimension, bool periodic) {
-  std::mt19937_64 generator(17);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const int per_axis = dimension == 2 ? 16 : 6;
-  std::vector<Body> bodies;
-  for (int i = 0; i < (dimension == 2 ? 256 : 216); ++i) {
-    Vec3 x = {}, v = {}, spin = {};
-    for (int k = 0, rest = i; k < dimension; ++k, rest /= per_axis) {
-      x[k] = 1.9 * (rest % per_axis) + 0.05 * uniform(generator);
-      v[k] = 5 * uniform(generator);
-    }
-    spin[2] = uniform(generator);
-    const double radius = i % 2 ? 1 : 0.8;
-    bodies.push_back(scree::test::body(1000 - i, radius, radius, x, v, spin, dimension));
-  }
-  Scene s = scree::test::scene(dimension, 1e-3, bodies,
-                               {{"normal_stiffness", {1e4}},
-                                {"restitution", {0.8}},
-                                {"tangential_stiffness", {3e3}},
-                                {"tangential_damping", {1}},
-                                {"static_friction", {0.3}}});
-  s.min_bodies_per_thread = 1;
-  if (periodic)
-    scree::test::add_boundary(
-        s, "periodic",
-        {{"axes", {3}}, {"lower", {-1, -1, 0}}, {"upper", {1.9 * per_axis - 1, 1.9 * per_axis - 1, 0}}});
-  else
-    scree::test::add_boundary(s, "box",
-                              {{"stress", {0, 30}}, {"mass", {1000}}, {"viscosity", {10}}, {"x_low", {1}}});
-  scree::test::add_body_force(s, "gravity", {{"acceleration", {0, -10, 0}}});
-  return s;
-}
 
 // Compares array by array, for a message that names the first difference.
 void check_same(const State& a, const State& b) {
@@ -78,15 +40,6 @@ void check_resumed(Simulation& whole, Scene scene) {
   REQUIRE(whole.rebuilds() > 2);
   check_same(whole.state(), resumed.state());
   CHECK(whole.state_hash() == resumed.state_hash());
-}
-
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const scree::Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace

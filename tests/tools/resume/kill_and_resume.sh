@@ -53,7 +53,11 @@ for ((n = 0; n < kills; ++n)); do
   if compgen -G 'killed/checkpoint/*.part' > partial.log; then writing=$((writing + 1)); fi
   # Killed once more while it goes on, at every third time.
   if ((n % 3 == 0)); then
-    timeout --signal=KILL 0.5 "$program" resume killed --quiet > resume.log 2>&1 || true
+    "$program" resume killed --quiet > resume.log 2>&1 &
+    process=$!
+    sleep 0.3
+    kill -KILL $process 2> kill.log || true
+    wait $process 2> wait.log || true
   fi
   status=0
   "$program" resume killed --quiet --threads $((1 + n % 2)) > resume.log 2>&1 || status=$?
