@@ -4,7 +4,6 @@
 #include "state_path.hpp"
 
 #include <stdexcept>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -39,8 +38,6 @@ void write_state(const std::filesystem::path& path, const State& state) {
   try {
     backend.write(name_of(file.descriptor()), state);
   } catch (const Error& error) {
-    // The library may keep the file open after a failure, and with it the space on the disk.
-    [[maybe_unused]] const int cut = ::ftruncate(file.descriptor(), 0);
     throw Error(
         fmt::format(
             "{}: cannot be written ({}); check the space on the disk and the limit on the size of files",

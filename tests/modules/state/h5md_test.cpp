@@ -94,6 +94,12 @@ TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[h
   CHECK(file.attribute("particles/bodies/species", "unit", 1) == "1");
 }
 
+TEST_CASE("An array without one row for each body is no element of H5MD", "[h5md]") {
+  const File file(odd_state());
+  CHECK(file.has("scree/bodies/total"));
+  CHECK_FALSE(file.has("particles/bodies/total"));
+}
+
 TEST_CASE("The box of H5MD has the periods of the scene", "[h5md]") {
   const File file(sample_state());
   CHECK(file.integers("particles/bodies/box", "dimension", 1)[0] == 3);

@@ -26,8 +26,9 @@ std::optional<std::string> path_of(const FileReader& reader, const std::string& 
 class Hdf5Backend final : public StateBackend {
  public:
   Hdf5Backend() {
-    // A file that cannot be closed, on a full disk, would be tried again at the end of the program.
-    checked(H5dont_atexit(), "HDF5");
+    // At the end of the program HDF5 would close again what it could not close, and crash. It is too late to say so
+    // where other code has used HDF5 before.
+    H5dont_atexit();
     checked(H5open(), "HDF5");
     checked(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "HDF5");  // failures are reported by Error alone
   }

@@ -5,6 +5,8 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace scree::state_file {
 namespace {
@@ -57,6 +59,22 @@ FileWriter::FileWriter(const std::filesystem::path& file)
     : file_(create_file(file)),
       group_properties_(without_times(H5P_GROUP_CREATE)),
       dataset_properties_(without_times(H5P_DATASET_CREATE)) {}
+
+FileWriter::~FileWriter() {
+  if (complete_) return;
+  // HDF5 keeps its memory of a file that it cannot write to its end: let it write that end to nowhere.
+  void* descriptor = nullptr;
+  const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (H5Fget_vfd_handle(file_, H5P_DEFAULT, &descriptor) >= 0 && nowhere >= 0)
+    ::dup2(nowhere, *static_cast<int*>(descriptor));
+  ::close(nowhere);
+}
+
+void FileWriter::close() {
+  checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "end of the file");
+  complete_ = true;
+  file_.close("end of the file");
+}
 
 Handle FileWriter::group(const std::string& name) {
   if (name.empty()) return {H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "root"};

@@ -24,6 +24,8 @@ inline constexpr const char* lengths_attribute = "lengths";
 class FileWriter {
  public:
   explicit FileWriter(const std::filesystem::path& file);
+  // Leaves a file that was not closed incomplete.
+  ~FileWriter();
 
   // Opens a group, which is made if it is missing, with those that hold it.
   Handle group(const std::string& name);
@@ -31,8 +33,8 @@ class FileWriter {
   void array(const std::string& name, const StateArray& array, bool as_frame);
   // A second name of a dataset.
   void link(const std::string& existing, const std::string& name);
-  // Closes the file. Without, it may be incomplete.
-  void close() { file_.close("end of the file"); }
+  // Writes what is left to write, and closes the file.
+  void close();
 
  private:
   template <class T>
@@ -41,6 +43,7 @@ class FileWriter {
   Handle dataset(hid_t group, const std::string& name, hid_t type, hid_t space, const StateArray& array);
 
   Handle file_, group_properties_, dataset_properties_;
+  bool complete_ = false;
 };
 
 // Shape of an array in a file; as_frame: with a leading dimension of 1.
