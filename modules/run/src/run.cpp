@@ -184,8 +184,8 @@ class Run {
     end_stage("failed");
     room_.release();
     try_each([&] { record("failed", files::one_line(reason, 2000)); }, [&] { sampler_.flush(); },
-             [&] { pictures_.take_last(*simulation_); },
-             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); });
+             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); },
+             [&] { pictures_.take_last(*simulation_); });
   }
 
   void judge() {
