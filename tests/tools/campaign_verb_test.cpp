@@ -215,3 +215,21 @@ TEST_CASE("a campaign with a pipe or an option-like name as scenario, or with a 
   CHECK(folder.status == 2);
   CHECK(contains(folder.err, "out/campaign.json: is not a file; remove it, or give another --out\n"));
 }
+
+TEST_CASE("a campaign that goes on writes through no link in its directory", "[tools]") {
+  const CampaignWorkspace w("[set]\ntime.duration = [1e-4, 2e-4]\n");
+  REQUIRE(w.scree(call).status == 0);
+  const Outcome outcome = w.shell(
+      "for k in 1 2 3 4; do echo mine > precious$k; done\nrun=out/duration=0.0001\n"
+      "ln -s ../precious1 out/table.csv.part; ln -s ../precious2 out/campaign.json.part\n"
+      "ln -sf ../../precious3 $run/log.txt; ln -s ../../precious4 $run/run.json.part\n"
+      "scree campaign campaign.toml --out out --overwrite || exit 1; cat precious?\n"
+      "mkdir elsewhere; mv out/duration=0.0002 elsewhere/run; ln -s ../elsewhere/run out/duration=0.0002\n"
+      "rm elsewhere/run/run.json; scree campaign campaign.toml --out out");
+  CHECK(outcome.status == 2);
+  CHECK(contains(outcome.out, "mine\nmine\nmine\nmine\n"));
+  CHECK(
+      outcome.err ==
+      "scree: out/duration=0.0002: is a symbolic link, which is not followed; remove it, or give another --out\n");
+  CHECK_FALSE(w.has("elsewhere/run/run.json"));
+}

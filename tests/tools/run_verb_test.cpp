@@ -148,23 +148,6 @@ TEST_CASE("bodies that start above the speed limit are bad input", "[tools]") {
   CHECK(outcome.err.find("scene.toml:13:1: particle 1 moves at ") != std::string::npos);
 }
 
-TEST_CASE("Ctrl-C saves the run and gives status 130", "[tools]") {
-  const Workspace w(with(discs, "duration = 1e-4", "duration = 5000"));
-  for (const char* signal : {"INT", "TERM"}) {
-    const Outcome outcome = w.shell("'" SCREE_TEST_PROGRAM
-                                    "' run scene.toml --out out --overwrite &\nrun=$!\n"
-                                    "until test -s out/series/energy.csv; do sleep 0.05; done; sleep 0.1\n"
-                                    "kill -" +
-                                    std::string(signal) + " $run; wait $run");
-    CHECK(outcome.status == 130);
-    CHECK(outcome.out.find("interrupted; results so far are saved\n") != std::string::npos);
-    CHECK(w.record()["status"] == "interrupted");
-    CHECK(w.record()["steps"] > 10);
-    CHECK(w.text("out/final_packing.csv").find("# time [s]: ") != std::string::npos);
-    CHECK(std::filesystem::remove_all(w / "out") > 0);
-  }
-}
-
 TEST_CASE("without --out runs are numbered", "[tools]") {
   const Workspace w;
   for (const char* directory : {"runs/scene", "runs/scene-2", "runs/scene-3"}) {

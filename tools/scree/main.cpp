@@ -84,23 +84,6 @@ PluginHost make_host(const PluginOptions& options) {
 
 namespace {
 
-std::atomic<bool> interrupted = false;
-
-void on_interrupt(int signal) {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
-}
-
-}  // namespace
-
-const std::atomic<bool>& watch_for_interrupt() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  return interrupted;
-}
-
-namespace {
-
 constexpr const char* footer =
     "Example:\n"
     "  scree run scenarios/david2005/quickstart.toml --out runs/first\n"

@@ -46,7 +46,7 @@ void add_run_verb(CommandLine& line) {
               "Number of threads; results are bitwise identical for any number (default 1)")
       .between(1, 1024);
   add_checkpoint_option(verb, arguments->checkpoint_every);
-  verb.flag("--overwrite", arguments->overwrite, "Replace an existing run in the directory");
+  verb.flag("--overwrite", arguments->overwrite, "Replace the files of an existing run in the directory");
   verb.flag("--quiet", arguments->quiet,
             "Print only warnings, unmet expectations and the location of the results");
   add_plugin_options(verb, arguments->plugins);

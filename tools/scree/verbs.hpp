@@ -52,8 +52,8 @@ void add_bench_verb(CommandLine& line);
 void add_new_plugin_verb(CommandLine& line);
 void add_test_plugin_verb(CommandLine& line);
 
-// Set by the first Ctrl-C, or the end of a batch job, from now on: what runs saves what it has and ends. A
-// second one ends the program at once.
+// Set from now on by the first Ctrl-C, end of a batch job (SIGTERM) or closed terminal (SIGHUP): what runs saves what
+// it has and ends. Ctrl-C more than a second later ends the program at once.
 const std::atomic<bool>& watch_for_interrupt();
 
 }  // namespace scree::tool

@@ -18,6 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+// The same check as by the run itself: the directory may contain other files.
+void check_directory(const fs::path& path) {
+  std::error_code failed;
+  if (fs::is_symlink(fs::symlink_status(path, failed)))
+    throw Error(fmt::format("{}: is a symbolic link, which is not followed; remove it, or give another --out",
+                            path.string()));
+  run::RunDirectory(path, run::RunDirectory::Existing::replace);
+}
+
 class Executor {
  public:
   Executor(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options)
@@ -37,8 +46,7 @@ class Executor {
       if (stopped()) return;
       if (options_.on_check) options_.on_check(checked++, to_do_);
       check_point(campaign_, campaign_.points[k], host);
-      // The same check as by the run itself: the directory may contain other files.
-      run::RunDirectory(directory_.run(campaign_.points[k]), run::RunDirectory::Existing::replace);
+      check_directory(directory_.run(campaign_.points[k]));
     }
   }
 

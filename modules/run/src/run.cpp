@@ -273,8 +273,9 @@ class Run {
     results_.end_stage("failed");
     room_.release();
     try_each([&] { results_.record("failed", files::one_line(reason, 2000), watch_); },
-             [&] { sampler_.flush(); }, [&] { pictures_.take_last(*simulation_); },
-             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); });
+             [&] { sampler_.flush(); },
+             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); },
+             [&] { pictures_.take_last(*simulation_); });
   }
 
   const scenario::Plan& plan_;

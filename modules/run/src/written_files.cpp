@@ -102,6 +102,12 @@ fs::path WrittenFiles::add(const std::string& file) {
         fmt::format("{}: is there and was not written by a run; move it elsewhere, or give another --out",
                     path.string()),
         ExitStatus::failure);
+  if (leads_through_link(directory_, fs::path(file).parent_path()))
+    throw Error(
+        fmt::format(
+            "{}: its folder is a symbolic link, which is not followed; remove it, or give another --out",
+            path.string()),
+        ExitStatus::failure);
   const files::Descriptor descriptor(
       open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (!descriptor.is_open()) throw unwritable(list, errno);

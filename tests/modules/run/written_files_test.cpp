@@ -71,6 +71,16 @@ TEST_CASE("a line that a killed run began is not followed, and lines of others a
   CHECK_FALSE(fs::exists(folder / "written.txt"));
 }
 
+TEST_CASE("files in a folder that is a link are not written", "[run]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "run");
+  fs::create_directory_symlink(folder.path(), folder / "run/images");
+  WrittenFiles files(folder / "run");
+  CHECK_THROWS_WITH(files.add("images/1.png"),
+                    Catch::Contains("run/images/1.png: its folder is a symbolic link"));
+  CHECK(files.size() == 0);
+}
+
 TEST_CASE("a list that is a link is neither read nor written", "[run]") {
   const TemporaryFolder folder;
   folder.write("list", "run.json\n");

@@ -19,7 +19,7 @@ class WrittenFiles {
 
   bool contains(const std::string& file) const { return listed_.contains(file); }
   // Lists a file, unless it is listed. Returns its path. Throws Error (failure) if there is a file of that name that
-  // is not listed, or the list cannot be written.
+  // is not listed, its folder is a symbolic link, or the list cannot be written.
   std::filesystem::path add(const std::string& file);
 
   // Bytes of the list so far.

@@ -1,0 +1,63 @@
+#include "program.hpp"
+
+using namespace scree::test;
+
+namespace {
+
+const std::string endless = with(discs, "duration = 1e-4", "duration = 5000");
+
+// Starts an endless run in the background, as $run; it is killed after 30 s.
+const std::string start = "'" SCREE_TEST_PROGRAM
+                          "' run scene.toml --out out --quiet &\nrun=$!\n"
+                          "(sleep 30; kill -KILL $run) > /dev/null 2>&1 &\ntrap \"kill $!\" EXIT\n"
+                          "until test -s out/series/energy.csv; do sleep 0.05; done; sleep 0.1\n";
+
+void check_saved(const Workspace& w, const Outcome& outcome) {
+  INFO(outcome.err);
+  CHECK(outcome.status == 130);
+  CHECK(outcome.out.find("interrupted; results so far are saved\n") != std::string::npos);
+  CHECK(w.record()["status"] == "interrupted");
+  CHECK(w.record()["steps"] > 10);
+  CHECK(w.text("out/final_packing.csv").find("# time [s]: ") != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C, the end of a batch job and a closed terminal save the run and give status 130",
+          "[tools]") {
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
+    const Workspace w(endless);
+    check_saved(w, w.shell(start + "kill -" + signal + " $run; wait $run"));
+  }
+}
+
+TEST_CASE("signals within a second are one request to save", "[tools]") {
+  const Workspace w(endless);
+  check_saved(
+      w, w.shell(start +
+                 "for s in TERM TERM TERM INT INT INT HUP HUP TERM INT; do kill -$s $run; done; wait $run"));
+  const Workspace limited(endless);
+  const Outcome outcome =
+      limited.shell("exec timeout 0.7 '" SCREE_TEST_PROGRAM "' run scene.toml --out out --quiet");
+  CHECK(outcome.status == 124);  // of timeout itself
+  CHECK(limited.record()["status"] == "interrupted");
+}
+
+// A pipe that is full holds the program up when it has saved and tells so.
+TEST_CASE("Ctrl-C again, more than a second later, ends the program at once", "[tools]") {
+  const Workspace w(endless);
+  const Outcome outcome =
+      w.shell("mkfifo pipe; exec 3<>pipe; head -c 65536 /dev/zero >&3\nexec 4>&1 >&3\n" + start +
+              "kill -INT $run; until grep -q interrupted out/run.json; do sleep 0.05; done\n"
+              "sleep 1.1; kill -TERM $run; sleep 0.1; kill -0 $run && echo 'still there' >&4\n"
+              "kill -INT $run; wait $run");
+  CHECK(outcome.status == 130);
+  CHECK(outcome.out == "still there\n");
+}
+
+TEST_CASE("a run started with nohup outlives its terminal", "[tools]") {
+  const Workspace w(endless);
+  check_saved(w, w.shell("trap '' HUP\n" + start +
+                         "kill -HUP $run; sleep 0.3; grep -q interrupted out/run.json && exit 1\n"
+                         "kill -INT $run; wait $run"));
+}

@@ -1,0 +1,47 @@
+#include "verbs.hpp"
+
+#include <csignal>
+#include <ctime>
+#include <unistd.h>
+
+namespace scree::tool {
+
+namespace {
+
+std::atomic<bool> interrupted = false;
+std::atomic<std::int64_t> first_signal = 0;  // (ms) of the monotonic clock
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "signal handlers cannot wait for locks");
+
+std::int64_t milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t(now.tv_sec) * 1000 + now.tv_nsec / 1000000;
+}
+
+void on_interrupt(int signal) {
+  // coreutils timeout, for one, signals the process and then its group.
+  constexpr std::int64_t same_request = 1000;  // (ms)
+  if (!interrupted) {
+    first_signal = milliseconds();
+    interrupted = true;
+  } else if (signal == SIGINT && milliseconds() - first_signal > same_request) {
+    _exit(int(ExitStatus::interrupted));
+  }
+}
+
+}  // namespace
+
+const std::atomic<bool>& watch_for_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, signal);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  // nohup starts programs with SIGHUP ignored, which are to outlive their terminal.
+  struct sigaction before {};
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    sigaction(SIGHUP, &action, nullptr);
+  return interrupted;
+}
+
+}  // namespace scree::tool
