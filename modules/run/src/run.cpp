@@ -224,7 +224,9 @@ class Run {
       const std::filesystem::path path = checkpoints_.add(simulation_->steps());
       checkpoints_.write(path, state());
     } catch (const Error& error) {
-      results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
+      if (!checkpoint_failed_)
+        results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
+      checkpoint_failed_ = true;
     }
     last_checkpoint_ = watch_.total();
   }
@@ -292,7 +294,8 @@ class Run {
   std::uint64_t written_ = 0;                     // see WrittenFiles::size
   double last_report_ = 0, last_checkpoint_ = 0;  // (s) of wall time
   std::uint64_t last_checkpoint_step_ = 0;
-  bool checkpoint_due_ = false;  // by wall time
+  bool checkpoint_due_ = false;     // by wall time
+  bool checkpoint_failed_ = false;  // which is reported once
 };
 
 }  // namespace

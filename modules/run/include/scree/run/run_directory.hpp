@@ -37,6 +37,8 @@ class RunDirectory {
   // Takes it, and removes the files of an earlier run that is to be replaced. Throws Error (failure) if one cannot be
   // removed.
   void create();
+  // From now on what is there already is replaced.
+  void replace() { existing_ = Existing::replace; }
   // Removes what was written since create(), and the directories that were made for it.
   void discard();
 
