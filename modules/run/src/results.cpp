@@ -46,6 +46,8 @@ void Results::transfer(const StateTransfer& state, const Stopwatch& watch) {
   double wall = wall_before_ + watch.total(), output = output_before_ + watch.output();
   state.value("wall", "s", wall);
   state.value("output", "s", output);
+  state.value("states", "1", result_.states);
+  state.value("state_output", "s", result_.state_output);
   if (!state.restoring()) return;
   wall_before_ = wall, output_before_ = output;
   if (!result_.stages.empty()) result_.stages.back().ended = "running";

@@ -221,8 +221,10 @@ class Run {
     checkpoint_due_ = false;
     last_checkpoint_step_ = simulation_->steps();
     try {
-      const std::filesystem::path path = checkpoints_.add(simulation_->steps());
-      checkpoints_.write(path, state());
+      timed([&] {
+        const std::filesystem::path path = checkpoints_.add(simulation_->steps());
+        checkpoints_.write(path, state());
+      });
     } catch (const Error& error) {
       if (!checkpoint_failed_)
         results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
@@ -231,11 +233,18 @@ class Run {
     last_checkpoint_ = watch_.total();
   }
 
+  // Calls work(), which writes a state.
+  void timed(const std::function<void()>& work) {
+    const double start = watch_.total();
+    work();
+    results_.count_state(watch_.total() - start);
+  }
+
   void write_last_state() {
     if (results_.interrupted())
       write_checkpoint();
     else if (plan_.checkpoint.final_state)
-      state_file::write_state(checkpoints_.add_final(), state());
+      timed([&] { state_file::write_state(checkpoints_.add_final(), state()); });
   }
 
   bool stopped() const { return options_.stop && *options_.stop; }

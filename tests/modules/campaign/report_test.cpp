@@ -56,8 +56,7 @@ TEST_CASE("means and standard errors are taken over the seeds of each point", "[
 
 TEST_CASE("the summary lists varied keys, expectations and failed runs with their reasons", "[campaign]") {
   const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5]\n").read();
-  Execution execution{
-      {finished({}), finished({}, false), {State::failed, "it broke", {}, {}}}, 1, false};
+  Execution execution{{finished({}), finished({}, false), {State::failed, "it broke", {}, {}}}, 1, false};
   execution.outcomes[1].warnings = {"too long; use less"};
   CHECK(
       text_report(c, execution) ==
