@@ -38,13 +38,13 @@ std::vector<fs::path> Checkpoints::all() const {
 }
 
 fs::path Checkpoints::add(std::uint64_t steps) const {
+  std::error_code failed;  // a failure is reported when the file is opened
+  fs::create_directories(folder(), failed);
   return directory_.add(fmt::format("checkpoint/step_{:015}.h5", steps));
 }
 
-void Checkpoints::write(const fs::path& path, const State& state) const {
-  std::error_code failed;  // a failure is reported when the file is opened
-  fs::create_directories(folder(), failed);
-  state_file::write_state(path, state);
+void Checkpoints::remove_old() const {
+  std::error_code failed;
   const std::vector<fs::path> paths = all();
   for (std::size_t k = kept; k < paths.size(); ++k) fs::remove(paths[k], failed);
 }

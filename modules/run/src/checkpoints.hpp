@@ -21,8 +21,8 @@ class Checkpoints {
   // List the file of a checkpoint, and of the state at the end; return their paths.
   std::filesystem::path add(std::uint64_t steps) const;
   std::filesystem::path add_final() const { return directory_.add(final_name); }
-  // Writes a checkpoint and removes the oldest.
-  void write(const std::filesystem::path& path, const State& state) const;
+  // Removes all but the two latest.
+  void remove_old() const;
 
   struct Latest {
     State state;

@@ -1,4 +1,3 @@
-#include "checkpoints.hpp"
 #include "drive.hpp"
 #include "final_packing.hpp"
 #include "pictures.hpp"
@@ -6,6 +5,7 @@
 #include "run_from.hpp"
 #include "sampler.hpp"
 #include "spare_room.hpp"
+#include "state_writer.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -18,7 +18,6 @@
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
-#include <scree/state_file/state_file.hpp>
 
 namespace scree::run {
 
@@ -62,11 +61,12 @@ class Run {
       : plan_(plan),
         options_(options),
         directory_(directory),
-        checkpoints_(directory),
         simulation_(state ? resumed(plan, *state, options.threads) : set_up(plan, options.threads)),
         sampler_(plan),
         pictures_(plan, directory_),
-        results_(plan, options, directory_, *simulation_) {
+        results_(plan, options, directory_, *simulation_),
+        states_(plan.checkpoint, directory_, *simulation_, results_, watch_,
+                [this] { return save_state(); }) {
     if (state) restore(*state);
   }
 
@@ -109,7 +109,7 @@ class Run {
   std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
     return watch_.time_output([&] {
       return std::min({sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps),
-                       next_checkpoint(steps)});
+                       states_.next(steps)});
     });
   }
 
@@ -118,11 +118,10 @@ class Run {
     return !stopped();
   }
 
-  bool pauses(const StageRunner&) const { return checkpoint_due_; }
+  bool pauses(const StageRunner&) const { return states_.is_waiting(); }
 
   void between(const StageRunner& runner) {
-    if (runner.finished() || stopped() || !(checkpoint_due_ || checkpoint_due_now())) return;
-    watch_.time_output([&] { write_checkpoint(); });
+    if (!runner.finished() && !stopped()) watch_.time_output([&] { states_.write_due(); });
   }
 
  private:
@@ -132,8 +131,7 @@ class Run {
     try {
       results_.record("running", "", watch_);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
-      room_.reserve(directory_.add(SpareRoom::file_name),
-                    SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
+      reserve_room();
       directory_.add(final_packing);
       for (const scenario::ProbePlan& probe : plan_.probes) directory_.add("series/" + probe.name + ".csv");
       sampler_.open(directory_.series());
@@ -151,7 +149,6 @@ class Run {
     pictures_.transfer(from.below("pictures"));
     results_.transfer(from.below("results"), watch_);
     from.value("written", "1", written_);
-    last_checkpoint_step_ = simulation_->steps();
   }
 
   // Continues the files of the run; what it wrote after the state is dropped.
@@ -169,7 +166,7 @@ class Run {
   }
 
   // The list of files must contain that of the state already.
-  State state() {
+  State save_state() {
     State state = simulation_->state();
     const StateTransfer to = StateTransfer::saving_to(state).below("run");
     std::string scenario = plan_.resolved_text;
@@ -185,12 +182,13 @@ class Run {
   }
 
   void loop() {
+    watch_ = {};
     std::optional<std::uint64_t> next;
     if (runner_) {
       const std::uint64_t steps = runner_->steps();
       const std::string stage = runner_->stages()[runner_->current()].name;
       next = std::min({sampler_.next(*simulation_, stage, steps), pictures_.next(*simulation_, steps),
-                       next_checkpoint(steps)});
+                       states_.next(steps)});
     } else {
       runner_.emplace(*simulation_, plan_.stages);
     }
@@ -198,53 +196,9 @@ class Run {
     if (!runner_->finished()) results_.interrupt();
     results_.end_stage(results_.interrupted() ? "interrupted" : "");
     watch_.time_output([&] {
-      write_last_state();
+      results_.interrupted() ? states_.write_checkpoint() : states_.write_final();
       sampler_.sample_last(*simulation_, last);
     });
-  }
-
-  // Step count after the start of the stage at which a checkpoint is due by simulated time.
-  std::uint64_t next_checkpoint(std::uint64_t steps) const {
-    if (!plan_.checkpoint.every_time) return never;
-    const std::uint64_t now = simulation_->steps(),
-                        next = next_due(now, *plan_.checkpoint.every_time, simulation_->step_length());
-    return next == never ? never : steps + (next - now);
-  }
-
-  bool checkpoint_due_now() const {
-    const std::uint64_t steps = simulation_->steps();
-    return plan_.checkpoint.every_time && steps > last_checkpoint_step_ &&
-           is_due(steps, *plan_.checkpoint.every_time, simulation_->step_length());
-  }
-
-  void write_checkpoint() {
-    checkpoint_due_ = false;
-    last_checkpoint_step_ = simulation_->steps();
-    try {
-      timed([&] {
-        const std::filesystem::path path = checkpoints_.add(simulation_->steps());
-        checkpoints_.write(path, state());
-      });
-    } catch (const Error& error) {
-      if (!checkpoint_failed_)
-        results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
-      checkpoint_failed_ = true;
-    }
-    last_checkpoint_ = watch_.total();
-  }
-
-  // Calls work(), which writes a state.
-  void timed(const std::function<void()>& work) {
-    const double start = watch_.total();
-    work();
-    results_.count_state(watch_.total() - start);
-  }
-
-  void write_last_state() {
-    if (results_.interrupted())
-      write_checkpoint();
-    else if (plan_.checkpoint.final_state)
-      timed([&] { state_file::write_state(checkpoints_.add_final(), state()); });
   }
 
   bool stopped() const { return options_.stop && *options_.stop; }
@@ -257,7 +211,7 @@ class Run {
     if (wall - last_report_ < seconds_between_reports) return;
     last_report_ = wall;
     sampler_.flush();
-    checkpoint_due_ |= plan_.checkpoint.every && wall - last_checkpoint_ >= *plan_.checkpoint.every;
+    states_.look_at_clock();
     if (options_.on_progress && !runner.finished()) options_.on_progress(progress_of(runner, wall));
   }
 
@@ -292,7 +246,6 @@ class Run {
   const scenario::Plan& plan_;
   const RunOptions& options_;
   RunDirectory& directory_;
-  Checkpoints checkpoints_;
   std::unique_ptr<Simulation> simulation_;
   SpareRoom room_;
   Sampler sampler_;
@@ -300,11 +253,9 @@ class Run {
   Results results_;
   std::optional<StageRunner> runner_;
   Stopwatch watch_;
-  std::uint64_t written_ = 0;                     // see WrittenFiles::size
-  double last_report_ = 0, last_checkpoint_ = 0;  // (s) of wall time
-  std::uint64_t last_checkpoint_step_ = 0;
-  bool checkpoint_due_ = false;     // by wall time
-  bool checkpoint_failed_ = false;  // which is reported once
+  StateWriter states_;
+  std::uint64_t written_ = 0;  // see WrittenFiles::size
+  double last_report_ = 0;     // (s) of wall time
 };
 
 }  // namespace

@@ -12,12 +12,17 @@ namespace scree::run {
 
 namespace {
 
+// A simulation of a scene, from the state with which the plan begins if there is one.
+std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, const Scene& scene) {
+  if (!plan.from_state) return std::make_unique<Simulation>(scene);
+  return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching);
+}
+
 std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned threads) {
   Scene scene = plan.scene;
   scene.threads = threads;
   try {
-    if (!plan.from_state) return std::make_unique<Simulation>(scene);
-    return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching);
+    return simulation_of(plan, scene);
   } catch (const Error& error) {
     // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
     const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty();
@@ -69,7 +74,7 @@ void check_later_stages(const scenario::Plan& plan) {
   Scene scene = plan.scene;
   for (const Stage& stage : plan.stages) {
     if (!plan.step_guard || !change_scene(stage, scene)) continue;
-    if (const auto problem = step_problem(Simulation(scene)))
+    if (const auto problem = step_problem(*simulation_of(plan, scene)))
       throw Error(fmt::format("{}: in stage '{}' {}", plan.step_place, stage.name, *problem));
   }
 }

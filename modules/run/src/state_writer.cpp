@@ -1,0 +1,66 @@
+#include "state_writer.hpp"
+
+#include "sampler.hpp"
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/state_file/state_file.hpp>
+
+namespace scree::run {
+
+StateWriter::StateWriter(const scenario::CheckpointPlan& plan, const RunDirectory& directory,
+                         const Simulation& simulation, Results& results, const Stopwatch& watch,
+                         std::function<State()> save)
+    : plan_(plan),
+      checkpoints_(directory),
+      simulation_(simulation),
+      results_(results),
+      watch_(watch),
+      save_(std::move(save)),
+      last_step_(simulation.steps()) {}
+
+void StateWriter::look_at_clock() { waiting_ |= plan_.every && watch_.total() - last_ >= *plan_.every; }
+
+std::uint64_t StateWriter::next(std::uint64_t steps) const {
+  if (!plan_.every_time) return never;
+  const std::uint64_t now = simulation_.steps(),
+                      next = next_due(now, *plan_.every_time, simulation_.step_length());
+  return next == never ? never : steps + (next - now);
+}
+
+bool StateWriter::is_due_by_time() const {
+  const std::uint64_t steps = simulation_.steps();
+  return plan_.every_time && steps > last_step_ &&
+         is_due(steps, *plan_.every_time, simulation_.step_length());
+}
+
+void StateWriter::write_due() {
+  if (waiting_ || is_due_by_time()) write_checkpoint();
+}
+
+void StateWriter::write_checkpoint() {
+  waiting_ = false;
+  last_step_ = simulation_.steps();
+  try {
+    write(checkpoints_.add(last_step_));
+    checkpoints_.remove_old();
+  } catch (const Error& error) {
+    if (!failed_)
+      results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_.time(), error.what()));
+    failed_ = true;
+  }
+  last_ = watch_.total();
+}
+
+void StateWriter::write_final() {
+  if (plan_.final_state) write(checkpoints_.add_final());
+}
+
+void StateWriter::write(const std::filesystem::path& path) {
+  const double start = watch_.total();
+  state_file::write_state(path, save_());
+  results_.count_state(watch_.total() - start);
+}
+
+}  // namespace scree::run

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "checkpoints.hpp"
+#include "results.hpp"
+#include "stopwatch.hpp"
+
+#include <functional>
+
+#include <scree/scenario/plan.hpp>
+#include <scree/simulation.hpp>
+
+namespace scree::run {
+
+// Writes the states of a run when they are due by wall time or simulated time, and at its end.
+class StateWriter {
+ public:
+  // save: the state of the run at the time of the call, after its file has been listed.
+  StateWriter(const scenario::CheckpointPlan& plan, const RunDirectory& directory,
+              const Simulation& simulation, Results& results, const Stopwatch& watch,
+              std::function<State()> save);
+
+  // Compares the wall time with that of the last checkpoint.
+  void look_at_clock();
+  // Whether a checkpoint is due by wall time.
+  bool is_waiting() const { return waiting_; }
+  // Step count after the start of a stage at which a checkpoint is due by simulated time; `steps`: the present one.
+  std::uint64_t next(std::uint64_t steps) const;
+  // Writes a checkpoint if one is due.
+  void write_due();
+  // One that cannot be written is reported, once.
+  void write_checkpoint();
+  // Throws Error (failure) if it cannot be written.
+  void write_final();
+
+ private:
+  bool is_due_by_time() const;
+  void write(const std::filesystem::path& path);
+
+  const scenario::CheckpointPlan& plan_;
+  Checkpoints checkpoints_;
+  const Simulation& simulation_;
+  Results& results_;
+  const Stopwatch& watch_;
+  std::function<State()> save_;
+  bool waiting_ = false, failed_ = false;
+  double last_ = 0;  // (s) of wall time
+  std::uint64_t last_step_;
+};
+
+}  // namespace scree::run
