@@ -129,8 +129,10 @@ class Run {
   void prepare() {
     directory_.create();
     try {
-      results_.record("running", "", watch_);
+      directory_.add("run.json");  // first, so that the list is known as that of a run
+      // A run that is killed goes on from its text even before its first state.
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      results_.record("running", "", watch_);
       reserve_room();
       directory_.add(final_packing);
       for (const scenario::ProbePlan& probe : plan_.probes) directory_.add("series/" + probe.name + ".csv");

@@ -47,6 +47,7 @@ for ((n = 0; n < kills; ++n)); do
   rm -rf killed
   "$program" run "$here/${words[0]}.toml" --out killed --quiet "${words[@]:1}" > killed.log 2>&1 &
   process=$!
+  until [[ -e killed/run.json ]] || ! kill -0 $process 2> kill.log; do sleep 0.002; done
   sleep "$(awk -v ms="${milliseconds[k]}" -v r="$RANDOM" 'BEGIN { printf "%.4f", 1e-3 * ms * r / 32768 }')"
   kill -KILL $process 2> kill.log || true
   wait $process 2> wait.log || true
