@@ -60,8 +60,11 @@ for ((n = 0; n < kills; ++n)); do
     kill -KILL $process 2> kill.log || true
     wait $process 2> wait.log || true
   fi
+  # On with other threads and, where the processor has several, another instruction level.
   status=0
-  "$program" resume killed --quiet --threads $((1 + n % 2)) > resume.log 2>&1 || status=$?
+  level=()
+  ((n % 4)) || level=(SCREE_LEVEL=baseline)
+  env "${level[@]}" "$program" resume killed --quiet --threads $((1 + n % 2)) > resume.log 2>&1 || status=$?
   if ((status == 2)) && grep -q 'contains no run' resume.log; then
     # Killed before it wrote anything.
     again=$((again + 1))
