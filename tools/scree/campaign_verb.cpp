@@ -74,7 +74,7 @@ ExitStatus run_campaign(const CampaignArguments& a) {
     fmt::print("interrupted; run the same command again to continue\n");
     return ExitStatus::interrupted;
   }
-  if (result.count(campaign::State::failed)) return ExitStatus::blow_up;
+  if (result.count(campaign::Status::failed)) return ExitStatus::blow_up;
   const bool met = std::all_of(result.outcomes.begin(), result.outcomes.end(),
                                [](const campaign::Outcome& o) { return o.unmet() == 0; });
   return met ? ExitStatus::success : ExitStatus::failure;

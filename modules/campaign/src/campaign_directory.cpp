@@ -52,7 +52,7 @@ std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign) const
 
 Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point) const {
   Outcome found = read_outcome(run(point), inputs_of(campaign, point), campaign.collect);
-  if (found.state == State::running && !in_use_) found.state = State::interrupted;
+  if (found.status == Status::running && !in_use_) found.status = Status::interrupted;
   return found;
 }
 

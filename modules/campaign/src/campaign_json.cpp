@@ -20,7 +20,7 @@ Json parameters_json(const std::vector<Parameter>& parameters) {
 }
 
 Json run_json(const Point& point, const Outcome& outcome) {
-  Json json = {{"run", point.name}, {"status", state_name(outcome.state)}};
+  Json json = {{"run", point.name}, {"status", status_name(outcome.status)}};
   if (!point.case_name.empty()) json["case"] = point.case_name;
   json["set"] = settings_json(point.settings);
   if (!outcome.problem.empty()) json["error"] = outcome.problem;

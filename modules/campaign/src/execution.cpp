@@ -33,7 +33,7 @@ class Executor {
       : campaign_(campaign), directory_(directory), options_(options) {
     result_.outcomes = directory.outcomes(campaign);
     for (std::size_t k = 0; k < result_.outcomes.size(); ++k)
-      if (options.again || result_.outcomes[k].state != State::finished) waiting_.push_back(k);
+      if (options.again || result_.outcomes[k].status != Status::finished) waiting_.push_back(k);
     to_do_ = waiting_.size();
     result_.finished_before = result_.outcomes.size() - to_do_;
   }
@@ -68,7 +68,7 @@ class Executor {
   bool stopped() const { return options_.stop && *options_.stop; }
 
   Execution end() {
-    result_.interrupted = stopped() && (done_ < to_do_ || result_.count(State::interrupted) > 0);
+    result_.interrupted = stopped() && (done_ < to_do_ || result_.count(Status::interrupted) > 0);
     return result_;
   }
 
@@ -81,7 +81,7 @@ class Executor {
       fs::create_directories(directory_.run(point), failed);
       pool_.start(k, command(point), directory_.log(point));
       result_.outcomes[k] = {};
-      result_.outcomes[k].state = State::running;
+      result_.outcomes[k].status = Status::running;
       running_.push_back(k);
     }
   }
@@ -109,15 +109,15 @@ class Executor {
     std::erase(running_, ended.id);
     ++done_;
     Outcome outcome = directory_.outcome(campaign_, point);
-    if (outcome.state == State::changed && ended.how.empty())
+    if (outcome.status == Status::changed && ended.how.empty())
       outcome.problem = "the scenario changed during the campaign; run the campaign again";
-    else if (outcome.problem.empty() && outcome.state != State::finished)
+    else if (outcome.problem.empty() && outcome.status != Status::finished)
       outcome.problem = problem_of(directory_.log(point), ended.how);
     // A run that was interrupted has not failed.
-    if (outcome.state != State::finished && outcome.state != State::failed)
-      outcome.state = interrupted_ ? State::interrupted : State::failed;
-    if (outcome.state != State::failed) outcome.problem.clear();
-    failed_ += outcome.state == State::failed;
+    if (outcome.status != Status::finished && outcome.status != Status::failed)
+      outcome.status = interrupted_ ? Status::interrupted : Status::failed;
+    if (outcome.status != Status::failed) outcome.problem.clear();
+    failed_ += outcome.status == Status::failed;
     result_.outcomes[ended.id] = std::move(outcome);
     save_periodically();
   }
@@ -135,7 +135,7 @@ class Executor {
     for (const std::size_t k : running_) done += share_in(directory_.log(campaign_.points[k]));
     const double share = to_do_ ? done / double(to_do_) : 1;
     options_.on_progress(
-        {result_.outcomes.size(), result_.count(State::finished), pool_.size(), failed_, share, wall()});
+        {result_.outcomes.size(), result_.count(Status::finished), pool_.size(), failed_, share, wall()});
   }
 
   // Keeps the tables up to date during the campaign, also in case the computer fails.
@@ -161,9 +161,9 @@ class Executor {
 
 }  // namespace
 
-std::size_t Execution::count(State state) const {
+std::size_t Execution::count(Status status) const {
   return std::size_t(std::count_if(outcomes.begin(), outcomes.end(),
-                                   [&](const Outcome& outcome) { return outcome.state == state; }));
+                                   [&](const Outcome& outcome) { return outcome.status == status; }));
 }
 
 Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,

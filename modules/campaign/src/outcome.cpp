@@ -22,13 +22,13 @@ bool is_newer(const fs::path& packing, const fs::path& record) {
   return !failed && of_packing > of_record;
 }
 
-State state_of(const Json& json, const Inputs& inputs, const fs::path& record) {
-  if (json.at("scenario") != inputs.resolved_text) return State::changed;
-  if (inputs.packing && is_newer(*inputs.packing, record)) return State::changed;
+Status status_of(const Json& json, const Inputs& inputs, const fs::path& record) {
+  if (json.at("scenario") != inputs.resolved_text) return Status::changed;
+  if (inputs.packing && is_newer(*inputs.packing, record)) return Status::changed;
   const std::string status = json.at("status");
-  for (const State state : {State::finished, State::failed, State::running})
-    if (status == state_name(state)) return state;
-  return State::interrupted;
+  for (const Status state : {Status::finished, Status::failed, Status::running})
+    if (status == status_name(state)) return state;
+  return Status::interrupted;
 }
 
 void add_numbers(const Json& json, const std::string& above, Outcome& outcome) {
@@ -51,10 +51,10 @@ void add_expectations(const Json& json, Outcome& outcome) {
 
 }  // namespace
 
-const char* state_name(State state) {
+const char* status_name(Status status) {
   static constexpr const char* names[] = {"missing", "changed", "interrupted",
                                           "running", "failed",  "finished"};
-  return names[std::size_t(state)];
+  return names[std::size_t(status)];
 }
 
 std::size_t Outcome::unmet() const {
@@ -77,9 +77,9 @@ Outcome read_outcome(const fs::path& directory, const Inputs& inputs,
   try {
     const Json json = parse_record(files::read_text(record));
     if (!json.is_object()) return outcome;
-    outcome.state = state_of(json, inputs, record);
-    if (outcome.state == State::failed) outcome.problem = json.value("error", "");
-    if (outcome.state != State::finished) return outcome;
+    outcome.status = status_of(json, inputs, record);
+    if (outcome.status == Status::failed) outcome.problem = json.value("error", "");
+    if (outcome.status != Status::finished) return outcome;
     std::vector<std::string> damaged;
     outcome.numbers = collected(directory, collect, damaged);
     add_numbers(json, "", outcome);

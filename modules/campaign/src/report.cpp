@@ -50,7 +50,7 @@ void write_failures(const Campaign& campaign, const std::vector<Outcome>& outcom
   constexpr std::size_t max_listed = 20;
   std::size_t count = 0;
   for (std::size_t k = 0; k < outcomes.size(); ++k)
-    if (outcomes[k].state == State::failed && ++count <= max_listed)
+    if (outcomes[k].status == Status::failed && ++count <= max_listed)
       fmt::format_to(out, "FAILED   {}: {}\n", campaign.points[k].name, outcomes[k].problem);
   if (count > max_listed)
     fmt::format_to(out, "         and {} more, see campaign.json\n", count - max_listed);
@@ -71,7 +71,7 @@ void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcom
 std::string text_report(const Campaign& campaign, const Execution& execution) {
   std::string text = title_line(campaign);
   const Out out(text);
-  const std::size_t finished = execution.count(State::finished), failed = execution.count(State::failed);
+  const std::size_t finished = execution.count(Status::finished), failed = execution.count(Status::failed);
   fmt::format_to(out, "{} finished", finished);
   if (execution.finished_before)
     fmt::format_to(out, " ({} of them in an earlier call)", execution.finished_before);
@@ -89,7 +89,7 @@ std::string list_report(const Campaign& campaign, const std::vector<Outcome>& ou
   std::string text = title_line(campaign);
   const Out out(text);
   for (std::size_t k = 0; k < outcomes.size(); ++k)
-    fmt::format_to(out, "{:<12} {}{}\n", state_name(outcomes[k].state), campaign.points[k].name,
+    fmt::format_to(out, "{:<12} {}{}\n", status_name(outcomes[k].status), campaign.points[k].name,
                    outcomes[k].problem.empty() ? "" : fmt::format(": {}", outcomes[k].problem));
   return text;
 }

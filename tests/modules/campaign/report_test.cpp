@@ -14,7 +14,7 @@ using scree::test::CampaignFolder;
 namespace {
 
 Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met = true) {
-  return {State::finished, "", std::move(numbers), {{"It holds", met}}};
+  return {Status::finished, "", std::move(numbers), {{"It holds", met}}};
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ TEST_CASE("the table has a row per run, with numbers of finished runs only", "[c
   const Campaign c =
       CampaignFolder("seeds = [7, 9]\n[set]\nscene.title = ['plain', 'with, \"quotes\"']\n").read();
   std::vector<Outcome> outcomes = {finished({{"work", 0.1}, {"seed", 7}}),
-                                   {State::failed, "why", {}, {}},
+                                   {Status::failed, "why", {}, {}},
                                    finished({{"seed", 7}, {"more", NAN}, {"work", 2}}, false),
                                    {}};
   outcomes[2].warnings = {"too long; use less", "and more"};
@@ -56,7 +56,7 @@ TEST_CASE("means and standard errors are taken over the seeds of each point", "[
 
 TEST_CASE("the summary lists varied keys, expectations and failed runs with their reasons", "[campaign]") {
   const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5]\n").read();
-  Execution execution{{finished({}), finished({}, false), {State::failed, "it broke", {}, {}}}, 1, false};
+  Execution execution{{finished({}), finished({}, false), {Status::failed, "it broke", {}, {}}}, 1, false};
   execution.outcomes[1].warnings = {"too long; use less"};
   CHECK(
       text_report(c, execution) ==

@@ -34,7 +34,7 @@ struct Execution {
   std::size_t finished_before = 0;  // not run again
   bool interrupted = false;
 
-  std::size_t count(State state) const;
+  std::size_t count(Status status) const;
 };
 
 // Runs all unfinished points, each in its own process, and updates the tables in the directory. Throws Error
