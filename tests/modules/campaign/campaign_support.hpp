@@ -24,7 +24,7 @@ class CampaignFolder {
     std::string line = message([&] {
       const campaign::Campaign read_in = read();
       for (const campaign::Point& point : read_in.points) {
-        campaign::inputs_of(read_in, point);
+        campaign::inputs_of(read_in, point, host());
         campaign::check_point(read_in, point, host());
       }
     });

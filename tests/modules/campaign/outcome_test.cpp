@@ -27,7 +27,7 @@ void make_run(const Campaign& c, std::size_t k, const std::filesystem::path& out
 }
 
 Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
-  return read_outcome(out, inputs_of(c, c.points[k]), c.collect);
+  return read_outcome(out, inputs_of(c, c.points[k], test::host()), c.collect);
 }
 
 }  // namespace

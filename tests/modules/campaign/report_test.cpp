@@ -34,7 +34,7 @@ TEST_CASE("the table has a row per run, with numbers of finished runs only", "[c
       "\"title=plain,seed=9\",plain,9,failed,,,,,\n"
       "\"title=with_quotes,seed=7\",\"with, \"\"quotes\"\"\",7,finished,1,0,too long; use less | and more,2,\n"
       "\"title=with_quotes,seed=9\",\"with, \"\"quotes\"\"\",9,missing,,,,,\n");
-  const auto json = nlohmann::json::parse(campaign_json(c, outcomes));
+  const auto json = nlohmann::json::parse(campaign_json(c, Execution{outcomes}));
   CHECK(std::string(json["file"]).ends_with("/campaign.toml"));
   CHECK(json["parameters"]["scene.title"][1] == "with, \"quotes\"");
   CHECK(json["runs"][1]["error"] == "why");
@@ -65,7 +65,7 @@ TEST_CASE("the summary lists varied keys, expectations and failed runs with thei
       "NOT MET  in 1 of 2: It holds\n"
       "FAILED   step=1e-5,seed=3: it broke\n"
       "WARNINGS in 1 of 3 runs, see the column warnings of table.csv; step=1e-5,seed=2: too long; use less\n");
-  CHECK(list_report(c, execution.outcomes) ==
+  CHECK(list_report(c, {}, execution.outcomes) ==
         "campaign: 3 runs, 1 value of time.step x 3 seeds\n"
         "finished     step=1e-5,seed=1\n"
         "finished     step=1e-5,seed=2\n"

@@ -12,7 +12,7 @@ namespace scree::campaign {
 // Status of the run of a point.
 enum class Status {
   missing,
-  changed,      // run with other settings, another scenario or an older file of bodies
+  changed,      // run with other settings, or another scenario, file of bodies or plug-in
   interrupted,  // stopped or killed before its end
   running,
   failed,

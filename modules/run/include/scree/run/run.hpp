@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
@@ -55,6 +56,7 @@ struct RunResult {
   double output = 0;                     // (s) of it for samples, files, pictures and charts
   double particle_steps_per_second = 0;  // in the rest of it
   std::vector<StageResult> stages;
+  InputHashes inputs;                 // of the files that it began from
   std::vector<std::string> warnings;  // "<what>; <cure>"
   std::vector<std::pair<std::string, double>> quantities;
   std::uint64_t state_hash = 0;
