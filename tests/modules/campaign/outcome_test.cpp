@@ -4,11 +4,12 @@
 
 #include <scree/campaign/campaign_directory.hpp>
 #include <scree/campaign/report.hpp>
-#include <scree/run/run.hpp>
 
 using namespace scree;
 using namespace scree::campaign;
 using test::CampaignFolder;
+using test::make_run;
+using test::outcome_of;
 
 namespace {
 
@@ -17,17 +18,6 @@ double number(const Outcome& outcome, const std::string& name) {
     if (known == name) return value;
   FAIL("no number " << name);
   return 0;
-}
-
-void make_run(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
-  run::RunOptions options;
-  options.out = out;
-  options.overwrite = true;
-  run::run_plan(scenario::read_plan(c.scenario, c.points[k].overrides(), test::host()), options);
-}
-
-Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
-  return read_outcome(out, inputs_of(c, c.points[k], test::host()), c.collect);
 }
 
 }  // namespace
@@ -105,25 +95,6 @@ TEST_CASE("a series that is not as the run wrote it is told, not read", "[campai
   CHECK_THAT(told(test::with(series, "\n0,", "\n0,0,")), Catch::Contains("line 2 has "));
   CHECK_THAT(told(test::with(series, "\n0,", "\nzero,")), Catch::Contains("line 2 is damaged at 'zero'"));
   CHECK_THAT(told("\n"), Catch::Contains("has no column time"));
-}
-
-TEST_CASE("a run older than its file of bodies counts as changed", "[campaign]") {
-  const std::string scene =
-      test::with(test::with(test::discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n",
-                            "file = 'bodies.csv'\n"),
-                 "radius = 0.01\n", "");
-  const CampaignFolder source(""), folder("", scene);
-  make_run(source.read(), 0, source.folder() / "out");
-  const auto bodies =
-      folder.folder().write("bodies.csv", test::text_of(source.folder() / "out/final_packing.csv"));
-  const Campaign c = folder.read();
-  const auto out = folder.folder() / "out";
-  make_run(c, 0, out);
-  const auto written = std::filesystem::last_write_time(out / "run.json");
-  std::filesystem::last_write_time(bodies, written - std::chrono::seconds(1));
-  CHECK(outcome_of(c, 0, out).status == Status::finished);
-  std::filesystem::last_write_time(bodies, written + std::chrono::seconds(1));
-  CHECK(outcome_of(c, 0, out).status == Status::changed);
 }
 
 TEST_CASE("a campaign that writes nothing leaves no directory", "[campaign]") {
