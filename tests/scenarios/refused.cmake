@@ -8,7 +8,8 @@ if(NOT line)
 endif()
 string(REGEX REPLACE "^# refused: " "" expected "${line}")
 
-execute_process(COMMAND ${SCREE} run ${SCENE} --out ${OUT} --overwrite --quiet
+file(REMOVE_RECURSE ${OUT})
+execute_process(COMMAND ${SCREE} run ${SCENE} --out ${OUT} --quiet
   RESULT_VARIABLE status ERROR_VARIABLE output)
 if(NOT status MATCHES "^[23]$")
   message(FATAL_ERROR "exit status ${status}, not 2 or 3; output: ${output}")

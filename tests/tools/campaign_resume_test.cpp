@@ -59,9 +59,8 @@ TEST_CASE("a run whose state cannot be read begins anew in the same call", "[too
   const Outcome again = w.shell("for f in out/run/checkpoint/*.h5; do echo cut > $f; done\nscree " + call);
   INFO(again.out);
   CHECK(again.status == 0);
-  CHECK(contains(again.out,
-                 "\n1 finished\nbegun anew run: out/run: there is no state from which the run can go on"));
-  CHECK(w.text("out/run/log.txt").find("there is no state") == std::string::npos);
+  CHECK(contains(again.out, "\n1 finished\nbegun anew run: out/run: none of its states can be read; "));
+  CHECK(w.text("out/run/log.txt").find("none of its states") == std::string::npos);
   REQUIRE(w.scree("run scene.toml --out whole").status == 0);
   check_same_run(w, "out/run", "whole");
 }

@@ -15,7 +15,8 @@ const std::string start = "'" SCREE_TEST_PROGRAM
 void check_saved(const Workspace& w, const Outcome& outcome) {
   INFO(outcome.err);
   CHECK(outcome.status == 130);
-  CHECK(outcome.out.find("interrupted; results so far are saved\n") != std::string::npos);
+  CHECK(outcome.out.find("interrupted; results so far are saved, go on with: scree resume out\n") !=
+        std::string::npos);
   CHECK(w.record()["status"] == "interrupted");
   CHECK(w.record()["steps"] > 10);
   CHECK(w.text("out/final_packing.csv").find("# time [s]: ") != std::string::npos);

@@ -101,7 +101,7 @@ void StateTransfer::sized_rows(const std::string& name, const char* unit, Contai
     std::copy(all.begin(), all.end(), numbers.begin());
     return;
   }
-  std::vector<std::size_t> shape = {numbers.size() / width};
+  std::vector<std::size_t> shape = {width > 0 ? numbers.size() / width : 0};
   if (width > 1) shape.push_back(width);
   put(name, {std::vector<T>(numbers.begin(), numbers.end()), std::move(shape), unit});
 }

@@ -10,6 +10,21 @@ namespace scree {
 
 namespace {
 
+// The totals that are kept from step to step.
+constexpr std::pair<const char*, double scree_energy::*> named_totals[] = {
+    {"elastic_normal", &scree_energy::elastic_normal},
+    {"elastic_tangential", &scree_energy::elastic_tangential},
+    {"potential", &scree_energy::potential},
+    {"dissipated_normal", &scree_energy::dissipated_normal},
+    {"dissipated_tangential", &scree_energy::dissipated_tangential},
+    {"dissipated_rolling", &scree_energy::dissipated_rolling},
+    {"dissipated_friction", &scree_energy::dissipated_friction},
+    {"dissipated_release", &scree_energy::dissipated_release},
+    {"dissipated_translation", &scree_energy::dissipated_translation},
+    {"dissipated_rotation", &scree_energy::dissipated_rotation},
+    {"created", &scree_energy::created},
+    {"work", &scree_energy::work}};
+
 // The larger number; NaN if one of them is, which std::max passes over.
 double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
@@ -103,8 +118,7 @@ void BodySums::transfer(const StateTransfer& state) {
 }
 
 void EnergyAudit::transfer(const StateTransfer& state) {
-  static_assert(std::is_standard_layout_v<scree_energy> && sizeof(scree_energy) % sizeof(double) == 0);
-  state.numbers("totals", "J", &totals_.kinetic_translation, sizeof(totals_) / sizeof(double));
+  for (const auto& [name, energy] : named_totals) state.value(name, "J", totals_.*energy);
   contacts_.transfer(state.below("contacts"));
   bodies_.transfer(state.below("body_forces"));
   state.value("stored_at_start", "J", stored_at_start_);

@@ -49,8 +49,10 @@ void Checkpoints::write(const fs::path& path, const State& state) const {
   for (std::size_t k = kept; k < paths.size(); ++k) fs::remove(paths[k], failed);
 }
 
-Checkpoints::Latest Checkpoints::latest(const std::function<void(const std::string&)>& report) const {
+std::optional<Checkpoints::Latest> Checkpoints::latest(
+    const std::function<void(const std::string&)>& report) const {
   std::optional<Latest> found;
+  bool damaged = false;
   const auto consider = [&](const fs::path& path) {
     try {
       State state = state_file::read_state(path);
@@ -58,6 +60,7 @@ Checkpoints::Latest Checkpoints::latest(const std::function<void(const std::stri
       return true;
     } catch (const Error& error) {
       report(error.what());
+      damaged = true;
       return false;
     }
   };
@@ -66,10 +69,10 @@ Checkpoints::Latest Checkpoints::latest(const std::function<void(const std::stri
   std::error_code failed;
   if (fs::exists(fs::symlink_status(directory_.path() / final_name, failed)))
     consider(directory_.path() / final_name);
-  if (!found)
-    throw Error(fmt::format("{}: there is no state from which the run can go on; run the scenario again",
+  if (!found && damaged)
+    throw Error(fmt::format("{}: none of its states can be read; run the scenario again",
                             directory_.path().string()));
-  return std::move(*found);
+  return found;
 }
 
 }  // namespace scree::run

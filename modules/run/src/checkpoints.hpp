@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ class Checkpoints {
     State state;
     std::filesystem::path path;
   };
-  // The state after the most steps that can be read; one that cannot is reported. Throws Error if there is none.
-  Latest latest(const std::function<void(const std::string&)>& report) const;
+  // The state after the most steps that can be read; one that cannot is reported. Nothing if there is no file of a
+  // state. Throws Error if none of them can be read.
+  std::optional<Latest> latest(const std::function<void(const std::string&)>& report) const;
 
  private:
   std::filesystem::path folder() const { return directory_.path() / "checkpoint"; }

@@ -63,6 +63,8 @@ void Results::transfer(const StateTransfer& state, const Stopwatch& watch) {
   double wall = wall_before_ + watch.total(), output = output_before_ + watch.output();
   state.value("wall", "s", wall);
   state.value("output", "s", output);
+  state.value("states", "1", result_.states);
+  state.value("state_output", "s", result_.state_output);
   const InputHashes inputs = transfer_inputs(state.below("inputs"), result_.inputs);
   if (!state.restoring()) return;
   go_on_from(inputs);

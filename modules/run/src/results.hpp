@@ -28,6 +28,8 @@ class Results {
   void interrupt() { result_.interrupted = true; }
   bool interrupted() const { return result_.interrupted; }
   void warn(const std::string& line);
+  // Counts a state that was written in a time (s).
+  void count_state(double seconds) { ++result_.states, result_.state_output += seconds; }
   void judge(const Sampler& sampler);
   // Writes run.json. `status` and `error` as in run_record.
   void record(const std::string& status, const std::string& error, const Stopwatch& watch);

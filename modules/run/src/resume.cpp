@@ -50,28 +50,48 @@ std::string scenario_of(const State& state) {
   return text;
 }
 
-}  // namespace
-
-RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
-  check_overrides(changes.overrides);
-  std::error_code failed;
-  if (!std::filesystem::exists(options.out / "run.json", failed))
-    throw Error(fmt::format("{}: contains no run; give the directory of one", options.out.string()));
-  RunDirectory directory(options.out, RunDirectory::Existing::keep);
-  directory.take();
-  const Checkpoints::Latest latest = Checkpoints(directory).latest(options.on_warning);
+scenario::Plan plan_of(const Checkpoints::Latest& latest, const ResumeChanges& changes, PluginHost& host) {
   const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)";
   std::vector<std::string> overrides = changes.overrides;
   const auto read = [&] {
     return scenario::read_plan_again(text, name, overrides, bodies_at_start(latest.state), host);
   };
   scenario::Plan plan = read();
-  if (changes.until) {
-    overrides.push_back(duration_until(plan, *changes.until));
-    plan = read();
-  }
+  if (!changes.until) return plan;
+  overrides.push_back(duration_until(plan, *changes.until));
+  return read();
+}
+
+// Of a run that was killed before its first state: from its start.
+scenario::Plan plan_of(const std::filesystem::path& scenario, const ResumeChanges& changes,
+                       PluginHost& host) {
+  std::vector<std::string> overrides = changes.overrides;
+  const scenario::Plan plan = scenario::read_plan(scenario, overrides, host);
+  if (!changes.until) return plan;
+  overrides.push_back(duration_until(plan, *changes.until));
+  return scenario::read_plan(scenario, overrides, host);
+}
+
+RunDirectory directory_of(const std::filesystem::path& path) {
+  std::error_code failed;
+  if (!std::filesystem::exists(path / "run.json", failed))
+    throw Error(fmt::format("{}: contains no run; give the directory of one", path.string()));
+  RunDirectory directory(path, RunDirectory::Existing::keep);
+  directory.take();
+  return directory;
+}
+
+}  // namespace
+
+RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+  check_overrides(changes.overrides);
+  RunDirectory directory = directory_of(options.out);
+  const auto latest = Checkpoints(directory).latest(options.on_warning);
+  scenario::Plan plan =
+      latest ? plan_of(*latest, changes, host) : plan_of(options.out / "scenario.toml", changes, host);
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
-  return run_from(&latest.state, plan, options, directory);
+  if (!latest) directory.replace();
+  return run_from(latest ? &latest->state : nullptr, plan, options, directory);
 }
 
 }  // namespace scree::run

@@ -221,19 +221,30 @@ class Run {
     checkpoint_due_ = false;
     last_checkpoint_step_ = simulation_->steps();
     try {
-      const std::filesystem::path path = checkpoints_.add(simulation_->steps());
-      checkpoints_.write(path, state());
+      timed([&] {
+        const std::filesystem::path path = checkpoints_.add(simulation_->steps());
+        checkpoints_.write(path, state());
+      });
     } catch (const Error& error) {
-      results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
+      if (!checkpoint_failed_)
+        results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
+      checkpoint_failed_ = true;
     }
     last_checkpoint_ = watch_.total();
+  }
+
+  // Calls work(), which writes a state.
+  void timed(const std::function<void()>& work) {
+    const double start = watch_.total();
+    work();
+    results_.count_state(watch_.total() - start);
   }
 
   void write_last_state() {
     if (results_.interrupted())
       write_checkpoint();
     else if (plan_.checkpoint.final_state)
-      state_file::write_state(checkpoints_.add_final(), state());
+      timed([&] { state_file::write_state(checkpoints_.add_final(), state()); });
   }
 
   bool stopped() const { return options_.stop && *options_.stop; }
@@ -292,7 +303,8 @@ class Run {
   std::uint64_t written_ = 0;                     // see WrittenFiles::size
   double last_report_ = 0, last_checkpoint_ = 0;  // (s) of wall time
   std::uint64_t last_checkpoint_step_ = 0;
-  bool checkpoint_due_ = false;  // by wall time
+  bool checkpoint_due_ = false;     // by wall time
+  bool checkpoint_failed_ = false;  // which is reported once
 };
 
 }  // namespace

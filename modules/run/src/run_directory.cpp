@@ -34,6 +34,12 @@ fs::path existing_part(const fs::path& path) {
   return p;
 }
 
+// Whether a list is of another origin: it is not empty and does not list the record.
+bool is_foreign_list(const fs::path& path, const Layout& layout) {
+  const WrittenFiles written(path);
+  return written.size() > 0 && !written.contains(layout.record);
+}
+
 // True if there is nothing but the log, the lock, the list and incomplete files of a process killed at its start.
 bool is_unused(const fs::path& path, const Layout& layout) {
   std::set<std::string> known = {RunDirectory::log_name, files::DirectoryLock::file_name,
@@ -42,7 +48,7 @@ bool is_unused(const fs::path& path, const Layout& layout) {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(path, failed))
     if (!known.contains(entry.path().filename().string())) return false;
-  return !failed;
+  return !failed && !is_foreign_list(path, layout);
 }
 
 Error refusal(const fs::path& path, const std::string& problem, const char* cure = "give another --out") {
@@ -147,7 +153,11 @@ void RunDirectory::create() {
 }
 
 void RunDirectory::discard() {
-  if (written_) written_->return_to(0);
+  try {
+    if (written_) written_->return_to(0);
+  } catch (const Error&) {
+    // The error for which the directory is discarded is the one to tell.
+  }
   lock_.reset();
 }
 

@@ -64,6 +64,8 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["wall_s"] = result.wall;
   json["stepping_s"] = result.wall - result.output;
   json["output_s"] = result.output;
+  json["states_s"] = result.state_output;
+  json["states"] = result.states;
   json["particle_steps_per_second"] = result.particle_steps_per_second;
   for (const auto& [name, value] : result.quantities) json[name] = value;
   json["steps"] = s.steps();  // counts, as whole numbers

@@ -67,7 +67,7 @@ std::string summary_line(const State& state, const char* name, const char* path)
   const StateArray& array = state.at(path);
   const std::string values = std::visit([](const auto& of) { return short_values(of); }, array.values);
   const bool pure = array.unit.empty() || array.unit == "1";
-  return fmt::format("{:<10} {}{}{}\n", name,
+  return fmt::format("{:<12} {}{}{}\n", name,
                      values.empty() ? fmt::format("{} values", array.size()) : values, pure ? "" : " ",
                      pure ? "" : files::one_line(array.unit, longest_value));
 }
@@ -75,7 +75,7 @@ std::string summary_line(const State& state, const char* name, const char* path)
 std::string bodies_line(const State& state) {
   const auto found = state.arrays().find("bodies/position");
   if (found == state.arrays().end() || found->second.shape.size() != 2) return "";
-  return fmt::format("{:<10} {} in {}D\n", "bodies", found->second.shape[0], found->second.shape[1]);
+  return fmt::format("{:<12} {} in {}D\n", "bodies", found->second.shape[0], found->second.shape[1]);
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ std::string describe_state_file(const std::filesystem::path& path) {
   text += summary_line(state, "laws", "scene/law_plugins");
   text += summary_line(state, "walls", "scene/boundary_plugins");
   text += summary_line(state, "integrator", "scene/integrator");
-  text += summary_line(state, "stage", "run/stages/stage");
+  text += summary_line(state, "stages done", "run/stages/stage");
   std::size_t width = 0;
   for (const auto& [name, array] : state.arrays()) width = std::max(width, name.size());
   text += fmt::format("{} arrays\n", state.arrays().size());

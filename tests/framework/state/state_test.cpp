@@ -67,6 +67,16 @@ TEST_CASE("a simulation goes on from the state at its start") {
   check_resumed(whole, scene);
 }
 
+TEST_CASE("a body that has no partner has a state too") {
+  Scene scene = heap(3, false);
+  scene.boundaries.clear();
+  scene.bodies.resize(1);
+  Simulation whole(scene);
+  scree::test::run(whole, 10);
+  const State state = whole.state();
+  check_same(state, Simulation(scene, state).state());
+}
+
 TEST_CASE("a simulation goes on from its state within a later stage") {
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet);
   Scene scene = heap(3, false);

@@ -172,3 +172,29 @@ TEST_CASE("a file that cannot be removed is an error, and stays listed", "[run]"
   CHECK(text_of(folder / "run/written.txt") == "run.json\nscenario.toml\n");
   CHECK(text_of(folder / "run/run.json") == "{}");
 }
+
+TEST_CASE("a file that is called as the list is not taken for one", "[run]") {
+  const TemporaryFolder folder;
+  folder.write("written.txt", "letters to write\n");
+  for (const Existing existing : {Existing::refuse, Existing::replace, Existing::keep})
+    CHECK(reason(folder.path(), existing)
+              .ends_with("contains files that are not part of a scree run; give another --out"));
+}
+
+TEST_CASE("a run that is kept goes on behind what it had listed", "[run]") {
+  const TemporaryFolder folder;
+  std::uint64_t size = 0;
+  {
+    RunDirectory first(folder / "run", Existing::refuse);
+    first.create();
+    first.write_file("run.json", "{}");
+    size = first.written().size();
+    first.write_file("final_packing.csv", "");
+  }
+  RunDirectory again(folder / "run", Existing::keep);
+  again.create();
+  CHECK(again.written().size() > size);
+  again.written().return_to(size);
+  CHECK(fs::exists(folder / "run/run.json"));
+  CHECK_FALSE(fs::exists(folder / "run/final_packing.csv"));
+}

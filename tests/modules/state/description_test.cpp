@@ -21,8 +21,9 @@ TEST_CASE("The description of a state file tells what it is and lists its arrays
   const std::string text = state_file::describe_state_file(file);
   CHECK(text.starts_with(file.string() + ": state written by scree " SCREE_TEST_VERSION ", format 1, " +
                          std::to_string(std::filesystem::file_size(file)) + " bytes, checksum "));
-  CHECK_THAT(text, Contains("\ntime       0.1 s\nsteps      18446744073709551615\nbodies     3 in 3D\n"));
-  CHECK_THAT(text, Contains("\nmaterials  glass, Größe 石 \U0001FAA8, \nlaws       hertz_mindlin\n"));
+  CHECK_THAT(text,
+             Contains("\ntime         0.1 s\nsteps        18446744073709551615\nbodies       3 in 3D\n"));
+  CHECK_THAT(text, Contains("\nmaterials    glass, Größe 石 \U0001FAA8, \nlaws         hertz_mindlin\n"));
   CHECK_THAT(text,
              Contains("\n  bodies/position     double  3 x 3         m                   72 bytes  0, 1, 2"));
   CHECK_THAT(text,

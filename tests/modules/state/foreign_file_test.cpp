@@ -49,7 +49,7 @@ std::string refusal_after(const std::function<void(hid_t)>& change) {
 
 void add_unit(hid_t dataset) {
   const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
-  const hid_t unit = H5Acreate2(dataset, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t unit = H5Acreate2(dataset, "units", type, space, H5P_DEFAULT, H5P_DEFAULT);
   H5Awrite(unit, type, "m");
   H5Aclose(unit), H5Sclose(space), H5Tclose(type);
 }
@@ -118,7 +118,7 @@ TEST_CASE("Datasets that no state has are named", "[foreign_file]") {
       }),
       Contains("/scree/a has no shape"));
   CHECK_THAT(
-      refusal_after([](hid_t file) { H5Adelete_by_name(file, "scree/clock/time", "unit", H5P_DEFAULT); }),
+      refusal_after([](hid_t file) { H5Adelete_by_name(file, "scree/clock/time", "units", H5P_DEFAULT); }),
       Contains("/scree/clock/time has no unit"));
   CHECK_THAT(refusal_after([](hid_t file) {
                H5Ldelete(file, "particles/bodies/velocity/value", H5P_DEFAULT);

@@ -88,10 +88,10 @@ TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[h
     for (const char* axis : {"/step", "/time"})
       CHECK(file.address(("particles/bodies/" + std::string(element) + axis).c_str()) ==
             file.address(("particles/bodies/position" + std::string(axis)).c_str()));
-  CHECK(file.attribute("particles/bodies/velocity/value", "unit", 3) == "m/s");
-  CHECK(file.attribute("particles/bodies/position/time", "unit", 1) == "s");
-  CHECK(file.attribute("particles/bodies/position/step", "unit", 1) == "1");
-  CHECK(file.attribute("particles/bodies/species", "unit", 1) == "1");
+  CHECK(file.attribute("particles/bodies/velocity/value", "units", 3) == "m/s");
+  CHECK(file.attribute("particles/bodies/position/time", "units", 1) == "s");
+  CHECK(file.attribute("particles/bodies/position/step", "units", 1) == "1");
+  CHECK(file.attribute("particles/bodies/species", "units", 1) == "1");
 }
 
 TEST_CASE("An array without one row for each body is no element of H5MD", "[h5md]") {
@@ -105,8 +105,8 @@ TEST_CASE("The box of H5MD has the periods of the scene", "[h5md]") {
   CHECK(file.integers("particles/bodies/box", "dimension", 1)[0] == 3);
   CHECK(file.attribute("particles/bodies/box", "boundary", 8) ==
         std::string("periodicnone\0\0\0\0none\0\0\0\0", 24));
-  CHECK(file.values<double>("particles/bodies/box/edges/value", H5T_NATIVE_DOUBLE, {1, 3}) ==
-        std::vector<double>{10, 0, 0});
+  CHECK(file.values<double>("particles/bodies/box/edges/value", H5T_NATIVE_DOUBLE, {1, 3, 3}) ==
+        std::vector<double>{10, 0, 0, 0, 0, 0, 0, 0, 0});
 }
 
 TEST_CASE("A scene without periods has a box without edges, and one without positions no bodies", "[h5md]") {

@@ -66,16 +66,16 @@ void BodiesWriter::write_box() {
   const auto* lower = numbers<double>(state_, "walls/domain_lower", dimension_);
   const auto* upper = numbers<double>(state_, "walls/domain_upper", dimension_);
   std::vector<std::string> boundary(dimension_, "none");
-  std::vector<double> edges(dimension_);
+  std::vector<double> edges(dimension_ * dimension_);  // vectors along x, y, z
   bool periodic = false;
   for (std::size_t k = 0; lower && upper && k < dimension_; ++k) {
-    edges[k] = upper[k] - lower[k];
-    if (edges[k] <= 0) continue;  // the domain has no extent along an axis that is not periodic
+    edges[k * dimension_ + k] = upper[k] - lower[k];
+    if (upper[k] <= lower[k]) continue;  // the domain has no extent along an axis that is not periodic
     boundary[k] = "periodic", periodic = true;
   }
   write_boundary(box, boundary);
   if (!periodic) return;  // edges of what is not there are left out
-  writer_.array(name + "/edges/value", {edges, {dimension_}, "m"}, true);
+  writer_.array(name + "/edges/value", {edges, {dimension_, dimension_}, "m"}, true);
   write_time(name + "/edges");
 }
 

@@ -11,7 +11,8 @@
 namespace scree::state_file {
 
 // Attributes of a dataset: its unit, "1" also where a state has none, and then what tells the two apart.
-inline constexpr const char* unit_attribute = "unit";
+// Not "unit", as readers of H5MD take only units of chemistry by that name.
+inline constexpr const char* unit_attribute = "units";
 inline constexpr const char* label_attribute = "label";
 // Lengths of texts of which one ends with a character 0, which reads like filling.
 inline constexpr const char* lengths_attribute = "lengths";

@@ -53,7 +53,9 @@ struct RunResult {
   std::filesystem::path directory;
   bool interrupted = false;
   double wall = 0;                       // (s) from the first step to the last file
-  double output = 0;                     // (s) of it for samples, files, pictures and charts
+  double output = 0;                     // (s) of it for samples, files, pictures, charts and states
+  double state_output = 0;               // (s) of that for states
+  std::uint64_t states = 0;              // written
   double particle_steps_per_second = 0;  // in the rest of it
   std::vector<StageResult> stages;
   InputHashes inputs;                 // of the files that it began from

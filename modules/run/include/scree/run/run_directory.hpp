@@ -37,7 +37,9 @@ class RunDirectory {
   // Takes it, and removes the files of an earlier run that is to be replaced. Throws Error (failure) if one cannot be
   // removed.
   void create();
-  // Removes what was written since create(), and the directories that were made for it.
+  // From now on what is there already is replaced.
+  void replace() { existing_ = Existing::replace; }
+  // Removes what is listed, as far as it can be, and the directories that were made for it.
   void discard();
 
   const std::filesystem::path& path() const { return path_; }
@@ -46,7 +48,8 @@ class RunDirectory {
   // Lists a file that is about to be written; returns its path. After create(), as the next two.
   std::filesystem::path add(const std::string& name) const { return written_->add(name); }
   WrittenFiles& written() const { return *written_; }
-  // Lists a file (of a campaign: does not), writes it under a temporary name, then renames it, so that readers never see an incomplete file.
+  // Lists a file (of a campaign: does not), writes it under a temporary name, then renames it, so that readers never
+  // see an incomplete file.
   void write_file(const std::string& name, const std::string& text) const;
 
   // runs/<stem of the scenario>, runs/<stem>-accuracy, campaigns/<stem>.
