@@ -1,19 +1,10 @@
-#include "program.hpp"
+#include "campaign_workspace.hpp"
 
 #include <sstream>
 
 using namespace scree::test;
 
 namespace {
-
-// A folder with scene.toml and a campaign file.
-struct CampaignWorkspace : Workspace {
-  explicit CampaignWorkspace(const std::string& rest, const std::string& scene = discs) : Workspace(scene) {
-    write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n" + rest);
-  }
-};
-
-const std::string call = "campaign campaign.toml --out out ";
 
 // Cells of a column, counted from 0 after the quoted name of the run.
 std::vector<std::string> column(const std::string& csv, std::size_t number) {
@@ -31,10 +22,6 @@ std::vector<std::string> column(const std::string& csv, std::size_t number) {
 }
 
 using Cells = std::vector<std::string>;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 const std::string two_by_two = "seeds = [1, 2]\n[set]\ntime.duration = [1e-4, 2e-4]\n";
 

@@ -26,9 +26,9 @@ std::filesystem::path directory_of(const CampaignArguments& a) {
   return a.out.empty() ? run::RunDirectory::default_for(a.file, kind) : std::filesystem::path(a.out);
 }
 
-ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a) {
+ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {
   const campaign::CampaignDirectory directory(directory_of(a), c, false);
-  fmt::print("{}{}", campaign::list_report(c, directory.outcomes(c)),
+  fmt::print("{}{}", campaign::list_report(c, directory.preparations(c, host), directory.outcomes(c, host)),
              campaign::leftover_report(directory.leftovers(c)));
   return ExitStatus::success;
 }
@@ -52,8 +52,7 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
 }
 
 campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::CampaignDirectory& directory,
-                                     const CampaignArguments& a) {
-  PluginHost host = make_host(a.plugins);
+                                     const CampaignArguments& a, PluginHost& host) {
   ProgressBar bar(a.quiet);
   // Cleared also where an error leaves, so that its line stands alone.
   const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
@@ -61,10 +60,11 @@ campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::Camp
 }
 
 ExitStatus run_campaign(const CampaignArguments& a) {
-  const campaign::Campaign c = campaign::read_campaign(a.file);
-  if (a.list) return list_points(c, a);
+  PluginHost host = make_host(a.plugins);
+  const campaign::Campaign c = campaign::branched(campaign::read_campaign(a.file), host);
+  if (a.list) return list_points(c, a, host);
   campaign::CampaignDirectory directory(directory_of(a), c, true);
-  const campaign::Execution result = execute_with_bar(c, directory, a);
+  const campaign::Execution result = execute_with_bar(c, directory, a, host);
   fmt::print("{}{}", campaign::text_report(c, result), campaign::leftover_report(directory.leftovers(c)));
   const std::filesystem::path& path = directory.files().path();
   if (std::filesystem::exists(path / "table.csv"))
@@ -74,9 +74,10 @@ ExitStatus run_campaign(const CampaignArguments& a) {
     fmt::print("interrupted; run the same command again to continue\n");
     return ExitStatus::interrupted;
   }
-  if (result.count(campaign::State::failed)) return ExitStatus::blow_up;
-  const bool met = std::all_of(result.outcomes.begin(), result.outcomes.end(),
-                               [](const campaign::Outcome& o) { return o.unmet() == 0; });
+  if (result.count(campaign::Status::failed)) return ExitStatus::blow_up;
+  const auto is_met = [](const campaign::Outcome& o) { return o.unmet() == 0; };
+  const bool met = std::all_of(result.outcomes.begin(), result.outcomes.end(), is_met) &&
+                   std::all_of(result.preparations.begin(), result.preparations.end(), is_met);
   return met ? ExitStatus::success : ExitStatus::failure;
 }
 
@@ -89,14 +90,13 @@ void add_campaign_verb(CommandLine& line) {
   verb.option("--out", a->out, "Directory of the campaign; default campaigns/<file>").shown_as("DIR");
   verb.option("--jobs", a->jobs, "Concurrent runs (default: processors / threads)").between(1, 512);
   verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
-  verb.flag("--list", a->list, "List each run and its status; run nothing");
-  verb.flag("--overwrite", a->overwrite, "Repeat finished runs too");
+  verb.flag("--list", a->list, "List each preparation and run with its status; run nothing");
+  verb.flag("--overwrite", a->overwrite, "Begin all runs anew, also finished and interrupted ones");
   verb.flag("--quiet", a->quiet, "No progress, only the summary");
   add_plugin_options(verb, a->plugins);
   verb.footer(
-      "What has finished is not run again: the same call goes on after Ctrl-C, a failure, or new values in "
-      "the\n"
-      "file. A campaign file:\n"
+      "What has finished is not run again, and interrupted runs go on from their last state: give the same call\n"
+      "after Ctrl-C, a failure, or new values in the file. A campaign file:\n"
       "  [campaign]\n"
       "  scenario = \"../fall.toml\"               # relative to this file\n"
       "  seeds = [1, 2, 3]                       # or { first = 1, count = 20 }\n"
@@ -108,6 +108,9 @@ void add_campaign_verb(CommandLine& line) {
       "  [[case]]                                # a named set of values\n"
       "  name = \"soft\"\n"
       "  set.contact.normal_stiffness = 1000\n"
+      "  [prepare]                               # run first, for each seed; all runs begin from its final state\n"
+      "  scenario = \"settle.toml\"\n"
+      "  set.time.step = 1e-5                    # for the preparations; a list is a value\n"
       "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2");
   verb.action([a] { return run_campaign(*a); });
 }

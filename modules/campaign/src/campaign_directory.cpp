@@ -1,3 +1,4 @@
+#include "directory_layout.hpp"
 #include "record_json.hpp"
 
 #include <algorithm>
@@ -42,18 +43,48 @@ CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bo
   else
     in_use_ = files::DirectoryLock::is_held(files_.path());
   check_owner(files_.path(), campaign);
+  if (campaign.preparation) states_.emplace(files_.path() / preparation_folder);
 }
 
-std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign) const {
+std::vector<Outcome> CampaignDirectory::preparations(const Campaign& campaign, const PluginHost& host) const {
+  return campaign.preparation ? outcomes(*campaign.preparation, host) : std::vector<Outcome>();
+}
+
+std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign, const PluginHost& host) const {
   std::vector<Outcome> all;
-  for (const Point& point : campaign.points) all.push_back(outcome(campaign, point));
+  for (std::size_t k = 0; k < campaign.points.size(); ++k) {
+    const Point& point = campaign.points[k];
+    std::error_code failed;
+    const bool prepared =
+        !campaign.preparation || has_final_state(campaign.preparation->points[campaign.preparation_of(k)]);
+    if (prepared)
+      all.push_back(outcome(campaign, point, host));
+    else  // its inputs are not known yet
+      all.emplace_back().status =
+          fs::exists(run(point) / "run.json", failed) ? Status::changed : Status::missing;
+  }
   return all;
 }
 
-Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point) const {
-  Outcome found = read_outcome(run(point), inputs_of(campaign, point), campaign.collect);
-  if (found.state == State::running && !in_use_) found.state = State::interrupted;
+Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point,
+                                   const PluginHost& host) const {
+  Outcome found = read_outcome(run(point), inputs_of(campaign, point, host), campaign.collect);
+  if (found.status == Status::running && !in_use_) found.status = Status::interrupted;
+  const bool prepares = fs::path(point.name).parent_path() == preparation_folder;
+  if (prepares && found.status == Status::finished && !has_final_state(point)) found.status = Status::changed;
   return found;
+}
+
+bool CampaignDirectory::has_final_state(const Point& point) const {
+  std::error_code failed;
+  return fs::is_regular_file(run(point) / final_state, failed);
+}
+
+bool CampaignDirectory::has_state(const Point& point) const {
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(run(point) / "checkpoint", failed))
+    if (entry.path().extension() == ".h5") return true;
+  return false;
 }
 
 std::vector<std::string> CampaignDirectory::leftovers(const Campaign& campaign) const {

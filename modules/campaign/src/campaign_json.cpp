@@ -20,16 +20,22 @@ Json parameters_json(const std::vector<Parameter>& parameters) {
 }
 
 Json run_json(const Point& point, const Outcome& outcome) {
-  Json json = {{"run", point.name}, {"status", state_name(outcome.state)}};
+  Json json = {{"run", point.name}, {"status", status_name(outcome.status)}};
   if (!point.case_name.empty()) json["case"] = point.case_name;
   json["set"] = settings_json(point.settings);
   if (!outcome.problem.empty()) json["error"] = outcome.problem;
   return json;
 }
 
+Json runs_json(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+  Json json = Json::array();
+  for (std::size_t k = 0; k < outcomes.size(); ++k) json.push_back(run_json(campaign.points[k], outcomes[k]));
+  return json;
+}
+
 }  // namespace
 
-std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+std::string campaign_json(const Campaign& campaign, const Execution& execution) {
   Json json = {{"version", SCREE_VERSION},
                {"title", campaign.title},
                {"file", std::filesystem::absolute(campaign.source).lexically_normal().string()},
@@ -38,8 +44,11 @@ std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& 
                {"parameters", parameters_json(campaign.parameters)},
                {"fixed", settings_json(campaign.fixed)}};
   for (const Case& one : campaign.cases) json["cases"][one.name] = settings_json(one.settings);
-  for (std::size_t k = 0; k < outcomes.size(); ++k)
-    json["runs"].push_back(run_json(campaign.points[k], outcomes[k]));
+  if (campaign.preparation)
+    json["preparation"] = {{"scenario", campaign.preparation->scenario.string()},
+                           {"fixed", settings_json(campaign.preparation->fixed)},
+                           {"runs", runs_json(*campaign.preparation, execution.preparations)}};
+  json["runs"] = runs_json(campaign, execution.outcomes);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

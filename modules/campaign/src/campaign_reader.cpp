@@ -80,8 +80,10 @@ void check_sources(const Campaign& c) {
   }
   const auto check = [&](const Setting& setting) {
     if (!c.seeds.empty() && setting.key == "scene.seed") throw set_elsewhere(setting, "seeds");
+    if (c.preparation && setting.key == "particles.state") throw set_elsewhere(setting, "[prepare]");
   };
   for (const Setting& setting : c.fixed) check(setting);
+  for (const Parameter& parameter : c.parameters) check(parameter.values.front());
   for (const Case& one : c.cases)
     for (const Setting& setting : one.settings) {
       check(setting);
@@ -110,6 +112,24 @@ void check_count(const Table& root, const Campaign& c) {
                    "give fewer values or seeds, or several campaigns");
 }
 
+// The points of [prepare] are named by branched().
+std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campaign& c,
+                                                 const std::string& seeds_place) {
+  const auto table = root.optional_table("prepare");
+  if (!table) return nullptr;
+  const auto preparation = std::make_shared<Campaign>();
+  preparation->source = c.source;
+  preparation->scenario = c.source.parent_path() / table->string("scenario");
+  preparation->scenario_place = table->place("scenario");
+  check_scenario(*preparation);
+  if (const auto set = table->optional_table("set")) preparation->fixed = read_case_settings(*set);
+  preparation->seeds = c.seeds;
+  check_sources(*preparation);
+  preparation->points = make_points(*preparation, seeds_place);
+  for (Point& point : preparation->points) point.name = "prepare";
+  return preparation;
+}
+
 }  // namespace
 
 Campaign read_campaign(const std::filesystem::path& path) {
@@ -129,6 +149,7 @@ Campaign read_campaign(const std::filesystem::path& path) {
   c.fixed = std::move(settings.fixed);
   c.parameters = std::move(settings.parameters);
   c.cases = read_cases(root);
+  c.preparation = read_preparation(root, c, table.place("seeds"));
   document.refuse_unused();
   check_sources(c);
   check_count(root, c);

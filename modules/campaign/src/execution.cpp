@@ -1,3 +1,4 @@
+#include "job.hpp"
 #include "run_log.hpp"
 
 #include <algorithm>
@@ -21,38 +22,46 @@ using Clock = std::chrono::steady_clock;
 // The same check as by the run itself: the directory may contain other files.
 void check_directory(const fs::path& path) {
   std::error_code failed;
-  if (fs::is_symlink(fs::symlink_status(path, failed)))
-    throw Error(fmt::format("{}: is a symbolic link, which is not followed; remove it, or give another --out",
-                            path.string()));
+  for (const fs::path& one : {path, path.parent_path()})
+    if (fs::is_symlink(fs::symlink_status(one, failed)))
+      throw Error(fmt::format(
+          "{}: is a symbolic link, which is not followed; remove it, or give another --out", one.string()));
   run::RunDirectory(path, run::RunDirectory::Existing::replace);
 }
 
 class Executor {
  public:
-  Executor(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options)
-      : campaign_(campaign), directory_(directory), options_(options) {
-    result_.outcomes = directory.outcomes(campaign);
+  Executor(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
+           PluginHost& host)
+      : campaign_(campaign), directory_(directory), options_(options), host_(host) {
+    result_.preparations = directory.preparations(campaign, host);
+    result_.outcomes = directory.outcomes(campaign, host);
+    for (std::size_t k = 0; k < result_.preparations.size(); ++k)
+      add({*campaign.preparation, campaign.preparation->points[k], result_.preparations[k]});
     for (std::size_t k = 0; k < result_.outcomes.size(); ++k)
-      if (options.again || result_.outcomes[k].state != State::finished) waiting_.push_back(k);
+      add({campaign, campaign.points[k], result_.outcomes[k],
+           campaign.preparation ? &jobs_[campaign.preparation_of(k)] : nullptr});
     to_do_ = waiting_.size();
-    result_.finished_before = result_.outcomes.size() - to_do_;
+    result_.finished_before = std::size_t(std::count_if(
+        jobs_.begin(), jobs_.end(), [&](const Job& job) { return !job.to_do && !prepares(job); }));
   }
 
-  void check(PluginHost& host) const {
-    // `collect` may have changed even if all runs have finished.
-    if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host);
+  void check() {
     std::size_t checked = 0;
-    for (const std::size_t k : waiting_) {
+    for (const Job* job : waiting_) {
       if (stopped()) return;
       if (options_.on_check) options_.on_check(checked++, to_do_);
-      check_point(campaign_, campaign_.points[k], host);
-      check_directory(directory_.run(campaign_.points[k]));
+      if (prepares(*job)) check_preparation(job->campaign, job->point, host_);
+      check_directory(directory_.run(job->point));
     }
+    check_points();
+    // `collect` may have changed even if all runs have finished.
+    if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host_);
   }
 
   Execution run() {
     if (stopped()) return end();  // before anything is written
-    write_report(campaign_, result_.outcomes, directory_);
+    write_report(campaign_, result_, directory_);
     while (!(stopped() || waiting_.empty()) || pool_.size() > 0) {
       fill();
       constexpr double poll_interval = 0.2;  // (s)
@@ -60,66 +69,122 @@ class Executor {
       if (stopped()) interrupt();
       report();
     }
-    write_report(campaign_, result_.outcomes, directory_);
+    write_report(campaign_, result_, directory_);
     return end();
   }
 
  private:
   bool stopped() const { return options_.stop && *options_.stop; }
+  bool prepares(const Job& job) const { return &job.campaign == campaign_.preparation.get(); }
+
+  void add(Job job) {
+    const bool branches_anew = job.preparation && job.preparation->to_do;
+    job.to_do = options_.again || job.outcome.status != Status::finished || branches_anew;
+    job.goes_on = !options_.again && !branches_anew && job.outcome.status == Status::interrupted &&
+                  directory_.has_state(job.point);
+    job.id = jobs_.size();
+    jobs_.push_back(job);
+    if (job.to_do) waiting_.push_back(&jobs_.back());
+  }
+
+  // Checks all points whose preparation is there, once: the others differ from them only in the seed.
+  void check_points() {
+    if (points_checked_) return;
+    std::size_t checked = 0;
+    for (const Job* job : waiting_) {
+      if (stopped()) return;
+      if (prepares(*job) || (job->preparation && !job->preparation->is_there())) continue;
+      if (options_.on_check) options_.on_check(checked++, to_do_);
+      check_point(job->campaign, job->point, host_);
+    }
+    points_checked_ = !campaign_.preparation || std::any_of(jobs_.begin(), jobs_.end(), [&](const Job& job) {
+      return prepares(job) && job.is_there();
+    });
+  }
 
   Execution end() {
-    result_.interrupted = stopped() && (done_ < to_do_ || result_.count(State::interrupted) > 0);
+    result_.interrupted = stopped() && (done_ < to_do_ || result_.count(Status::interrupted) > 0);
     return result_;
   }
 
+  bool is_ready(const Job& job) const {
+    return prepares(job) || (points_checked_ && (!job.preparation || job.preparation->is_there()));
+  }
+
   void fill() {
-    while (!stopped() && !waiting_.empty() && pool_.size() < options_.jobs) {
-      const std::size_t k = waiting_.front();
-      waiting_.pop_front();
-      const Point& point = campaign_.points[k];
-      std::error_code failed;  // a failure is reported when the log is opened
-      fs::create_directories(directory_.run(point), failed);
-      pool_.start(k, command(point), directory_.log(point));
-      result_.outcomes[k] = {};
-      result_.outcomes[k].state = State::running;
-      running_.push_back(k);
+    while (!stopped() && pool_.size() < options_.jobs) {
+      const auto next =
+          std::find_if(waiting_.begin(), waiting_.end(), [&](const Job* job) { return is_ready(*job); });
+      if (next == waiting_.end()) return;
+      Job& job = **next;
+      waiting_.erase(next);
+      start(job);
     }
   }
 
-  std::vector<std::string> command(const Point& point) const {
-    // A name that begins with "-" must not be taken for an option.
-    const bool like_option = campaign_.scenario.string().starts_with('-');
-    std::vector<std::string> words = {options_.program.string(),
-                                      "run",
-                                      (like_option ? "." / campaign_.scenario : campaign_.scenario).string(),
-                                      "--out",
-                                      directory_.run(point).string(),
-                                      "--overwrite",
-                                      "--threads",
-                                      std::to_string(options_.threads)};
-    for (const std::string& override_text : point.overrides())
-      words.insert(words.end(), {"--set", override_text});
-    for (const std::string& plugins : options_.plugin_directories)
-      words.insert(words.end(), {"--plugins", plugins});
-    return words;
+  void start(Job& job) {
+    const fs::path path = directory_.run(job.point);
+    std::error_code failed;  // a failure is reported when the log is opened
+    fs::create_directories(path, failed);
+    using Log = ProcessPool::Log;
+    pool_.start(job.id, command_of(job, path, options_), directory_.log(job.point),
+                job.goes_on ? Log::append : Log::replace);
+    job.outcome = {};
+    job.outcome.status = Status::running;
+    running_.push_back(&job);
   }
 
   void take(const ProcessPool::Ended& ended) {
-    const Point& point = campaign_.points[ended.id];
-    std::erase(running_, ended.id);
-    ++done_;
-    Outcome outcome = directory_.outcome(campaign_, point);
-    if (outcome.state == State::changed && ended.how.empty())
-      outcome.problem = "the scenario changed during the campaign; run the campaign again";
-    else if (outcome.problem.empty() && outcome.state != State::finished)
-      outcome.problem = problem_of(directory_.log(point), ended.how);
-    // A run that was interrupted has not failed.
-    if (outcome.state != State::finished && outcome.state != State::failed)
-      outcome.state = interrupted_ ? State::interrupted : State::failed;
-    if (outcome.state != State::failed) outcome.problem.clear();
-    failed_ += outcome.state == State::failed;
-    result_.outcomes[ended.id] = std::move(outcome);
+    Job& job = jobs_[ended.id];
+    std::erase(running_, &job);
+    if (job.goes_on && ended.status == int(ExitStatus::bad_input)) return begin_anew(job);
+    result_.gone_on += job.goes_on;
+    job.outcome = outcome_of(job, ended.how);
+    finish(job);
+    if (prepares(job)) follow(job);
     save_periodically();
+  }
+
+  void finish(Job& job) {
+    job.to_do = false;
+    ++done_;
+    failed_ += job.outcome.status == Status::failed;
+  }
+
+  // A state that cannot be read, or that belongs to other plug-ins.
+  void begin_anew(Job& job) {
+    result_.begun_anew.push_back(job.point.name + ": " + problem_of(directory_.log(job.point), ""));
+    job.goes_on = false;
+    job.outcome.status = Status::interrupted;
+    waiting_.push_front(&job);
+  }
+
+  Outcome outcome_of(const Job& job, const std::string& how) const {
+    Outcome outcome = directory_.outcome(job.campaign, job.point, host_);
+    if (outcome.status == Status::changed && how.empty())
+      outcome.problem = "the scenario changed during the campaign; run the campaign again";
+    else if (outcome.problem.empty() && outcome.status != Status::finished)
+      outcome.problem = problem_of(directory_.log(job.point), how);
+    // A run that was interrupted has not failed.
+    if (outcome.status != Status::finished && outcome.status != Status::failed)
+      outcome.status = interrupted_ ? Status::interrupted : Status::failed;
+    if (outcome.status != Status::failed) outcome.problem.clear();
+    return outcome;
+  }
+
+  // What the end of a preparation means for its points.
+  void follow(const Job& preparation) {
+    if (preparation.is_there()) check_points();
+    if (!preparation.has_failed()) return;
+    std::erase_if(waiting_, [&](Job* job) {
+      if (job->preparation != &preparation) return false;
+      job->outcome = {};
+      job->outcome.status = Status::failed;
+      job->outcome.problem =
+          fmt::format("{} failed: {}", preparation.point.name, preparation.outcome.problem);
+      finish(*job);
+      return true;
+    });
   }
 
   void interrupt() {
@@ -132,10 +197,10 @@ class Executor {
   void report() const {
     if (!options_.on_progress) return;
     double done = double(done_);
-    for (const std::size_t k : running_) done += share_in(directory_.log(campaign_.points[k]));
+    for (const Job* job : running_) done += share_in(directory_.log(job->point));
     const double share = to_do_ ? done / double(to_do_) : 1;
     options_.on_progress(
-        {result_.outcomes.size(), result_.count(State::finished), pool_.size(), failed_, share, wall()});
+        {result_.outcomes.size(), result_.count(Status::finished), pool_.size(), failed_, share, wall()});
   }
 
   // Keeps the tables up to date during the campaign, also in case the computer fails.
@@ -143,17 +208,20 @@ class Executor {
     constexpr double seconds_between_tables = 10;
     if (wall() - last_table_ < seconds_between_tables) return;
     last_table_ = wall();
-    write_report(campaign_, result_.outcomes, directory_);
+    write_report(campaign_, result_, directory_);
   }
 
   const Campaign& campaign_;
   CampaignDirectory& directory_;
   const ExecutionOptions& options_;
+  PluginHost& host_;
   Execution result_;
-  std::deque<std::size_t> waiting_;                // points
-  std::vector<std::size_t> running_;               // points
+  std::deque<Job> jobs_;  // the preparations, then the points
+  std::deque<Job*> waiting_;
+  std::vector<Job*> running_;
   std::size_t to_do_ = 0, done_ = 0, failed_ = 0;  // of this call
   ProcessPool pool_;
+  bool points_checked_ = false;
   bool interrupted_ = false;  // the runs have received SIGINT
   Clock::time_point started_ = Clock::now();
   double last_table_ = 0;  // (s) of wall time
@@ -161,15 +229,15 @@ class Executor {
 
 }  // namespace
 
-std::size_t Execution::count(State state) const {
+std::size_t Execution::count(Status status) const {
   return std::size_t(std::count_if(outcomes.begin(), outcomes.end(),
-                                   [&](const Outcome& outcome) { return outcome.state == state; }));
+                                   [&](const Outcome& outcome) { return outcome.status == status; }));
 }
 
 Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
                   PluginHost& host) {
-  Executor executor(campaign, directory, options);
-  executor.check(host);
+  Executor executor(campaign, directory, options, host);
+  executor.check();
   return executor.run();
 }
 

@@ -32,7 +32,7 @@ Mean mean_of(const std::vector<double>& values) {
 
 std::vector<std::string> cells_of(const Outcome* first, std::size_t count,
                                   const std::vector<std::string>& names) {
-  const auto finished = [](const Outcome& o) { return o.state == State::finished; };
+  const auto finished = [](const Outcome& o) { return o.status == Status::finished; };
   std::vector<std::string> cells = {std::to_string(std::count_if(first, first + count, finished))};
   for (const std::string& name : names) {
     std::vector<double> values;

@@ -15,20 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// The resolved scenario does not include the file of bodies: a file newer than the run counts as changed.
-bool is_newer(const fs::path& packing, const fs::path& record) {
-  std::error_code failed;
-  const auto of_packing = fs::last_write_time(packing, failed), of_record = fs::last_write_time(record);
-  return !failed && of_packing > of_record;
+// Absent in a run.json of former versions.
+std::optional<run::InputHashes> hashes_in(const Json& json) {
+  if (!json.contains("inputs")) return std::nullopt;
+  const Json& inputs = json["inputs"];
+  return run::InputHashes{inputs.value("bodies", ""), inputs.at("plugins")};
 }
 
-State state_of(const Json& json, const Inputs& inputs, const fs::path& record) {
-  if (json.at("scenario") != inputs.resolved_text) return State::changed;
-  if (inputs.packing && is_newer(*inputs.packing, record)) return State::changed;
+Status status_of(const Json& json, const Inputs& inputs) {
+  if (json.at("scenario") != inputs.resolved_text || hashes_in(json) != inputs.hashes) return Status::changed;
   const std::string status = json.at("status");
-  for (const State state : {State::finished, State::failed, State::running})
-    if (status == state_name(state)) return state;
-  return State::interrupted;
+  for (const Status known : {Status::finished, Status::failed, Status::running})
+    if (status == status_name(known)) return known;
+  return Status::interrupted;
 }
 
 void add_numbers(const Json& json, const std::string& above, Outcome& outcome) {
@@ -51,10 +50,10 @@ void add_expectations(const Json& json, Outcome& outcome) {
 
 }  // namespace
 
-const char* state_name(State state) {
+const char* status_name(Status status) {
   static constexpr const char* names[] = {"missing", "changed", "interrupted",
                                           "running", "failed",  "finished"};
-  return names[std::size_t(state)];
+  return names[std::size_t(status)];
 }
 
 std::size_t Outcome::unmet() const {
@@ -77,9 +76,9 @@ Outcome read_outcome(const fs::path& directory, const Inputs& inputs,
   try {
     const Json json = parse_record(files::read_text(record));
     if (!json.is_object()) return outcome;
-    outcome.state = state_of(json, inputs, record);
-    if (outcome.state == State::failed) outcome.problem = json.value("error", "");
-    if (outcome.state != State::finished) return outcome;
+    outcome.status = status_of(json, inputs);
+    if (outcome.status == Status::failed) outcome.problem = json.value("error", "");
+    if (outcome.status != Status::finished) return outcome;
     std::vector<std::string> damaged;
     outcome.numbers = collected(directory, collect, damaged);
     add_numbers(json, "", outcome);

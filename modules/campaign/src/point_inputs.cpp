@@ -40,29 +40,42 @@ auto placed(const Campaign& campaign, const Point& point, Action&& action) {
 
 }  // namespace
 
-Inputs inputs_of(const Campaign& campaign, const Point& point) {
+Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost& host) {
   return placed(campaign, point, [&] {
     const auto document = document::Document::load(campaign.scenario, point.overrides());
     if (!document.conflict().empty())
       throw Error(fmt::format("{}; keep one of the two", document.conflict()));
-    Inputs inputs{document.resolved_text(), std::nullopt};
-    const document::Table root = document.root();
-    if (root.is_table("particles") && root.table("particles").is_string("file"))
-      inputs.packing = campaign.scenario.parent_path() / root.table("particles").string("file");
-    return inputs;
+    return Inputs{document.resolved_text(),
+                  run::hashes_of(scenario::input_files(document, campaign.scenario, host))};
   });
 }
 
-void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
-  const scenario::Plan plan = placed(campaign, point, [&] {
+namespace {
+
+scenario::Plan checked_plan(const Campaign& campaign, const Point& point, PluginHost& host) {
+  return placed(campaign, point, [&] {
     scenario::Plan read = scenario::read_plan(campaign.scenario, point.overrides(), host);
     run::set_up(read);
     return read;
   });
+}
+
+}  // namespace
+
+void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
+  const scenario::Plan plan = checked_plan(campaign, point, host);
   const std::vector<std::string> known = scenario::quantity_names(plan.probes, plan.scene.dimension);
   for (const std::string& name : campaign.collect)
     if (const auto problem = scenario::quantity_problem(name, known))
       throw Error(fmt::format("{}: {}", campaign.collect_place, *problem));
+}
+
+void check_preparation(const Campaign& preparation, const Point& point, PluginHost& host) {
+  if (!checked_plan(preparation, point, host).checkpoint.final_state)
+    throw Error(
+        fmt::format("{}: {} writes no final state, from which runs could begin; remove "
+                    "checkpoint.final_state = false",
+                    preparation.scenario_place, preparation.scenario.string()));
 }
 
 }  // namespace scree::campaign

@@ -87,8 +87,11 @@ ProcessPool::~ProcessPool() {
 }
 
 void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
-                        const std::filesystem::path& log) {
-  const Descriptor output = files::create_file(log.c_str());
+                        const std::filesystem::path& log, Log existing) {
+  std::error_code failed;
+  const bool append = existing == Log::append &&
+                      std::filesystem::is_regular_file(std::filesystem::symlink_status(log, failed));
+  const Descriptor output = append ? files::append_file(log.c_str()) : files::create_file(log.c_str());
   if (!output.is_open()) throw run::unwritable(log);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw no_process(errno);
@@ -116,7 +119,9 @@ std::vector<ProcessPool::Ended> ProcessPool::wait(double seconds) {
       still.push_back(running_[k]);
       continue;
     }
-    ended.push_back({running_[k].id, exit_description(wait_for(running_[k].process))});
+    const int status = wait_for(running_[k].process);
+    ended.push_back({running_[k].id, exit_description(status), std::nullopt});
+    if (WIFEXITED(status)) ended.back().status = WEXITSTATUS(status);
     close(running_[k].alive);
   }
   running_ = std::move(still);

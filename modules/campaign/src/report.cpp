@@ -1,3 +1,5 @@
+#include "table_columns.hpp"
+
 #include <algorithm>
 #include <iterator>
 
@@ -46,23 +48,50 @@ void write_expectations(const std::vector<Outcome>& outcomes, Out out) {
                    c.met == c.of ? c.met : c.of - c.met, c.of, files::one_line(c.requirement, 200));
 }
 
+constexpr std::size_t max_listed = 20;
+
+std::string name_of(const Point& preparation) {
+  return preparation.seed ? fmt::format("{} (seed {})", preparation.name, *preparation.seed)
+                          : preparation.name;
+}
+
+void write_preparations(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const std::string name = name_of(campaign.preparation->points[k]);
+    if (outcomes[k].status == Status::failed)
+      fmt::format_to(out, "FAILED   {}: {}\n", name, outcomes[k].problem);
+    else if (outcomes[k].status == Status::finished && ++count <= max_listed)
+      fmt::format_to(out, "prepared {} in {:.3g} s\n", name, number_of(outcomes[k], "wall_s"));
+  }
+  if (count > max_listed) fmt::format_to(out, "         and {} more\n", count - max_listed);
+}
+
+void write_resumed(const Execution& execution, Out out) {
+  if (execution.gone_on)
+    fmt::format_to(out, "{} went on from the state at which {} stopped\n", counted(execution.gone_on, "run"),
+                   execution.gone_on == 1 ? "it" : "they");
+  for (std::size_t k = 0; k < std::min(max_listed, execution.begun_anew.size()); ++k)
+    fmt::format_to(out, "begun anew {}\n", execution.begun_anew[k]);
+}
+
 void write_failures(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
-  constexpr std::size_t max_listed = 20;
   std::size_t count = 0;
   for (std::size_t k = 0; k < outcomes.size(); ++k)
-    if (outcomes[k].state == State::failed && ++count <= max_listed)
+    if (outcomes[k].status == Status::failed && ++count <= max_listed)
       fmt::format_to(out, "FAILED   {}: {}\n", campaign.points[k].name, outcomes[k].problem);
   if (count > max_listed)
     fmt::format_to(out, "         and {} more, see campaign.json\n", count - max_listed);
 }
 
-void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
+void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcomes, const char* noun,
+                    const char* where, Out out) {
   std::size_t count = 0, first = outcomes.size();
   for (std::size_t k = outcomes.size(); k-- > 0;)
     if (!outcomes[k].warnings.empty()) first = k, ++count;
   if (count)
-    fmt::format_to(out, "WARNINGS in {} of {}, see the column warnings of table.csv; {}: {}\n", count,
-                   counted(outcomes.size(), "run"), campaign.points[first].name,
+    fmt::format_to(out, "WARNINGS in {} of {}, see {}; {}: {}\n", count, counted(outcomes.size(), noun),
+                   where, campaign.points[first].name,
                    files::one_line(outcomes[first].warnings.front(), 200));
 }
 
@@ -71,7 +100,8 @@ void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcom
 std::string text_report(const Campaign& campaign, const Execution& execution) {
   std::string text = title_line(campaign);
   const Out out(text);
-  const std::size_t finished = execution.count(State::finished), failed = execution.count(State::failed);
+  write_preparations(campaign, execution.preparations, out);
+  const std::size_t finished = execution.count(Status::finished), failed = execution.count(Status::failed);
   fmt::format_to(out, "{} finished", finished);
   if (execution.finished_before)
     fmt::format_to(out, " ({} of them in an earlier call)", execution.finished_before);
@@ -79,18 +109,26 @@ std::string text_report(const Campaign& campaign, const Execution& execution) {
   const std::size_t rest = execution.outcomes.size() - finished - failed;
   if (rest) fmt::format_to(out, ", {} to do", rest);
   fmt::format_to(out, "\n");
+  write_resumed(execution, out);
+  write_expectations(execution.preparations, out);
   write_expectations(execution.outcomes, out);
   write_failures(campaign, execution.outcomes, out);
-  write_warnings(campaign, execution.outcomes, out);
+  if (campaign.preparation)
+    write_warnings(*campaign.preparation, execution.preparations, "preparation", "their run.json", out);
+  write_warnings(campaign, execution.outcomes, "run", "the column warnings of table.csv", out);
   return text;
 }
 
-std::string list_report(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+std::string list_report(const Campaign& campaign, const std::vector<Outcome>& preparations,
+                        const std::vector<Outcome>& outcomes) {
   std::string text = title_line(campaign);
-  const Out out(text);
-  for (std::size_t k = 0; k < outcomes.size(); ++k)
-    fmt::format_to(out, "{:<12} {}{}\n", state_name(outcomes[k].state), campaign.points[k].name,
-                   outcomes[k].problem.empty() ? "" : fmt::format(": {}", outcomes[k].problem));
+  const auto add = [&](const Outcome& outcome, const std::string& name) {
+    text += fmt::format("{:<12} {}{}\n", status_name(outcome.status), name,
+                        outcome.problem.empty() ? "" : fmt::format(": {}", outcome.problem));
+  };
+  for (std::size_t k = 0; k < preparations.size(); ++k)
+    add(preparations[k], name_of(campaign.preparation->points[k]));
+  for (std::size_t k = 0; k < outcomes.size(); ++k) add(outcomes[k], campaign.points[k].name);
   return text;
 }
 
@@ -104,14 +142,13 @@ std::string leftover_report(const std::vector<std::string>& names) {
                      names.size() > max_listed ? " ..." : "");
 }
 
-void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
-                  const CampaignDirectory& directory) {
+void write_report(const Campaign& campaign, const Execution& execution, const CampaignDirectory& directory) {
   const run::RunDirectory& files = directory.files();
-  files.write_file("campaign.json", campaign_json(campaign, outcomes));
-  files.write_file("table.csv", table_csv(campaign, outcomes));
+  files.write_file("campaign.json", campaign_json(campaign, execution));
+  files.write_file("table.csv", table_csv(campaign, execution.outcomes));
   std::error_code failed;
   if (campaign.seeds.size() > 1)
-    files.write_file("means.csv", means_csv(campaign, outcomes));
+    files.write_file("means.csv", means_csv(campaign, execution.outcomes));
   else  // from an earlier version of the campaign
     std::filesystem::remove(files.path() / "means.csv", failed);
 }

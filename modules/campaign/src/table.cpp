@@ -23,11 +23,11 @@ std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outc
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     const Point& point = campaign.points[k];
     const Outcome& outcome = outcomes[k];
-    const bool finished = outcome.state == State::finished;
+    const bool finished = outcome.status == Status::finished;
     std::vector<std::string> row = {point.name};
     append(row, point_cells(campaign, point));
     row.push_back(point.seed ? std::to_string(*point.seed) : csv_number(number_of(outcome, "seed")));
-    row.push_back(state_name(outcome.state));
+    row.push_back(status_name(outcome.status));
     row.push_back(finished ? std::to_string(outcome.expectations.size()) : "");
     row.push_back(finished ? std::to_string(outcome.expectations.size() - outcome.unmet()) : "");
     row.push_back(fmt::format("{}", fmt::join(outcome.warnings, " | ")));

@@ -37,6 +37,8 @@ class Results {
   const RunResult& result() const { return result_; }
 
  private:
+  void go_on_from(const InputHashes& before);
+
   const scenario::Plan& plan_;
   const RunOptions& options_;
   const RunDirectory& directory_;

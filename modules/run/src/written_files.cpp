@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <sstream>
 #include <unistd.h>
 
@@ -108,8 +107,7 @@ fs::path WrittenFiles::add(const std::string& file) {
             "{}: its folder is a symbolic link, which is not followed; remove it, or give another --out",
             path.string()),
         ExitStatus::failure);
-  const files::Descriptor descriptor(
-      open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
+  const files::Descriptor descriptor = files::append_file(list.c_str());
   if (!descriptor.is_open()) throw unwritable(list, errno);
   int code = ftruncate(descriptor.get(), off_t(size_)) == 0 ? 0 : errno;
   if (!code) code = files::write_all(descriptor, file + '\n');

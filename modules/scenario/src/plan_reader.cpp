@@ -1,3 +1,4 @@
+#include "body_file.hpp"
 #include "checkpoint_reader.hpp"
 #include "contact_reader.hpp"
 #include "output_reader.hpp"
@@ -5,7 +6,6 @@
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 #include "stage_reader.hpp"
-#include "state_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -183,23 +183,6 @@ bool needs_pair_forces(const Plan& plan) {
   return plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
 }
 
-// A file from which a scene takes its bodies: the key that names it, and its absolute path.
-struct BodyFile {
-  std::string key;
-  std::filesystem::path path;
-};
-std::optional<BodyFile> body_file(const document::Document& document, const std::filesystem::path& scenario) {
-  const auto particles = document.root().optional_table("particles");
-  if (!particles) return std::nullopt;
-  const std::filesystem::path folder = scenario.parent_path();
-  if (particles->is_string(particles_keys.state))
-    return BodyFile{particles_keys.state.name, find_state(*particles, folder)};
-  if (!particles->is_string(particles_keys.file)) return std::nullopt;
-  std::error_code failed;
-  const auto file = std::filesystem::absolute(folder / read(*particles, particles_keys.file), failed);
-  return BodyFile{particles_keys.file.name, file.lexically_normal()};
-}
-
 // TOML that runs from any folder: with the path of a packing or state made absolute.
 std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
                                 std::vector<std::string> overrides) {
@@ -254,8 +237,9 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
   plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
+  plan.files = input_files(document, path, host);
   plan.inputs = {path};
-  if (const auto file = body_file(document, path)) plan.inputs.push_back(file->path);
+  if (!plan.files.bodies.empty()) plan.inputs.push_back(plan.files.bodies);
   for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
   return plan;
 }
@@ -264,6 +248,7 @@ Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host) {
   const document::Document document = document::Document::parse(text, name, overrides);
   Plan plan = read(document, name, std::move(bodies), host);
+  plan.files.plugins = plugin_files(document, host);
   plan.resolved_text = document.resolved_text();
   return plan;
 }

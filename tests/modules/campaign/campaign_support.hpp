@@ -6,6 +6,8 @@
 #include <vector>
 
 #include <scree/campaign/campaign.hpp>
+#include <scree/campaign/outcome.hpp>
+#include <scree/run/run.hpp>
 
 namespace scree::test {
 
@@ -24,7 +26,7 @@ class CampaignFolder {
     std::string line = message([&] {
       const campaign::Campaign read_in = read();
       for (const campaign::Point& point : read_in.points) {
-        campaign::inputs_of(read_in, point);
+        campaign::inputs_of(read_in, point, host());
         campaign::check_point(read_in, point, host());
       }
     });
@@ -42,6 +44,19 @@ inline std::vector<std::string> names_of(const campaign::Campaign& campaign) {
   std::vector<std::string> names;
   for (const campaign::Point& point : campaign.points) names.push_back(point.name);
   return names;
+}
+
+// Runs a point.
+inline void make_run(const campaign::Campaign& c, std::size_t k, const std::filesystem::path& out) {
+  run::RunOptions options;
+  options.out = out;
+  options.overwrite = true;
+  run::run_plan(scenario::read_plan(c.scenario, c.points[k].overrides(), host()), options);
+}
+
+inline campaign::Outcome outcome_of(const campaign::Campaign& c, std::size_t k,
+                                    const std::filesystem::path& out, const PluginHost& plugins = host()) {
+  return campaign::read_outcome(out, campaign::inputs_of(c, c.points[k], plugins), c.collect);
 }
 
 }  // namespace scree::test

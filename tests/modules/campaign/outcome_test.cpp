@@ -4,11 +4,12 @@
 
 #include <scree/campaign/campaign_directory.hpp>
 #include <scree/campaign/report.hpp>
-#include <scree/run/run.hpp>
 
 using namespace scree;
 using namespace scree::campaign;
 using test::CampaignFolder;
+using test::make_run;
+using test::outcome_of;
 
 namespace {
 
@@ -19,32 +20,21 @@ double number(const Outcome& outcome, const std::string& name) {
   return 0;
 }
 
-void make_run(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
-  run::RunOptions options;
-  options.out = out;
-  options.overwrite = true;
-  run::run_plan(scenario::read_plan(c.scenario, c.points[k].overrides(), test::host()), options);
-}
-
-Outcome outcome_of(const Campaign& c, std::size_t k, const std::filesystem::path& out) {
-  return read_outcome(out, inputs_of(c, c.points[k]), c.collect);
-}
-
 }  // namespace
 
 TEST_CASE("a run counts only for the point with the same resolved scenario", "[campaign]") {
   const CampaignFolder folder("collect = ['energy.time.max']\n[set]\ntime.duration = [1e-4, 2e-4]\n");
   const Campaign c = folder.read();
   const auto out = folder.folder() / "out";
-  CHECK(outcome_of(c, 0, out).state == campaign::State::missing);
+  CHECK(outcome_of(c, 0, out).status == Status::missing);
   make_run(c, 0, out);
   const Outcome outcome = outcome_of(c, 0, out);
-  CHECK(outcome.state == campaign::State::finished);
+  CHECK(outcome.status == Status::finished);
   CHECK(number(outcome, "steps") == 10);
   CHECK(number(outcome, "footprint.bodies") == 9);
   CHECK(outcome.numbers[0].first == "energy.time.max");
   CHECK(outcome.numbers[0].second == Approx(1e-4));
-  CHECK(outcome_of(c, 1, out).state == campaign::State::changed);
+  CHECK(outcome_of(c, 1, out).status == Status::changed);
   CHECK(outcome_of(c, 1, out).numbers.empty());
 }
 
@@ -56,14 +46,14 @@ TEST_CASE("an invalid run.json counts as missing, an incomplete run as interrupt
   const std::string record = test::text_of(out / "run.json");
   const auto state_with = [&](const std::string& text) {
     folder.folder().write("out/run.json", text);
-    return outcome_of(c, 0, out).state;
+    return outcome_of(c, 0, out).status;
   };
-  CHECK(state_with(test::with(record, "\"finished\"", "\"interrupted\"")) == campaign::State::interrupted);
-  CHECK(state_with(test::with(record, "\"finished\"", "\"running\"")) == campaign::State::running);
-  CHECK(state_with(test::with(record, "\"finished\"", "\"failed\"")) == campaign::State::failed);
+  CHECK(state_with(test::with(record, "\"finished\"", "\"interrupted\"")) == Status::interrupted);
+  CHECK(state_with(test::with(record, "\"finished\"", "\"running\"")) == Status::running);
+  CHECK(state_with(test::with(record, "\"finished\"", "\"failed\"")) == Status::failed);
   for (const char* nonsense : {"", "[]", "{}", "null", "{\"scenario\": 3, \"status\": \"finished\"}"})
-    CHECK(state_with(nonsense) != campaign::State::finished);
-  CHECK(state_with(record.substr(0, record.size() / 2)) == campaign::State::missing);
+    CHECK(state_with(nonsense) != Status::finished);
+  CHECK(state_with(record.substr(0, record.size() / 2)) == Status::missing);
 }
 
 TEST_CASE("a run.json nested deeper than memory allows counts as missing", "[campaign]") {
@@ -79,10 +69,10 @@ TEST_CASE("a run.json nested deeper than memory allows counts as missing", "[cam
   folder.folder().write(
       "out/run.json",
       test::with(record, "\"seed\":", "\"more\": " + opening + nested + closing + ", \"seed\":"));
-  CHECK(outcome_of(c, 0, out).state == campaign::State::finished);
+  CHECK(outcome_of(c, 0, out).status == Status::finished);
   std::filesystem::remove(out / "run.json");
   std::filesystem::create_directory(out / "run.json");
-  CHECK(outcome_of(c, 0, out).state == campaign::State::missing);
+  CHECK(outcome_of(c, 0, out).status == Status::missing);
   CHECK_THAT(outcome_of(c, 0, out).problem, Catch::Contains("run.json: is not a regular file"));
 }
 
@@ -95,7 +85,7 @@ TEST_CASE("a series that is not as the run wrote it is told, not read", "[campai
   const auto told = [&](const std::string& text) {
     folder.folder().write("out/series/energy.csv", text);
     const Outcome outcome = outcome_of(c, 0, out);
-    CHECK(outcome.state == campaign::State::finished);
+    CHECK(outcome.status == Status::finished);
     CHECK(outcome.numbers[0].first != "energy.time.max");
     return outcome.warnings.empty() ? "" : outcome.warnings[0];
   };
@@ -105,25 +95,6 @@ TEST_CASE("a series that is not as the run wrote it is told, not read", "[campai
   CHECK_THAT(told(test::with(series, "\n0,", "\n0,0,")), Catch::Contains("line 2 has "));
   CHECK_THAT(told(test::with(series, "\n0,", "\nzero,")), Catch::Contains("line 2 is damaged at 'zero'"));
   CHECK_THAT(told("\n"), Catch::Contains("has no column time"));
-}
-
-TEST_CASE("a run older than its file of bodies counts as changed", "[campaign]") {
-  const std::string scene =
-      test::with(test::with(test::discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n",
-                            "file = 'bodies.csv'\n"),
-                 "radius = 0.01\n", "");
-  const CampaignFolder source(""), folder("", scene);
-  make_run(source.read(), 0, source.folder() / "out");
-  const auto bodies =
-      folder.folder().write("bodies.csv", test::text_of(source.folder() / "out/final_packing.csv"));
-  const Campaign c = folder.read();
-  const auto out = folder.folder() / "out";
-  make_run(c, 0, out);
-  const auto written = std::filesystem::last_write_time(out / "run.json");
-  std::filesystem::last_write_time(bodies, written - std::chrono::seconds(1));
-  CHECK(outcome_of(c, 0, out).state == campaign::State::finished);
-  std::filesystem::last_write_time(bodies, written + std::chrono::seconds(1));
-  CHECK(outcome_of(c, 0, out).state == campaign::State::changed);
 }
 
 TEST_CASE("a campaign that writes nothing leaves no directory", "[campaign]") {

@@ -14,7 +14,7 @@ using scree::test::CampaignFolder;
 namespace {
 
 Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met = true) {
-  return {State::finished, "", std::move(numbers), {{"It holds", met}}};
+  return {Status::finished, "", std::move(numbers), {{"It holds", met}}};
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ TEST_CASE("the table has a row per run, with numbers of finished runs only", "[c
   const Campaign c =
       CampaignFolder("seeds = [7, 9]\n[set]\nscene.title = ['plain', 'with, \"quotes\"']\n").read();
   std::vector<Outcome> outcomes = {finished({{"work", 0.1}, {"seed", 7}}),
-                                   {State::failed, "why", {}, {}},
+                                   {Status::failed, "why", {}, {}},
                                    finished({{"seed", 7}, {"more", NAN}, {"work", 2}}, false),
                                    {}};
   outcomes[2].warnings = {"too long; use less", "and more"};
@@ -34,7 +34,7 @@ TEST_CASE("the table has a row per run, with numbers of finished runs only", "[c
       "\"title=plain,seed=9\",plain,9,failed,,,,,\n"
       "\"title=with_quotes,seed=7\",\"with, \"\"quotes\"\"\",7,finished,1,0,too long; use less | and more,2,\n"
       "\"title=with_quotes,seed=9\",\"with, \"\"quotes\"\"\",9,missing,,,,,\n");
-  const auto json = nlohmann::json::parse(campaign_json(c, outcomes));
+  const auto json = nlohmann::json::parse(campaign_json(c, Execution{outcomes}));
   CHECK(std::string(json["file"]).ends_with("/campaign.toml"));
   CHECK(json["parameters"]["scene.title"][1] == "with, \"quotes\"");
   CHECK(json["runs"][1]["error"] == "why");
@@ -56,7 +56,7 @@ TEST_CASE("means and standard errors are taken over the seeds of each point", "[
 
 TEST_CASE("the summary lists varied keys, expectations and failed runs with their reasons", "[campaign]") {
   const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5]\n").read();
-  Execution execution{{finished({}), finished({}, false), {State::failed, "it broke", {}, {}}}, 1, false};
+  Execution execution{{finished({}), finished({}, false), {Status::failed, "it broke", {}, {}}}, 1, false};
   execution.outcomes[1].warnings = {"too long; use less"};
   CHECK(
       text_report(c, execution) ==
@@ -65,7 +65,7 @@ TEST_CASE("the summary lists varied keys, expectations and failed runs with thei
       "NOT MET  in 1 of 2: It holds\n"
       "FAILED   step=1e-5,seed=3: it broke\n"
       "WARNINGS in 1 of 3 runs, see the column warnings of table.csv; step=1e-5,seed=2: too long; use less\n");
-  CHECK(list_report(c, execution.outcomes) ==
+  CHECK(list_report(c, {}, execution.outcomes) ==
         "campaign: 3 runs, 1 value of time.step x 3 seeds\n"
         "finished     step=1e-5,seed=1\n"
         "finished     step=1e-5,seed=2\n"

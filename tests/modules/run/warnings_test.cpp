@@ -36,6 +36,11 @@ TEST_CASE("warnings are told and kept in run.json", "[run]") {
   CHECK(told[0].find("; use 20 or more") != std::string::npos);
   CHECK(told[1].find(" overlap by 0.1 of the smaller radius at t = 0") != std::string::npos);
   CHECK(text_of(bench.options.out / "run.json").find(told[1]) != std::string::npos);
+  // Bodies of a state bear a load.
+  const auto simulation = set_up(bench.plan);
+  CHECK(start_warnings(bench.plan, *simulation)[1] == told[1]);
+  bench.plan.from_state = std::make_shared<State>();
+  CHECK(start_warnings(bench.plan, *simulation) == std::vector<std::string>{told[0]});
 }
 
 TEST_CASE("bodies that overlap through a periodic face are found at the start", "[run]") {

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <scree/plugin_host.hpp>
+#include <scree/run/input_hashes.hpp>
 
 namespace scree::campaign {
 
@@ -31,7 +33,7 @@ struct Case {
 
 // One run of a campaign.
 struct Point {
-  std::string name;       // of its directory, unique
+  std::string name;       // of its directory below that of the campaign, unique
   std::string case_name;  // empty in a campaign without cases
   std::optional<std::int64_t> seed;
   std::vector<Setting> settings;  // fixed settings, those of the case, parameters, seed
@@ -53,26 +55,36 @@ struct Campaign {
   std::vector<Case> cases;
   std::vector<std::int64_t> seeds;
   std::vector<Point> points;  // at least one
+  // [prepare]: a campaign of one point per seed, from whose final states the points of this one branch; or null.
+  std::shared_ptr<const Campaign> preparation = nullptr;
 
   // Keys in which points may differ: those of the cases, then the parameters.
   std::vector<std::string> varying_keys() const;
+  // Index in preparation->points of that from which a point branches.
+  std::size_t preparation_of(std::size_t point) const { return point % preparation->points.size(); }
 };
 
 // Reads a campaign file. Throws Error "file:line:column: what is wrong; what to do" for any error in it, and
 // if the scenario cannot be read.
 Campaign read_campaign(const std::filesystem::path& path);
 
-// Inputs of the run of a point.
+// Inputs of the run of a point, as stored in run.json.
 struct Inputs {
-  std::string resolved_text;                     // the scenario including the settings, as stored in run.json
-  std::optional<std::filesystem::path> packing;  // the file of bodies that it reads
+  std::string resolved_text;  // the scenario including the settings
+  run::InputHashes hashes;
 };
 
-// Throws Error at a setting that does not fit the scenario.
-Inputs inputs_of(const Campaign& campaign, const Point& point);
+// Throws Error at a setting that does not fit the scenario, and for a state that does not exist.
+Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost& host);
+
+// The campaign with all points beginning from the final states of their preparations, whose names are then
+// "prepare/<hash of their inputs>". Without [prepare] unchanged. Throws Error as inputs_of() of a preparation.
+Campaign branched(Campaign campaign, const PluginHost& host);
 
 // Throws Error, like scree check, unless the point can be run and has all collected quantities. The position
 // is that of the setting that causes the error, if there is one.
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host);
+// The same for a point of a preparation, which must write its final state.
+void check_preparation(const Campaign& preparation, const Point& point, PluginHost& host);
 
 }  // namespace scree::campaign

@@ -20,9 +20,9 @@ struct Tally {
 struct ExecutionOptions {
   unsigned jobs = 1;     // concurrent runs
   unsigned threads = 1;  // of each run
-  bool again = false;    // repeat finished runs
+  bool again = false;    // all runs begin anew, also finished ones
   std::vector<std::string> plugin_directories;
-  std::filesystem::path program = "/proc/self/exe";        // called as `scree run`; default: this program
+  std::filesystem::path program = "/proc/self/exe";        // called as `scree run` and `scree resume`
   const std::atomic<bool>* stop = nullptr;                 // set by Ctrl-C: runs save their results and end
   std::function<void(const Tally&)> on_progress;           // called a few times per second
   std::function<void(std::size_t, std::size_t)> on_check;  // points checked so far, and in total
@@ -33,13 +33,18 @@ struct Execution {
   std::vector<Outcome> outcomes;
   std::size_t finished_before = 0;  // not run again
   bool interrupted = false;
+  std::vector<Outcome> preparations = {};    // in the order of Campaign::preparation->points
+  std::size_t gone_on = 0;                   // runs and preparations that went on from a state
+  std::vector<std::string> begun_anew = {};  // "<name>: <why it could not go on>"
 
-  std::size_t count(State state) const;
+  std::size_t count(Status status) const;
 };
 
-// Runs all unfinished points, each in its own process, and updates the tables in the directory. Throws Error
-// (bad_input) before anything is written if any point is refused; Error (failure) if the directory cannot be
-// written, after all runs have ended.
+// Runs all unfinished points, each in its own process, and updates the tables in the directory. Those that were
+// interrupted go on from their last state. The campaign is one from branched(): its preparations are run first. Throws
+// Error (bad_input) before anything is written if any point is refused, or, if it can only be checked from the state
+// of a preparation, before any point is run; Error (failure) if the directory cannot be written, after all runs have
+// ended.
 Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
                   PluginHost& host);
 

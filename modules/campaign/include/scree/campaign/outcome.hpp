@@ -9,19 +9,19 @@
 
 namespace scree::campaign {
 
-// State of the run of a point.
-enum class State {
+// Status of the run of a point.
+enum class Status {
   missing,
-  changed,      // run with other settings, another scenario or an older file of bodies
+  changed,      // run with other settings, or another scenario, file of bodies or plug-in
   interrupted,  // stopped or killed before its end
   running,
   failed,
   finished
 };
-const char* state_name(State state);
+const char* status_name(Status status);
 
 struct Outcome {
-  State state = State::missing;
+  Status status = Status::missing;
   std::string problem;  // one line, if the run failed or its record cannot be read
   // Of a finished run, by name: collected quantities, numbers of run.json, values of its expectations.
   std::vector<std::pair<std::string, double>> numbers;

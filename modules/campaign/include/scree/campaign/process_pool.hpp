@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -14,8 +15,11 @@ class ProcessPool {
  public:
   struct Ended {
     std::size_t id;
-    std::string how;  // "exit status 3", "killed by signal 9 (Killed)"; empty for status 0
+    std::string how;            // "exit status 3", "killed by signal 9 (Killed)"; empty for status 0
+    std::optional<int> status;  // absent if killed
   };
+  // What becomes of a log that is there.
+  enum class Log { replace, append };
 
   ProcessPool() = default;
   // Terminates the running processes and waits for them.
@@ -25,7 +29,8 @@ class ProcessPool {
 
   // Starts the program at the path command[0], with its output in the file `log`; `id` identifies it in
   // Ended. Throws Error (failure) if the log cannot be written or no process can be started.
-  void start(std::size_t id, const std::vector<std::string>& command, const std::filesystem::path& log);
+  void start(std::size_t id, const std::vector<std::string>& command, const std::filesystem::path& log,
+             Log existing = Log::replace);
   // Processes ended since the last call. Waits for at least one, at most `seconds` or until a signal.
   std::vector<Ended> wait(double seconds);
   void signal(int number) const;

@@ -15,21 +15,21 @@ std::string table_csv(const Campaign& campaign, const std::vector<Outcome>& outc
 // runs, then <quantity>_mean and <quantity>_standard_error (empty for a single run) of every quantity.
 std::string means_csv(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
-// Settings and outcomes of all points, as JSON.
-std::string campaign_json(const Campaign& campaign, const std::vector<Outcome>& outcomes);
+// Settings and outcomes of all points and preparations, as JSON.
+std::string campaign_json(const Campaign& campaign, const Execution& execution);
 
 // Writes table.csv, campaign.json and, with several seeds, means.csv. Throws Error (failure) if it cannot.
-void write_report(const Campaign& campaign, const std::vector<Outcome>& outcomes,
-                  const CampaignDirectory& directory);
+void write_report(const Campaign& campaign, const Execution& execution, const CampaignDirectory& directory);
 
-// For a terminal: varied keys, number of finished runs, expectations, failed runs with their reasons, runs
-// with warnings.
+// For a terminal: varied keys, preparations with their wall times, number of finished runs, runs that went on from a
+// state, expectations, failed runs with their reasons, runs with warnings.
 std::string text_report(const Campaign& campaign, const Execution& execution);
 
 // For a terminal: runs that are no longer part of the campaign; empty if there are none.
 std::string leftover_report(const std::vector<std::string>& names);
 
-// For a terminal: each point with its state.
-std::string list_report(const Campaign& campaign, const std::vector<Outcome>& outcomes);
+// For a terminal: each preparation and each point with its status.
+std::string list_report(const Campaign& campaign, const std::vector<Outcome>& preparations,
+                        const std::vector<Outcome>& outcomes);
 
 }  // namespace scree::campaign

@@ -24,6 +24,9 @@ class Descriptor {
 // to processes started by this one. If it cannot, the descriptor is not open, and errno tells why.
 Descriptor create_file(const char* path);
 
+// The same for a file that is written on at its end, if there is one.
+Descriptor append_file(const char* path);
+
 // Writes all bytes. Returns 0, or the value of errno of the first call that failed.
 int write_all(const Descriptor& file, std::string_view bytes);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
@@ -57,6 +58,7 @@ struct RunResult {
   std::uint64_t states = 0;              // written
   double particle_steps_per_second = 0;  // in the rest of it
   std::vector<StageResult> stages;
+  InputHashes inputs;                 // of the files that it began from
   std::vector<std::string> warnings;  // "<what>; <cure>"
   std::vector<std::pair<std::string, double>> quantities;
   std::uint64_t state_hash = 0;

@@ -10,6 +10,7 @@
 
 #include <scree/branching.hpp>
 #include <scree/plugin_host.hpp>
+#include <scree/scenario/input_files.hpp>
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
@@ -77,6 +78,7 @@ struct Plan {
   std::string title;
   std::filesystem::path source;
   std::vector<std::filesystem::path> inputs;  // files that were read: the source and a packing
+  InputFiles files;                           // of a run that goes on: the plug-ins
   std::uint64_t seed = 1;
   Scene scene;
   std::shared_ptr<const State> from_state;  // in which the bodies were; null for a new packing

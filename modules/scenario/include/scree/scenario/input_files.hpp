@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include <scree/document/document.hpp>
+#include <scree/plugin_host.hpp>
+
+namespace scree::scenario {
+
+// Files that decide, besides its text, what a scenario gives.
+struct InputFiles {
+  std::filesystem::path bodies;  // the packing or state that it begins from; empty if there is none
+  // Baseline libraries by kind and name, "contact/linear_spring_dashpot", which are the same for every processor; an
+  // empty path for a plug-in that does not exist.
+  std::map<std::string, std::filesystem::path> plugins;
+};
+
+// The input files of a scenario file that has been loaded. Throws Error if it names a state that does not exist.
+InputFiles input_files(const document::Document& document, const std::filesystem::path& scenario,
+                       const PluginHost& host);
+
+// The same without the file of bodies.
+std::map<std::string, std::filesystem::path> plugin_files(const document::Document& document,
+                                                          const PluginHost& host);
+
+}  // namespace scree::scenario

@@ -1,0 +1,126 @@
+#include "campaign_support.hpp"
+
+#include <cstdlib>
+
+#include <catch2/catch.hpp>
+
+#include <scree/campaign/campaign_directory.hpp>
+#include <scree/campaign/state_path.hpp>
+
+using namespace scree;
+using namespace scree::campaign;
+using test::CampaignFolder;
+
+namespace {
+
+const std::string prepare = "[prepare]\nscenario = 'prepare.toml'\n";
+
+std::string refusal(const std::string& rest) {
+  const CampaignFolder folder(rest);
+  folder.folder().write("prepare.toml", test::discs);
+  return folder.refusal();
+}
+
+}  // namespace
+
+TEST_CASE("a campaign has one preparation per seed, with its own settings", "[campaign]") {
+  const CampaignFolder folder("seeds = [7, 8]\n[set]\n\"contact.normal_stiffness\" = [1e4, 2e4]\n" + prepare +
+                              "set.particles.lattice.count = [2, 2]\n");
+  folder.folder().write("prepare.toml", test::discs);
+  const Campaign c = branched(folder.read(), test::host());
+  REQUIRE(c.preparation);
+  REQUIRE(c.preparation->points.size() == 2);
+  CHECK(c.preparation->points[1].overrides() ==
+        std::vector<std::string>{"particles.lattice.count=[2, 2]", "scene.seed=8"});
+  // Seeds vary fastest.
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(c.points[k].seed == c.preparation->points[c.preparation_of(k)].seed);
+    const std::string name = c.preparation->points[k % 2].name;
+    REQUIRE(name.size() == std::string("prepare/0123456789abcdef").size());
+    CHECK(c.points[k].find("particles.state")->value == '"' + name.substr(8) + "/final_state.h5\"");
+  }
+  CHECK(c.points[0].name == "normal_stiffness=10000,seed=7");
+}
+
+TEST_CASE("without seeds a campaign has one preparation, with the seed of its scenario", "[campaign]") {
+  const CampaignFolder folder("[set]\n\"contact.normal_stiffness\" = [1e4, 2e4]\n" + prepare);
+  folder.folder().write("prepare.toml", test::discs);
+  const Campaign c = branched(folder.read(), test::host());
+  REQUIRE(c.preparation->points.size() == 1);
+  CHECK(c.preparation->points[0].overrides().empty());
+}
+
+TEST_CASE("the name of a preparation follows from what it reads", "[campaign]") {
+  const CampaignFolder folder(prepare);
+  const auto name = [&](const std::string& scene) {
+    folder.folder().write("prepare.toml", scene);
+    return branched(folder.read(), test::host()).preparation->points[0].name;
+  };
+  const std::string first = name(test::discs);
+  CHECK(name("# a comment\n" + std::string(test::discs)) == first);
+  CHECK(name(test::with(test::discs, "normal_damping = 0", "normal_damping = 1")) != first);
+}
+
+TEST_CASE("an error in [prepare] is reported with position and cure", "[campaign]") {
+  CHECK_THAT(refusal("[prepare]\nsceario = 'prepare.toml'\n"), Catch::StartsWith("campaign.toml:3:1: "));
+  CHECK_THAT(refusal("[prepare]\nscenario = 'none.toml'\n"),
+             Catch::StartsWith("campaign.toml:4:12: none.toml: cannot be read ("));
+  CHECK_THAT(refusal("[set]\nparticles.state = ['a.h5']\n" + prepare),
+             Catch::StartsWith("campaign.toml:4:20: 'particles.state' is also set by [prepare]; "));
+  CHECK_THAT(refusal("seeds = [1]\n" + prepare + "set.scene.seed = 2\n"),
+             Catch::StartsWith("campaign.toml:6:18: 'scene.seed' is also set by seeds; "));
+  CHECK_THAT(refusal(prepare + "more = 1\n"), Catch::StartsWith("campaign.toml:5:1: unknown key 'more'"));
+}
+
+TEST_CASE("a preparation that would be refused is reported at its value", "[campaign]") {
+  const auto problem = [](const std::string& set) {
+    const CampaignFolder folder(prepare + set);
+    folder.folder().write("prepare.toml", test::discs);
+    return test::message([&] {
+      const Campaign c = branched(folder.read(), test::host());
+      check_preparation(*c.preparation, c.preparation->points[0], test::host());
+    });
+  };
+  CHECK_THAT(problem("set.contact.normal_stiffness = -1\n"),
+             Catch::Contains("campaign.toml:5:32: in run 'prepare/") && Catch::Contains("a number above 0"));
+  CHECK_THAT(problem("set.checkpoint.final_state = false\n"),
+             Catch::Contains("campaign.toml:4:12: ") &&
+                 Catch::Contains("writes no final state, from which runs could begin; remove "));
+}
+
+TEST_CASE("the folder of preparations is looked up before others, until the end of a campaign",
+          "[campaign]") {
+  const auto variable = [] {
+    const char* text = std::getenv("SCREE_STATE_PATH");
+    return std::string(text ? text : "unset");
+  };
+  {
+    const StatePath first("one/prepare");
+    CHECK(variable() == "one/prepare");
+    {
+      const StatePath second("two/prepare");
+      CHECK(variable() == "two/prepare:one/prepare");
+    }
+    CHECK(variable() == "one/prepare");
+  }
+  CHECK(variable() == "unset");
+  CHECK_THROWS_WITH(StatePath("a:b/prepare"), Catch::Contains("a:b: the path of a campaign with [prepare] "
+                                                              "cannot contain ':'; give another --out"));
+}
+
+TEST_CASE("while its preparation is not there, a run is missing or changed", "[campaign]") {
+  const CampaignFolder folder("[set]\n\"contact.normal_stiffness\" = [1e4, 2e4]\n" + prepare);
+  folder.folder().write("prepare.toml", test::discs);
+  const Campaign c = branched(folder.read(), test::host());
+  CampaignDirectory directory(folder.folder() / "campaign", c, true);
+  test::make_run(*c.preparation, 0, directory.run(c.points[1]));
+  const std::vector<Outcome> outcomes = directory.outcomes(c, test::host());
+  CHECK(outcomes[0].status == Status::missing);
+  CHECK(outcomes[1].status == Status::changed);
+  CHECK(directory.preparations(c, test::host())[0].status == Status::missing);
+  test::make_run(*c.preparation, 0, directory.run(c.preparation->points[0]));
+  CHECK(directory.preparations(c, test::host())[0].status == Status::finished);
+  CHECK(directory.leftovers(c).empty());
+  std::filesystem::remove(directory.run(c.preparation->points[0]) / "final_state.h5");
+  CHECK(directory.preparations(c, test::host())[0].status == Status::changed);
+}
