@@ -47,6 +47,8 @@ void Results::transfer(const StateTransfer& state, const Stopwatch& watch) {
   state.value("wall", "s", wall);
   state.value("output", "s", output);
   if (!state.restoring()) return;
+  if (result_.stages.size() > plan_.stages.size())
+    state.refuse("stages/names", "lists more stages than the scenario has");
   wall_before_ = wall, output_before_ = output;
   if (!result_.stages.empty()) result_.stages.back().ended = "running";
 }

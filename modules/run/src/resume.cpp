@@ -1,9 +1,12 @@
 #include "checkpoints.hpp"
 #include "run_from.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
-#include <scree/document/message.hpp>
+#include <scree/document/document.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 
@@ -15,7 +18,8 @@ namespace {
 bool is_length(const std::string& override_text) {
   const std::string key = override_text.substr(0, override_text.find('='));
   const std::string last = key.substr(key.rfind('.') + 1);
-  return last == "duration" || last == "cycles" || last == "at_most";
+  return (key.starts_with("stage") || key.starts_with("time")) &&
+         (last == "duration" || last == "cycles" || last == "at_most");
 }
 
 void check_overrides(const std::vector<std::string>& overrides) {
@@ -27,21 +31,60 @@ void check_overrides(const std::vector<std::string>& overrides) {
                       text));
 }
 
+// How far a run has come in its stages.
+struct Position {
+  std::size_t stage;  // the present one, or the last if all have ended
+  double began;       // (s)
+  bool ended;         // whether all have
+};
+Position position_of(const State& state, const scenario::Plan& plan) {
+  const StateTransfer stages = StateTransfer::restoring_from(state).below("run/stages");
+  Position position = {stage_of(stages), 0, false};
+  stages.value("began", "s", position.began);
+  position.ended = position.stage >= plan.stages.size();
+  if (position.ended) position.stage = plan.stages.size() - 1;
+  return position;
+}
+
+// Throws Error if a stage that is over would have another length.
+void check_past(const scenario::Plan& before, const scenario::Plan& now, const Position& position) {
+  for (std::size_t k = 0; k < std::min(position.stage, now.stages.size()); ++k)
+    if (before.stages[k].duration != now.stages[k].duration ||
+        before.stages[k].at_most != now.stages[k].at_most)
+      throw Error(
+          fmt::format("--set: stage '{}' is over, so that its length cannot change; set that of stage '{}'{}",
+                      now.stages[k].name, now.stages[position.stage].name,
+                      position.stage + 1 < now.stages.size() ? " or a later one" : ""));
+}
+
 // The override that makes a plan end at a time (s).
-std::string duration_until(const scenario::Plan& plan, double until) {
-  double begin = 0;
-  for (std::size_t k = 0; k + 1 < plan.stages.size(); ++k) begin += plan.stages[k].duration.value_or(NAN);
-  const bool timed = plan.stages.back().duration.has_value() && !std::isnan(begin);
-  if (!timed)
+std::string duration_until(const scenario::Plan& plan, const Position& position, double until) {
+  const std::vector<Stage>& stages = plan.stages;
+  if (position.ended && !stages.back().duration)
+    throw Error(
+        fmt::format("--until: stage '{}' has ended by its condition, after which nothing can follow; "
+                    "begin a new run from the state (particles.state)",
+                    stages.back().name));
+  double begin = position.began;
+  for (std::size_t k = position.stage; k + 1 < stages.size(); ++k) begin += stages[k].duration.value_or(NAN);
+  if (!stages.back().duration || std::isnan(begin))
     throw Error(
         "--until: the time at which the last stage ends is not known, as a stage ends by a condition; "
         "give --set stage.<name>.duration=<s> or at_most=<s>");
   if (!(until > begin))
     throw Error(
         fmt::format("--until {:g}: the last stage begins at {:g} s; give a later time", until, begin));
-  const std::string duration = document::number_text(until - begin);
-  return plan.stages.size() > 1 ? fmt::format("stage[{}].duration={}", plan.stages.size() - 1, duration)
-                                : fmt::format("time.duration={}", duration);
+  return scenario::length_override(plan.resolved_text, until - begin);
+}
+
+// The scenario that the directory holds, with overrides; resolved_text if it cannot be read.
+std::string text_in(const std::filesystem::path& directory, const std::vector<std::string>& overrides,
+                    const std::string& resolved_text) {
+  try {
+    return document::Document::load(directory / "scenario.toml", overrides).resolved_text();
+  } catch (const Error&) {
+    return resolved_text;
+  }
 }
 
 std::string scenario_of(const State& state) {
@@ -66,10 +109,17 @@ RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, Pl
     return scenario::read_plan_again(text, name, overrides, bodies_at_start(latest.state), host);
   };
   scenario::Plan plan = read();
+  const Position position = position_of(latest.state, plan);
+  if (!changes.overrides.empty()) {
+    overrides.clear();
+    check_past(read(), plan, position);
+    overrides = changes.overrides;
+  }
   if (changes.until) {
-    overrides.push_back(duration_until(plan, *changes.until));
+    overrides.push_back(duration_until(plan, position, *changes.until));
     plan = read();
   }
+  if (!overrides.empty()) plan.text_for_any_folder = text_in(options.out, overrides, plan.resolved_text);
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
   return run_from(&latest.state, plan, options, directory);
 }

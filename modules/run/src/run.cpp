@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include <scree/branching.hpp>
 #include <scree/error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/run.hpp>
@@ -148,18 +150,21 @@ class Run {
     const StateTransfer from = StateTransfer::restoring_from(state).below("run");
     runner_.emplace(*simulation_, plan_.stages, from.below("stages"));
     sampler_.transfer(from.below("probes"));
+    sampler_.check_restored(*simulation_);
     pictures_.transfer(from.below("pictures"));
     results_.transfer(from.below("results"), watch_);
     from.value("written", "1", written_);
     last_checkpoint_step_ = simulation_->steps();
   }
 
-  // Continues the files of the run; what it wrote after the state is dropped.
+  // Continues the files of the run; what it wrote after the state is dropped, once all files are known to fit.
   void reopen() {
     sampler_.reopen(directory_.series(), results_.stages());
     directory_.create();
     directory_.written().return_to(written_);
+    sampler_.cut();
     results_.record("running", "", watch_);
+    if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     reserve_room();
   }
 
@@ -223,8 +228,11 @@ class Run {
     try {
       const std::filesystem::path path = checkpoints_.add(simulation_->steps());
       checkpoints_.write(path, state());
+      checkpoint_failed_ = false;
     } catch (const Error& error) {
-      results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
+      // One warning until one succeeds again: on a full disk each would lengthen run.json.
+      if (!std::exchange(checkpoint_failed_, true))
+        results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_->time(), error.what()));
     }
     last_checkpoint_ = watch_.total();
   }
@@ -293,6 +301,7 @@ class Run {
   double last_report_ = 0, last_checkpoint_ = 0;  // (s) of wall time
   std::uint64_t last_checkpoint_step_ = 0;
   bool checkpoint_due_ = false;  // by wall time
+  bool checkpoint_failed_ = false;
 };
 
 }  // namespace
@@ -301,8 +310,8 @@ RunResult run_from(const State* state, const scenario::Plan& plan, const RunOpti
                    RunDirectory& directory) {
   Run run(plan, options, directory, state);
   if (run.finished())
-    throw Error(
-        fmt::format("{}: the run has finished; give --until to prolong it", directory.path().string()));
+    throw Error(fmt::format("{}: the run has finished at t = {:g} s; give a later --until to prolong it",
+                            directory.path().string(), time_of(*state)));
   return run.execute();
 }
 
