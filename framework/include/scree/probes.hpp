@@ -52,10 +52,14 @@ class Probe {
   void check(const scree_view& view) const;
   // What the probe keeps.
   void transfer(const StateTransfer& state);
+  // Throws Error if what was restored has not the size that the plug-in expects.
+  void check_restored(const scree_view& view) const;
   // Empty before the first observation or sample.
   std::span<const double> state() const { return {state_.data(), state_size_}; }
 
  private:
+  // Numbers of the state.
+  std::uint64_t size_in(const scree_view& view) const;
   // The state at the start.
   std::vector<double> started(const scree_view& view) const;
   void start_once(const scree_view& view);

@@ -1,5 +1,6 @@
 #include "contacts/pair_columns.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include <scree/state_transfer.hpp>
@@ -15,7 +16,7 @@ void transfer_rows(const StateTransfer& state, const std::string& name, const ch
   if (!state.restoring())
     for (std::uint32_t k = 0; k < width; ++k)
       for (std::size_t r = 0; r < rows.size(); ++r) packed[r * width + k] = column(k)[rows[r]];
-  state.sized_rows(name, unit, packed, width);
+  state.sized_rows(name, unit, packed, std::max(width, 1u));  // without pairs there are no columns
   if (state.restoring())
     for (std::uint32_t k = 0; k < width; ++k)
       for (std::size_t r = 0; r < rows.size(); ++r) column(k)[rows[r]] = packed[r * width + k];

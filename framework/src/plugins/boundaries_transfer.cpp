@@ -44,7 +44,7 @@ void Boundaries::take_over(const State& state, std::size_t from, const std::stri
     std::vector<scree_plane> all(state.at("walls/planes/point").size() / 3);
     transfer_planes(walls.below("planes"), all);
     const std::span<scree_plane> planes = planes_of(member);
-    if (count != planes.size() || first_plane + count > all.size())
+    if (count != planes.size() || count > all.size() || first_plane > all.size() - count)
       of_member.refuse("plane_count", "is not that of the boundary here");
     std::copy_n(all.begin() + std::ptrdiff_t(first_plane), planes.size(), planes.begin());
   }

@@ -144,11 +144,16 @@ void check_guard(const std::vector<double>& numbers, const char* plugin, const c
 
 }  // namespace
 
+std::uint64_t Probe::size_in(const scree_view& view) const {
+  const scree_probe& interface = plugin_.interface();
+  return interface.state_size ? interface.state_size(plugin_.storage(), &view)
+                              : plugin_.instance().state_width;
+}
+
 std::vector<double> Probe::started(const scree_view& view) const {
   const scree_probe& interface = plugin_.interface();
   const char* name = plugin_.parameters().plugin().name;
-  const std::uint64_t size =
-      interface.state_size ? interface.state_size(plugin_.storage(), &view) : plugin_.instance().state_width;
+  const std::uint64_t size = size_in(view);
   if (size > max_state)
     throw Error(fmt::format("plug-in {}: its state of {} numbers is larger than the limit of {}; keep less",
                             name, size, max_state));
@@ -171,6 +176,14 @@ void Probe::start_once(const scree_view& view) {
 }
 
 void Probe::check(const scree_view& view) const { started(view); }
+
+void Probe::check_restored(const scree_view& view) const {
+  if (const std::uint64_t size = size_in(view); is_started_ && state_size_ != size)
+    throw Error(
+        fmt::format("plug-in {}: its state has {} numbers instead of {}; take a state that scree has written "
+                    "for this scene",
+                    plugin_.parameters().plugin().name, state_size_, size));
+}
 
 void Probe::observe(const scree_view& view) {
   start_once(view);
@@ -196,9 +209,6 @@ void Probe::transfer(const StateTransfer& state) {
   state.value("is_started", "", is_started_);
   state.rows("state", "1", kept);
   if (!state.restoring() || !is_started_) return;
-  if (!plugin_.interface().state_size && kept.size() != plugin_.instance().state_width)
-    state.refuse("state", fmt::format("is not that of the plug-in {}, which keeps {} numbers",
-                                      plugin_.parameters().plugin().name, plugin_.instance().state_width));
   state_size_ = kept.size();
   state_ = guarded(state_size_);
   std::copy(kept.begin(), kept.end(), state_.begin());

@@ -147,6 +147,9 @@ void NeighbourList::transfer(const StateTransfer& state, const Particles& partic
   state.value("searches", "1", rebuilds_);
   state.value("body_travel", "m", body_travel_);
   state.value("plane_travel", "m", plane_travel_);
+  if (!(skin_ > 0 && std::isfinite(skin_))) state.refuse("skin", "is not a length above 0");
+  if (!std::isfinite(body_travel_) || !std::isfinite(plane_travel_))
+    state.refuse("body_travel", "or 'plane_travel' is not a finite length");
   double* const first = bodies_at_search_.empty() ? nullptr : bodies_at_search_[0].position.component;
   state.vectors("position_at_search", "m",
                 {first, sizeof(Sphere) / sizeof(double), bodies_at_search_.size(), 0, 3}, 0, 3);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -169,9 +170,34 @@ void save_bodies_at_start(const StateTransfer& state, const Scene& scene) {
   transfer_bodies_at_start(state, bodies);
 }
 
+namespace {
+
+bool is_finite(const Vec3& vector) {
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+// A simulation divides by masses and inertias, and finds laws by materials.
+void check_bodies(const StateTransfer& state, const std::vector<Body>& bodies, std::size_t materials,
+                  bool spinning) {
+  const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
+  for (const Body& body : bodies) {
+    if (body.material >= materials) state.refuse("material", "has a material that the scene does not have");
+    if (!positive(body.radius)) state.refuse("radius", "has a radius that is not above 0 m");
+    if (!positive(body.mass)) state.refuse("mass", "has a mass that is not above 0 kg");
+    if (spinning && !positive(body.inertia))
+      state.refuse("inertia", "has a moment of inertia that is not above 0 kg m^2");
+    if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
+      state.refuse("position", "has a body whose position, velocity or spin is not finite");
+  }
+}
+
+}  // namespace
+
 std::vector<Body> bodies_at_start(const State& state) {
   std::vector<Body> bodies(state.at("bodies/id").size());
-  transfer_bodies_at_start(StateTransfer::restoring_from(state), bodies);
+  const StateTransfer from = StateTransfer::restoring_from(state);
+  transfer_bodies_at_start(from, bodies);
+  check_bodies(from.below("bodies"), bodies, materials_of(state).size(), state.has("bodies/spin"));
   return bodies;
 }
 
@@ -179,7 +205,9 @@ std::vector<Body> present_bodies(const State& state) {
   std::vector<Body> bodies = bodies_at_start(state);
   const StateTransfer present = StateTransfer::restoring_from(state).below("bodies");
   const bool spinning = state.has("bodies/spin");
-  const std::size_t axes = state.at("bodies/position").size() / std::max<std::size_t>(1, bodies.size());
+  std::int32_t dimension = 0;
+  StateTransfer::restoring_from(state).value("scene/dimension", "", dimension);
+  const std::size_t axes = dimension == 2 ? 2 : 3;
   const std::size_t spins = axes == 2 ? 1 : 3;
   std::vector<double> position(axes * bodies.size()), velocity(position),
       spin(spinning ? spins * bodies.size() : 0);
@@ -195,6 +223,7 @@ std::vector<Body> present_bodies(const State& state) {
     for (std::size_t k = 0; k < spins && spinning; ++k)
       bodies[i].spin[int(k + 3 - spins)] = spin[spins * i + k];
   }
+  check_bodies(present, bodies, materials_of(state).size(), spinning);
   return bodies;
 }
 

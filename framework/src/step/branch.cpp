@@ -55,6 +55,8 @@ Branch::Branch(const Scene& scene, const State& state, const Branching& branchin
 void Branch::match_walls() {
   const auto& names = numbers_at<std::string>(state_, "scene/boundary_names");
   const auto& plugins = numbers_at<std::string>(state_, "scene/boundary_plugins");
+  if (plugins.size() != names.size())
+    from(state_).refuse("scene/boundary_plugins", "does not have a plug-in for each boundary");
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::uint64_t planes = 0;
     from(state_).value(fmt::format("walls/{}/plane_count", k), "1", planes);
@@ -78,9 +80,26 @@ void Branch::match_walls() {
   }
 }
 
+namespace {
+
+bool are_same(const Vec3& a, const Vec3& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
+// Whether a scene has the bodies of a state as they are there: it may have given them other velocities.
+bool has_bodies_of(const State& state, const Scene& scene) {
+  const std::vector<Body> present = present_bodies(state);
+  return std::equal(present.begin(), present.end(), scene.bodies.begin(), scene.bodies.end(),
+                    [](const Body& a, const Body& b) {
+                      return a.material == b.material && a.radius == b.radius && a.mass == b.mass &&
+                             a.inertia == b.inertia && are_same(a.position, b.position) &&
+                             are_same(a.velocity, b.velocity) && are_same(a.spin, b.spin);
+                    });
+}
+
+}  // namespace
+
 bool Branch::nothing_differs() const {
   return branching_.histories && branching_.walls && branching_.orientations &&
-         wanted_.bodies.size() == state_.at("bodies/id").size() && is_scene_of(state_, wanted_);
+         is_scene_of(state_, wanted_) && has_bodies_of(state_, wanted_);
 }
 
 void Branch::take_over(Simulation& simulation, SimulationParts& parts) {

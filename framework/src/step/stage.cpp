@@ -25,6 +25,7 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, cons
     : simulation_(simulation), stages_(std::move(stages)) {
   transfer(state);
   if (current_ > stages_.size()) state.refuse("stage", "is not one of the scenario");
+  if (began_step_ > simulation_.steps()) state.refuse("began_step", "is after the step of the state");
   const Stage& last = stages_.back();
   if (finished() && last.duration && steps_in(*last.duration) > steps()) --current_;
   if (!finished()) check_resumed();

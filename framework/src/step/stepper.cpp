@@ -216,6 +216,8 @@ void Stepper::transfer(const StateTransfer& state) {
   state.value("force_time", "s", force_time_);
   state.value("forces_at", "", forces_at_);
   state.value("max_square_speed", "m^2/s^2", max_square_speed_);
+  if (!std::isfinite(time_) || !std::isfinite(force_time_) || !std::isfinite(max_square_speed_))
+    state.refuse("time", "or another number of the clock is not finite");
 }
 
 void Stepper::begin_anew() {

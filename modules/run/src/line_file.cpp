@@ -41,8 +41,11 @@ LineFile::LineFile(const std::filesystem::path& path, std::uint64_t bytes)
   char last = 0;
   if (bytes == 0 || pread(file_.get(), &last, 1, off_t(bytes) - 1) != 1 || last != '\n')
     throw unusable(path, "has no line that ends where the last one ended when the checkpoint was written");
-  if (ftruncate(file_.get(), off_t(bytes)) != 0) throw unwritable(path, errno);
   lseek(file_.get(), off_t(bytes), SEEK_SET);
+}
+
+void LineFile::cut() {
+  if (ftruncate(file_.get(), off_t(bytes_)) != 0) throw unwritable(path_, errno);
 }
 
 void LineFile::add(std::string_view line) {

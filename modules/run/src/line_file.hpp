@@ -15,8 +15,10 @@ class LineFile {
  public:
   // Creates the file, with its folder; replaces a file of that name.
   explicit LineFile(const std::filesystem::path& path);
-  // Goes on behind a line that ends after so many bytes; what follows it is dropped. Throws Error if there is none.
+  // Goes on behind a line that ends after so many bytes. Throws Error if there is none. What follows it stays until
+  // cut() drops it, which comes before the first line is added.
   LineFile(const std::filesystem::path& path, std::uint64_t bytes);
+  void cut();
 
   // A line ends with '\n'.
   void add(std::string_view line);

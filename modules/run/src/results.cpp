@@ -67,6 +67,8 @@ void Results::transfer(const StateTransfer& state, const Stopwatch& watch) {
   state.value("state_output", "s", result_.state_output);
   const InputHashes inputs = transfer_inputs(state.below("inputs"), result_.inputs);
   if (!state.restoring()) return;
+  if (result_.stages.size() > plan_.stages.size())
+    state.refuse("stages/names", "lists more stages than the scenario has");
   go_on_from(inputs);
   wall_before_ = wall, output_before_ = output;
   if (!result_.stages.empty()) result_.stages.back().ended = "running";

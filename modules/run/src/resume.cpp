@@ -1,47 +1,29 @@
 #include "checkpoints.hpp"
 #include "run_from.hpp"
+#include "stage_lengths.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <scree/document/message.hpp>
+#include <scree/document/document.hpp>
 #include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
 #include <scree/scene_record.hpp>
 
 namespace scree::run {
 
 namespace {
 
-// The length of a stage may change, but nothing that has shaped the run so far.
-bool is_length(const std::string& override_text) {
-  const std::string key = override_text.substr(0, override_text.find('='));
-  const std::string last = key.substr(key.rfind('.') + 1);
-  return last == "duration" || last == "cycles" || last == "at_most";
-}
+namespace fs = std::filesystem;
 
-void check_overrides(const std::vector<std::string>& overrides) {
-  for (const std::string& text : overrides)
-    if (!is_length(text))
-      throw Error(
-          fmt::format("--set {}: a run that goes on can change only how long its stages last (duration, "
-                      "cycles, at_most); begin a new run from its state (particles.state)",
-                      text));
-}
-
-// The override that makes a plan end at a time (s).
-std::string duration_until(const scenario::Plan& plan, double until) {
-  double begin = 0;
-  for (std::size_t k = 0; k + 1 < plan.stages.size(); ++k) begin += plan.stages[k].duration.value_or(NAN);
-  const bool timed = plan.stages.back().duration.has_value() && !std::isnan(begin);
-  if (!timed)
-    throw Error(
-        "--until: the time at which the last stage ends is not known, as a stage ends by a condition; "
-        "give --set stage.<name>.duration=<s> or at_most=<s>");
-  if (!(until > begin))
-    throw Error(
-        fmt::format("--until {:g}: the last stage begins at {:g} s; give a later time", until, begin));
-  const std::string duration = document::number_text(until - begin);
-  return plan.stages.size() > 1 ? fmt::format("stage[{}].duration={}", plan.stages.size() - 1, duration)
-                                : fmt::format("time.duration={}", duration);
+// The scenario that the directory holds, with overrides; resolved_text if it cannot be read.
+std::string text_in(const fs::path& directory, const std::vector<std::string>& overrides,
+                    const std::string& resolved_text) {
+  try {
+    return document::Document::load(directory / "scenario.toml", overrides).resolved_text();
+  } catch (const Error&) {
+    return resolved_text;
+  }
 }
 
 std::string scenario_of(const State& state) {
@@ -50,35 +32,63 @@ std::string scenario_of(const State& state) {
   return text;
 }
 
-scenario::Plan plan_of(const Checkpoints::Latest& latest, const ResumeChanges& changes, PluginHost& host) {
-  const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)";
+// The plan of a run with the changes; `read` reads it with overrides.
+template <class Read>
+scenario::Plan changed_plan(const ResumeChanges& changes, const State* state, const Read& read) {
   std::vector<std::string> overrides = changes.overrides;
-  const auto read = [&] {
-    return scenario::read_plan_again(text, name, overrides, bodies_at_start(latest.state), host);
-  };
-  scenario::Plan plan = read();
+  scenario::Plan plan = read(overrides);
+  const Position position = state ? position_of(*state, plan) : Position{0, 0, false};
+  if (!overrides.empty()) check_past(read({}), plan, position);
   if (!changes.until) return plan;
-  overrides.push_back(duration_until(plan, *changes.until));
-  return read();
+  overrides.push_back(duration_until(plan, position, *changes.until));
+  return read(overrides);
+}
+
+scenario::Plan plan_of(const Checkpoints::Latest& latest, const fs::path& directory,
+                       const ResumeChanges& changes, PluginHost& host) {
+  const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)";
+  return changed_plan(changes, &latest.state, [&](const std::vector<std::string>& overrides) {
+    scenario::Plan plan =
+        scenario::read_plan_again(text, name, overrides, bodies_at_start(latest.state), host);
+    if (!overrides.empty()) plan.text_for_any_folder = text_in(directory, overrides, plan.resolved_text);
+    return plan;
+  });
 }
 
 // Of a run that was killed before its first state: from its start.
-scenario::Plan plan_of(const std::filesystem::path& scenario, const ResumeChanges& changes,
-                       PluginHost& host) {
-  std::vector<std::string> overrides = changes.overrides;
-  const scenario::Plan plan = scenario::read_plan(scenario, overrides, host);
-  if (!changes.until) return plan;
-  overrides.push_back(duration_until(plan, *changes.until));
-  return scenario::read_plan(scenario, overrides, host);
+scenario::Plan plan_at_start(const fs::path& directory, const ResumeChanges& changes, PluginHost& host) {
+  return changed_plan(changes, nullptr, [&](const std::vector<std::string>& overrides) {
+    return scenario::read_plan(directory / "scenario.toml", overrides, host);
+  });
 }
 
-RunDirectory directory_of(const std::filesystem::path& path) {
+RunDirectory directory_of(const fs::path& path) {
   std::error_code failed;
-  if (!std::filesystem::exists(path / "run.json", failed))
+  if (!fs::exists(path / "run.json", failed))
     throw Error(fmt::format("{}: contains no run; give the directory of one", path.string()));
   RunDirectory directory(path, RunDirectory::Existing::keep);
   directory.take();
   return directory;
+}
+
+// Whether the record of a run has its last form. It may have been killed between its last state and that.
+bool is_recorded_as_finished(const fs::path& directory) {
+  try {
+    const auto json = nlohmann::json::parse(files::read_text(directory / "run.json"), nullptr, false);
+    return json.is_object() && json.value("status", "") == "finished";
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+// Throws Error if nothing is left to do.
+void check_unfinished(const State& state, const scenario::Plan& plan, const fs::path& directory) {
+  const Position position = position_of(state, plan);
+  const std::optional<double> last = plan.stages.back().duration;
+  const bool prolonged = last && position.began + *last > time_of(state) + 0.5 * plan.scene.step;
+  if (position.ended && !prolonged && is_recorded_as_finished(directory))
+    throw Error(fmt::format("{}: the run has finished at t = {:g} s; give a later --until to prolong it",
+                            directory.string(), time_of(state)));
 }
 
 }  // namespace
@@ -88,8 +98,9 @@ RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, Pl
   RunDirectory directory = directory_of(options.out);
   const auto latest = Checkpoints(directory).latest(options.on_warning);
   scenario::Plan plan =
-      latest ? plan_of(*latest, changes, host) : plan_of(options.out / "scenario.toml", changes, host);
+      latest ? plan_of(*latest, options.out, changes, host) : plan_at_start(options.out, changes, host);
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
+  if (latest) check_unfinished(latest->state, plan, options.out);
   if (!latest) directory.replace();
   return run_from(latest ? &latest->state : nullptr, plan, options, directory);
 }

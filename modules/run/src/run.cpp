@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include <scree/branching.hpp>
 #include <scree/error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/run.hpp>
@@ -69,9 +71,6 @@ class Run {
                 [this] { return save_state(); }) {
     if (state) restore(*state);
   }
-
-  // Whether nothing is left to do.
-  bool finished() const { return runner_ && runner_->finished(); }
 
   RunResult execute() {
     runner_ ? reopen() : prepare();
@@ -148,17 +147,20 @@ class Run {
     const StateTransfer from = StateTransfer::restoring_from(state).below("run");
     runner_.emplace(*simulation_, plan_.stages, from.below("stages"));
     sampler_.transfer(from.below("probes"));
+    sampler_.check_restored(*simulation_);
     pictures_.transfer(from.below("pictures"));
     results_.transfer(from.below("results"), watch_);
     from.value("written", "1", written_);
   }
 
-  // Continues the files of the run; what it wrote after the state is dropped.
+  // Continues the files of the run; what it wrote after the state is dropped, once all files are known to fit.
   void reopen() {
     sampler_.reopen(directory_.series(), results_.stages());
     directory_.create();
     directory_.written().return_to(written_);
+    sampler_.cut();
     results_.record("running", "", watch_);
+    if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     reserve_room();
   }
 
@@ -185,22 +187,25 @@ class Run {
 
   void loop() {
     watch_ = {};
-    std::optional<std::uint64_t> next;
-    if (runner_) {
-      const std::uint64_t steps = runner_->steps();
-      const std::string stage = runner_->stages()[runner_->current()].name;
-      next = std::min({sampler_.next(*simulation_, stage, steps), pictures_.next(*simulation_, steps),
-                       states_.next(steps)});
-    } else {
-      runner_.emplace(*simulation_, plan_.stages);
-    }
-    const std::string last = drive(*runner_, *this, next);
+    const std::string last = drive_stages();
     if (!runner_->finished()) results_.interrupt();
     results_.end_stage(results_.interrupted() ? "interrupted" : "");
     watch_.time_output([&] {
       results_.interrupted() ? states_.write_checkpoint() : states_.write_final();
       sampler_.sample_last(*simulation_, last);
     });
+  }
+
+  // Returns the name of the last stage.
+  std::string drive_stages() {
+    if (!runner_) return drive(runner_.emplace(*simulation_, plan_.stages), *this);
+    // Killed behind its last state.
+    if (runner_->finished()) return plan_.stages.back().name;
+    const std::uint64_t steps = runner_->steps();
+    const std::string stage = plan_.stages[runner_->current()].name;
+    return drive(*runner_, *this,
+                 std::min({sampler_.next(*simulation_, stage, steps), pictures_.next(*simulation_, steps),
+                           states_.next(steps)}));
   }
 
   bool stopped() const { return options_.stop && *options_.stop; }
@@ -264,11 +269,7 @@ class Run {
 
 RunResult run_from(const State* state, const scenario::Plan& plan, const RunOptions& options,
                    RunDirectory& directory) {
-  Run run(plan, options, directory, state);
-  if (run.finished())
-    throw Error(
-        fmt::format("{}: the run has finished; give --until to prolong it", directory.path().string()));
-  return run.execute();
+  return Run(plan, options, directory, state).execute();
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {

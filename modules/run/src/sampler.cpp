@@ -117,6 +117,14 @@ void Sampler::reopen(const std::filesystem::path& folder, std::size_t stage) {
   begin_stage(stage);
 }
 
+void Sampler::check_restored(const Simulation& simulation) const {
+  for (const Active& p : probes_) p.probe.check_restored(SimulationView(simulation, p.probe.needs()).get());
+}
+
+void Sampler::cut() {
+  for (Active& p : probes_) p.series->cut();
+}
+
 void Sampler::transfer(const StateTransfer& state) {
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     Active& p = probes_[k];

@@ -29,9 +29,12 @@ class Sampler {
   // Writes the rows to CSV files in a folder, created if there are probes; with several stages each row ends
   // with the number of its own.
   void open(const std::filesystem::path& folder);
-  // Goes on with the files of a run whose state has been restored, in the stage of this number: they are cut to the
-  // lengths that they had then.
+  // Throws Error if what a probe keeps was restored with another size than its plug-in expects.
+  void check_restored(const Simulation& simulation) const;
+  // Goes on with the files of a run whose state has been restored, in the stage of this number; cut() cuts them to the
+  // lengths that they had then. Throws Error if one of them is not as it was up to there; all are left as they are.
   void reopen(const std::filesystem::path& folder, std::size_t stage);
+  void cut();
   // Keeps the rows in memory only.
   void open();
   // What the probes keep, and how far their series have come; these must be flushed.

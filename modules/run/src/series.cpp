@@ -50,6 +50,10 @@ void Series::add(double time, const std::vector<double>& row) {
   file_->add({line.data(), line.size()});
 }
 
+void Series::cut() {
+  if (file_) file_->cut();
+}
+
 void Series::flush() {
   if (file_) file_->flush();
 }

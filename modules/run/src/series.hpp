@@ -23,10 +23,11 @@ class Series {
   // form with the same bits.
   Series(const std::filesystem::path& file, std::vector<std::string> names,
          const std::vector<std::string>& units, bool staged);
-  // Goes on with such a file behind its former end; later rows are dropped. Throws Error if the file is not as it was
+  // Goes on with such a file behind its former end; cut() drops later rows. Throws Error if the file is not as it was
   // up to there.
   Series(const std::filesystem::path& file, std::vector<std::string> names, bool staged,
          const SeriesEnd& end);
+  void cut();
   explicit Series(std::vector<std::string> names);
   void add(double time, const std::vector<double>& row);
   // Rows added from now on belong to the stage of this number, from 1.

@@ -2,6 +2,8 @@
 
 #include "sampler.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -45,10 +47,11 @@ void StateWriter::write_checkpoint() {
   try {
     write(checkpoints_.add(last_step_));
     checkpoints_.remove_old();
+    failed_ = false;
   } catch (const Error& error) {
-    if (!failed_)
+    // One warning until one succeeds again: on a full disk each would lengthen run.json.
+    if (!std::exchange(failed_, true))
       results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_.time(), error.what()));
-    failed_ = true;
   }
   last_ = watch_.total();
 }

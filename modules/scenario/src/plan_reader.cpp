@@ -6,6 +6,7 @@
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 #include "stage_reader.hpp"
+#include "state_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <scree/document/document.hpp>
+#include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/plan.hpp>
@@ -44,6 +46,7 @@ Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> 
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
   if (!given.empty()) {
+    check_ids(given);
     plan.scene.bodies = std::move(given);
     return {};
   }
@@ -248,9 +251,24 @@ Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host) {
   const document::Document document = document::Document::parse(text, name, overrides);
   Plan plan = read(document, name, std::move(bodies), host);
+  // Elsewhere keys stay unread, as the bodies are known; overrides change lengths only.
+  document.root().table("time").refuse_unused();
+  for (const document::Table& stage : document.root().tables("stage")) stage.refuse_unused();
   plan.files.plugins = plugin_files(document, host);
   plan.resolved_text = document.resolved_text();
   return plan;
+}
+
+std::string length_override(const std::string& resolved_text, double seconds) {
+  const document::Document document = document::Document::parse(resolved_text, "the scenario");
+  const std::vector<document::Table> stages = document.root().tables("stage");
+  if (stages.empty()) return fmt::format("time.duration={}", document::number_text(seconds));
+  const document::Table& last = stages.back();
+  const std::string entry = stages.size() > 1 ? fmt::format("stage[{}]", stages.size() - 1) : "stage";
+  if (!last.has(stage_keys.cycles))
+    return fmt::format("{}.duration={}", entry, document::number_text(seconds));
+  return fmt::format("{}.cycles={}", entry,
+                     document::number_text(seconds / last.number(stage_keys.period.name)));
 }
 
 }  // namespace scree::scenario

@@ -75,6 +75,16 @@ Branching read_branching(const document::Table& particles) {
   return branching;
 }
 
+void check_ids(const std::vector<Body>& bodies) {
+  std::vector<std::int64_t> ids;
+  for (const Body& body : bodies) ids.push_back(body.id);
+  std::sort(ids.begin(), ids.end());
+  const bool positive = ids.empty() || ids.front() > 0;
+  if (!positive || std::adjacent_find(ids.begin(), ids.end()) != ids.end())
+    throw Error(
+        "'bodies/id' has an id that is not above 0 or is used twice; take a state that scree has written");
+}
+
 std::vector<Body> bodies_of(const document::Table& particles, const State& state,
                             const std::vector<Material>& materials) {
   return placed(particles, "state", [&] {
@@ -88,6 +98,7 @@ std::vector<Body> bodies_of(const document::Table& particles, const State& state
       here.push_back(std::uint32_t(found - names.begin()));
     }
     std::vector<Body> bodies = present_bodies(state);
+    check_ids(bodies);
     for (Body& body : bodies) body.material = here.at(body.material);
     return bodies;
   });

@@ -20,6 +20,9 @@ std::shared_ptr<const State> read_state(const document::Table& particles,
                                         const std::filesystem::path& folder);
 Branching read_branching(const document::Table& particles);
 
+// Throws Error unless the ids are above 0 and differ.
+void check_ids(const std::vector<Body>& bodies);
+
 // Its bodies, with materials of the scenario found by their names.
 std::vector<Body> bodies_of(const document::Table& particles, const State& state,
                             const std::vector<Material>& materials);

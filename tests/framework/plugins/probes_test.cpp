@@ -8,6 +8,7 @@
 
 #include <scree/plugin/probe.hpp>
 #include <scree/probes.hpp>
+#include <scree/state_transfer.hpp>
 
 using namespace scree;
 using namespace scree::test;
@@ -260,4 +261,21 @@ TEST_CASE("a list of bodies finds each id, in the order of the list", "[probe]")
   CHECK(list.find(SimulationView(two, 0).get(), indices) ==
         "a body with the id 3 does not exist; bodies without an id are numbered from 1, after the largest id "
         "given");
+}
+
+TEST_CASE("what a probe kept is refused if it has another size than its plug-in expects") {
+  const Simulation s(bodies_in_a_row(1));
+  const SimulationView view(s, 0);
+  Probe saved = probe_of<Careless>({{"where", {2}}});
+  saved.observe(view.get());
+  scree::State state;
+  saved.transfer(scree::StateTransfer::saving_to(state).below("probe"));
+  const std::size_t size = GENERATE(std::size_t(0), std::size_t(1), std::size_t(2), std::size_t(3));
+  state.put("probe/state", {std::vector<double>(size), {size}, "1"});
+  Probe restored = probe_of<Careless>({{"where", {2}}});
+  restored.transfer(scree::StateTransfer::restoring_from(state).below("probe"));
+  if (size == 2)
+    CHECK_NOTHROW(restored.check_restored(view.get()));
+  else
+    CHECK_THROWS_WITH(restored.check_restored(view.get()), Catch::Matchers::Contains("instead of 2"));
 }

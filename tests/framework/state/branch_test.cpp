@@ -137,6 +137,18 @@ TEST_CASE("histories are taken over by plug-in, and walls by name") {
   }
 }
 
+TEST_CASE("bodies of a state keep the velocities that the scene gives them") {
+  Scene scene = heap(2, false);
+  Simulation first(scene);
+  scree::test::run(first, steps);
+  const State state = first.state();
+  Scene faster = scene_from(state, scene);
+  for (scree::Body& body : faster.bodies) body.velocity[0] += 0.5;
+  const Simulation branch(faster, state, Branching());
+  for (std::size_t i = 0; i < faster.bodies.size(); ++i)
+    CHECK(branch.particles().velocity()[0][i] == faster.bodies[i].velocity[0]);
+}
+
 TEST_CASE("a scene may add a body to those of a state") {
   Scene scene = heap(3, true);
   scene.orientations = true;
@@ -151,4 +163,24 @@ TEST_CASE("a scene may add a body to those of a state") {
     CHECK(branch.particles().orientations[0][i] == first.particles().orientations[0][i]);
   CHECK(branch.particles().orientations[0][more.bodies.size() - 1] == 1);
   scree::test::run(branch, 10);
+}
+
+TEST_CASE("a state whose arrays do not fit each other begins no scene") {
+  Scene scene = heap(2, false);
+  scene.integration = Integration::predictor_corrector;
+  Simulation first(scene);
+  scree::test::run(first, steps);
+  const State state = first.state();
+  // With ten times as many values, or with none.
+  const bool longer = GENERATE(false, true);
+  const char* const path = GENERATE("bodies/position", "bodies/velocity", "scene/boundary_plugins",
+                                    "integrator/third", "integrator/fourth");
+  INFO(path << (longer ? " ten times" : " without values"));
+  State damaged = state;
+  scree::StateArray array = state.at(path);
+  std::visit([&](auto& values) { values.resize(longer ? 10 * values.size() : 0); }, array.values);
+  array.shape = {array.size()};
+  damaged.put(path, array);
+  CHECK_THAT(message_of([&] { Simulation(scene_from(damaged, scene), damaged, Branching()); }),
+             Catch::Matchers::Contains(path));
 }

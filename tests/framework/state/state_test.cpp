@@ -1,7 +1,10 @@
 #include "state/heap.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
+#include <scree/branching.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/state_transfer.hpp>
@@ -125,6 +128,20 @@ TEST_CASE("forces of pairs are in the state only if the scene keeps them") {
   CHECK(std::any_of(after.force.begin(), after.force.end(), [](double f) { return f > 0; }));
 }
 
+TEST_CASE("a scene without pairs has a state") {
+  const auto precision = GENERATE(Precision::double_precision, Precision::mixed);
+  Scene scene = heap(2, true);
+  scene.bodies.resize(1);
+  scene.pair_forces = true;
+  scene.precision = precision;
+  Simulation whole(scene);
+  const State stopped = whole.state();
+  scree::test::run(whole, 10);
+  Simulation resumed(scene, stopped);
+  scree::test::run(resumed, 10);
+  check_same(whole.state(), resumed.state());
+}
+
 TEST_CASE("the bodies at the start come back from the state") {
   const Scene scene = heap(3, true);
   Simulation s(scene);
@@ -231,4 +248,42 @@ TEST_CASE("a changed number in a state is noticed") {
   std::get<std::vector<double>>(numbers.values).at(0) += 1e-9;
   state.put(path, numbers);
   CHECK_THAT(message_of([&] { Simulation(scene, state); }), Catch::Matchers::Contains("state_hash"));
+}
+
+TEST_CASE("numbers of a state with which a simulation cannot go on are refused by their names") {
+  Scene scene = heap(2, false);
+  scene.integration = Integration::predictor_corrector;
+  Simulation s(scene);
+  scree::test::run(s, steps);
+  const State state = s.state();
+  const auto with_number = [&](const std::string& path, double number) {
+    State damaged = state;
+    scree::StateArray array = state.at(path);
+    std::get<std::vector<double>>(array.values).at(0) = number;
+    damaged.put(path, array);
+    return message_of([&] {
+      Scene present = scene;
+      present.bodies = scree::bodies_at_start(damaged);
+      scree::present_bodies(damaged);
+      Simulation(present, damaged);
+    });
+  };
+  const double nan = std::nan("");
+  for (const char* const path : {"bodies/radius", "bodies/mass", "bodies/inertia"}) {
+    INFO(path);
+    for (const double number : {0.0, -1.0, nan})
+      CHECK_THAT(with_number(path, number), Catch::Matchers::Contains(std::string("'") + path + "' has a"));
+  }
+  for (const double skin : {0.0, -1.0, nan, double(INFINITY)})
+    CHECK_THAT(with_number("neighbours/skin", skin), Catch::Matchers::Contains("not a length above 0"));
+  CHECK_THAT(with_number("start/position", nan), Catch::Matchers::Contains("not finite"));
+  CHECK_THAT(with_number("bodies/velocity", nan), Catch::Matchers::Contains("not finite"));
+  CHECK_THAT(with_number("clock/force_time", nan), Catch::Matchers::Contains("not finite"));
+
+  State other_material = state;
+  scree::StateArray material = state.at("bodies/material");
+  std::get<std::vector<std::uint32_t>>(material.values).at(0) = 1u << 31;
+  other_material.put("bodies/material", material);
+  CHECK_THAT(message_of([&] { scree::present_bodies(other_material); }),
+             Catch::Matchers::Contains("'bodies/material'"));
 }

@@ -92,6 +92,8 @@ TEST_CASE("a series goes on behind its former end, and drops what was written si
   const std::string whole = text_of(file);
   {
     Series series(file, names, false, end);
+    CHECK(text_of(file) == whole);
+    series.cut();
     CHECK(text_of(file) == "time [s],a [m],b\n0,1,2\n0.25,3,4\n");
     CHECK(series.rows() == 2);
     CHECK(series.last_time() == 0.25);

@@ -94,7 +94,8 @@ typedef struct scree_probe {
   /* Called for every column after each `configure`. Names are snake_case and differ from each other and from
    * "time"; neither they nor units contain commas, quotes or control characters. */
   void (*column)(const void* storage, uint32_t column, char name[SCREE_MAX_NAME], char unit[SCREE_MAX_NAME]);
-  /* (optional) Number of doubles of state, in place of state_width. Called before `start`, with its view. */
+  /* (optional) Number of doubles of state, in place of state_width; it may depend on the parameters and on the bodies.
+   * Called before `start`, with its view, and when a run goes on from its state. */
   uint64_t (*state_size)(const void* storage, const scree_view* view);
   /* Called at t = 0, or at the start of the first stage in which the probe records, before anything is observed
    * or sampled: checks that the scene has what the probe reads, and sets the state. Also called when a scene

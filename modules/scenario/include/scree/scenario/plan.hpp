@@ -89,10 +89,11 @@ struct Plan {
   CheckpointPlan checkpoint;
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;
-  std::string resolved_text;        // TOML with overrides
-  std::string text_for_any_folder;  // the same with the path of a packing made absolute
-  std::string bodies_place;         // file:line:column, for messages
-  std::string periodic_place;       // of the first periodic boundary; empty without one
+  std::string resolved_text;  // TOML with overrides
+  std::string
+      text_for_any_folder;   // the same with the path of a packing made absolute; empty if not to be written
+  std::string bodies_place;  // file:line:column, for messages
+  std::string periodic_place;  // of the first periodic boundary; empty without one
   std::string step_place;
   bool step_guard = true;             // refuse a time step that is too long
   std::vector<std::string> warnings;  // "<what>; <cure>" of what was read
@@ -111,5 +112,9 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
 // that no packing is read again. name: of the text in messages.
 Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host);
+
+// The override "stage[1].duration=2", with which the last stage of a scenario, which ends by its duration or after
+// cycles, takes so many seconds.
+std::string length_override(const std::string& resolved_text, double seconds);
 
 }  // namespace scree::scenario
