@@ -107,8 +107,8 @@ TEST_CASE("orientations and their rounded-off parts are in the state") {
   scene.orientations = true;
   Simulation whole(scene);
   scree::test::run(whole, steps);
-  const auto& rounded =
-      std::get<std::vector<double>>(whole.state().at("bodies/orientation_rounded_off").values);
+  const State state = whole.state();
+  const auto& rounded = std::get<std::vector<double>>(state.at("bodies/orientation_rounded_off").values);
   REQUIRE(std::any_of(rounded.begin(), rounded.end(), [](double x) { return x != 0; }));
   check_resumed(whole, scene);
 }

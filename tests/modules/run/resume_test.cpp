@@ -1,5 +1,8 @@
 #include "run_support.hpp"
 
+#include <algorithm>
+#include <fstream>
+
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
@@ -102,4 +105,44 @@ TEST_CASE("only lengths of stages that are not over can be set when a run goes o
   contains("stage.second.at_most=1", "unknown key 'at_most'");
   contains("probe.energy.duration=1", "can change only how long");
   CHECK(refused(bench, {}, 1e-4).find("finished at t = 0.0001 s; give a later --until") != std::string::npos);
+}
+
+TEST_CASE("a run that was killed behind its last state is completed", "[run]") {
+  const Bench bench(stages);
+  const RunResult first = bench.run();
+  const std::filesystem::path out = bench.options.out;
+  const std::string energy = series_of(bench, "energy"), packing = text_of(out / "final_packing.csv");
+  std::string record = text_of(out / "run.json");
+  record.replace(record.find("finished"), 8, "running");
+  bench.folder.write("out/run.json", record);
+  std::filesystem::remove(out / "final_packing.csv");
+  const RunResult completed = resume(bench, {});
+  CHECK(completed.state_hash == first.state_hash);
+  CHECK(completed.verdicts.size() == first.verdicts.size());
+  CHECK(series_of(bench, "energy") == energy);
+  CHECK(text_of(out / "final_packing.csv") == packing);
+  CHECK(text_of(out / "run.json").find("\"status\": \"finished\"") != std::string::npos);
+  CHECK(refused(bench, {}).find("the run has finished") != std::string::npos);
+}
+
+TEST_CASE("a damaged checkpoint is passed over for the one before", "[run]") {
+  const Bench bench(stages, {"checkpoint.every_time=2e-5", "checkpoint.final_state=false"});
+  const RunResult whole = bench.run();
+  const std::string energy = series_of(bench, "energy");
+  std::vector<std::filesystem::path> states;
+  for (const auto& entry : std::filesystem::directory_iterator(bench.options.out / "checkpoint"))
+    states.push_back(entry.path());
+  std::sort(states.begin(), states.end());
+  REQUIRE(states.size() == 2);
+  std::string bytes = text_of(states.back());
+  bytes[bytes.size() / 2] ^= 1;
+  std::ofstream(states.back(), std::ios::binary) << bytes;
+  std::vector<std::string> warnings;
+  RunOptions options = bench.options;
+  options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  const RunResult resumed = resume_run(options, {}, host());
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find(states.back().filename().string()) != std::string::npos);
+  CHECK(resumed.state_hash == whole.state_hash);
+  CHECK(series_of(bench, "energy") == energy);
 }
