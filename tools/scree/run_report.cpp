@@ -22,6 +22,8 @@ void print_carried(const Simulation& simulation) {
              simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
              f.bytes_per_pair);
   fmt::print("{}\n", run::describe_step(simulation));
+  if (simulation.steps() > 0)
+    fmt::print("goes on from t = {:g} s, after {} steps\n", simulation.time(), simulation.steps());
   if (!simulation.taken_over().empty())
     fmt::print("taken over from the state: {}\n", fmt::join(simulation.taken_over(), ", "));
 }

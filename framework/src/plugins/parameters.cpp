@@ -1,3 +1,5 @@
+#include "plugins/program_checks.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,38 +37,6 @@ std::string kind_of(const scree_parameter& p) {
       break;
   }
   return "number";
-}
-
-std::optional<std::string> program_problem(const scree_parameter& p, const std::vector<double>& data) {
-  constexpr std::size_t numbers[] = {2, 5, 4, 4};
-  const bool known = data[0] >= 0 && data[0] <= 4 && data[0] == std::floor(data[0]);
-  if (!known ||
-      (data[0] < 4 ? data.size() != numbers[int(data[0])] : data.size() < 3 || data.size() % 2 == 0))
-    return "is not a program (function of time); use one of the forms in program.hpp";
-  if (!std::all_of(data.begin(), data.end(), [](double x) { return std::isfinite(x); }))
-    return "contains a number that is not finite; give finite numbers";
-  if ((data[0] == 2 || data[0] == 3) && !(data[3] > 0))
-    return fmt::format("lasts {:g} s; give a period or duration above 0", data[3]);
-  for (std::size_t k = 3; data[0] == 4 && k < data.size(); k += 2)
-    if (data[k] < data[k - 2]) return "has decreasing times; sort the rows";
-  std::vector<double> extremes;
-  switch (int(data[0])) {
-    case 1:
-      extremes = {data[1] - std::abs(data[2]), data[1] + std::abs(data[2])};
-      break;
-    case 4:
-      for (std::size_t k = 2; k < data.size(); k += 2) extremes.push_back(data[k]);
-      break;
-    case 0:
-      extremes = {data[1]};
-      break;
-    default:
-      extremes = {data[1], data[2]};
-  }
-  for (const double x : extremes)
-    if (out_of_range(p, x))
-      return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
-  return {};
 }
 
 // Whether the number of values or their kind does not match the type: plug-ins read them unchecked, and use a
@@ -126,7 +96,14 @@ const scree_parameter* Parameters::find(const std::string& key) const {
 
 std::optional<std::string> Parameters::problem(const scree_parameter& p, const std::vector<double>& data) {
   if (data.empty()) return fmt::format("is empty; give a {}", describe_range(p));
-  if (p.type == SCREE_PROGRAM) return program_problem(p, data);
+  if (p.type == SCREE_PROGRAM) {
+    if (auto wrong = program_problem(data)) return wrong;
+    const auto [least, most] = program_extremes(data);
+    for (const double x : {least, most})
+      if (out_of_range(p, x))
+        return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
+    return {};
+  }
   for (const double x : data)
     if (!std::isfinite(x) || (p.type != SCREE_CHOICE && out_of_range(p, x)))
       return fmt::format("= {:g} is out of range; give a {}", x, describe_range(p));

@@ -101,7 +101,11 @@ RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, Pl
       latest ? plan_of(*latest, options.out, changes, host) : plan_at_start(options.out, changes, host);
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
   if (latest) check_unfinished(latest->state, plan, options.out);
-  if (!latest) directory.replace();
+  if (!latest) {
+    if (options.on_warning)
+      options.on_warning(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
+    directory.replace();
+  }
   return run_from(latest ? &latest->state : nullptr, plan, options, directory);
 }
 

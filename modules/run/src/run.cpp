@@ -151,6 +151,9 @@ class Run {
     pictures_.transfer(from.below("pictures"));
     results_.transfer(from.below("results"), watch_);
     from.value("written", "1", written_);
+    std::string scenario;
+    from.value("scenario", "", scenario);
+    prolonged_ = scenario != plan_.resolved_text;
   }
 
   // Continues the files of the run; what it wrote after the state is dropped, once all files are known to fit.
@@ -162,6 +165,8 @@ class Run {
     results_.record("running", "", watch_);
     if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     reserve_room();
+    // Its scenario is that of the state from which the run goes on should it be killed.
+    if (prolonged_) states_.write_checkpoint();
   }
 
   void reserve_room() {
@@ -261,6 +266,7 @@ class Run {
   std::optional<StageRunner> runner_;
   Stopwatch watch_;
   StateWriter states_;
+  bool prolonged_ = false;     // its stages are longer than in the state from which it goes on
   std::uint64_t written_ = 0;  // see WrittenFiles::size
   double last_report_ = 0;     // (s) of wall time
 };

@@ -247,7 +247,8 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
   number_bodies(root, bodies);
   sort_in_space(bodies, dimension);
   if (bodies.empty())
-    throw root.error("the scene has no bodies", "add [particles] with lattice and radius, or [[particle]]");
+    throw root.error("the scene has no bodies",
+                     "add [particles] with lattice and radius, file or state, or [[particle]]");
   return {std::move(bodies), box};
 }
 

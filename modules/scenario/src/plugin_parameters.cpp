@@ -1,61 +1,16 @@
 #include "plugin_parameters.hpp"
 
+#include "program_reader.hpp"
+
 #include <algorithm>
-#include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include <scree/files/text.hpp>
-#include <scree/plugin/program.hpp>
 
 namespace scree::scenario {
 
 namespace {
-
-// Each of these keys makes a table a function of its own.
-void refuse_mixture(const document::Table& t) {
-  std::vector<std::string> given;
-  for (const char* key : {"table", "amplitude", "period", "duration"})
-    if (t.has(key)) given.push_back(key);
-  if (given.size() > 1)
-    throw t.error(given[1],
-                  fmt::format("'{}' and '{}' belong to different functions of time", given[0], given[1]),
-                  "keep one: period (there and back, again and again), duration (once from 'from' to 'to'), "
-                  "amplitude (a sine), or table");
-}
-
-// A function of time: a number, or a table whose keys determine its kind (see program.hpp of the framework).
-std::vector<double> read_program(const document::Table& table, const scree_parameter& p) {
-  if (!table.is_table(p.key)) return {Program::constant, table.number(p.key)};
-  const document::Table t = table.table(p.key);
-  refuse_mixture(t);
-  if (t.optional("table")) {
-    std::vector<double> data = {Program::table};
-    double last = -std::numeric_limits<double>::infinity();
-    for (const auto& row : t.rows("table", 2)) {
-      if (row[0] <= last)
-        throw t.error("table", "the times do not increase", "sort the rows, with every time only once");
-      last = row[0];
-      data.insert(data.end(), row.begin(), row.end());
-    }
-    if (data.size() == 1) throw t.error("table", "'table' has no rows", "give [[time, value], ...]");
-    return data;
-  }
-  if (t.optional("amplitude"))
-    return {Program::sine, t.number("mean", 0.0), t.number("amplitude"),
-            t.number("frequency_hz", document::Range::positive("Hz")),
-            t.number("phase_deg", 0.0) * std::numbers::pi / 180};
-  if (t.optional("period"))
-    return {Program::cycle, t.number("from"), t.number("to"),
-            t.number("period", document::Range::positive("s"))};
-  if (t.optional("duration"))
-    return {Program::ramp, t.number("from"), t.number("to"),
-            t.number("duration", document::Range::positive("s"))};
-  throw t.error(fmt::format("'{}' is not a function of time", p.key),
-                "give a number, {from, to, period}, {from, to, duration}, {mean, amplitude, frequency_hz} or "
-                "{table = [[t, value], ...]}");
-}
 
 std::vector<double> read_value(const document::Table& table, const scree_parameter& p, int dimension) {
   switch (scree_type(p.type)) {
@@ -76,7 +31,7 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
     case SCREE_LIST:
       return table.numbers(p.key);
     case SCREE_PROGRAM:
-      return read_program(table, p);
+      return read_program(table, p.key);
     case SCREE_NUMBER:
       break;
   }

@@ -71,9 +71,10 @@ struct ParticlesKeys : TableKeys {
                      "copies of the file's bodies along each axis");
   Key period =
       other("period", "[x, y, z]", Range::positive("m"), "required with repeat", "distance of the copies");
-  StringKey state =
-      string("state", "state file of a run to begin from, with springs and walls; relative to the scenario",
-             "instead of lattice and file");
+  StringKey state = string(
+      "state",
+      "state file of a run to begin from, with springs and walls; from the folder of the scenario or the working folder",
+      "instead of lattice and file");
   Key leave_out = other("leave_out", "[\"histories\", \"walls\", \"orientations\"]", Range::any(),
                         "default nothing", "what is not taken over from the state");
   StringKey material =

@@ -54,7 +54,7 @@ fs::path find_state(const document::Table& particles, const fs::path& folder) {
         "name its folder in the environment variable SCREE_STATE_PATH");
   throw particles.error(
       particles_keys.state, fmt::format("there is no file '{}'", given.string()),
-      "give its path from the folder of the scenario, or name its folder in SCREE_STATE_PATH");
+      "give its path from the folder of the scenario or the working folder, or name its folder in SCREE_STATE_PATH");
 }
 
 std::shared_ptr<const State> read_state(const document::Table& particles, const fs::path& folder) {

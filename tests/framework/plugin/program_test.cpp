@@ -128,3 +128,65 @@ TEST_CASE("a table with a jump has the later value at the jump") {
   CHECK(p.rate(1) == 0);
   CHECK(p(1.5) == 5);
 }
+
+namespace {
+
+// Amplitude 2 about a mean of 1, so that a value is 1 + 2 w.
+double wave_of(const Program& p, double time) { return 0.5 * (p(time) - 1); }
+
+}  // namespace
+
+TEST_CASE("the rate of each drive is the derivative of its value") {
+  // 100 Hz at most; the third derivative of a sine of amplitude 2 is 2 (2 pi f)^3, of pulses and rises a few times
+  // more, since their products add derivatives of each.
+  const std::vector<std::vector<double>> drives = {{5, 1, 2, 0.05, 80, 0.3},
+                                                   {6, 1, 2, 0.05, 20, 100, 0.4, 0},
+                                                   {6, 1, 2, 0.05, 20, 100, 0.4, 1},
+                                                   {7, 1, 2, 0.2, 0.02},
+                                                   {8, 1, 2, 0.2, 30},
+                                                   {9, 1, 0.7, 0.05, 20, 5, 0.1, 2, 4, 6, 1},
+                                                   {10, 1, 2, 0.05, 0.4, 50, 0, 100, 0.2}};
+  for (const auto& data : drives) {
+    const Program p = program(data);
+    INFO("kind " << data[0]);
+    for (const double t : {0.013, 0.049, 0.11, 0.187, 0.21, 0.333, 0.377}) check_rate(p, t, 30 * 2.5e8, 10);
+  }
+}
+
+TEST_CASE("drives begin at the mean, rise smoothly and end where they should") {
+  for (const auto& data : std::vector<std::vector<double>>{
+           {5, 1, 2, 0.05, 80, 0.3}, {6, 1, 2, 0.05, 20, 100, 0.4, 0}, {9, 1, 0.7, 0.05, 20, 5, 0.1, 2}}) {
+    const Program p = program(data);
+    INFO("kind " << data[0]);
+    CHECK(p(0) == 1);
+    CHECK(p(-1) == 1);
+    CHECK(std::abs(p.rate(0)) < 1e-12);
+  }
+  const std::vector<double> chirp_data = {6, 1, 2, 0.05, 20, 100, 0.4, 0},
+                            sweep_data = {10, 1, 2, 0, 0.4, 50, 0, 100, 0.2};
+  const Program chirp = program(chirp_data), sweep = program(sweep_data);
+  CHECK(chirp(0.4) == Approx(1).margin(1e-12));
+  CHECK(chirp(0.41) == 1);
+  CHECK(sweep(0.401) == 1);
+}
+
+TEST_CASE("a chirp has the cycles of its mean frequency, and a logarithmic one equal cycles per octave") {
+  // Zeros at whole numbers of half cycles: after T/2 a linear chirp from 20 to 100 Hz has made 20 T/2 + 80 T/8 cycles.
+  const std::vector<double> linear_data = {6, 1, 2, 0, 20, 100, 0.4, 0},
+                            octaves_data = {6, 1, 2, 0, 25, 100, 0.4, 1};
+  const Program linear = program(linear_data), octaves = program(octaves_data);
+  CHECK(wave_of(linear, 0.2) == Approx(std::sin(2 * pi * (20 * 0.2 + 0.5 * 80 / 0.4 * 0.04))).margin(1e-9));
+  // From 25 to 50 Hz in the first half: (50 - 25) T / ln 4 cycles.
+  CHECK(wave_of(octaves, 0.2) == Approx(std::sin(2 * pi * 25 * 0.4 / std::log(4.0))).margin(1e-9));
+}
+
+TEST_CASE("pulses have their crest in the middle, and that of Ricker has no mean") {
+  const std::vector<double> bell_data = {7, 1, 2, 0.2, 0.02}, ricker_data = {8, 1, 2, 0.2, 30};
+  const Program bell = program(bell_data), ricker = program(ricker_data);
+  CHECK(wave_of(bell, 0.2) == 1);
+  CHECK(wave_of(bell, 0.22) == Approx(std::exp(-0.5)).epsilon(1e-12));
+  CHECK(wave_of(ricker, 0.2) == 1);
+  double mean = 0;
+  for (int k = 0; k < 4000; ++k) mean += wave_of(ricker, 1e-4 * (k + 0.5)) / 4000;
+  CHECK(std::abs(mean) < 1e-12);
+}

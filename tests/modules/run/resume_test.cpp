@@ -125,6 +125,16 @@ TEST_CASE("a run that was killed behind its last state is completed", "[run]") {
   CHECK(refused(bench, {}).find("the run has finished") != std::string::npos);
 }
 
+TEST_CASE("a prolonged run that is killed at once is still prolonged", "[run]") {
+  const Bench bench(stages);
+  bench.run();
+  RunOptions killed = bench.options;
+  killed.on_start = [](const Simulation&) { throw std::runtime_error("killed"); };
+  CHECK_THROWS(resume_run(killed, {{}, 2e-4, {}}, host()));
+  const RunResult completed = resume(bench, {});
+  CHECK(completed.stages.back().end == Approx(2e-4));
+}
+
 TEST_CASE("a damaged checkpoint is passed over for the one before", "[run]") {
   const Bench bench(stages, {"checkpoint.every_time=2e-5", "checkpoint.final_state=false"});
   const RunResult whole = bench.run();

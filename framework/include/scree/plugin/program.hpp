@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <scree/plugin/abi.h>
+#include <scree/plugin/waveform.hpp>
 
 namespace scree {
 
@@ -13,10 +14,18 @@ namespace scree {
 //   cycle     {2, from, to, period (s)}: from + (to − from)(1 − cos 2πt/period)/2
 //   ramp      {3, from, to, duration (s)}: linear, then constant
 //   table     {4, t0, v0, t1, v1, ...}: linear between the points, constant outside
+// Drives: mean + amplitude w(t), with the waves w of waveform.hpp; they rise smoothly within a time, and those that
+// end fall likewise.
+//   drive     {5, mean, amplitude, rise (s), frequency_hz, phase (rad)}: a sine
+//   chirp     {6, mean, amplitude, rise (s), from_hz, to_hz, duration (s), logarithmic (0 or 1)}
+//   gaussian  {7, mean, amplitude, at (s), width (s)}
+//   ricker    {8, mean, amplitude, at (s), frequency_hz}
+//   noise     {9, mean, amplitude, rise (s), first_hz, spacing_hz, φ0, φ1, ...}: a sine for each phase (rad)
+//   sweep     {10, mean, amplitude, rise (s), end (s), f0, t0, f1, t1, ...}: sin(2π f (t − t_k)) from t_k (s) on
 // A default-constructed program is not given and must not be evaluated.
 class Program {
  public:
-  enum Kind { constant, sine, cycle, ramp, table };
+  enum Kind { constant, sine, cycle, ramp, table, drive, chirp, gaussian, ricker, noise, sweep };
 
   Program() = default;
   explicit Program(const scree_value& value) : value_(value) {}
@@ -36,9 +45,10 @@ class Program {
       case table:
         return interpolate(time);
       case constant:
-        break;
+        return p[0];
+      default:
+        return p[0] + p[1] * wave(time).value;
     }
-    return p[0];
   }
 
   // Time derivative; at corners the derivative from the right.
@@ -54,13 +64,42 @@ class Program {
       case table:
         return slope(points_until(time));
       case constant:
-        break;
+        return 0;
+      default:
+        return p[1] * wave(time).rate;
     }
-    return 0;
   }
 
  private:
   static constexpr double two_pi = 6.283185307179586476925;
+
+  // w and w' of a drive.
+  waveform::Value wave(double time) const {
+    const double* p = value_.data + 3;  // behind mean and amplitude
+    switch (kind()) {
+      case drive:
+        return waveform::rise(time, p[0]) * waveform::sine(time, p[1], p[2]);
+      case chirp:
+        return waveform::window(time, p[3], p[0]) * waveform::chirp(time, p[1], p[2], p[3], p[4] != 0);
+      case gaussian:
+        return waveform::gaussian(time, p[0], p[1]);
+      case ricker:
+        return waveform::ricker(time, p[0], p[1]);
+      case noise:
+        return waveform::rise(time, p[0]) * waveform::sines(time, p[1], p[2], p + 3, value_.count - 6);
+      default:
+        return waveform::window(time, p[1], p[0]) * step_of_sweep(time);
+    }
+  }
+  waveform::Value step_of_sweep(double time) const {
+    const double* const first = value_.data + 5;  // (frequency, start) of each step
+    std::uint64_t low = 0;
+    for (std::uint64_t high = (value_.count - 5) / 2; high - low > 1;) {
+      const std::uint64_t middle = (low + high) / 2;
+      (first[2 * middle + 1] <= time ? low : high) = middle;
+    }
+    return waveform::sine(time - first[2 * low + 1], first[2 * low], 0);
+  }
 
   std::uint64_t points() const { return (value_.count - 1) / 2; }
   double time_of(std::uint64_t k) const { return value_.data[1 + 2 * k]; }
