@@ -35,6 +35,10 @@ class StateTransfer {
   // The same for a container that has its size already.
   template <class Container>
   void sized_rows(const std::string& name, const char* unit, Container& numbers, std::size_t width = 1) const;
+  // The same for a temporary, which is moved into the state when saving.
+  template <class T>
+  void moved_rows(const std::string& name, const char* unit, std::vector<T>& numbers,
+                  std::size_t width = 1) const;
   // `count` numbers at an address.
   template <class T>
   void numbers(const std::string& name, const char* unit, T* data, std::size_t count) const;
@@ -48,6 +52,7 @@ class StateTransfer {
 
   void put(const std::string& name, StateArray array) const { to_->put(group_ + name, std::move(array)); }
   const StateArray& get(const std::string& name) const { return from_->at(group_ + name); }
+  static std::vector<std::size_t> shape_of(std::size_t numbers, std::size_t width);
   void expect(const std::string& name, std::size_t found, std::size_t expected) const;
   template <class T>
   const std::vector<T>& stored(const std::string& name) const;
@@ -91,6 +96,15 @@ void StateTransfer::rows(const std::string& name, const char* unit, Container& n
   sized_rows(name, unit, numbers, width);
 }
 
+template <class T>
+void StateTransfer::moved_rows(const std::string& name, const char* unit, std::vector<T>& numbers,
+                               std::size_t width) const {
+  static_assert(std::is_same_v<T, Stored<T>>);
+  if (restoring()) return sized_rows(name, unit, numbers, width);
+  std::vector<std::size_t> shape = shape_of(numbers.size(), width);
+  put(name, {std::move(numbers), std::move(shape), unit});
+}
+
 template <class Container>
 void StateTransfer::sized_rows(const std::string& name, const char* unit, Container& numbers,
                                std::size_t width) const {
@@ -101,9 +115,7 @@ void StateTransfer::sized_rows(const std::string& name, const char* unit, Contai
     std::copy(all.begin(), all.end(), numbers.begin());
     return;
   }
-  std::vector<std::size_t> shape = {width > 0 ? numbers.size() / width : 0};
-  if (width > 1) shape.push_back(width);
-  put(name, {std::vector<T>(numbers.begin(), numbers.end()), std::move(shape), unit});
+  put(name, {std::vector<T>(numbers.begin(), numbers.end()), shape_of(numbers.size(), width), unit});
 }
 
 template <class T>

@@ -64,10 +64,14 @@ void Contacts::transfer(const StateTransfer& state, std::size_t bodies, std::siz
     of_group.value("law", "", law);
     of_group.value("planes", "", with_planes);
     if (law != group.law || with_planes != group.planes) of_group.refuse("law", "is that of other contacts");
-    of_group.rows("a", "", pairs.a);
-    pairs.b.resize(pairs.a.size()), pairs.image.resize(pairs.a.size());
-    of_group.sized_rows("b", "", pairs.b);
-    of_group.sized_rows("image", "", pairs.image);
+    if (state.restoring()) {
+      of_group.rows("a", "", pairs.a);
+      pairs.b.resize(pairs.a.size()), pairs.image.resize(pairs.a.size());
+    } else {
+      of_group.moved_rows("a", "", pairs.a);
+    }
+    of_group.moved_rows("b", "", pairs.b);
+    of_group.moved_rows("image", "", pairs.image);
     if (state.restoring()) {
       check(of_group, pairs, group.planes, bodies, planes);
       group.begin = a.size();

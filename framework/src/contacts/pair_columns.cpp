@@ -12,14 +12,16 @@ namespace {
 template <class T>
 void transfer_rows(const StateTransfer& state, const std::string& name, const char* unit,
                    const std::vector<std::uint32_t>& rows, std::uint32_t width, const auto& column) {
+  std::vector<T*> columns(width);
+  for (std::uint32_t k = 0; k < width; ++k) columns[k] = column(k);
   std::vector<T> packed(rows.size() * width);
   if (!state.restoring())
-    for (std::uint32_t k = 0; k < width; ++k)
-      for (std::size_t r = 0; r < rows.size(); ++r) packed[r * width + k] = column(k)[rows[r]];
-  state.sized_rows(name, unit, packed, std::max(width, 1u));  // without pairs there are no columns
-  if (state.restoring())
-    for (std::uint32_t k = 0; k < width; ++k)
-      for (std::size_t r = 0; r < rows.size(); ++r) column(k)[rows[r]] = packed[r * width + k];
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::uint32_t k = 0; k < width; ++k) packed[r * width + k] = columns[k][rows[r]];
+  state.moved_rows(name, unit, packed, width);
+  if (!state.restoring()) return;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::uint32_t k = 0; k < width; ++k) columns[k][rows[r]] = packed[r * width + k];
 }
 
 }  // namespace

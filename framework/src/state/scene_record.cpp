@@ -29,34 +29,38 @@ void save_plugins(const StateTransfer& state, const std::string& kind, const Ent
 }
 
 std::vector<double> components(const std::vector<Body>& bodies, Vec3 Body::*vector) {
-  std::vector<double> all;
-  all.reserve(3 * bodies.size());
-  for (const Body& body : bodies)
-    for (int k = 0; k < 3; ++k) all.push_back((body.*vector)[k]);
+  std::vector<double> all(3 * bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (int k = 0; k < 3; ++k) all[3 * i + std::size_t(k)] = (bodies[i].*vector)[k];
   return all;
 }
 
-// Transfers one property of all bodies.
-template <class T>
-void transfer_property(const StateTransfer& state, const char* name, const char* unit,
-                       std::vector<Body>& bodies, T Body::*property) {
+// Transfer one property of all bodies, which are const when saving.
+template <class Bodies, class T>
+void transfer_property(const StateTransfer& state, const char* name, const char* unit, Bodies& bodies,
+                       T Body::*property) {
   std::vector<T> all(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) all[i] = bodies[i].*property;
-  state.sized_rows(name, unit, all);
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].*property = all[i];
+  state.moved_rows(name, unit, all);
+  if constexpr (!std::is_const_v<Bodies>)
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].*property = all[i];
 }
 
-void transfer_vector(const StateTransfer& state, const char* name, const char* unit,
-                     std::vector<Body>& bodies, Vec3 Body::*vector, bool always) {
+template <class Bodies>
+void transfer_vector(const StateTransfer& state, const char* name, const char* unit, Bodies& bodies,
+                     Vec3 Body::*vector, bool always) {
+  const auto is_zero = [&](const Body& body) { return body.*vector == Vec3{}; };
+  if (!always && state.restoring() && !state.has(name)) return;
+  if (!always && !state.restoring() && std::all_of(bodies.begin(), bodies.end(), is_zero)) return;
   std::vector<double> all = components(bodies, vector);
-  const bool zero = std::all_of(all.begin(), all.end(), [](double x) { return x == 0; });
-  if (state.restoring() ? !always && !state.has(name) : !always && zero) return;
-  state.sized_rows(name, unit, all, 3);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    for (int k = 0; k < 3; ++k) (bodies[i].*vector)[k] = all[3 * i + std::size_t(k)];
+  state.moved_rows(name, unit, all, 3);
+  if constexpr (!std::is_const_v<Bodies>)
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (int k = 0; k < 3; ++k) (bodies[i].*vector)[k] = all[3 * i + std::size_t(k)];
 }
 
-void transfer_bodies_at_start(const StateTransfer& state, std::vector<Body>& bodies) {
+template <class Bodies>
+void transfer_bodies_at_start(const StateTransfer& state, Bodies& bodies) {
   const StateTransfer constant = state.below("bodies"), start = state.below("start");
   transfer_property(constant, "id", "", bodies, &Body::id);
   transfer_property(constant, "material", "", bodies, &Body::material);
@@ -166,8 +170,7 @@ void check_scene(const State& state, const Scene& scene) {
 }
 
 void save_bodies_at_start(const StateTransfer& state, const Scene& scene) {
-  std::vector<Body> bodies = scene.bodies;
-  transfer_bodies_at_start(state, bodies);
+  transfer_bodies_at_start(state, scene.bodies);
 }
 
 namespace {

@@ -10,6 +10,11 @@ void StateTransfer::refuse(const std::string& name, const std::string& problem) 
       fmt::format("'{}{}' {}; take a state that scree has written for this scene", group_, name, problem));
 }
 
+std::vector<std::size_t> StateTransfer::shape_of(std::size_t numbers, std::size_t width) {
+  if (width == 1) return {numbers};
+  return {width > 0 ? numbers / width : 0, width};
+}
+
 void StateTransfer::expect(const std::string& name, std::size_t found, std::size_t expected) const {
   if (found != expected) refuse(name, fmt::format("has {} values instead of {}", found, expected));
 }

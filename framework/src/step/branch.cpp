@@ -82,16 +82,14 @@ void Branch::match_walls() {
 
 namespace {
 
-bool are_same(const Vec3& a, const Vec3& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
-
 // Whether a scene has the bodies of a state as they are there: it may have given them other velocities.
 bool has_bodies_of(const State& state, const Scene& scene) {
   const std::vector<Body> present = present_bodies(state);
   return std::equal(present.begin(), present.end(), scene.bodies.begin(), scene.bodies.end(),
                     [](const Body& a, const Body& b) {
                       return a.material == b.material && a.radius == b.radius && a.mass == b.mass &&
-                             a.inertia == b.inertia && are_same(a.position, b.position) &&
-                             are_same(a.velocity, b.velocity) && are_same(a.spin, b.spin);
+                             a.inertia == b.inertia && a.position == b.position && a.velocity == b.velocity &&
+                             a.spin == b.spin;
                     });
 }
 
@@ -106,33 +104,41 @@ void Branch::take_over(Simulation& simulation, SimulationParts& parts) {
   const bool carried = (!wanted_.pair_forces || state_.has("contacts/force_row")) &&
                        (!parts.particles.orientations || state_.has("bodies/orientation"));
   report_.push_back(fmt::format("{} bodies", state_.at("bodies/id").size()));
-  if (nothing_differs() && carried) {
-    parts.transfer(from(state_));
-    parts.stepper.begin_anew();
-    parts.boundaries.begin_anew();
-    parts.audit = {};
-    parts.momentum_audit = {};
-    report_.emplace_back("everything else, since no law, wall or body force differs");
-  } else {
-    take_over_orientations(parts);
-    for (const Wall& wall : walls_) {
-      parts.boundaries.take_over(state_, wall.from, wanted_.boundaries[wall.to].name);
-      report_.push_back(fmt::format("walls of '{}'", wanted_.boundaries[wall.to].name));
-    }
-    parts.search_neighbours();
-    if (branching_.histories) take_over_histories(parts);
-    for (const Wall& wall : walls_) {
-      const Scene::Boundary& wanted = wanted_.boundaries[wall.to];
-      if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))
-        simulation.reconfigure_boundary(wanted.name, wanted.parameters);
-    }
-    double time = 0, force_time = 0;
-    from(state_).value("clock/time", "s", time);
-    from(state_).value("clock/force_time", "s", force_time);
-    parts.stepper.reevaluate_forces(time - force_time);
-  }
+  if (nothing_differs() && carried)
+    take_over_all(parts);
+  else
+    take_over_by_name(simulation, parts);
   parts.lengths_at_start =
       enclosed_lengths(parts.boundaries.planes(), parts.boundaries.domain(), scene_.dimension);
+}
+
+void Branch::take_over_all(SimulationParts& parts) {
+  parts.transfer(from(state_));
+  parts.stepper.begin_anew();
+  parts.boundaries.begin_anew();
+  parts.audit = {};
+  parts.momentum_audit = {};
+  report_.emplace_back("everything else, since no law, wall or body force differs");
+}
+
+void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
+  take_over_orientations(parts);
+  for (const Wall& wall : walls_) {
+    parts.boundaries.take_over(state_, wall.from, wanted_.boundaries[wall.to].name);
+    report_.push_back(fmt::format("walls of '{}'", wanted_.boundaries[wall.to].name));
+  }
+  parts.search_neighbours();
+  if (branching_.histories) take_over_histories(parts);
+  for (const Wall& wall : walls_) {
+    const Scene::Boundary& wanted = wanted_.boundaries[wall.to];
+    if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))
+      simulation.reconfigure_boundary(wanted.name, wanted.parameters);
+  }
+  // An integrator that evaluates forces at mid-step has left them half a step behind.
+  double time = 0, force_time = 0;
+  from(state_).value("clock/time", "s", time);
+  from(state_).value("clock/force_time", "s", force_time);
+  parts.stepper.reevaluate_forces(time - force_time);
 }
 
 void Branch::take_over_orientations(SimulationParts& parts) {

@@ -30,6 +30,8 @@ class Branch {
   };
   void match_walls();
   bool nothing_differs() const;
+  void take_over_all(SimulationParts& parts);
+  void take_over_by_name(Simulation& simulation, SimulationParts& parts);
   void take_over_orientations(SimulationParts& parts);
   void take_over_histories(SimulationParts& parts);
   // The plane here of each plane in the state.

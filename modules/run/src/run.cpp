@@ -166,7 +166,7 @@ class Run {
     if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     reserve_room();
     // Its scenario is that of the state from which the run goes on should it be killed.
-    if (prolonged_) states_.write_checkpoint();
+    if (prolonged_) states_.write_checkpoint(), states_.finish();
   }
 
   void reserve_room() {
@@ -196,7 +196,11 @@ class Run {
     if (!runner_->finished()) results_.interrupt();
     results_.end_stage(results_.interrupted() ? "interrupted" : "");
     watch_.time_output([&] {
-      results_.interrupted() ? states_.write_checkpoint() : states_.write_final();
+      if (results_.interrupted())
+        states_.write_checkpoint();
+      else
+        states_.write_final();
+      states_.finish();
       sampler_.sample_last(*simulation_, last);
     });
   }

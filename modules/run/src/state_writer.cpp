@@ -2,6 +2,7 @@
 
 #include "sampler.hpp"
 
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,28 +43,52 @@ void StateWriter::write_due() {
 }
 
 void StateWriter::write_checkpoint() {
+  finish();
   waiting_ = false;
   last_step_ = simulation_.steps();
   try {
-    write(checkpoints_.add(last_step_));
-    checkpoints_.remove_old();
-    failed_ = false;
+    const std::filesystem::path path = checkpoints_.add(last_step_);
+    writing_ = std::async(std::launch::async, [this, path, state = take()] {
+      state_file::write_state(path, state);
+      checkpoints_.remove_old();
+    });
   } catch (const Error& error) {
-    // One warning until one succeeds again: on a full disk each would lengthen run.json.
-    if (!std::exchange(failed_, true))
-      results_.warn(fmt::format("no checkpoint at t = {:g} s: {}", simulation_.time(), error.what()));
+    report(error.what());
+  } catch (const std::bad_alloc&) {
+    report("there is no memory for a copy of the state; use fewer bodies, or checkpoint.every = \"never\"");
   }
   last_ = watch_.total();
 }
 
-void StateWriter::write_final() {
-  if (plan_.final_state) write(checkpoints_.add_final());
+void StateWriter::finish() {
+  if (!writing_.valid()) return;
+  try {
+    writing_.get();
+    failed_ = false;
+  } catch (const Error& error) {
+    report(error.what());
+  }
 }
 
-void StateWriter::write(const std::filesystem::path& path) {
+void StateWriter::report(const std::string& problem) {
+  // One warning until one succeeds again: on a full disk each would lengthen run.json.
+  if (!std::exchange(failed_, true))
+    results_.warn(fmt::format("no checkpoint at t = {:g} s: {}",
+                              double(last_step_) * simulation_.step_length(), problem));
+}
+
+void StateWriter::write_final() {
+  finish();
+  if (!plan_.final_state) return;
+  const std::filesystem::path path = checkpoints_.add_final();
+  state_file::write_state(path, take());
+}
+
+State StateWriter::take() {
   const double start = watch_.total();
-  state_file::write_state(path, save_());
+  State state = save_();
   results_.count_state(watch_.total() - start);
+  return state;
 }
 
 }  // namespace scree::run

@@ -5,13 +5,16 @@
 #include "stopwatch.hpp"
 
 #include <functional>
+#include <future>
+#include <string>
 
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
 namespace scree::run {
 
-// Writes the states of a run when they are due by wall time or simulated time, and at its end.
+// Writes the states of a run when they are due by wall time or simulated time, and at its end. A checkpoint is
+// written by a thread of its own while the run goes on, one at a time.
 class StateWriter {
  public:
   // save: the state of the run at the time of the call, after its file has been listed.
@@ -27,14 +30,18 @@ class StateWriter {
   std::uint64_t next(std::uint64_t steps) const;
   // Writes a checkpoint if one is due.
   void write_due();
-  // One that cannot be written is reported, once.
+  // Begins to write one, after the last is written. One that cannot be written is reported, once.
   void write_checkpoint();
+  // Waits until the last checkpoint is on the disk.
+  void finish();
   // Throws Error (failure) if it cannot be written.
   void write_final();
 
  private:
   bool is_due_by_time() const;
-  void write(const std::filesystem::path& path);
+  // Takes the state, whose time is counted.
+  State take();
+  void report(const std::string& problem);
 
   const scenario::CheckpointPlan& plan_;
   Checkpoints checkpoints_;
@@ -45,6 +52,7 @@ class StateWriter {
   bool waiting_ = false, failed_ = false;
   double last_ = 0;  // (s) of wall time
   std::uint64_t last_step_;
+  std::future<void> writing_;
 };
 
 }  // namespace scree::run
