@@ -119,6 +119,7 @@ TEST_CASE("spectrum refuses what it cannot analyse in one line", "[tools]") {
   table("time,x\n0,1\n1,2\n1,3\n", "4:1: time 1 follows 1", "give times that increase, in the first column");
   table("time,x\n0,1\n,2\n", "3:1: time '' is not a number", "write a number such as 1.5e-3");
   table("time [ms],x\n0,1\n", "1:1: the first column has the unit 'ms'", "give times in s there");
+  table("time,x\n0,1\n1,1e200\n", "3:1: 1e+200 is beyond 1e+150", "check it, or give another unit");
   w.write("spectrum.csv", series());
   const auto own = w.scree("spectrum --csv spectrum.csv --column strain");
   CHECK(own.status == 2);

@@ -35,8 +35,9 @@ spectrum::LockInOptions options_of(const SpectrumArguments& arguments, const spe
   options.frequency = arguments.frequency;
   options.duration = series.duration();
   options.drift_degree = degree > 3 ? 0 : int(degree);
-  const double half_rate = 0.5 / series.mean_step();
-  while (options.harmonics > 1 && options.harmonics * arguments.frequency >= half_rate) --options.harmonics;
+  // Within 1/duration of half the sampling rate, sine and cosine are hardly told apart.
+  const double highest = 0.5 / series.mean_step() - 1 / series.duration();
+  while (options.harmonics > 1 && options.harmonics * arguments.frequency > highest) --options.harmonics;
   return options;
 }
 

@@ -64,24 +64,24 @@ void CsvRows::read_header() {
   if (!found) fail(1, "there is no header", "name the columns in the first line, such as 'time [s],strain'");
   if (line().find(';') != line().npos && line().find(',') == line().npos)
     fail(1, "the columns are separated by semicolons", "separate them by commas, with decimal points");
-  for (const Token& cell : cells()) columns_.push_back(column_of(cell.text));
+  for (const Token& cell : cells()) {
+    columns_.push_back(column_of(cell.text));
+    labels_.push_back(one_line(columns_.back().name));
+  }
 }
 
 std::size_t CsvRows::column(std::string_view wanted) const {
   const Column sought = column_of(wanted);
   for (std::size_t k = 0; k < columns_.size(); ++k)
     if (columns_[k].name == sought.name && (sought.unit.empty() || columns_[k].unit == sought.unit)) return k;
-  std::vector<std::string> names, shown;
-  for (const Column& column : columns_) {
-    names.push_back(one_line(column.name));
-    shown.push_back(column.unit.empty() ? names.back()
-                                        : one_line(fmt::format("{} [{}]", column.name, column.unit)));
-  }
-  const auto near = nearest_word(sought.name, names);
-  const std::size_t place =
-      std::size_t(std::find(names.begin(), names.end(), near.value_or("")) - names.begin());
+  std::vector<std::string> shown;
+  for (const Column& column : columns_)
+    shown.push_back(
+        one_line(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit)));
+  const auto near = nearest_word(sought.name, labels_);
+  const auto place = std::find(labels_.begin(), labels_.end(), near.value_or("")) - labels_.begin();
   fail(1, fmt::format("there is no column {}", quote_token(wanted)),
-       near ? fmt::format("did you mean '{}'?", shown[place])
+       near ? fmt::format("did you mean '{}'?", shown[std::size_t(place)])
             : fmt::format("there are: {}", fmt::join(shown, ", ")));
 }
 
@@ -97,7 +97,7 @@ bool CsvRows::next() {
 }
 
 double CsvRows::number(std::size_t column) const {
-  return TextLine::number((*row_)[column], columns_[column].name);
+  return TextLine::number((*row_)[column], labels_[column]);
 }
 
 }  // namespace scree::files

@@ -131,6 +131,8 @@ void LockIn::add(double time, double value) {
 LockInResult LockIn::result() const {
   if (state_[count] < double(model_))
     throw Error(fmt::format("lock-in: {} samples for {} unknowns; give more samples", state_[count], model_));
+  if (!std::isfinite(state_[square]))
+    throw Error("lock-in: a value is not finite or beyond 1e150; leave it out, or give another unit");
   const Fit fit(options_, state_, model_, columns_);
   LockInResult result;
   result.harmonics = std::size_t(options_.harmonics);

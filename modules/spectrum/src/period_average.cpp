@@ -47,6 +47,15 @@ void PeriodAverage::set(std::size_t number, const Sample& sample) {
   at[0] = sample.time, at[1] = sample.value, at[2] = sample.integral;
 }
 
+// Forgets what lies before the period around the next sample to be emitted.
+void PeriodAverage::drop_old(std::size_t end) {
+  const std::size_t next = std::size_t(state_[centre]);
+  if (next >= end) return;
+  const double from = sample(next).time - 0.5 * period_;
+  while (state_[oldest] + 1 < double(end) && sample(std::size_t(state_[oldest]) + 1).time <= from)
+    state_[oldest] += 1;
+}
+
 // An integral since the start would lose digits in a long record.
 void PeriodAverage::rebase(std::size_t first, std::size_t end) {
   const double base = sample(first).integral;
@@ -77,6 +86,7 @@ void PeriodAverage::add(double time, double value, const Emit& emit) {
     const Sample before = sample(number - 1);
     added.integral = before.integral + 0.5 * (time - before.time) * (before.value + added.value);
   }
+  drop_old(number);
   if (number - std::size_t(state_[oldest]) == size_of_ring())
     throw Error(fmt::format("period average: more than {} samples in a period of {} s; give room for more",
                             size_of_ring() - spare, period_));
@@ -89,10 +99,11 @@ void PeriodAverage::add(double time, double value, const Emit& emit) {
     const Sample at = sample(next);
     const double from = at.time - 0.5 * period_, to = at.time + 0.5 * period_;
     if (to > time + tolerance) return;
-    while (sample(std::size_t(state_[oldest]) + 1).time <= from) state_[oldest] += 1;
+    drop_old(number + 1);
     state_[centre] += 1;
     if (from < sample(std::size_t(state_[oldest])).time - tolerance) continue;
-    emit(at.time, at.value + state_[reference] - (integral_to(to) - integral_to(from)) / period_);
+    // Less the sample itself, so that round-off of the ends counts with the slope and not with the value.
+    emit(at.time, (at.value * (to - from) - (integral_to(to) - integral_to(from))) / period_);
   }
 }
 

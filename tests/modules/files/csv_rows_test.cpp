@@ -47,6 +47,7 @@ TEST_CASE("a table that cannot be read is refused with line, column and cure", "
         ":1:1: there is no column 'strain [1]'; did you mean 'strain [m]'?");
   CHECK(refusal("# a\ntime,strain\n0,1\n1,x\n") ==
         ":4:3: strain 'x' is not a number; write a number such as 1.5e-3");
+  CHECK(refusal("time,str\x01in\n0,x\n", "str\x01in").starts_with(":2:3: str\\x01in 'x' is not a number; "));
   CHECK(refusal("time,strain\n0,nan\n").starts_with(":2:3: strain 'nan' is not finite; "));
   CHECK(refusal("time,strain\n0,\n").starts_with(":2:3: strain '' is not a number; "));
   CHECK(refusal("time,strain\n0,1,2\n").starts_with(":2:1: 3 cells under 2 columns; "));

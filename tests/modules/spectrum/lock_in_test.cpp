@@ -228,6 +228,26 @@ TEST_CASE("a lock-in refuses options out of range and samples that cannot answer
   CHECK(result.lines[0].amplitude < 1e-12);
 }
 
+TEST_CASE("a frequency that is off by a tenth of 1/T shows in the error", "[lock_in]") {
+  const auto times = equal_times(2000, 1e-3);
+  std::vector<double> x;
+  for (const double t : times) x.push_back(sine(1, 50.05, 0, t));
+  LockInOptions options;
+  options.frequency = 50;
+  const Line line = lock_in(times, x, options).lines[0];
+  CHECK(std::abs(line.amplitude - 1) > 0.01);  // 1 - sinc(0.1)
+  CHECK(std::abs(line.amplitude - 1) < 2 * line.amplitude_error);
+}
+
+TEST_CASE("values that are too large for their squares are refused", "[lock_in]") {
+  CHECK(message_of([&] {
+          lock_in(equal_times(100, 1e-3), std::vector<double>(100, 0), options_of(1));
+          auto x = std::vector<double>(100, 0);
+          x[3] = 1e200;
+          lock_in(equal_times(100, 1e-3), x, options_of(1));
+        }) == "lock-in: a value is not finite or beyond 1e150; leave it out, or give another unit");
+}
+
 TEST_CASE("a record of few periods has errors too, and one without spare samples none", "[lock_in]") {
   std::mt19937_64 random(2);
   std::normal_distribution<double> noise(0, 0.1);

@@ -82,3 +82,21 @@ TEST_CASE("more samples in a period than fit are refused", "[period_average]") {
   CHECK_THROWS_WITH(fill(), "period average: more than 10 samples in a period of 1 s; give room for more");
   CHECK_THROWS_AS(PeriodAverage(0, ring), scree::Error);
 }
+
+TEST_CASE("a long record on a steep drift loses no digits, and clusters of samples need no more room",
+          "[period_average]") {
+  std::vector<double> ring(PeriodAverage::state_size(11));
+  PeriodAverage average(1, ring);
+  double largest = 0;
+  // Values up to 1e7: round-off of some 1e-9 each; their integral since the start would have 1e-5.
+  for (const double t : equal_times(100000, 0.1))
+    average.add(t, 1000 * t, [&](double, double rest) { largest = std::max(largest, std::abs(rest)); });
+  CHECK(largest < 3e-8);
+  std::vector<double> few(PeriodAverage::state_size(6));
+  PeriodAverage clusters(1, few);
+  int emitted = 0;
+  for (int k = 0; k < 100; ++k)  // 5 samples within 0.4, then none for 0.7
+    clusters.add(k / 5 * 1.1 + k % 5 * 0.1, 1,
+                 [&](double, double rest) { emitted += std::abs(rest) < 1e-12; });
+  CHECK(emitted == 90);  // not those of the first and last cluster
+}

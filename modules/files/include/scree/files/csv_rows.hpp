@@ -39,6 +39,7 @@ class CsvRows : public TextLine {
   std::string text_;
   const std::vector<Token>* row_ = nullptr;
   std::vector<Column> columns_;
+  std::vector<std::string> labels_;  // names for messages
 };
 
 }  // namespace scree::files

@@ -21,6 +21,8 @@ namespace scree::spectrum {
 // different frequency) puts there what belongs to the line; k up to 6 is near enough for noise that follows 1/f: its mean over
 // f ± k/T exceeds that at f by 18 / (f T)^2. Offsets beyond 0.4 f are not used: below f T = 5 there are none, and the
 // noise is taken from the whole residual, as if it were white.
+//
+// An amplitude A with the error s is found as sqrt(A^2 + s^2) in the mean: one of few errors says that there may be none.
 struct LockInOptions {
   double frequency = 0;  // f (Hz) above 0
   double duration = 0;   // (s) above 0: expected length of the record; scales drift and the distance of k
@@ -56,7 +58,7 @@ class LockIn {
   // Error for options out of range or another size.
   LockIn(const LockInOptions& options, std::span<double> state);
 
-  // Adds a sample, finite, at any time (s).
+  // Adds a sample, at any time (s); value below 1e150 in size.
   void add(double time, double value);
 
   // Throws Error if there are too few samples or if their times do not tell the terms apart.

@@ -38,6 +38,7 @@ class PeriodAverage {
   Sample sample(std::size_t number) const;
   void set(std::size_t number, const Sample& sample);
   std::size_t size_of_ring() const;
+  void drop_old(std::size_t end);
   void rebase(std::size_t oldest, std::size_t end);
   double integral_to(double time) const;
 
