@@ -223,9 +223,53 @@ TEST_CASE("a lock-in refuses options out of range and samples that cannot answer
   CHECK(message_of([&] {
           lock_in(equal_times(80, 0.025), equal_times(80, 1), options);
         }).starts_with("lock-in: the 80 samples do not tell drift and 3 harmonics of 10 Hz apart; "));
+  const auto nearly = equal_times(80, 0.025 * (1 + 1e-9));
+  CHECK(message_of([&] { lock_in(nearly, nearly, options); }).find(" do not tell drift ") !=
+        std::string::npos);
   options.harmonics = 1;
   const LockInResult result = lock_in(equal_times(80, 0.025), equal_times(80, 1), options);
   CHECK(result.lines[0].amplitude < 1e-12);
+}
+
+TEST_CASE("of a part of a period, amplitude and phase have errors of their own", "[lock_in]") {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> noise(0, 0.01);
+  LockInOptions options;
+  options.frequency = 1, options.drift_degree = 0, options.harmonics = 1;
+  Scatter amplitude_scatter, phase_scatter;
+  double ratio = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto times = equal_times(60, 0.01);
+    std::vector<double> x;
+    for (const double t : times) x.push_back(sine(1, 1, 0, t) + noise(random));
+    const Line line = lock_in(times, x, options).lines[0];
+    amplitude_scatter.add(line.amplitude - 1, line.amplitude_error);
+    phase_scatter.add(line.phase, line.phase_error);
+    ratio = line.amplitude_error / line.phase_error;
+  }
+  CHECK(amplitude_scatter.share() == Approx(0.68).margin(0.05));
+  CHECK(phase_scatter.share() == Approx(0.68).margin(0.05));
+  CHECK(std::abs(std::log(ratio)) > 0.3);
+}
+
+TEST_CASE("an offset takes no digits from the residual", "[lock_in]") {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0, 1e-3);
+  const auto times = equal_times(20000, 1e-4);
+  std::vector<double> x;
+  for (const double t : times) x.push_back(1e6 + sine(1e-3, frequency, 1, t) + noise(random));
+  CHECK(lock_in(times, x, options_of(1)).residual_rms == Approx(1e-3).epsilon(0.02));
+}
+
+TEST_CASE("in a short record a harmonic that is not fitted is not taken for noise", "[lock_in]") {
+  LockInOptions options;
+  options.frequency = 1, options.duration = 6, options.harmonics = 1, options.drift_degree = 0;
+  const auto times = equal_times(600, 0.01);
+  std::vector<double> x;
+  for (const double t : times) x.push_back(sine(1, 1, 0, t) + sine(0.5, 2, 0, t));
+  const Line line = lock_in(times, x, options).lines[0];
+  CHECK(line.amplitude == Approx(1).epsilon(1e-12));
+  CHECK(line.amplitude_error < 1e-12);
 }
 
 TEST_CASE("a frequency that is off by a tenth of 1/T shows in the error", "[lock_in]") {
