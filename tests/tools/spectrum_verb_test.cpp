@@ -114,7 +114,7 @@ TEST_CASE("spectrum refuses what it cannot analyse in one line", "[tools]") {
     w.write("t.csv", text);
     refused("--csv t.csv --column x", "t.csv:" + begin, end);
   };
-  table("time,x\n0,1\n", "2:1: the file ends after 1 samples", "give 8 or more");
+  table("time,x\n0,1\n", "2:1: the file ends after 1 sample", "give 8 or more");
   table("time,x\n", "1:1: the file ends after 0 samples", "give 8 or more");
   table("time,x\n0,1\n1,2\n1,3\n", "4:1: time 1 follows 1", "give times that increase, in the first column");
   table("time,x\n0,1\n,2\n", "3:1: time '' is not a number", "write a number such as 1.5e-3");

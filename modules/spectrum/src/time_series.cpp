@@ -37,7 +37,9 @@ TimeSeries read_time_series(const std::filesystem::path& file, const std::string
     series.values.push_back(read(number));
   }
   if (series.times.size() < least)
-    rows.fail(1, fmt::format("the file ends after {} samples", series.times.size()),
+    rows.fail(1,
+              fmt::format("the file ends after {} sample{}", series.times.size(),
+                          series.times.size() == 1 ? "" : "s"),
               fmt::format("give {} or more", least));
   if (!(series.duration() > shortest))
     rows.fail(1, fmt::format("the times span {} s", series.duration()), "check the unit of the times, s");

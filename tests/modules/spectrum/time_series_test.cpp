@@ -41,7 +41,7 @@ TEST_CASE("times and values of which nothing can be said are refused with their 
   CHECK(refusal("time,x\n0,1\n0,1\n").starts_with(":3:1: time 0 follows 0; "));
   CHECK(refusal("time [ms],x\n0,1\n1,1\n") ==
         ":1:1: the first column has the unit 'ms'; give times in s there");
-  CHECK(refusal("time,x\n0,1\n") == ":2:1: the file ends after 1 samples; give 2 or more");
+  CHECK(refusal("time,x\n0,1\n") == ":2:1: the file ends after 1 sample; give 2 or more");
   CHECK(refusal("time,x\n0,-1e151\n1,0\n").starts_with(":2:1: -1e+151 is beyond 1e+150; "));
   CHECK(refusal("time,x\n0,1\n1e-200,1\n") ==
         ":3:1: the times span 1e-200 s; check the unit of the times, s");
