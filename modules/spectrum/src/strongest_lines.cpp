@@ -10,14 +10,17 @@ namespace scree::spectrum {
 
 namespace {
 
-constexpr std::size_t half_window = 50;
+constexpr std::size_t shortest_side = 6, longest_side = 50;
 constexpr double least_over_median = 5;
+constexpr double least_over_error = 5;
 // Below, a line has fewer periods than its window needs.
 constexpr std::size_t first_bin = 3;
 
 double median_beside(const std::vector<double>& amplitude, std::size_t k) {
-  const std::size_t begin = k > half_window ? k - half_window : 1;
-  const std::size_t end = std::min(amplitude.size(), k + half_window + 1);
+  // Noise that falls with frequency is compared with itself only nearby.
+  const std::size_t side = std::clamp(k / 2, shortest_side, longest_side);
+  const std::size_t begin = k > side ? k - side : 1;
+  const std::size_t end = std::min(amplitude.size(), k + side + 1);
   std::vector<double> beside(amplitude.begin() + std::ptrdiff_t(begin),
                              amplitude.begin() + std::ptrdiff_t(end));
   const auto middle = beside.begin() + std::ptrdiff_t(beside.size() / 2);
@@ -77,7 +80,8 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
     if (lines.size() == most) break;
     try {
       const FoundLine line = refined(interpolated(spectrum, k), times, values);
-      if (std::abs(line.frequency - spectrum.frequency(k)) < 2 * spectrum.resolution) lines.push_back(line);
+      const bool stayed = std::abs(line.frequency - spectrum.frequency(k)) < 2 * spectrum.resolution;
+      if (stayed && !(line.amplitude < least_over_error * line.amplitude_error)) lines.push_back(line);
     } catch (const Error&) {
       // Half the record is too short for this line, which then is not one to be told.
     }

@@ -89,6 +89,18 @@ TEST_CASE("white noise has no lines, and frequencies of lines in it scatter as t
   CHECK(double(covered) / cases == Approx(0.68).margin(0.08));
 }
 
+TEST_CASE("hardly a random walk has a line", "[strongest_lines]") {
+  std::mt19937_64 random(12);
+  std::normal_distribution<double> noise(0, 1);
+  int lines = 0;
+  for (int k = 0; k < 100; ++k) {
+    double at = 0;
+    const auto walk = record(0.01, 1000, [&](double) { return at += noise(random); });
+    lines += int(strongest_lines(walk.times, walk.values, walk.spectrum(), 5).size());
+  }
+  CHECK(lines <= 5);  // 1 expected; more than 5 once in 1600 times
+}
+
 TEST_CASE("values at unequal times are put on equal steps within the stated bound", "[amplitude_spectrum]") {
   const auto times = scree::test::random_times(1000, 0.01, 5);
   std::vector<double> x;

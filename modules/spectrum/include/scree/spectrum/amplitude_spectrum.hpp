@@ -34,9 +34,10 @@ struct FoundLine : Line {
 };
 
 // The strongest `most` lines of a record, by amplitude. Candidates are maxima of the spectrum above five times the median of the
-// 50 amplitudes on each side: white noise of a million samples has one with a probability of 3 %. The frequency of each is
-// that for which a lock-in finds the same phase in both halves of the record, so that it is not bound to
-// multiples of the resolution. Lines of fewer than 3 periods and lines closer than 3 resolutions are not told apart.
+// amplitudes on both sides, as far as half the frequency but 6 to 50 of them: white noise of a million samples has one with a
+// probability of 3 %, a random walk with about 1 %. The frequency of each is that for which a lock-in finds the same phase in both halves of the record, so
+// that it is not bound to multiples of the resolution. A line below five of its errors is none. Lines of fewer than 3 periods
+// and lines closer than 3 resolutions are not told apart.
 std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<const double> values,
                                        const AmplitudeSpectrum& spectrum, std::size_t most);
 
