@@ -53,17 +53,33 @@ void write_whole(const fs::path& path, const fs::path& temporary, std::string_vi
   if (failed) throw Error(unopened, ExitStatus::failure);
 }
 
+// Throws ReadError.
+std::FILE* opened(const fs::path& path) {
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file) throw not_opened(path, errno);
+  return file;
+}
+
+void refuse_devices(const fs::path& path) {
+  std::error_code failed;
+  if (const fs::file_status status = fs::status(path, failed);
+      fs::exists(status) && !fs::is_regular_file(status))
+    throw ReadError(line(path, "is not a regular file", "give a text file"), EINVAL);
+}
+
 }  // namespace
+
+std::FILE* open_text(const fs::path& path) {
+  refuse_devices(path);
+  return opened(path);
+}
 
 std::string read_text(const fs::path& path, std::size_t largest) {
   std::error_code failed;
-  const fs::file_status status = fs::status(path, failed);
-  const bool regular = fs::is_regular_file(status);
-  if (largest == any_size && fs::exists(status) && !regular)
-    throw ReadError(line(path, "is not a regular file", "give a text file"), EINVAL);
-  errno = 0;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) throw not_opened(path, errno);
+  const bool regular = fs::is_regular_file(fs::status(path, failed));
+  if (largest == any_size) refuse_devices(path);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(opened(path), std::fclose);
   std::uintmax_t size = regular ? fs::file_size(path, failed) : 0;
   if (failed) size = 0;
   std::string text;

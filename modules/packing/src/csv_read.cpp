@@ -103,11 +103,6 @@ void read_comment(Preamble& preamble, const TextReader& reader) {
   }
 }
 
-bool is_comment(const TextReader& reader) {
-  const Token content = reader.trimmed(0, reader.line().size());
-  return content.text.empty() || content.text[0] == '#';
-}
-
 const ColumnName& find_column(std::string_view name, const Token& cell, const TextReader& reader) {
   for (const ColumnName& column : columns) {
     if (column.name == name) return column;
@@ -147,7 +142,7 @@ void require_columns(const std::vector<BodyField>& fields, const TextReader& rea
 std::vector<BodyField> read_header(Preamble& preamble, TextReader& reader) {
   bool found = false;
   while (!found && reader.next()) {
-    found = !is_comment(reader);
+    found = !reader.is_comment();
     if (!found) read_comment(preamble, reader);
   }
   if (!found)
@@ -231,7 +226,7 @@ Packing parse_csv(std::string_view text, const std::string& name, const ImportOp
   Packing packing = begin_packing(preamble, options, dimension, reader);
   BodyRows rows(std::move(fields), dimension);
   while (reader.next()) {
-    if (is_comment(reader)) continue;
+    if (reader.is_comment()) continue;
     packing.bodies.push_back(rows.read(reader, std::int64_t(packing.bodies.size()) + 1));
   }
   if (packing.bodies.empty()) reader.fail(1, "no body follows the header", "add a line for each body");

@@ -1,55 +1,16 @@
 #include "text_reader.hpp"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <system_error>
-#include <utility>
-
-#include <fmt/format.h>
-
-#include <scree/error.hpp>
-#include <scree/files/text.hpp>
-
 namespace scree::packing {
 
-namespace {
-
-constexpr std::string_view blanks = " \t\v\f\r";
-
-// std::from_chars rejects a plus sign, which other programs write.
-std::string_view without_plus(std::string_view text) {
-  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
-  return plus ? text.substr(1) : text;
-}
-
-void refuse_compressed(std::string_view text, std::string_view name) {
-  constexpr std::string_view gzip = "\x1f\x8b";
-  constexpr std::string_view zstandard = "\x28\xb5\x2f\xfd";
-  const bool gzipped = text.starts_with(gzip);
-  if (gzipped || text.starts_with(zstandard))
-    throw Error(
-        fmt::format("{}: the file is compressed; unpack it with {}", name, gzipped ? "gunzip" : "unzstd"));
-}
-
-}  // namespace
-
-std::string quote_token(std::string_view text) {
-  constexpr std::size_t max_length = 40;
-  return fmt::format("'{}{}'", files::escaped(text.substr(0, max_length), files::Escapes::bytes),
-                     text.size() > max_length ? "..." : "");
-}
-
-TextReader::TextReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  refuse_compressed(text_, name_);
+TextReader::TextReader(std::string_view text, std::string name) : TextLine(std::move(name)), text_(text) {
+  files::refuse_compressed(text_, this->name());
   const std::size_t nul = text.find('\0');
   if (nul != std::string_view::npos) {
     while (next() && next_start_ <= nul) {
     }
     fail(nul - line_start_ + 1, "not a text file: it contains a zero byte", "give an uncompressed text file");
   }
-  if (text.starts_with(byte_order_mark)) next_start_ = byte_order_mark.size();
+  if (text.starts_with(files::byte_order_mark)) next_start_ = files::byte_order_mark.size();
 }
 
 bool TextReader::next() {
@@ -57,9 +18,7 @@ bool TextReader::next() {
   line_start_ = next_start_;
   const std::size_t end = text_.find('\n', line_start_);
   next_start_ = end == std::string_view::npos ? text_.size() : end + 1;
-  line_ = text_.substr(line_start_, end == std::string_view::npos ? end : end - line_start_);
-  if (line_.ends_with('\r')) line_.remove_suffix(1);
-  ++line_number_;
+  set(text_.substr(line_start_, end == std::string_view::npos ? end : end - line_start_));
   return true;
 }
 
@@ -72,97 +31,7 @@ bool TextReader::next_words() {
 
 void TextReader::seek(Position position) {
   next_start_ = position.offset;
-  line_number_ = position.line_number;
-}
-
-const std::vector<Token>& TextReader::words() {
-  tokens_.clear();
-  const std::string_view content = line_.substr(0, line_.find('#'));
-  std::size_t begin = content.find_first_not_of(blanks);
-  while (begin != std::string_view::npos) {
-    const std::size_t end = std::min(content.find_first_of(blanks, begin), content.size());
-    tokens_.push_back({content.substr(begin, end - begin), begin + 1});
-    begin = content.find_first_not_of(blanks, end);
-  }
-  return tokens_;
-}
-
-const std::vector<Token>& TextReader::cells() {
-  tokens_.clear();
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t end = std::min(line_.find(',', begin), line_.size());
-    Token cell = trimmed(begin, end);
-    if (cell.text.size() >= 2 && cell.text.front() == '"' && cell.text.back() == '"') {
-      cell = {cell.text.substr(1, cell.text.size() - 2), cell.column + 1};
-    }
-    tokens_.push_back(cell);
-    if (end == line_.size()) return tokens_;
-    begin = end + 1;
-  }
-}
-
-Token TextReader::trimmed(std::size_t begin, std::size_t end) const {
-  std::string_view text = line_.substr(begin, end - begin);
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {text.substr(0, 0), begin + 1};
-  return {text.substr(first, text.find_last_not_of(blanks) - first + 1), begin + first + 1};
-}
-
-double TextReader::number(const Token& token, std::string_view what) const {
-  const std::string_view text = without_plus(token.text);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc::result_out_of_range) {
-    fail(token.column, fmt::format("{} {} is outside the range of a double", what, quote_token(token.text)),
-         "check the unit and the exponent");
-  }
-  if (error != std::errc() || end != text.data() + text.size()) {
-    fail(token.column, fmt::format("{} {} is not a number", what, quote_token(token.text)),
-         "write a number such as 1.5e-3");
-  }
-  if (!std::isfinite(value)) {
-    fail(token.column, fmt::format("{} {} is not finite", what, quote_token(token.text)),
-         "write a finite number; the run that wrote this may have failed");
-  }
-  return value;
-}
-
-double TextReader::positive_number(const Token& token, std::string_view what) const {
-  const double value = number(token, what);
-  if (!(value > 0.0)) {
-    fail(token.column, fmt::format("{} {} is not positive", what, quote_token(token.text)),
-         "write a number above 0");
-  }
-  return value;
-}
-
-std::int64_t TextReader::integer(const Token& token, std::string_view what) const {
-  const std::string_view text = without_plus(token.text);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc::result_out_of_range) {
-    fail(token.column, fmt::format("{} {} does not fit into 64 bits", what, quote_token(token.text)),
-         "write a smaller integer");
-  }
-  if (error != std::errc() || end != text.data() + text.size()) {
-    fail(token.column, fmt::format("{} {} is not an integer", what, quote_token(token.text)),
-         "write an integer such as 12");
-  }
-  return value;
-}
-
-std::int64_t TextReader::positive_integer(const Token& token, std::string_view what) const {
-  const std::int64_t value = integer(token, what);
-  if (value <= 0) {
-    fail(token.column, fmt::format("{} {} is not positive", what, quote_token(token.text)),
-         "write an integer from 1 on");
-  }
-  return value;
-}
-
-void TextReader::fail(std::size_t column, std::string_view message, std::string_view cure) const {
-  throw Error(fmt::format("{}:{}:{}: {}; {}", name_, line_number_, column, message, cure));
+  set_line_number(position.line_number);
 }
 
 }  // namespace scree::packing

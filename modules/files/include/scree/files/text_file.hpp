@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -27,6 +28,9 @@ inline constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();
 // Reads a file of at most `largest` bytes. Without a limit only regular files are read, since a device may
 // have no end. Throws ReadError.
 std::string read_text(const std::filesystem::path& path, std::size_t largest = any_size);
+
+// Opens a regular file for reading; the caller closes it. Throws ReadError.
+std::FILE* open_text(const std::filesystem::path& path);
 
 // Suffix of the temporary file of write_atomically().
 inline constexpr const char* part_suffix = ".part";

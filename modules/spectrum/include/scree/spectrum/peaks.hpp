@@ -1,0 +1,43 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+namespace scree::spectrum {
+
+// A mode in a response over frequency, from a fit of
+//   H(f) = R / (f0^2 - f^2 + i f w) + c0 + c1 (f - f_middle),   R, c0, c1 complex.
+// Errors are standard errors: the covariance of the fit, scaled by its residual; NaN without spare points.
+struct Mode {
+  double frequency = 0, frequency_error = 0;  // f0 (Hz), of the mode without damping
+  double width = 0, width_error = 0;          // w (Hz), where the energy is above half its maximum
+  double quality = 0, quality_error = 0;      // Q = f0 / w
+  double amplitude = 0, amplitude_error = 0;  // |R| / (f0 w) (unit of H): height of this mode alone at f0
+  double phase = 0;  // (rad) of R, in (-pi, pi]: 0 if the response follows a slow drive; 0 from amplitudes
+  std::size_t together = 1;  // modes that were fitted with this one
+  std::size_t points = 0;    // frequencies of the fit
+};
+
+// Modes within a band, by frequency. A mode begins with a maximum of |H| that rises above both sides by 8 times the noise (10 times, of
+// amplitudes): the rms, from the median of third differences of the 50 values on each side, which a smooth response
+// hardly has. White noise of 1e5 values passes with a probability below 1e-3. Maxima at the ends of the band are none.
+//
+// The fit takes three widths on each side; modes whose ranges overlap are fitted together, and the flanks of all others are
+// subtracted (not from amplitudes). Where residuals are correlated, another pole is added, up to six, where it
+// lowers Akaike's criterion (corrected for few points) by more than 10, is within the range and is above five of its
+// standard errors: two modes half a width apart are told apart where noise allows. What is no sum of modes, for example a response
+// through a window, can need a pole more than there are modes: choose a resolution of a tenth of the width or better.
+// A mode with fewer than 4 frequencies in its width is not reported.
+//
+// frequencies: (Hz) increasing, above 0, at about equal distances. Throws Error for arrays of different length, numbers
+// that are not finite and fewer than 16 frequencies.
+std::vector<Mode> find_modes(std::span<const double> frequencies,
+                             std::span<const std::complex<double>> response);
+
+// The same from |H|, by a fit of |H|^2 = (a + b (f0^2 - f^2)) / |f0^2 - f^2 + i f w|^2 + c0 + c1 (f - f_middle), all real: exact for
+// a mode alone; of its interference with a background, b takes all but the part (w/f0)^2. Noise that is not small against
+// |H| raises amplitudes.
+std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes);
+
+}  // namespace scree::spectrum

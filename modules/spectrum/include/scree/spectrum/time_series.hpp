@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scree::spectrum {
+
+// One column of a CSV file over its first, the time.
+struct TimeSeries {
+  std::string name, unit;      // of the column; the unit is empty if the header has none
+  std::vector<double> times;   // (s) increasing
+  std::vector<double> values;  // as many
+  double duration() const { return times.back() - times.front(); }
+  double mean_step() const { return duration() / double(times.size() - 1); }
+};
+
+// Reads two columns of a file, row by row; nothing else of it is kept. column: its name, with its unit or without. Throws Error
+// "file:line:column: ..." for a missing column, an empty or a text cell, NaN, numbers beyond 1e150, times that do not increase, and fewer than `least`
+// rows (2 or more).
+TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least);
+
+}  // namespace scree::spectrum

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace scree::spectrum {
+
+// A response over frequency; amplitudes have no imaginary parts.
+struct Response {
+  std::vector<double> frequencies;  // (Hz)
+  std::vector<std::complex<double>> values;
+  bool only_amplitudes = false;
+};
+
+// A pole: R / (frequency^2 - f^2 + i f width); of amplitudes, |R|^2 and what mixes it with the rest (mode_model.hpp).
+struct Pole {
+  double frequency, width;
+  std::complex<double> strength{};  // R, or |R|^2 + i b
+};
+
+// A fit of poles and a linear background.
+struct ModeFit {
+  std::vector<Pole> poles;
+  Eigen::MatrixXd
+      covariance;  // of frequency, width and the parts of strength of each pole; NaN without spare points
+  double residual = 0;   // sum of squares
+  double criterion = 0;  // Akaike's, corrected
+  double correlation =
+      0;  // of residuals with their neighbours: 0 within 1/sqrt(points) if only noise is left
+  bool converged = false;
+};
+
+// Levenberg-Marquardt from poles of which frequency and width are given.
+ModeFit fit_modes(const Response& response, const std::vector<Pole>& start);
+
+}  // namespace scree::spectrum

@@ -1,0 +1,244 @@
+#include "scree/spectrum/peaks.hpp"
+
+#include "maxima.hpp"
+#include "mode_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::spectrum {
+
+namespace {
+
+constexpr double reach = 3;             // widths on each side of a mode that its fit takes
+constexpr std::size_t most_poles = 6;   // of one fit
+constexpr double least_gain = 10;       // of Akaike's criterion, for another pole
+constexpr double least_over_error = 5;  // amplitude of another pole
+constexpr double least_points = 4;      // in the width of a mode
+
+// Indices [begin, end) that are fitted together, and where to start.
+struct Range {
+  std::size_t begin, end;
+  std::vector<Pole> poles;
+};
+
+// Distance from a maximum to where |H| has fallen to its root half, on one side; infinite if it does not.
+double half_width(const Response& response, std::size_t top, int direction) {
+  const double level = std::abs(response.values[top]) * std::numbers::sqrt2 / 2;
+  for (std::size_t k = top; k > 0 && k + 1 < response.values.size(); k += std::size_t(direction)) {
+    const std::size_t next = k + std::size_t(direction);
+    const double here = std::abs(response.values[k]), there = std::abs(response.values[next]);
+    if (there > level) continue;
+    const double share = (here - level) / (here - there);
+    const double at =
+        response.frequencies[k] + share * (response.frequencies[next] - response.frequencies[k]);
+    return std::abs(at - response.frequencies[top]);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+Pole first_guess(const Response& response, std::size_t top) {
+  const double narrower = std::min(half_width(response, top, 1), half_width(response, top, -1));
+  const double band = response.frequencies.back() - response.frequencies.front();
+  return {response.frequencies[top], 2 * std::min(narrower, 0.25 * band)};
+}
+
+std::size_t index_of(const Response& response, double frequency) {
+  const auto& f = response.frequencies;
+  return std::size_t(std::lower_bound(f.begin(), f.end(), frequency) - f.begin());
+}
+
+std::vector<Range> ranges_of(const Response& response, const std::vector<std::size_t>& tops) {
+  std::vector<Range> ranges;
+  for (const std::size_t top : tops) {
+    const Pole pole = first_guess(response, top);
+    const std::size_t begin = index_of(response, pole.frequency - reach * pole.width);
+    const std::size_t end = index_of(response, pole.frequency + reach * pole.width);
+    const bool joins =
+        !ranges.empty() && begin < ranges.back().end && ranges.back().poles.size() < most_poles;
+    if (!joins) {
+      ranges.push_back({begin, end, {pole}});
+      continue;
+    }
+    ranges.back().end = std::max(end, ranges.back().end);
+    ranges.back().poles.push_back(pole);
+  }
+  return ranges;
+}
+
+// A range and its latest fit.
+struct Group {
+  Range range;
+  ModeFit fit;
+};
+
+Response part(const Response& response, const Range& range) {
+  const auto cut = [&](const auto& all) {
+    return std::remove_cvref_t<decltype(all)>(all.begin() + std::ptrdiff_t(range.begin),
+                                              all.begin() + std::ptrdiff_t(range.end));
+  };
+  return {cut(response.frequencies), cut(response.values), response.only_amplitudes};
+}
+
+Mode mode_of(const ModeFit& fit, std::size_t number, const Response& response) {
+  const bool only_amplitudes = response.only_amplitudes;
+  const Pole& pole = fit.poles[number];
+  const auto first = Eigen::Index(4 * number);
+  const Eigen::Matrix4d covariance = fit.covariance.block<4, 4>(first, first);
+  const auto error = [&](double f, double w, double re, double im) {
+    const Eigen::Vector4d by(f, w, re, im);
+    return std::sqrt(by.dot(covariance * by));
+  };
+  Mode mode;
+  mode.frequency = pole.frequency, mode.frequency_error = error(1, 0, 0, 0);
+  mode.width = pole.width, mode.width_error = error(0, 1, 0, 0);
+  mode.quality = pole.frequency / pole.width;
+  mode.quality_error = error(1 / pole.width, -mode.quality / pole.width, 0, 0);
+  const double area = pole.frequency * pole.width;
+  const double size =
+      only_amplitudes ? std::sqrt(std::max(pole.strength.real(), 0.0)) : std::abs(pole.strength);
+  mode.amplitude = size / area;
+  const std::complex<double> by_strength =
+      only_amplitudes ? 0.5 / (size * area) : pole.strength / (size * area);
+  mode.amplitude_error = error(-mode.amplitude / pole.frequency, -mode.amplitude / pole.width,
+                               by_strength.real(), by_strength.imag());
+  mode.phase = only_amplitudes ? 0 : std::arg(pole.strength);
+  mode.together = fit.poles.size();
+  mode.points = response.values.size();
+  return mode;
+}
+
+bool is_within(const Pole& pole, const Response& response) {
+  const double low = response.frequencies.front(), high = response.frequencies.back();
+  const double distance = (high - low) / double(response.frequencies.size() - 1);
+  return pole.frequency > low && pole.frequency < high && pole.width >= least_points * distance &&
+         pole.width < high - low;
+}
+
+// Whether each pole is within the range and known well.
+bool is_sound(const ModeFit& fit, const Response& response) {
+  for (std::size_t k = 0; k < fit.poles.size(); ++k) {
+    const Mode mode = mode_of(fit, k, response);
+    if (!is_within(fit.poles[k], response) || !(mode.amplitude > least_over_error * mode.amplitude_error))
+      return false;
+  }
+  return fit.converged;
+}
+
+// The best fit in which one of the poles has become two.
+ModeFit with_another_pole(const ModeFit& fit, const Response& response) {
+  constexpr std::array distances = {0.15, 0.35, 0.7};
+  constexpr std::array shares = {0.5, 0.8};
+  ModeFit best;
+  best.criterion = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < fit.poles.size(); ++k)
+    for (const double distance : distances)
+      for (const double share : shares) {
+        std::vector<Pole> poles = fit.poles;
+        const Pole split = poles[k];
+        poles[k] = {split.frequency - distance * split.width, share * split.width};
+        poles.push_back({split.frequency + distance * split.width, share * split.width});
+        if (!(poles[k].frequency > 0)) continue;
+        ModeFit trial = fit_modes(response, poles);
+        if (trial.criterion < best.criterion && is_sound(trial, response)) best = std::move(trial);
+      }
+  return best;
+}
+
+// The part of the response in the range of a group, less the modes of all others.
+Response alone(const Response& whole, const std::vector<Group>& groups, std::size_t number) {
+  Response response = part(whole, groups[number].range);
+  if (whole.only_amplitudes) return response;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (g == number || !groups[g].fit.converged) continue;
+    for (const Pole& pole : groups[g].fit.poles)
+      for (std::size_t k = 0; k < response.values.size(); ++k) {
+        const double f = response.frequencies[k];
+        response.values[k] -=
+            pole.strength / std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
+      }
+  }
+  return response;
+}
+
+// Adds poles while the residual shows structure that they take up.
+void refine(ModeFit& fit, const Response& response) {
+  const double by_chance = 2 / std::sqrt(double(response.values.size()));
+  while (fit.poles.size() < most_poles && fit.correlation > by_chance) {
+    ModeFit finer = with_another_pole(fit, response);
+    if (!(finer.criterion < fit.criterion - least_gain)) return;
+    fit = std::move(finer);
+  }
+}
+
+// Each group in turn, a few times over, since the flanks of one are in the range of another.
+std::vector<Group> fitted(const Response& whole, std::vector<Group> groups) {
+  constexpr int rounds = 4, refined_from = 2;
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      Group& group = groups[g];
+      const Response response = alone(whole, groups, g);
+      group.fit = fit_modes(response, round > 0 && group.fit.converged ? group.fit.poles : group.range.poles);
+      if (round >= refined_from) refine(group.fit, response);
+    }
+  return groups;
+}
+
+void check(const Response& response, std::size_t values) {
+  constexpr std::size_t least = 16;
+  const auto& f = response.frequencies;
+  if (f.size() != values)
+    throw Error(fmt::format("modes: {} frequencies for {} values; give one for each", f.size(), values));
+  if (values < least) throw Error(fmt::format("modes: {} frequencies; give {} or more", values, least));
+  for (std::size_t k = 0; k < values; ++k) {
+    if (!(f[k] > (k > 0 ? f[k - 1] : 0)) || !std::isfinite(f[k]))
+      throw Error(fmt::format("modes: frequency {} is {} Hz; give finite frequencies above 0 that increase",
+                              k, f[k]));
+    if (!std::isfinite(std::norm(response.values[k])))
+      throw Error(fmt::format(
+          "modes: the response at {} Hz is not a finite number; leave such frequencies out", f[k]));
+  }
+}
+
+std::vector<Mode> modes_of(const Response& response) {
+  std::vector<double> size, threshold = noise_of(response);
+  for (const auto& value : response.values) size.push_back(std::abs(value));
+  for (double& noise : threshold) noise *= response.only_amplitudes ? 10 : 8;
+  std::vector<Group> groups;
+  constexpr std::size_t least_values = 8;  // a pole and a background have eight numbers
+  for (const Range& range : ranges_of(response, maxima(size, threshold)))
+    if (range.end - range.begin >= least_values) groups.push_back({range, {}});
+  std::vector<Mode> modes;
+  for (const Group& group : fitted(response, std::move(groups))) {
+    const Response inside = part(response, group.range);
+    for (std::size_t k = 0; k < group.fit.poles.size(); ++k)
+      if (group.fit.converged && is_within(group.fit.poles[k], inside))
+        modes.push_back(mode_of(group.fit, k, inside));
+  }
+  std::sort(modes.begin(), modes.end(),
+            [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
+  return modes;
+}
+
+}  // namespace
+
+std::vector<Mode> find_modes(std::span<const double> frequencies,
+                             std::span<const std::complex<double>> response) {
+  const Response data{{frequencies.begin(), frequencies.end()}, {response.begin(), response.end()}, false};
+  check(data, response.size());
+  return modes_of(data);
+}
+
+std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes) {
+  const Response data{{frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true};
+  check(data, amplitudes.size());
+  return modes_of(data);
+}
+
+}  // namespace scree::spectrum

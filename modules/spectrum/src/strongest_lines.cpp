@@ -1,0 +1,94 @@
+#include "scree/spectrum/amplitude_spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <scree/error.hpp>
+
+namespace scree::spectrum {
+
+namespace {
+
+constexpr std::size_t shortest_side = 6, longest_side = 50;
+constexpr double least_over_median = 5;
+constexpr double least_over_error = 5;
+// Below, a line has fewer periods than its window needs.
+constexpr std::size_t first_bin = 3;
+
+double median_beside(const std::vector<double>& amplitude, std::size_t k) {
+  // Noise that falls with frequency is compared with itself only nearby.
+  const std::size_t side = std::clamp(k / 2, shortest_side, longest_side);
+  const std::size_t begin = k > side ? k - side : 1;
+  const std::size_t end = std::min(amplitude.size(), k + side + 1);
+  std::vector<double> beside(amplitude.begin() + std::ptrdiff_t(begin),
+                             amplitude.begin() + std::ptrdiff_t(end));
+  const auto middle = beside.begin() + std::ptrdiff_t(beside.size() / 2);
+  std::nth_element(beside.begin(), middle, beside.end());
+  return *middle;
+}
+
+// Bins of maxima above the noise, the highest first.
+std::vector<std::size_t> candidates(const std::vector<double>& amplitude) {
+  std::vector<std::size_t> bins;
+  for (std::size_t k = first_bin; k + 1 < amplitude.size(); ++k)
+    if (amplitude[k] > amplitude[k - 1] && amplitude[k] >= amplitude[k + 1] &&
+        amplitude[k] > least_over_median * median_beside(amplitude, k))
+      bins.push_back(k);
+  std::stable_sort(bins.begin(), bins.end(),
+                   [&](std::size_t a, std::size_t b) { return amplitude[a] > amplitude[b]; });
+  return bins;
+}
+
+// Behind a Hann window, bins at distances d and 1 - d from a line have amplitudes in the ratio (2 - d) : (1 + d).
+double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
+  const bool above = spectrum.amplitude[k + 1] > spectrum.amplitude[k - 1];
+  const double ratio = spectrum.amplitude[above ? k + 1 : k - 1] / spectrum.amplitude[k];
+  const double distance = (2 * ratio - 1) / (ratio + 1);
+  return spectrum.frequency(k) + spectrum.resolution * (above ? distance : -distance);
+}
+
+Line line_at(double frequency, std::span<const double> times, std::span<const double> values) {
+  LockInOptions options;
+  options.frequency = frequency;
+  options.harmonics = 1;
+  return lock_in(times, values, options).lines[0];
+}
+
+FoundLine refined(double frequency, std::span<const double> times, std::span<const double> values) {
+  const std::size_t half = times.size() / 2;
+  const double duration = times.back() - times.front();
+  constexpr int rounds = 4;
+  for (int k = 0; k < rounds; ++k) {
+    const double first = line_at(frequency, times.first(half), values.first(half)).phase;
+    const double second = line_at(frequency, times.subspan(half), values.subspan(half)).phase;
+    frequency += std::remainder(second - first, 2 * std::numbers::pi) / (std::numbers::pi * duration);
+  }
+  FoundLine found{line_at(frequency, times, values)};
+  found.frequency_error = std::sqrt(3.0) * found.phase_error / (std::numbers::pi * duration);
+  return found;
+}
+
+}  // namespace
+
+std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<const double> values,
+                                       const AmplitudeSpectrum& spectrum, std::size_t most) {
+  std::vector<FoundLine> lines;
+  std::vector<std::size_t> bins = candidates(spectrum.amplitude);
+  bins.resize(std::min(bins.size(), 4 * most));  // of noise-free records, those beyond are round-off
+  for (const std::size_t k : bins) {
+    if (lines.size() == most) break;
+    try {
+      const FoundLine line = refined(interpolated(spectrum, k), times, values);
+      const bool stayed = std::abs(line.frequency - spectrum.frequency(k)) < 2 * spectrum.resolution;
+      if (stayed && !(line.amplitude < least_over_error * line.amplitude_error)) lines.push_back(line);
+    } catch (const Error&) {
+      // Half the record is too short for this line, which then is not one to be told.
+    }
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const FoundLine& a, const FoundLine& b) { return a.amplitude > b.amplitude; });
+  return lines;
+}
+
+}  // namespace scree::spectrum

@@ -1,0 +1,67 @@
+#include "temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/files/csv_rows.hpp>
+
+using scree::files::CsvRows;
+using scree::test::TemporaryFolder;
+
+namespace {
+
+std::string refusal(const std::string& text, const std::string& column = "strain") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("t.csv", text);
+  try {
+    CsvRows rows(file);
+    const std::size_t number = rows.column(column);
+    while (rows.next()) rows.number(number);
+  } catch (const scree::Error& error) {
+    return std::string(error.what()).substr(file.string().size());
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("rows are read one by one, past comments and blank lines", "[csv_rows]") {
+  const TemporaryFolder folder;
+  CsvRows rows(folder.write("t.csv",
+                            "\xef\xbb\xbf# from a run\n\ntime [s], \"strain [1]\",stage\r\n0,1e-3,load\r\n"
+                            "# later\n+0.5, -2 ,hold\n1,3,hold"));
+  REQUIRE(rows.columns().size() == 3);
+  CHECK(rows.columns()[1].name == "strain");
+  CHECK(rows.columns()[1].unit == "1");
+  CHECK(rows.column("strain") == 1);
+  CHECK(rows.column("strain [1]") == 1);
+  std::vector<double> values;
+  while (rows.next()) values.push_back(rows.number(0)), values.push_back(rows.number(1));
+  CHECK(values == std::vector<double>{0, 1e-3, 0.5, -2, 1, 3});
+}
+
+TEST_CASE("a table that cannot be read is refused with line, column and cure", "[csv_rows]") {
+  CHECK(refusal("time [s],strian\n0,1\n") == ":1:1: there is no column 'strain'; did you mean 'strian'?");
+  CHECK(refusal("time,a [m],b\n0,1,2\n") == ":1:1: there is no column 'strain'; there are: time, a [m], b");
+  CHECK(refusal("time,strain [m]\n0,1\n", "strain [1]") ==
+        ":1:1: there is no column 'strain [1]'; did you mean 'strain [m]'?");
+  CHECK(refusal("# a\ntime,strain\n0,1\n1,x\n") ==
+        ":4:3: strain 'x' is not a number; write a number such as 1.5e-3");
+  CHECK(refusal("time,str\x01in\n0,x\n", "str\x01in").starts_with(":2:3: str\\x01in 'x' is not a number; "));
+  CHECK(refusal("time,strain\n0,nan\n").starts_with(":2:3: strain 'nan' is not finite; "));
+  CHECK(refusal("time,strain\n0,\n").starts_with(":2:3: strain '' is not a number; "));
+  CHECK(refusal("time,strain\n0,1,2\n").starts_with(":2:1: 3 cells under 2 columns; "));
+  CHECK(refusal("time;strain\n0;1\n").starts_with(":1:1: the columns are separated by semicolons; "));
+  CHECK(refusal("").find("there is no header; ") != std::string::npos);
+  CHECK(refusal(std::string("time,strain\n0,\0\n", 15)).starts_with(":2:3: not a text file"));
+  CHECK(refusal("\x1f\x8b\x08").starts_with(": the file is compressed; unpack it with gunzip"));
+  CHECK(refusal("time,strain\n" + std::string(2000000, '1')).starts_with(":2:1: the line is longer than "));
+}
+
+TEST_CASE("a table that is no file is refused", "[csv_rows]") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(CsvRows(folder / "none.csv"),
+                    (folder / "none.csv").string() + ": there is no such file; check the path");
+  CHECK_THROWS_WITH(CsvRows(folder.path()),
+                    folder.path().string() + ": is not a regular file; give a text file");
+}

@@ -1,0 +1,204 @@
+#include <cmath>
+#include <complex>
+#include <random>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/spectrum/peaks.hpp>
+
+using namespace scree::spectrum;
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr Complex i(0, 1);
+
+std::vector<double> band(double low, double high, std::size_t count) {
+  std::vector<double> f(count);
+  for (std::size_t k = 0; k < count; ++k) f[k] = low + (high - low) * double(k) / double(count - 1);
+  return f;
+}
+
+struct Truth {
+  double frequency, width, amplitude, phase;
+};
+
+Complex value(const Truth& mode, double f) {
+  const Complex strength = std::polar(mode.amplitude * mode.frequency * mode.width, mode.phase);
+  return strength / (mode.frequency * mode.frequency - f * f + i * f * mode.width);
+}
+
+std::vector<Complex> response(const std::vector<double>& f, const std::vector<Truth>& modes, Complex c0 = {},
+                              Complex c1 = {}) {
+  std::vector<Complex> h;
+  for (const double at : f) {
+    h.push_back(c0 + c1 * (at - 100));
+    for (const Truth& mode : modes) h.back() += value(mode, at);
+  }
+  return h;
+}
+
+std::vector<double> sizes(const std::vector<Complex>& h) {
+  std::vector<double> a;
+  for (const Complex& one : h) a.push_back(std::abs(one));
+  return a;
+}
+
+class Noise {
+ public:
+  Noise(double rms, unsigned seed) : random_(seed), gauss_(0, rms / std::sqrt(2.0)) {}
+  std::vector<Complex> added(std::vector<Complex> h) {
+    for (Complex& one : h) one += Complex(gauss_(random_), gauss_(random_));
+    return h;
+  }
+  std::vector<double> added(std::vector<double> a) {
+    for (double& one : a) one += std::sqrt(2.0) * gauss_(random_);
+    return a;
+  }
+
+ private:
+  std::mt19937_64 random_;
+  std::normal_distribution<double> gauss_;
+};
+
+// Share of estimates within their errors.
+struct Coverage {
+  int covered = 0, cases = 0;
+  void add(double estimate, double truth, double error) {
+    covered += std::abs(estimate - truth) < error, ++cases;
+  }
+  double share() const { return double(covered) / cases; }
+};
+
+const Truth mode{101.2345678, 4, 2e-3, 0.6};
+
+}  // namespace
+
+TEST_CASE("without noise a mode on a background is found to round-off, between the frequencies", "[peaks]") {
+  const auto f = band(60, 140, 161);
+  const auto h = response(f, {mode}, {1e-4, -3e-4}, {1e-6, 2e-6});
+  const auto found = find_modes(f, h);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].frequency == Approx(mode.frequency).epsilon(1e-10));
+  CHECK(found[0].width == Approx(mode.width).epsilon(1e-8));
+  CHECK(found[0].quality == Approx(mode.frequency / mode.width).epsilon(1e-8));
+  CHECK(found[0].amplitude == Approx(mode.amplitude).epsilon(1e-8));
+  CHECK(found[0].phase == Approx(mode.phase).epsilon(1e-8));
+  CHECK(found[0].together == 1);
+  CHECK(found[0].frequency_error < 1e-8);
+}
+
+TEST_CASE("amplitudes alone give the same for a mode alone, and nearly so on a background", "[peaks]") {
+  const auto f = band(60, 140, 161);
+  const auto alone = find_modes(f, sizes(response(f, {mode})));
+  REQUIRE(alone.size() == 1);
+  CHECK(alone[0].frequency == Approx(mode.frequency).epsilon(1e-8));
+  CHECK(alone[0].width == Approx(mode.width).epsilon(1e-8));
+  CHECK(alone[0].amplitude == Approx(mode.amplitude).epsilon(1e-8));
+  CHECK(alone[0].phase == 0);
+  const auto found = find_modes(f, sizes(response(f, {mode}, {1e-4, -3e-4}, {1e-6, 2e-6})));
+  REQUIRE(found.size() == 1);
+  // (w/f0)^2 of an interference of a third of the height, 2 * 3.2e-4 / 2e-3: 5e-4 of the width.
+  CHECK(found[0].frequency == Approx(mode.frequency).margin(5e-4 * mode.width));
+  CHECK(found[0].width == Approx(mode.width).epsilon(5e-4));
+}
+
+TEST_CASE("two modes half a width apart are told apart", "[peaks]") {
+  const Truth first{100, 4, 1, 0}, second{102, 4, 0.8, 0.3};
+  const auto f = band(70, 130, 241);
+  const auto h = response(f, {first, second});
+  const auto exact = find_modes(f, h);
+  REQUIRE(exact.size() == 2);
+  CHECK(exact[0].together == 2);
+  CHECK(exact[0].frequency == Approx(100).epsilon(1e-6));
+  CHECK(exact[1].frequency == Approx(102).epsilon(1e-6));
+  CHECK(exact[1].amplitude == Approx(0.8).epsilon(1e-4));
+  Noise noise(1e-3, 5);
+  Coverage frequency;
+  for (int k = 0; k < 20; ++k) {
+    const auto found = find_modes(f, noise.added(h));
+    REQUIRE(found.size() == 2);
+    CHECK(std::abs(found[0].frequency - 100) < 4.5 * found[0].frequency_error);
+    CHECK(std::abs(found[1].frequency - 102) < 4.5 * found[1].frequency_error);
+    CHECK(found[0].frequency_error < 0.2);
+  }
+}
+
+TEST_CASE("modes apart, and modes whose flanks overlap, are found by frequency", "[peaks]") {
+  const std::vector<Truth> truth = {{80, 2, 1, 0}, {100, 3, 0.3, 1}, {107, 3, 0.5, -2}, {130, 4, 2, 3}};
+  const auto f = band(60, 160, 1001);
+  const auto found = find_modes(f, Noise(1e-4, 1).added(response(f, truth, 0.01)));
+  REQUIRE(found.size() == 4);
+  CHECK(found[1].together == 2);
+  for (std::size_t k = 0; k < 4; ++k) {
+    // A line stands for the flanks of modes that are not in the fit; its curvature is some 1e-3 of a height.
+    CHECK(found[k].frequency == Approx(truth[k].frequency).margin(0.01 * truth[k].width));
+    CHECK(found[k].amplitude == Approx(truth[k].amplitude).epsilon(0.05));
+  }
+}
+
+TEST_CASE("errors of a mode in noise cover the true errors", "[peaks]") {
+  constexpr int cases = 1000;  // the share is known to 1.5 %
+  const auto f = band(85, 118, 133);
+  const auto h = response(f, {mode}, {1e-4, -3e-4});
+  Noise noise(4e-5, 3);  // a fiftieth of the height
+  Coverage frequency, width, quality, amplitude, of_sizes;
+  for (int k = 0; k < cases; ++k) {
+    const auto found = find_modes(f, noise.added(h));
+    REQUIRE(found.size() == 1);
+    frequency.add(found[0].frequency, mode.frequency, found[0].frequency_error);
+    width.add(found[0].width, mode.width, found[0].width_error);
+    quality.add(found[0].quality, mode.frequency / mode.width, found[0].quality_error);
+    amplitude.add(found[0].amplitude, mode.amplitude, found[0].amplitude_error);
+  }
+  for (const Coverage& one : {frequency, width, quality, amplitude})
+    CHECK(one.share() == Approx(0.68).margin(0.05));
+  for (int k = 0; k < cases; ++k) {
+    const auto found = find_modes(f, noise.added(sizes(h)));
+    REQUIRE(found.size() == 1);
+    of_sizes.add(found[0].frequency, mode.frequency, found[0].frequency_error);
+  }
+  CHECK(of_sizes.share() == Approx(0.68).margin(0.05));
+}
+
+TEST_CASE("a mode near the end of the band is found, one beyond it not", "[peaks]") {
+  Noise noise(1e-6, 2);
+  const auto inside = band(97, 140, 173), outside = band(102, 140, 153);
+  const auto found = find_modes(inside, noise.added(response(inside, {mode})));
+  REQUIRE(found.size() == 1);
+  CHECK(std::abs(found[0].frequency - mode.frequency) < 4.5 * found[0].frequency_error);
+  CHECK(find_modes(outside, noise.added(response(outside, {mode}))).empty());
+}
+
+TEST_CASE("a flat spectrum has no modes", "[peaks]") {
+  const auto f = band(1, 1000, 1000);
+  CHECK(find_modes(f, std::vector<Complex>(1000)).empty());
+  CHECK(find_modes(f, std::vector<Complex>(1000, {2, 1})).empty());
+  CHECK(find_modes(f, std::vector<double>(1000, 2)).empty());
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    CHECK(find_modes(f, Noise(1, seed).added(std::vector<Complex>(1000))).empty());
+    CHECK(find_modes(f, Noise(1, seed).added(std::vector<Complex>(1000, 5))).empty());
+    CHECK(find_modes(f, Noise(1, seed).added(std::vector<double>(1000, 5))).empty());
+  }
+}
+
+TEST_CASE("a peak of a few frequencies is no mode", "[peaks]") {
+  const auto f = band(60, 140, 81);
+  CHECK(find_modes(f, response(f, {{100.3, 2, 1, 0}})).empty());
+}
+
+TEST_CASE("modes of what is no spectrum are refused", "[peaks]") {
+  const auto f = band(60, 140, 81);
+  CHECK_THROWS_WITH(find_modes(f, std::vector<double>(80)),
+                    "modes: 81 frequencies for 80 values; give one for each");
+  CHECK_THROWS_WITH(find_modes(band(1, 2, 15), std::vector<double>(15)),
+                    "modes: 15 frequencies; give 16 or more");
+  CHECK_THROWS_WITH(find_modes(band(0, 80, 81), std::vector<double>(81)),
+                    Catch::StartsWith("modes: frequency 0 is 0 Hz; "));
+  std::vector<double> broken(81);
+  broken[1] = NAN;
+  CHECK_THROWS_WITH(find_modes(f, broken),
+                    Catch::StartsWith("modes: the response at 61 Hz is not a finite number; "));
+}

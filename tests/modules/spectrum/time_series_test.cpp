@@ -1,0 +1,48 @@
+#include "temporary_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/error.hpp>
+#include <scree/spectrum/time_series.hpp>
+
+using scree::spectrum::read_time_series;
+using scree::test::TemporaryFolder;
+
+namespace {
+
+std::string refusal(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("t.csv", text);
+  try {
+    read_time_series(file, "x", 2);
+  } catch (const scree::Error& error) {
+    return std::string(error.what()).substr(file.string().size());
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a column is read over the time, and nothing else", "[time_series]") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("t.csv", "time [s],stage,x [m/s]\n0,load,1\n0.5,load,-2\n2,,3e-4\n");
+  const auto series = read_time_series(file, "x", 2);
+  CHECK(series.name == "x");
+  CHECK(series.unit == "m/s");
+  CHECK(series.times == std::vector<double>{0, 0.5, 2});
+  CHECK(series.values == std::vector<double>{1, -2, 3e-4});
+  CHECK(series.duration() == 2);
+  CHECK(series.mean_step() == 1);
+}
+
+TEST_CASE("times and values of which nothing can be said are refused with their line", "[time_series]") {
+  CHECK(refusal("time,x\n1,1\n0.5,1\n") ==
+        ":3:1: time 0.5 follows 1; give times that increase, in the first column");
+  CHECK(refusal("time,x\n0,1\n0,1\n").starts_with(":3:1: time 0 follows 0; "));
+  CHECK(refusal("time [ms],x\n0,1\n1,1\n") ==
+        ":1:1: the first column has the unit 'ms'; give times in s there");
+  CHECK(refusal("time,x\n0,1\n") == ":2:1: the file ends after 1 sample; give 2 or more");
+  CHECK(refusal("time,x\n0,-1e151\n1,0\n").starts_with(":2:1: -1e+151 is beyond 1e+150; "));
+  CHECK(refusal("time,x\n0,1\n1e-200,1\n") ==
+        ":3:1: the times span 1e-200 s; check the unit of the times, s");
+}

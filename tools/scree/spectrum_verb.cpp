@@ -1,0 +1,154 @@
+#include "spectrum_files.hpp"
+#include "verbs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <scree/files/text.hpp>
+#include <scree/spectrum/amplitude_spectrum.hpp>
+#include <scree/spectrum/lock_in.hpp>
+#include <scree/spectrum/time_series.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SpectrumArguments {
+  std::string csv, column, out, detrend = "linear";
+  double frequency = 0;  // 0: not given
+};
+
+const std::vector<std::string> detrendings = {"constant", "linear", "quadratic", "cubic", "period-average"};
+constexpr std::size_t least_samples = 8, most_lines = 5;
+constexpr double tolerated_unevenness = 1e-3;
+
+spectrum::LockInOptions options_of(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
+  const auto degree =
+      std::find(detrendings.begin(), detrendings.end(), arguments.detrend) - detrendings.begin();
+  spectrum::LockInOptions options;
+  options.frequency = arguments.frequency;
+  options.duration = series.duration();
+  options.drift_degree = degree > 3 ? 0 : int(degree);
+  // Within 1/duration of half the sampling rate, sine and cosine are hardly told apart.
+  const double highest = 0.5 / series.mean_step() - 1 / series.duration();
+  while (options.harmonics > 1 && options.harmonics * arguments.frequency > highest) --options.harmonics;
+  return options;
+}
+
+// A frequency about which the record says nothing is refused.
+void check_frequency(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
+  if (arguments.frequency == 0) return;
+  const double half_rate = 0.5 / series.mean_step();
+  if (arguments.frequency >= half_rate)
+    throw Error(
+        fmt::format("{}: --frequency {} is not below half the sampling rate, {:.10g} Hz; sample more often",
+                    arguments.csv, arguments.frequency, half_rate));
+  const double periods = arguments.detrend == "period-average" ? 2 : 1;
+  if (arguments.frequency * series.duration() < periods * (1 - 1e-9))
+    throw Error(
+        fmt::format("{}: --frequency {} has less than {} in the record of {:.10g} s; give {} Hz or more, "
+                    "or a longer record",
+                    arguments.csv, arguments.frequency, periods > 1 ? "two periods" : "a period",
+                    series.duration(), fmt::format("{:.10g}", periods / series.duration())));
+}
+
+std::string with_unit(const std::string& what, const std::string& unit) {
+  return files::one_line(unit.empty() ? what : fmt::format("{} [{}]", what, unit));
+}
+
+void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& series, double unevenness) {
+  fmt::print("{}: {} samples, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
+             with_unit(series.name, series.unit), series.times.size(), series.times.front(),
+             series.times.back(), unevenness > tolerated_unevenness ? "mean " : "", series.mean_step(),
+             arguments.detrend);
+  const std::string unit = series.unit.empty() ? "" : fmt::format(" [{}]", files::one_line(series.unit));
+  fmt::print("{:>18} {:>18} {:>18} {:>18} {:>18} {:>18}\n", "frequency [Hz]", "error [Hz]",
+             "amplitude" + unit, "error" + unit, "phase [rad]", "error [rad]");
+}
+
+void print_line(const spectrum::Line& line, const std::string& frequency_error) {
+  fmt::print("{:>18.10g} {:>18} {:>18.10g} {:>18.10g} {:>18.10g} {:>18.10g}\n", line.frequency,
+             frequency_error, line.amplitude, line.amplitude_error, line.phase, line.phase_error);
+}
+
+void print_harmonics(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
+  using spectrum::Detrending;
+  const auto detrending =
+      arguments.detrend == "period-average" ? Detrending::period_average : Detrending::polynomial;
+  const spectrum::LockInOptions options = options_of(arguments, series);
+  const spectrum::LockInResult result = [&] {
+    try {
+      return lock_in(series.times, series.values, options, detrending);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", arguments.csv, error.what()), error.status());
+    }
+  }();
+  for (std::size_t k = 0; k < result.harmonics; ++k) print_line(result.lines[k], "-");
+  fmt::print("mean {:.10g}, rms of the rest {:.10g}, noise density at {:.10g} Hz {:.10g} per Hz\n",
+             result.mean, result.residual_rms, arguments.frequency, result.lines[0].noise_density);
+}
+
+void print_lines(const std::vector<spectrum::FoundLine>& lines) {
+  for (const spectrum::FoundLine& line : lines)
+    print_line(line, fmt::format("{:.10g}", line.frequency_error));
+  if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
+}
+
+ExitStatus analyse(const SpectrumArguments& arguments) {
+  const fs::path folder =
+      arguments.out.empty() ? fs::path(arguments.csv).parent_path() : fs::path(arguments.out);
+  const SpectrumFiles files(folder, arguments.csv);
+  const spectrum::TimeSeries series =
+      spectrum::read_time_series(arguments.csv, arguments.column, least_samples);
+  check_frequency(arguments, series);
+  const double unevenness = spectrum::unevenness(series.times);
+  const spectrum::AmplitudeSpectrum amplitudes =
+      unevenness > tolerated_unevenness
+          ? spectrum::amplitude_spectrum(series.mean_step(),
+                                         spectrum::at_equal_steps(series.times, series.values))
+          : spectrum::amplitude_spectrum(series.mean_step(), series.values);
+  print_head(arguments, series, unevenness);
+  if (arguments.frequency > 0)
+    print_harmonics(arguments, series);
+  else
+    print_lines(strongest_lines(series.times, series.values, amplitudes, most_lines));
+  if (unevenness > tolerated_unevenness)
+    report_warning(fmt::format(
+        "{}: the steps differ, so {} is of straight lines between samples; lines above are of the samples "
+        "themselves",
+        arguments.csv, SpectrumFiles::table_name));
+  files.write(amplitudes, series);
+  return ExitStatus::success;
+}
+
+}  // namespace
+
+void add_spectrum_verb(CommandLine& line) {
+  Verb verb = line.verb("spectrum", "Amplitudes, phases and their errors in a column of a time series");
+  auto a = std::make_shared<SpectrumArguments>();
+  verb.option("--csv", a->csv, "CSV file; its first column is the time in s").required().shown_as("FILE");
+  verb.option("--column", a->column, "Column, with or without its unit").required().shown_as("NAME");
+  verb.option("--frequency", a->frequency,
+              "Fit a sine of this frequency and its harmonics; default: the strongest lines")
+      .above_zero()
+      .shown_as("HZ");
+  verb.option(
+          "--detrend", a->detrend,
+          "What is removed with the fit at --frequency: a polynomial, or the mean over one period (default "
+          "linear)")
+      .one_of(detrendings);
+  verb.option("--out", a->out, "Directory of spectrum.csv and spectrum.png; default: that of the file")
+      .shown_as("DIR");
+  verb.footer(
+      "Phases are of sines and refer to t = 0; errors are standard errors from the noise near each line.\n"
+      "Example: scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
+  verb.action([a] { return analyse(*a); });
+}
+
+}  // namespace scree::tool
