@@ -88,6 +88,18 @@ TEST_CASE("layer: the bodies are those of the start, also after a resume", "[lay
   CHECK(sampled(q, s)["displacement"] == near(3.2, 5 * lattice_rounding));
 }
 
+TEST_CASE("layer: a probe that starts later takes the bodies that are there then, in the box", "[layer]") {
+  Simulation s(carried(3));
+  run(s, 250);  // two periods: each body is where it was, in another image
+  REQUIRE(s.particles().image[1][0] >= 2);
+  Probe p = probe_of("layer", {{"at", {0.0}}, {"half_width", {0.06}}}, 3);
+  CHECK(sampled(p, s)["bodies"] == 2);
+  CHECK(sampled(p, s)["displacement"] == 0);
+  CHECK(sampled(p, s)["position"] == near(0, 5 * lattice_rounding));
+  run(s, 150);
+  CHECK(sampled(p, s)["position"] == near(1.2, 5 * lattice_rounding));
+}
+
 TEST_CASE("layer: sampling leaves the motion as it is", "[layer]") {
   CHECK(leaves_the_motion("layer", {{"at", {0.3}}, {"half_width", {0.1}}}));
 }
