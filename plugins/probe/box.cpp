@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <scree/plugin/probe.hpp>
+#include <scree/plugin/walls.hpp>
 
 namespace {
 
@@ -64,11 +65,9 @@ struct BoxProbe {
   }
 
  private:
-  // The plane whose normal points along `sign` × axis, or −1.
+  // Index of the innermost wall at the lower (sign 1) or upper end (sign −1) of an axis, or −1.
   static int wall(const scree_view& view, int axis, int sign) {
-    for (std::uint32_t w = 0; w < view.plane_count; ++w)
-      if (view.planes[w].normal[axis] * sign > 0.999999) return int(w);
-    return -1;
+    return scree::wall_across({view.planes, view.plane_count}, axis, sign);
   }
   static double length(const scree_view& view, int axis) {
     return view.planes[wall(view, axis, -1)].point[axis] - view.planes[wall(view, axis, 1)].point[axis];

@@ -1,5 +1,6 @@
 // The motion of selected walls and the loads on them.
 
+#include <algorithm>
 #include <cmath>
 
 #include <scree/plugin/probe.hpp>
@@ -8,12 +9,15 @@ namespace {
 
 struct WallsProbe {
   scree_value numbers = {};
+  int dimension = 3;
 
   static constexpr scree::About about = {
       "walls", "position, velocity and load of selected walls",
-      "columns position_<n>, velocity_<n>, normal_force_<n>, tangential_force_<n> for each wall n\n"
+      "columns position_<n>, velocity_<n>, normal_force_<n>, tangential_force_<n>, displacement_x_<n>, ...,\n"
+      "force_x_<n>, ... for each wall n\n"
       "position = n·x_w, velocity = n·v_w    n: the wall's normal, pointing to the bodies\n"
-      "normal_force = −n·f, above 0 if compressive; tangential_force = |f − n (n·f)|    f: of all contacts",
+      "normal_force = −n·f, above 0 if compressive; tangential_force = |f − n (n·f)|    f: of all contacts\n"
+      "displacement = x_w − x_w(0), force = f, in components",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -23,26 +27,34 @@ struct WallsProbe {
         .required();
   }
 
+  void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
+
   void describe(scree_probe_instance& instance) const {
-    instance.column_count = std::uint32_t(numbers.count) * std::uint32_t(std::size(names));
+    instance.column_count = std::uint32_t(numbers.count) * per_wall();
+    instance.state_width = std::uint32_t(numbers.count) * 3;
   }
 
   scree::ColumnName column(std::uint32_t c) const {
-    const std::size_t q = c % std::size(names);
-    char name[SCREE_MAX_NAME];
-    std::snprintf(name, sizeof(name), "%s_%lld", names[q],
-                  static_cast<long long>(numbers.data[c / std::size(names)]));
-    return {name, units[q]};
+    const std::uint32_t q = c % per_wall(), scalars = std::uint32_t(std::size(names));
+    const std::uint32_t component = q - scalars, d = std::uint32_t(dimension);
+    const std::string wall = '_' + std::to_string(static_cast<long long>(numbers.data[c / per_wall()]));
+    if (q < scalars) return {names[q] + wall, units[q]};
+    const std::string axis(1, "xyz"[component % d]);
+    return component < d ? scree::ColumnName{"displacement_" + axis + wall, "m"}
+                         : scree::ColumnName{"force_" + axis + wall, "N"};
   }
 
-  std::string start(const scree_view& view, double*) const {
-    for (std::uint64_t k = 0; k < numbers.count; ++k)
+  // State: the point of each wall at the start.
+  std::string start(const scree_view& view, double* points) const {
+    for (std::uint64_t k = 0; k < numbers.count; ++k) {
       if (const std::string missing = scree::missing_wall(view, numbers.data[k]); !missing.empty())
         return missing;
+      std::copy_n(view.planes[std::size_t(numbers.data[k]) - 1].point, 3, points + 3 * k);
+    }
     return "";
   }
 
-  void sample(const scree_view& view, const double*, double* row) const {
+  void sample(const scree_view& view, const double* points, double* row) const {
     for (std::uint64_t k = 0; k < numbers.count; ++k) {
       const auto w = std::size_t(numbers.data[k]) - 1;
       const scree_plane& plane = view.planes[w];
@@ -57,12 +69,15 @@ struct WallsProbe {
       *row++ = dot(plane.normal, plane.velocity);
       *row++ = -along;
       *row++ = std::sqrt(across);
+      for (int i = 0; i < dimension; ++i) *row++ = plane.point[i] - points[3 * k + std::uint64_t(i)];
+      for (int i = 0; i < dimension; ++i) *row++ = load[i];
     }
   }
 
  private:
   static constexpr const char* names[] = {"position", "velocity", "normal_force", "tangential_force"};
   static constexpr const char* units[] = {"m", "m/s", "N", "N"};
+  std::uint32_t per_wall() const { return std::uint32_t(std::size(names)) + 2 * std::uint32_t(dimension); }
   static double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 };
 

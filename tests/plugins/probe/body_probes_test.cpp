@@ -94,6 +94,33 @@ TEST_CASE("walls: position and velocity along the normal of a moving wall", "[pr
   CHECK(w["velocity_3"] == Approx(0.05));
 }
 
+TEST_CASE("walls: a wall that is driven along itself shows its displacement and its load, with their signs",
+          "[probe]") {
+  for (const int dimension : {2, 3}) {
+    // The wall rubs at 0.05 m/s under a body that is pressed upon it: friction drags the body along.
+    Scene driven =
+        scene(dimension, 1e-5, {body(1, radius, mass, {{0, radius - 1e-4, 0}}, {}, {}, dimension)}, law);
+    add_boundary(driven, "plane",
+                 {{"point", {0, 0, 0}},
+                  {"normal", {0, 1, 0}},
+                  {"direction", {-1, 0, 0}},
+                  {"displacement", {3, 0, 0.5, 10}}});
+    Simulation s(driven);
+    Recorder w(s, "walls", {{"walls", {1}}});
+    CHECK(w.row.size() == std::size_t(4 + 2 * dimension));
+    CHECK(w["displacement_x_1"] == 0);
+    CHECK(w["force_y_1"] == Approx(-stiffness * 1e-4));
+    run(s, 10);
+    w.sample(s);
+    CHECK(w["displacement_x_1"] == Approx(-0.05 * 10 * 1e-5).epsilon(1e-12));
+    CHECK(w["displacement_y_1"] == 0);
+    CHECK(w["position_1"] == 0);
+    CHECK(w["force_x_1"] == w["tangential_force_1"]);  // against the motion, towards +x
+    CHECK(w["force_x_1"] > 0);
+    CHECK(w["force_y_1"] == -w["normal_force_1"]);
+  }
+}
+
 TEST_CASE("contact: in 2D the normal has two components", "[probe]") {
   Scene scene2 = scene(2, 1e-5, {body(1, radius, mass, {{0, radius - 1e-4, 0}}, {}, {}, 2)}, law);
   add_boundary(scene2, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
