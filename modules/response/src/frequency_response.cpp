@@ -30,12 +30,12 @@ std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& dri
     if (!analysed) factors.analyzePattern(matrix);
     analysed = true;
     factors.factorize(matrix);
-    Eigen::VectorXcd q = factors.solve(load);
-    if (factors.info() != Eigen::Success || !q.allFinite())
+    if (factors.info() != Eigen::Success)
       throw Error(
           fmt::format("the response at {:g} Hz is infinite: an undamped mode has this frequency; add "
                       "damping or take another frequency",
                       frequency));
+    Eigen::VectorXcd q = factors.solve(load);
     // One refinement, whose result is as exact as round-off of the matrix permits.
     q += factors.solve(load - matrix * q);
     const Eigen::VectorXcd residual = load - matrix * q, correction = factors.solve(residual);

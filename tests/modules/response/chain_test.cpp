@@ -125,3 +125,12 @@ TEST_CASE("an undamped chain driven by nothing stays at rest, and drives of anot
   CHECK_THROWS_WITH(solve(system, {.force = Eigen::VectorXcd::Ones(3)}, {1.0}),
                     "Drive::force has 3 components; give 40 or none");
 }
+
+TEST_CASE("a chain that nothing holds has no static response", "[response]") {
+  const Scene scene = test::scene(2, 1e-4, row(0), {{"normal_stiffness", {k}}, {"normal_damping", {0}}});
+  const LinearSystem system = assemble(Simulation(scene), {.fewest_contacts = 1});
+  const Drive drive = {.force = Eigen::VectorXcd::Unit(system.freedom.size(), 0)};
+  // Its stiffness has an exact zero pivot: all its numbers are multiples of k/m.
+  CHECK_THROWS_WITH(solve(system, drive, {0.0}), Catch::Contains("the response at 0 Hz is infinite"));
+  CHECK(solve(system, drive, {1.0})[0].error < 1e-10);
+}
