@@ -11,6 +11,7 @@ struct ContactList {
   std::vector<double> normal, force;  // (contacts, 3): unit vector from b to a; force on a (N)
   std::vector<double> overlap;        // (m)
   std::vector<std::uint8_t> sliding;  // 1 while the contact slides
+  std::vector<std::uint32_t> law;     // index into Scene::laws
   std::vector<std::size_t> pair;      // index into the pair arrays
 
   std::size_t size() const { return a.size(); }

@@ -77,6 +77,8 @@ class Simulation {
   Vec3 lengths() const;
   const Vec3& lengths_at_start() const;
   ContactList contact_list() const;
+  // What the law of a pair of the contact list keeps in a history column; 0 for columns that it does not have.
+  double contact_history(std::size_t pair, std::uint32_t column) const;
   // What was taken over from a state, "walls of 'box'"; empty for a new packing.
   const std::vector<std::string>& taken_over() const;
 

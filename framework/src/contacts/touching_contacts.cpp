@@ -44,6 +44,7 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
       list.overlap.push_back(reach - distance);
       list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
                              group.history_of(q, std::uint32_t(sliding_column)) > 0);
+      list.law.push_back(group.law);
       list.pair.push_back(q);
     }
   }

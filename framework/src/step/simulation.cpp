@@ -188,6 +188,13 @@ ContactList Simulation::contact_list() const {
   return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain());
 }
 
+double Simulation::contact_history(std::size_t pair, std::uint32_t column) const {
+  for (const PairGroup& group : parts_->contacts.groups())
+    if (pair >= group.begin && pair < group.end)
+      return column < group.history_width ? group.history_of(pair, column) : 0;
+  return 0;
+}
+
 scree_energy Simulation::energy() const {
   const Particles& p = parts_->particles;
   // Velocities at the time at which the stored energies were evaluated.

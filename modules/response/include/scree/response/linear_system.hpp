@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include <scree/response/degrees_of_freedom.hpp>
+#include <scree/simulation.hpp>
+
+namespace scree::response {
+
+// Small motions q of a packing about its present state, with its walls displaced by w:
+//   M q″ + C q′ + K q = f − C_w w′ − K_w w
+// q: translations (m) and rotations (rad) of the bodies that are held. Rows are forces (N) and torques (N m).
+struct LinearSystem {
+  DegreesOfFreedom freedom;
+  Eigen::SparseMatrix<double> stiffness, damping;  // K, C: (q, q)
+  Eigen::VectorXd mass;                            // M: (q) masses (kg), moments of inertia (kg m²)
+  Eigen::SparseMatrix<double> wall_stiffness, wall_damping;  // K_w, C_w: (q, walls × dimension)
+  std::vector<std::uint32_t> rattlers;                       // bodies that are left out, in ascending order
+};
+
+struct AssemblyOptions {
+  // Fewest contacts with other held bodies or walls that hold a body; 0: D + 1 where none of its contacts can
+  // exert a tangential force, else 2.
+  int fewest_contacts = 0;
+};
+
+// Linearises all contacts and body forces at the present positions, orientations and springs, with bodies and
+// walls at rest. Contacts that slide go on sliding, the others go on sticking. Throws Error if a law reads
+// orientations or has no derivatives, or if no body is held.
+LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
+
+}  // namespace scree::response

@@ -1,0 +1,48 @@
+#include "contact_geometry.hpp"
+
+#include <Eigen/Geometry>
+
+namespace scree::response {
+
+Block ContactGeometry::crossing(const Eigen::Vector3d& v) const {
+  Block matrix(dimension, spins);
+  for (int s = 0; s < spins; ++s) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(dimension == 2 ? 2 : s);
+    matrix.col(s) = v.cross(axis).head(dimension);
+  }
+  return matrix;
+}
+
+Block ContactGeometry::turning_of_lever(double arm, const Eigen::Vector3d& force) const {
+  const Eigen::VectorXd n = normal.head(dimension), f = force.head(dimension);
+  const Eigen::MatrixXd across = Eigen::MatrixXd::Identity(dimension, dimension) - n * n.transpose();
+  Block change = -arm * inverse_distance * crossing(force).transpose() * across;
+  if (arms_change) change += 0.5 * crossing(normal).transpose() * f * n.transpose();
+  return change;
+}
+
+Block ContactGeometry::of_bodies(const Motion& motion, const Eigen::Vector3d& force) const {
+  const int D = dimension, S = spins, of_body = D + S;
+  // u, w and θ_a − θ_b by the motions of a and b.
+  Block u = Block::Zero(D, 2 * of_body), w = Block::Zero(S, 2 * of_body), rotation = w;
+  u.leftCols(D).setIdentity();
+  u.middleCols(of_body, D) = -Block::Identity(D, D);
+  w.middleCols(D, S) = arm_a * Block::Identity(S, S);
+  w.rightCols(S) = arm_b * Block::Identity(S, S);
+  rotation.middleCols(D, S).setIdentity();
+  rotation.rightCols(S) = -Block::Identity(S, S);
+
+  const Block force_change =
+      motion.force_by_displacement * u + motion.force_by_turning * w + motion.force_by_rotation * rotation;
+  const Block couple_change =
+      motion.couple_by_displacement * u + motion.couple_by_turning * w + motion.couple_by_rotation * rotation;
+  const Block lever = crossing(normal).transpose() * force_change;
+  Block result(2 * of_body, 2 * of_body);
+  result.topRows(D) = -force_change;
+  result.middleRows(D, S) = -(arm_a * lever + turning_of_lever(arm_a, force) * u + couple_change);
+  result.middleRows(of_body, D) = force_change;
+  result.bottomRows(S) = -(arm_b * lever + turning_of_lever(arm_b, force) * u - couple_change);
+  return result;
+}
+
+}  // namespace scree::response

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "contact_terms.hpp"
+
+#include <Eigen/Core>
+
+namespace scree::response {
+
+// How the motion of two bodies moves their contact point, and how its force turns them. With n: normal,
+// l: lever arms, u = u_a − u_b, w = l_a θ_a + l_b θ_b, X: matrix of θ ↦ n × θ,
+//   u + X w                displacement of a's contact point relative to b's
+//   l Xᵀ f ± c             torques
+struct ContactGeometry {
+  int dimension, spins;
+  Eigen::Vector3d normal;
+  double arm_a, arm_b;      // (m)
+  double inverse_distance;  // (1/m) 0 for a wall
+  bool arms_change;         // arms end at the contact point, which moves with half the overlap
+
+  // Derivatives of force and couple on a with the motion of the contact, (D, ...) and (S, ...).
+  struct Motion {
+    Block force_by_displacement, couple_by_displacement;  // u
+    Block force_by_turning, couple_by_turning;            // w
+    Block force_by_rotation, couple_by_rotation;          // θ_a − θ_b
+  };
+  // Negative derivatives of forces and torques on a and b with their displacements and rotations. `force` (N)
+  // on a turns with the normal; with zero force the same holds for velocities.
+  Block of_bodies(const Motion& motion, const Eigen::Vector3d& force) const;
+
+  // Matrix (D, S) of θ ↦ v × θ.
+  Block crossing(const Eigen::Vector3d& v) const;
+
+ private:
+  // Derivative of l (n × ·)ᵀ f with u, at constant f: normal and arm change. (S, D)
+  Block turning_of_lever(double arm, const Eigen::Vector3d& force) const;
+};
+
+}  // namespace scree::response

@@ -1,0 +1,163 @@
+#include "contact_terms.hpp"
+
+#include "contact_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <scree/contact_columns.hpp>
+#include <scree/contact_jacobian.hpp>
+#include <scree/error.hpp>
+
+namespace scree::response {
+
+namespace {
+
+// Displacement of sliding contacts along their slip, over the overlap. Their springs are as long as friction
+// allows; this makes them longer than the round-off of that length, so that the law finds them sliding.
+constexpr double slip = 1e-9;
+
+// Contacts of one law.
+class LawContacts {
+ public:
+  LawContacts(const Simulation& simulation, const ContactList& list, std::uint32_t law, int spins)
+      : simulation_(simulation),
+        list_(list),
+        law_(simulation.scene().laws[law].parameters, simulation.dimension(), no_bounds, no_bounds),
+        jacobian_(law_, simulation.dimension()),
+        spins_(spins) {
+    for (std::size_t c = 0; c < list.size(); ++c)
+      if (list.law[c] == law) contacts_.push_back(c);
+    const std::uint32_t orientation = 1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B;
+    if (!contacts_.empty() && law_.instance().reads & orientation)
+      throw Error(
+          fmt::format("contact law '{}' reads orientations, which a linear response does not follow; "
+                      "use a law with tangential springs",
+                      simulation.scene().laws[law].name));
+  }
+
+  void append_terms(std::vector<ContactTerms>& terms) const {
+    if (contacts_.empty()) return;
+    ContactColumns columns(contacts_.size());
+    std::vector<double> inverse_distance((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      fill(columns, i);
+      inverse_distance[i] = geometry(contacts_[i]).inverse_distance;
+    }
+    ContactColumns at_rest = columns;
+    at_rest.evaluate(law_, simulation_.step_length());
+    let_slide(columns, at_rest);
+
+    std::vector<double> turning, straight;
+    const scree_contact_batch batch = columns.batch(simulation_.step_length());
+    jacobian_.evaluate(batch, inverse_distance.data(), turning);
+    jacobian_.evaluate(batch, std::vector<double>(inverse_distance.size(), 0.0).data(), straight);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const std::size_t c = contacts_[i];
+      const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
+      const Eigen::Vector3d f(force[0], force[1], simulation_.dimension() == 2 ? 0 : force[2]);
+      const ContactGeometry contact = geometry(c);
+      terms.push_back({list_.a[c], list_.b[c],
+                       law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
+                       contact.of_bodies(displacements(turning, straight, i, contact), f),
+                       contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
+    }
+  }
+
+ private:
+  bool is_wall(std::size_t c) const { return list_.b[c] >= simulation_.particles().size(); }
+
+  ContactGeometry geometry(std::size_t c) const {
+    const Particles& p = simulation_.particles();
+    const double radius_a = p.radius()[list_.a[c]], radius_b = is_wall(c) ? 0 : p.radius()[list_.b[c]];
+    const double distance = radius_a + radius_b - list_.overlap[c];
+    const bool to_contact_point = law_.instance().arms == SCREE_ARM_CONTACT_POINT;
+    const double reach = to_contact_point ? distance : radius_a + radius_b;
+    return {.dimension = simulation_.dimension(),
+            .spins = spins_,
+            .normal = Eigen::Map<const Eigen::Vector3d>(list_.normal.data() + 3 * c),
+            .arm_a = 0.5 * (reach + radius_a - radius_b),
+            .arm_b = is_wall(c) ? 0 : 0.5 * (reach - radius_a + radius_b),
+            .inverse_distance = is_wall(c) ? 0 : 1 / distance,
+            .arms_change = to_contact_point};
+  }
+
+  // A contact of bodies at rest.
+  void fill(ContactColumns& columns, std::size_t i) const {
+    const Particles& p = simulation_.particles();
+    const std::size_t c = contacts_[i], a = list_.a[c], b = list_.b[c];
+    for (int k = 0; k < 3; ++k) columns.input(SCREE_NORMAL, k, i) = list_.normal[3 * c + std::size_t(k)];
+    columns.input(SCREE_OVERLAP, 0, i) = list_.overlap[c];
+    const double inverse_mass = p.inverse_mass()[a] + (is_wall(c) ? 0 : p.inverse_mass()[b]);
+    columns.input(SCREE_REDUCED_MASS, 0, i) = 1 / inverse_mass;
+    columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) =
+        is_wall(c) ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]);
+    for (std::uint32_t k = 0; k < law_.instance().history_width; ++k)
+      columns.history(k, i) = simulation_.contact_history(list_.pair[c], k);
+  }
+
+  // The tangential force on a is opposite to its slip.
+  void let_slide(ContactColumns& columns, const ContactColumns& at_rest) const {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const std::size_t c = contacts_[i];
+      if (!list_.sliding[c]) continue;
+      const Vec3 normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
+      Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
+      if (simulation_.dimension() == 2) force[2] = 0;
+      const Vec3 along = force - dot(force, normal) * normal;
+      const double length = norm(along);
+      if (length > 0) columns.set(SCREE_TANGENTIAL_INCREMENT, -slip * list_.overlap[c] / length * along, i);
+    }
+  }
+
+  // Part of the Jacobian of contact i: `count` columns from `first`, forces and couples.
+  struct Part {
+    Block force, couple;
+  };
+  Part part(const std::vector<double>& jacobian, std::size_t i, int first, int count) const {
+    using Whole = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const int rows = jacobian_.rows(), columns = jacobian_.columns(), D = simulation_.dimension();
+    const Eigen::Map<const Whole> whole(jacobian.data() + i * std::size_t(rows * columns), rows, columns);
+    return {whole.block(0, first, D, count), whole.block(D, first, spins_, count)};
+  }
+
+  // The normal turns with the centres, and not when the bodies rotate.
+  ContactGeometry::Motion displacements(const std::vector<double>& turning,
+                                        const std::vector<double>& straight, std::size_t i,
+                                        const ContactGeometry& contact) const {
+    const int D = simulation_.dimension();
+    const Part by_centres = part(turning, i, 0, D), by_surfaces = part(straight, i, 0, D);
+    const Part by_rotation = part(straight, i, D, spins_);
+    const Block lever = contact.crossing(contact.normal);
+    return {by_centres.force,           by_centres.couple, by_surfaces.force * lever,
+            by_surfaces.couple * lever, by_rotation.force, by_rotation.couple};
+  }
+
+  ContactGeometry::Motion velocities(const std::vector<double>& straight, std::size_t i,
+                                     const ContactGeometry& contact) const {
+    const int D = simulation_.dimension();
+    const Part by_velocity = part(straight, i, jacobian_.rows(), D);
+    const Part by_spin = part(straight, i, jacobian_.rows() + D, spins_);
+    const Block lever = contact.crossing(contact.normal);
+    return {by_velocity.force,          by_velocity.couple, by_velocity.force * lever,
+            by_velocity.couple * lever, by_spin.force,      by_spin.couple};
+  }
+
+  const Simulation& simulation_;
+  const ContactList& list_;
+  ConfiguredLaw law_;
+  ContactJacobian jacobian_;
+  int spins_;
+  std::vector<std::size_t> contacts_;  // indices into the list
+};
+
+}  // namespace
+
+std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins) {
+  const ContactList list = simulation.contact_list();
+  std::vector<ContactTerms> terms;
+  for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
+    LawContacts(simulation, list, law, spins).append_terms(terms);
+  return terms;
+}
+
+}  // namespace scree::response

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scree/simulation.hpp>
+
+namespace scree::response {
+
+// At most 12 × 12: translations and rotations of two bodies.
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
+
+// A contact, linearised: negative derivatives of forces and torques with the displacements and velocities of
+// its two bodies. Rows and columns: translations and rotations of a, then those of b.
+struct ContactTerms {
+  std::uint32_t a, b;  // as in ContactList
+  bool tangential;     // the law exerts tangential forces or couples
+  Block stiffness, damping;
+};
+
+// spins: rotations of a body that count, 0, 1 or 3. Throws Error as `assemble` does.
+std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins);
+
+}  // namespace scree::response

@@ -1,0 +1,48 @@
+#include "mass_weighted.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/SparseLU>
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/response/frequency_response.hpp>
+
+namespace scree::response {
+
+namespace {
+
+double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
+
+}  // namespace
+
+std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& drive,
+                                    const std::vector<double>& frequencies_hz) {
+  const MassWeighted weighted(system);
+  Eigen::SparseLU<ComplexMatrix> factors;
+  bool analysed = false;
+  std::vector<HarmonicResponse> responses;
+  for (const double frequency : frequencies_hz) {
+    const double omega = 2 * std::numbers::pi * frequency;
+    const ComplexMatrix matrix = weighted.dynamic_stiffness(omega);
+    const Eigen::VectorXcd load = weighted.load(drive, omega);
+    if (!analysed) factors.analyzePattern(matrix);
+    analysed = true;
+    factors.factorize(matrix);
+    if (factors.info() != Eigen::Success)
+      throw Error(
+          fmt::format("the response at {:g} Hz is infinite: an undamped mode has this frequency; add "
+                      "damping or take another frequency",
+                      frequency));
+    Eigen::VectorXcd q = factors.solve(load);
+    // One refinement, whose result is as exact as round-off of the matrix permits.
+    q += factors.solve(load - matrix * q);
+    const Eigen::VectorXcd residual = load - matrix * q, correction = factors.solve(residual);
+    responses.push_back({frequency, weighted.amplitude(q), ratio(residual.norm(), load.norm()),
+                         ratio(correction.norm(), q.norm())});
+  }
+  return responses;
+}
+
+}  // namespace scree::response
