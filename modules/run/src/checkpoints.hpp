@@ -13,7 +13,7 @@
 namespace scree::run {
 
 // The states in the directory of a run: checkpoint/step_<number>.h5, of which the two latest are kept, and
-// final_state.h5. Functions that write throw Error (failure).
+// final_state.h5: their names. add() throws Error (failure).
 class Checkpoints {
  public:
   explicit Checkpoints(const RunDirectory& directory) : directory_(directory) {}
@@ -33,8 +33,8 @@ class Checkpoints {
   std::optional<Latest> latest(const std::function<void(const std::string&)>& report) const;
 
  private:
-  std::filesystem::path folder() const { return directory_.path() / "checkpoint"; }
   static constexpr const char* final_name = "final_state.h5";
+  std::filesystem::path folder() const { return directory_.path() / "checkpoint"; }
   // Sorted from the latest to the first.
   std::vector<std::filesystem::path> all() const;
 
