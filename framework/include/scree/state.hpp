@@ -35,8 +35,8 @@ class State {
   // Adds an array or replaces it.
   void put(const std::string& path, StateArray array) { arrays_[path] = std::move(array); }
   const std::map<std::string, StateArray, std::less<>>& arrays() const { return arrays_; }
-  // Bytes of all numbers.
-  std::size_t bytes() const;
+  // Takes the arrays of another state whose paths are not here.
+  void merge(State&& other) { arrays_.merge(other.arrays_); }
   friend bool operator==(const State&, const State&) = default;
 
  private:

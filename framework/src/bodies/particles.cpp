@@ -58,7 +58,7 @@ void Particles::transfer_images(const StateTransfer& state) {
   std::vector<std::int32_t> all(size() * width);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = image[i % width][i / width];
   state.sized_rows("image", "1", all, width);
-  for (std::size_t i = 0; i < all.size(); ++i) image[i % width][i / width] = all[i];
+  for (std::size_t i = 0; i < all.size() && state.restoring(); ++i) image[i % width][i / width] = all[i];
 }
 
 Body Particles::body(std::size_t i) const {

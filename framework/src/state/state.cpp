@@ -32,12 +32,4 @@ const StateArray& State::at(std::string_view path) const {
   return found->second;
 }
 
-std::size_t State::bytes() const {
-  std::size_t bytes = 0;
-  for (const auto& [path, array] : arrays_)
-    bytes +=
-        std::visit([](const auto& numbers) { return numbers.size() * sizeof(numbers[0]); }, array.values);
-  return bytes;
-}
-
 }  // namespace scree

@@ -102,15 +102,20 @@ void Simulation::start_audits() {
 }
 
 State Simulation::state() const {
-  // Takes as long as a third of the copy, beside which it is computed.
-  std::future<std::uint64_t> hashed = std::async(std::launch::async, [this] { return state_hash(); });
+  // The pairs are about half of the bytes: two threads copy a state in half of the time.
+  std::future<State> copied = std::async(std::launch::async, [this] {
+    State pairs;
+    parts_->transfer_pairs(StateTransfer::saving_to(pairs));
+    return pairs;
+  });
   State state;
   const StateTransfer to = StateTransfer::saving_to(state);
   save_scene(to.below("scene"), parts_->scene);
   save_bodies_at_start(to, parts_->scene);
-  parts_->transfer(to);
-  std::uint64_t hash = hashed.get();
+  parts_->transfer_all_but_pairs(to);
+  std::uint64_t hash = state_hash();
   to.value("state_hash", "", hash);
+  state.merge(copied.get());
   return state;
 }
 

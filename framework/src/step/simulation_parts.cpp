@@ -119,19 +119,27 @@ SimulationParts::SimulationParts(const Scene& given)
 }
 
 void SimulationParts::transfer(const StateTransfer& state) {
+  transfer_all_but_pairs(state);
+  transfer_pairs(state);
+}
+
+void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
   stepper.transfer(state.below("clock"));
   const bool mid_step = stepper.forces_at() == Stepper::ForcesAt::middle_of_step;
   particles.transfer(state.below("bodies"), mid_step);
   boundaries.transfer(state.below("walls"), mid_step);
-  contacts.transfer(state.below("contacts"), particles.size(), boundaries.planes().size());
-  neighbours.transfer(state.below("neighbours"), particles, boundaries);
-  forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size());
   integrator->transfer(state.below("integrator"));
   contact_sums.transfer(state.below("sums/contacts"));
   body_sums.transfer(state.below("sums/body_forces"));
   audit.transfer(state.below("audit/energy"));
   momentum_audit.transfer(state.below("audit/momentum"));
   state.numbers("start/lengths", "m", lengths_at_start.component, 3);
+}
+
+void SimulationParts::transfer_pairs(const StateTransfer& state) {
+  contacts.transfer(state.below("contacts"), particles.size(), boundaries.planes().size());
+  neighbours.transfer(state.below("neighbours"), particles, boundaries);
+  forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size());
 }
 
 void SimulationParts::configure_laws() {

@@ -30,6 +30,9 @@ struct SimulationParts {
   void configure_laws();
   // All that changes in a run.
   void transfer(const class StateTransfer& state);
+  // The two halves of it: the pairs follow the bodies and walls when restoring, and have no order when saving.
+  void transfer_all_but_pairs(const class StateTransfer& state);
+  void transfer_pairs(const class StateTransfer& state);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
 
   Scene scene;
