@@ -101,6 +101,10 @@ class Simulation {
   // Everything that the simulation is, between two steps: its scene (see scene_record.hpp) and what has
   // changed since the start.
   State state() const;
+  // The same in two parts: what changes, copied between two steps, and what stays as it was at the start (bodies and
+  // their first motion), which may be added by another thread while the simulation goes on.
+  State changing_state() const;
+  void add_unchanging_state(State& state) const;
   Footprint footprint() const;
 
   // For the framework and its tests only; the types are private.

@@ -174,9 +174,9 @@ class Run {
                   SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
   }
 
-  // The list of files must contain that of the state already.
+  // But what does not change, which the writer adds. The list of files must contain that of the state already.
   State save_state() {
-    State state = simulation_->state();
+    State state = simulation_->changing_state();
     const StateTransfer to = StateTransfer::saving_to(state).below("run");
     std::string scenario = plan_.resolved_text;
     to.value("scenario", "", scenario);

@@ -80,6 +80,8 @@ struct ParticlesKeys : TableKeys {
   StringKey material =
       string("material", "", "of bodies without one in the file", "required with several materials");
   Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "default 0", "added to all bodies");
+  Key velocity_gradient = other("velocity_gradient", "[x, y, z]", Range::any("1/s"), "default 0",
+                                "times the coordinates of a body, added to its velocity");
   NumberKey random_velocity = number("random_velocity", Range::non_negative("m/s"), 0,
                                      "standard deviation of each component, added to all bodies");
 };
