@@ -283,6 +283,7 @@ RunResult run_from(const State* state, const scenario::Plan& plan, const RunOpti
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
+  require_stages(plan);
   RunDirectory directory = directory_of(plan, options);
   return run_from(nullptr, plan, options, directory);
 }

@@ -39,7 +39,9 @@ ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::ve
   check_complete(t, probe.parameters);
   probe.name = t.string(probe_keys.name, probe.parameters.plugin().name);
   check_file_name(t, probe.name);
-  probe.every = read_interval(t, probe_keys.every, scene.step);
+  // Without stages nothing is sampled by time.
+  if (!stages.empty() || t.optional(probe_keys.every))
+    probe.every = read_interval(t, probe_keys.every, scene.step);
   if (t.optional(probe_keys.stages)) probe.stages = t.strings(probe_keys.stages);
   for (std::size_t k = 0; k < probe.stages.size(); ++k)
     find_name(t, "stages", "stage", probe.stages[k], stages, k);
