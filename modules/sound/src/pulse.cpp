@@ -44,13 +44,14 @@ RoadSpectrum pulse_spectrum(const Start& start) {
   const auto began = Clock::now();
   const scenario::SpectrumPlan& plan = start.spectrum();
   const DrivenWalls walls(start);
-  PulseRecord full(start, walls, plan.amplitude), half(start, walls, 0.5 * plan.amplitude);
+  PulseRecord undriven(start, walls, 0, nullptr), full(start, walls, plan.amplitude, &undriven),
+      half(start, walls, 0.5 * plan.amplitude, &undriven);
   if (!full.until_decay() || !half.until_samples(full.samples()))
     throw Error("interrupted while the response to the pulse was recorded", ExitStatus::interrupted);
   RoadSpectrum road{.road = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
-  road.steps = full.steps() + half.steps();
+  road.steps = undriven.steps() + full.steps() + half.steps();
   for (std::size_t c = 0; c < plan.observed.size(); ++c) {
-    const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_rest(c)) : 1;
+    const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
     road.columns.push_back(column_of(full, half, c, road.frequencies, scale));
     note_tail(full, c, plan, road);
   }

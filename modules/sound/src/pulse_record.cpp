@@ -22,9 +22,11 @@ double ricker_frequency(const SpectrumPlan& plan) { return 0.5 * (plan.from_hz +
 
 }  // namespace
 
-PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double amplitude)
+PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double amplitude,
+                         PulseRecord* undriven)
     : start_(start),
       walls_(walls),
+      undriven_(undriven),
       observer_(start.plan),
       simulation_(std::make_unique<Simulation>(start.scene, start.state)),
       first_(simulation_->steps()),
@@ -32,8 +34,8 @@ PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double am
   const SpectrumPlan& plan = start.spectrum();
   stride_ = std::max<std::uint64_t>(
       1, std::uint64_t(1 / (plan.to_hz * plan.samples_per_period * start.scene.step)));
-  rest_ = observer_.values(*simulation_);
-  columns_.assign(rest_.size(), {0.0});
+  at_start_ = observer_.values(*simulation_);
+  columns_.assign(at_start_.size(), {0.0});
   drive_ = {0.0};
   start_wave(*simulation_, plan, wave_);
 }
@@ -50,13 +52,15 @@ double PulseRecord::end_of_pulse() const { return 2 * wave_[3]; }
 double PulseRecord::length() const { return double(samples() * stride_) * start_.scene.step; }
 
 bool PulseRecord::sample_next() {
+  if (undriven_ && !undriven_->until_samples(samples() + 1)) return false;
   const std::uint64_t next = simulation_->steps() + stride_;
   while (simulation_->steps() < next) {
     simulation_->run(next - simulation_->steps(), [this] { return start_.proceeds(); });
     if (!start_.proceeds()) return false;
   }
   const std::vector<double>& values = observer_.values(*simulation_);
-  for (std::size_t c = 0; c < values.size(); ++c) columns_[c].push_back(values[c] - rest_[c]);
+  for (std::size_t c = 0; c < values.size(); ++c)
+    columns_[c].push_back(values[c] - at_start_[c] - (undriven_ ? undriven_->columns_[c][samples()] : 0));
   const scree_value program = {.data = wave_.data(), .count = wave_.size()};
   drive_.push_back(walls_.are_prescribed()
                        ? walls_.drive_of(simulation_->planes())
@@ -85,7 +89,7 @@ bool PulseRecord::until_decay() {
 bool PulseRecord::until_samples(std::size_t samples) {
   while (drive_.size() < samples) {
     if (!sample_next()) return false;
-    if (drive_.size() % 1024 == 0)
+    if (undriven_ && drive_.size() % 1024 == 0)
       start_.on_progress(0.5 + 0.5 * double(drive_.size()) / double(samples), "pulse of half the amplitude");
   }
   return true;

@@ -12,10 +12,12 @@
 
 namespace scree::sound {
 
-// A run in which a wall makes one pulse, recorded as deviations from rest at equal steps.
+// A run in which a wall makes one pulse, recorded at equal steps as deviations from a run without: what the packing does by itself
+// is left out.
 class PulseRecord {
  public:
-  PulseRecord(const Start& start, const DrivenWalls& walls, double amplitude);
+  // undriven: that with amplitude 0, which is recorded as far as needed; null for itself.
+  PulseRecord(const Start& start, const DrivenWalls& walls, double amplitude, PulseRecord* undriven);
 
   // Records until the response has decayed, at most for longest_pulse. False if it was stopped.
   bool until_decay();
@@ -30,8 +32,8 @@ class PulseRecord {
   std::complex<double> column_at(std::size_t column, double frequency) const {
     return integral(columns_[column], frequency);
   }
-  // The value of a column at rest.
-  double at_rest(std::size_t column) const { return rest_[column]; }
+  // The value of a column at the start.
+  double at_start(std::size_t column) const { return at_start_[column]; }
   // Estimate of the integral of |column| behind the record if it goes on to decay as in its last half; infinite if it
   // did not.
   double beyond(std::size_t column) const;
@@ -48,12 +50,13 @@ class PulseRecord {
 
   const Start& start_;
   const DrivenWalls& walls_;
+  PulseRecord* undriven_;
   Observer observer_;
   std::unique_ptr<Simulation> simulation_;
   std::uint64_t first_ = 0, stride_ = 1;  // steps
   Wave wave_;
-  std::vector<double> rest_, drive_;
-  std::vector<std::vector<double>> columns_;
+  std::vector<double> at_start_, drive_;
+  std::vector<std::vector<double>> columns_;  // of the undriven run: deviations from the start
 };
 
 }  // namespace scree::sound

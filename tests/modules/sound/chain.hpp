@@ -27,7 +27,7 @@ struct Chain {
         "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
         "[[body_force]]\nplugin = 'gravity'\nacceleration = [0, 0, {}]\n"
         "[[body_force]]\nplugin = 'background_damping'\ntranslational = {}\n"
-        "[[probe]]\nplugin = 'particles'\nids = [1, {}]\n",
+        "[[probe]]\nplugin = 'particles'\nevery = 1e-3\nids = [1, {}]\n",
         step, stiffness, damping, -gravity, drag, beads);
     double top = 0;
     for (int i = 1; i <= beads; ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -76,6 +77,42 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
   CHECK(message([&] { resume_measurement(parted.options, host()); }).find("the spectrum is finished") !=
         std::string::npos);
+}
+
+TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[sound]") {
+  const std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+  Bench whole(text), parted(text);
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  parted.options.on_progress = [&](double, double, const std::string& what) {
+    stop = what.starts_with("pulse");
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(first.roads.size() == 1);
+  stop = false;
+  parted.options.on_progress = {};
+  parted.options.roads = {Road::sweep};
+  CHECK(resume_measurement(parted.options, host()).roads.size() == 3);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
+TEST_CASE("stages run before the roads are taken", "[sound]") {
+  // A floor that stays where its stage has brought it.
+  const std::string text =
+      with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nfewest_contacts = 1\n"), "displacement = 0",
+           "displacement = {from = 0, to = 0.001, duration = 0.05}") +
+      "[[stage]]\nduration = 0.2\n";
+  Bench bench(text);
+  bench.options.roads = {Road::linear};
+  std::set<std::string> seen;
+  bench.options.on_progress = [&](double, double, const std::string& what) { seen.insert(what); };
+  const Measurement m = measure(bench.plan, bench.options);
+  CHECK(seen.contains("stage 1"));
+  CHECK(std::abs(m.roads.at(0).columns[1].response[0] - Chain().response(Chain::beads, 80)) < 1e-6);
 }
 
 TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[sound]") {
