@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <scree/run/input_hashes_json.hpp>
+
 namespace scree::run {
 
 namespace {
@@ -44,13 +46,6 @@ Json stages_of(const RunResult& result) {
   return json;
 }
 
-Json inputs_of(const InputHashes& hashes) {
-  Json json = Json::object();
-  if (!hashes.bodies.empty()) json["bodies"] = hashes.bodies;
-  json["plugins"] = Json(hashes.plugins);
-  return json;
-}
-
 }  // namespace
 
 std::string run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
@@ -76,7 +71,7 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["stages"] = stages_of(result);
   json["expect"] = Json::array();
   for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
-  json["inputs"] = inputs_of(result.inputs);
+  json["inputs"] = json_of(result.inputs);
   json["scenario"] = plan.resolved_text;
   // replace: a path in an error message may not be valid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

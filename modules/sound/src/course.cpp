@@ -35,6 +35,8 @@ Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, ru
   result_.title = title_of(plan);
   result_.observed = plan.spectrum->observed;
   result_.directory = directory.path();
+  result_.scenario = plan.resolved_text;
+  result_.inputs = run::hashes_of(plan.files);
 }
 
 Measurement Course::begin() {
@@ -49,8 +51,7 @@ Measurement Course::begin() {
     simulation.reset();
     take_roads();
   } catch (const Error& error) {
-    if (error.status() == ExitStatus::bad_input) directory_.discard();
-    throw;
+    fail(error);
   }
   return finish();
 }
@@ -62,8 +63,23 @@ Measurement Course::resume(const State& state) {
   if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
   directory_.create();
   write_record("running", result_, directory_);
-  take_roads();
+  try {
+    take_roads();
+  } catch (const Error& error) {
+    fail(error);
+  }
   return finish();
+}
+
+// What is complete stays, unless the input was refused before a road was taken.
+void Course::fail(const Error& error) {
+  if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_) {
+    directory_.discard();
+  } else if (error.status() != ExitStatus::interrupted) {
+    result_.error = error.what();
+    write_record("failed", result_, directory_);
+  }
+  throw error;
 }
 
 void Course::set_start(State state) {
@@ -165,7 +181,8 @@ void Course::transfer(const StateTransfer& state) {
   for (std::size_t k = 0; k < count; ++k) result_.roads[k].transfer(state.below("road_" + std::to_string(k)));
 }
 
-void Course::warn(const std::string& line) const {
+void Course::warn(const std::string& line) {
+  result_.warnings.push_back(line);
   if (options_.on_warning) options_.on_warning(line);
 }
 

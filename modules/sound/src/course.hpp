@@ -36,7 +36,8 @@ class Course {
   void write_sweep_table();
   void write_state(const State& state);
   void transfer(const StateTransfer& state);
-  void warn(const std::string& line) const;
+  void warn(const std::string& line);
+  [[noreturn]] void fail(const Error& error);
   Measurement finish();
   double seconds() const;  // of wall time so far
 

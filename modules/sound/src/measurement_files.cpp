@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/csv_line.hpp>
+#include <scree/run/input_hashes_json.hpp>
 #include <scree/snapshot/load_backend.hpp>
 
 namespace scree::sound {
@@ -57,6 +58,20 @@ std::string peak_table(const Measurement& m) {
   return text;
 }
 
+// By road, column and number, so that each number has a name of its own: peaks.pulse.strain.strain.peak_1.frequency.
+Json peaks_of(const Measurement& m) {
+  Json peaks = Json::object();
+  for (const Resonance& r : m.resonances) {
+    const spectrum::Mode& mode = r.mode;
+    Json& of_column = peaks[m.roads[r.road].road][m.observed[r.column].name];
+    of_column[fmt::format("peak_{}", of_column.size() + 1)] = {
+        {"frequency", mode.frequency}, {"frequency_error", mode.frequency_error},
+        {"quality", mode.quality},     {"quality_error", mode.quality_error},
+        {"amplitude", mode.amplitude}, {"amplitude_error", mode.amplitude_error}};
+  }
+  return peaks;
+}
+
 std::string road_table(const Measurement& m) {
   std::string text = csv_line({"road", "frequencies", "steps", "wall [s]"});
   for (const RoadSpectrum& road : m.roads)
@@ -89,7 +104,9 @@ std::string unit_of_response(const scenario::ObservedColumn& column) {
 }
 
 void write_record(const std::string& status, const Measurement& m, const run::RunDirectory& directory) {
-  Json json = {{"status", status}, {"title", m.title}};
+  Json json = {{"version", SCREE_VERSION}, {"status", status}};
+  if (!m.error.empty()) json["error"] = m.error;
+  json["title"] = m.title;
   for (const scenario::ObservedColumn& column : m.observed) json["observed"].push_back(column.name);
   for (const RoadSpectrum& road : m.roads)
     json["roads"].push_back({{"road", road.road},
@@ -97,6 +114,11 @@ void write_record(const std::string& status, const Measurement& m, const run::Ru
                              {"steps", road.steps},
                              {"wall", road.wall},
                              {"notes", road.notes}});
+  json["peaks"] = peaks_of(m);
+  json["warnings"] = m.warnings;
+  json["expect"] = Json::array();
+  json["inputs"] = run::json_of(m.inputs);
+  json["scenario"] = m.scenario;
   directory.write_file("spectrum.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

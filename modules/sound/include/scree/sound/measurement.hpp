@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scree/plugin_host.hpp>
+#include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/sound/resonance.hpp>
 #include <scree/sound/road_spectrum.hpp>
@@ -31,6 +32,10 @@ struct Measurement {
   std::vector<RoadSpectrum> roads;
   std::vector<Resonance> resonances;
   bool interrupted = false;
+  std::string scenario;  // as resolved
+  run::InputHashes inputs;
+  std::vector<std::string> warnings;  // "<what>; <cure>"
+  std::string error;                  // one line, if it failed
 };
 
 // Runs the stages of a plan with a [spectrum], then takes the roads, and writes their directory: sweep.csv while a sweep goes on;
