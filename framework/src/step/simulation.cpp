@@ -188,6 +188,10 @@ const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
 
+WallEquations Simulation::linear_walls() const {
+  return parts_->boundaries.linear_walls(parts_->stepper.time());
+}
+
 ContactList Simulation::contact_list() const {
   const SimulationParts& p = *parts_;
   return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain());
