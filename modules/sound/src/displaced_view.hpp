@@ -3,9 +3,11 @@
 #include "harmonic_motion.hpp"
 
 #include <array>
+#include <complex>
 #include <vector>
 
 #include <scree/probes.hpp>
+#include <scree/wall_equations.hpp>
 
 namespace scree::sound {
 
@@ -23,12 +25,18 @@ class DisplacedView {
   const scree_view& displaced(const response::HarmonicResponse& motion, Part part, double share);
 
  private:
+  using Complex = std::complex<double>;
+  // turn: the share with its phase; both displacement and velocity are real parts of what it gives.
+  void displace_bodies(const response::HarmonicResponse& motion, Complex turn, Complex to_velocity);
+  void displace_walls(const response::HarmonicResponse& motion, Complex turn, Complex to_velocity);
+
   const Simulation& simulation_;
   const std::vector<Vec3>& walls_;
   const response::DegreesOfFreedom& freedom_;
   SimulationView rest_;
   scree_view view_;
   std::array<std::vector<double>, 3> position_, velocity_;
+  WallEquations equations_;
   std::vector<scree_plane> planes_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <scree/error.hpp>
 #include <scree/plugin/program.hpp>
+#include <scree/wall_equations.hpp>
 
 namespace scree::sound {
 
@@ -30,10 +31,11 @@ DrivenWalls::DrivenWalls(const Start& start) {
   // Slow compared with any motion of the scene, since limits of speed hold for walls too.
   const double speed = 2 * plan.from_hz * plan.amplitude;
   const std::vector<Vec3> still = velocities(copy, plan, 0), moving = velocities(copy, plan, speed);
+  const WallEquations equations = copy.linear_walls();
   for (std::size_t w = 0; w < still.size(); ++w) {
     motion_.push_back((1 / speed) * (moving[w] - still[w]));
     square_ += dot(motion_[w], motion_[w]);
-    prescribed_ &= dot(motion_[w], motion_[w]) == 0 || dot(still[w], still[w]) == 0;
+    prescribed_ &= dot(motion_[w], motion_[w]) == 0 || !equations.walls[w].free;
   }
   if (square_ == 0)
     throw Error(
