@@ -16,6 +16,8 @@ using scenario::SpectrumPlan;
 // The pulse begins with less than 1e-13 of its amplitude.
 constexpr double gaussian_lead = 8;  // widths
 constexpr double ricker_lead = 2.2;  // periods
+// Of the run without a pulse and the first with one, in the steps of all three.
+constexpr double share_of_driven = 2.0 / 3;
 
 double gaussian_width(const SpectrumPlan& plan) { return 0.25 / plan.to_hz; }
 double ricker_frequency(const SpectrumPlan& plan) { return 0.5 * (plan.from_hz + plan.to_hz); }
@@ -78,7 +80,7 @@ bool PulseRecord::until_decay() {
   while (length() < plan.longest_pulse) {
     for (std::size_t k = 0; k < block(); ++k)
       if (!sample_next()) return false;
-    start_.on_progress(std::min(0.5, 0.5 * length() / plan.longest_pulse), "pulse");
+    start_.on_progress(std::min(share_of_driven, share_of_driven * length() / plan.longest_pulse), "pulse");
     bool decayed = length() > end_of_pulse() + 1 / plan.from_hz;
     for (std::size_t c = 0; c < columns_.size(); ++c) decayed &= tail(c) < plan.decay;
     if (decayed) return true;
@@ -90,7 +92,8 @@ bool PulseRecord::until_samples(std::size_t samples) {
   while (drive_.size() < samples) {
     if (!sample_next()) return false;
     if (undriven_ && drive_.size() % 1024 == 0)
-      start_.on_progress(0.5 + 0.5 * double(drive_.size()) / double(samples), "pulse of half the amplitude");
+      start_.on_progress(share_of_driven + (1 - share_of_driven) * double(drive_.size()) / double(samples),
+                         "pulse of half the amplitude");
   }
   return true;
 }
