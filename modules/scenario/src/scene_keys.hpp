@@ -279,6 +279,10 @@ struct SpectrumKeys : TableKeys {
   Key relative_to_mean =
       other("relative_to_mean", "[\"probe.column\", ...]", Range::any(), "default none",
             "columns that are divided by their means, such as the distance of two layers for a strain");
+  StringKey shape_from =
+      string("shape_from",
+             "probe whose columns displacement_1, ... give the shapes and names of peaks, such as a profile",
+             "default none");
   NumberKey from_hz = number("from_hz", Range::positive("Hz"), "lowest frequency");
   NumberKey to_hz = number("to_hz", Range::positive("Hz"), "highest frequency");
   NumberKey step_hz = number("step_hz", Range::positive("Hz"), "distance of frequencies");

@@ -69,9 +69,31 @@ std::vector<ObservedColumn> all_columns(const Plan& plan) {
     const Probe probe(plan.probes[p].parameters, plan.scene.dimension);
     const std::vector<std::string> names = probe.names(), units = probe.units();
     for (std::size_t c = 0; c < names.size(); ++c)
-      all.push_back({p, c, fmt::format("{}.{}", plan.probes[p].name, names[c]), units[c], false, ""});
+      all.push_back({p, c, fmt::format("{}.{}", plan.probes[p].name, names[c]), units[c], false, "", false});
   }
   return all;
+}
+
+// Columns displacement_1, displacement_2, ... of a probe, in their order.
+void read_shape(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {
+  const std::string probe = read(t, spectrum_keys.shape_from);
+  if (probe.empty()) return;
+  constexpr std::size_t fewest_layers = 3;
+  std::vector<std::string> names;
+  for (const ProbePlan& one : plan.probes) names.push_back(one.name);
+  const std::size_t number = find_name(t, spectrum_keys.shape_from, "probe", probe, names);
+  std::size_t layers = 0;
+  for (ObservedColumn& column : all_columns(plan)) {
+    if (column.probe != number || !column.name.starts_with(probe + ".displacement_")) continue;
+    column.of_shape = true;
+    column.place = t.place(spectrum_keys.shape_from);
+    spectrum.observed.push_back(std::move(column));
+    ++layers;
+  }
+  if (layers < fewest_layers)
+    throw t.error(spectrum_keys.shape_from,
+                  fmt::format("'{}' has {} columns displacement_<n>", files::one_line(probe), layers),
+                  "give a probe such as profile, with three bins or more");
 }
 
 void read_observed(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {
@@ -180,6 +202,7 @@ std::optional<SpectrumPlan> read_spectrum(const document::Table& root, const Pla
   read_drive(*t, plan.scene, spectrum);
   spectrum.amplitude = read(*t, spectrum_keys.amplitude);
   read_observed(*t, plan, spectrum);
+  read_shape(*t, plan, spectrum);
   read_frequencies(*t, plan.scene.step, spectrum);
   read_sweep(*t, spectrum);
   read_adaptive(*t, spectrum);

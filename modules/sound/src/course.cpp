@@ -193,7 +193,7 @@ Measurement Course::finish() {
     transfer(StateTransfer::saving_to(start_->state).below("spectrum"));
     write_state(start_->state);
   }
-  result_.resonances = resonances_of(result_.roads);
+  result_.resonances = resonances_of(result_.roads, result_.observed);
   write_tables(result_, directory_);
   draw_charts(result_, directory_);
   write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);

@@ -28,15 +28,19 @@ std::string spectrum_table(const Measurement& m) {
   Cells head = {"road", "frequency [Hz]"};
   for (const scenario::ObservedColumn& column : m.observed)
     for (const char* what : {"amplitude", "phase", "error", "linearity"})
-      head.push_back(fmt::format("{}.{} [{}]", column.name, what,
-                                 what == std::string("phase") ? "rad" : unit_of_response(column)));
+      if (!column.of_shape)
+        head.push_back(fmt::format("{}.{} [{}]", column.name, what,
+                                   what == std::string("phase") ? "rad" : unit_of_response(column)));
   std::string text = csv_line(head);
   for (const RoadSpectrum& road : m.roads)
     for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
       Cells cells = {road.road, csv_number(road.frequencies[k])};
-      for (const RoadSpectrum::Column& column : road.columns)
+      for (std::size_t c = 0; c < road.columns.size(); ++c) {
+        if (m.observed[c].of_shape) continue;
+        const RoadSpectrum::Column& column = road.columns[c];
         add_numbers(cells, {std::abs(column.response[k]), std::arg(column.response[k]), column.error[k],
                             column.linearity.empty() ? NAN : column.linearity[k]});
+      }
       text += csv_line(cells);
     }
   return text;
@@ -45,14 +49,14 @@ std::string spectrum_table(const Measurement& m) {
 std::string peak_table(const Measurement& m) {
   std::string text = csv_line({"road", "column", "frequency [Hz]", "frequency_error [Hz]", "width [Hz]",
                                "width_error [Hz]", "quality", "quality_error", "amplitude", "amplitude_error",
-                               "amplitude_unit", "phase [rad]", "difference [Hz]"});
+                               "amplitude_unit", "phase [rad]", "difference [Hz]", "wavelengths"});
   for (const Resonance& r : m.resonances) {
     const spectrum::Mode& mode = r.mode;
     Cells cells = {m.roads[r.road].road, m.observed[r.column].name};
     add_numbers(cells, {mode.frequency, mode.frequency_error, mode.width, mode.width_error, mode.quality,
                         mode.quality_error, mode.amplitude, mode.amplitude_error});
     cells.push_back(unit_of_response(m.observed[r.column]));
-    add_numbers(cells, {mode.phase, r.difference});
+    add_numbers(cells, {mode.phase, r.difference, r.wavelengths});
     text += csv_line(cells);
   }
   return text;
@@ -68,8 +72,23 @@ Json peaks_of(const Measurement& m) {
         {"frequency", mode.frequency}, {"frequency_error", mode.frequency_error},
         {"quality", mode.quality},     {"quality_error", mode.quality_error},
         {"amplitude", mode.amplitude}, {"amplitude_error", mode.amplitude_error}};
+    if (!r.shape.empty()) of_column.back()["wavelengths"] = r.wavelengths;
   }
   return peaks;
+}
+
+std::string shape_table(const Measurement& m) {
+  std::string text = csv_line({"road", "column", "frequency [Hz]", "wavelengths", "layer", "displacement"});
+  for (const Resonance& r : m.resonances)
+    for (std::size_t k = 0; k < r.shape.size(); ++k)
+      text += csv_line({m.roads[r.road].road, m.observed[r.column].name, csv_number(r.mode.frequency),
+                        csv_number(r.wavelengths), fmt::format("{}", k + 1), csv_number(r.shape[k])});
+  return text;
+}
+
+bool has_shapes(const Measurement& m) {
+  return std::any_of(m.resonances.begin(), m.resonances.end(),
+                     [](const Resonance& r) { return !r.shape.empty(); });
 }
 
 std::string road_table(const Measurement& m) {
@@ -126,6 +145,7 @@ std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
                         const std::vector<SweepPoint>& points) {
   Cells head = {"frequency [Hz]", "start [s]", "steps", "periods", "steady", "drive [m]"};
   for (const scenario::ObservedColumn& column : observed) {
+    if (column.of_shape) continue;
     const std::string unit = unit_of_response(column);
     head.push_back(fmt::format("{}.amplitude [{}]", column.name, unit));
     head.push_back(fmt::format("{}.phase [rad]", column.name));
@@ -137,8 +157,11 @@ std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
   for (const SweepPoint& point : points) {
     Cells cells = {csv_number(point.frequency), csv_number(point.start),     fmt::format("{}", point.steps),
                    csv_number(point.periods),   point.is_steady ? "1" : "0", csv_number(point.drive)};
-    for (const SweepPoint::Column& column : point.columns)
+    for (std::size_t c = 0; c < point.columns.size(); ++c) {
+      const SweepPoint::Column& column = point.columns[c];
+      if (observed[c].of_shape) continue;
       add_numbers(cells, {std::abs(column.response), std::arg(column.response), column.error, column.mean});
+    }
     text += csv_line(cells);
   }
   return text;
@@ -148,15 +171,43 @@ void write_tables(const Measurement& m, const run::RunDirectory& directory) {
   directory.write_file("spectrum.csv", spectrum_table(m));
   directory.write_file("peaks.csv", peak_table(m));
   directory.write_file("roads.csv", road_table(m));
+  if (has_shapes(m)) directory.write_file("shapes.csv", shape_table(m));
 }
+
+namespace {
+
+// Shapes of the peaks of the first road and column that have any.
+void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
+  constexpr std::size_t most_curves = 6;
+  snapshot::ChartSpec chart;
+  chart.title = m.title + ": shapes of the peaks";
+  chart.x_label = "layer, from one end to the other";
+  chart.y_label = "displacement over the largest";
+  const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(),
+                                         [](const Resonance& r) { return !r.shape.empty(); });
+  for (const Resonance& r : m.resonances) {
+    if (r.road != first.road || r.column != first.column || chart.series.size() == most_curves) continue;
+    snapshot::ChartSeries curve;
+    curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
+    for (std::size_t k = 0; k < r.shape.size(); ++k) curve.x.push_back(double(k + 1));
+    curve.y = r.shape;
+    curve.markers = true;
+    chart.series.push_back(std::move(curve));
+  }
+  snapshot::load_backend()->chart(chart, directory.add("charts/shapes.png"));
+}
+
+}  // namespace
 
 void draw_charts(const Measurement& m, const run::RunDirectory& directory) {
   if (!snapshot::has_pictures()) return;
+  if (has_shapes(m)) draw_shapes(m, directory);
   double highest = 0;
   for (const RoadSpectrum& road : m.roads)
     if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
   const bool in_khz = highest >= 1e4;
   for (std::size_t c = 0; c < m.observed.size(); ++c) {
+    if (m.observed[c].of_shape) continue;
     snapshot::ChartSpec chart;
     chart.title = m.title;
     chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";

@@ -1,3 +1,6 @@
+#include "mode_shape.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,21 +19,48 @@ double nearest_difference(double frequency, const std::vector<spectrum::Mode>& m
   return nearest;
 }
 
+void set_shape(const RoadSpectrum& road, const std::vector<scenario::ObservedColumn>& observed,
+               Resonance& resonance) {
+  const auto& f = road.frequencies;
+  const auto nearest = std::min_element(f.begin(), f.end(), [&](double a, double b) {
+    return std::abs(a - resonance.mode.frequency) < std::abs(b - resonance.mode.frequency);
+  });
+  std::vector<std::complex<double>> layers;
+  for (std::size_t c = 0; c < observed.size(); ++c)
+    if (observed[c].of_shape) layers.push_back(road.columns[c].response[std::size_t(nearest - f.begin())]);
+  if (layers.empty()) return;
+  const ModeShape shape = mode_shape(layers);
+  resonance.wavelengths = shape.wavelengths;
+  resonance.shape = shape.displacement;
+}
+
 }  // namespace
 
-std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads) {
+std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
+                                     const std::vector<scenario::ObservedColumn>& observed) {
   std::vector<Resonance> all;
-  for (std::size_t c = 0; !roads.empty() && c < roads[0].columns.size(); ++c) {
+  for (std::size_t c = 0; !roads.empty() && c < observed.size(); ++c) {
+    if (observed[c].of_shape) continue;
     std::vector<spectrum::Mode> of_first;
     for (std::size_t r = 0; r < roads.size(); ++r) {
       if (roads[r].frequencies.size() < fewest_frequencies) continue;
       const auto modes = spectrum::find_modes(roads[r].frequencies, roads[r].columns[c].response);
       if (r == 0) of_first = modes;
-      for (const spectrum::Mode& mode : modes)
-        all.push_back({r, c, mode, r == 0 ? 0 : nearest_difference(mode.frequency, of_first)});
+      for (const spectrum::Mode& mode : modes) {
+        const double difference = r == 0 ? 0 : nearest_difference(mode.frequency, of_first);
+        all.push_back({r, c, mode, difference, std::numeric_limits<double>::quiet_NaN(), {}});
+        set_shape(roads[r], observed, all.back());
+      }
     }
   }
   return all;
+}
+
+std::string name_of(const Resonance& resonance) {
+  if (resonance.shape.empty()) return "";
+  int count = int(std::lround(4 * resonance.wavelengths)), of = 4;
+  for (; of > 1 && count % 2 == 0; of /= 2) count /= 2;
+  return (count == 1 ? "" : std::to_string(count)) + "λ" + (of == 1 ? "" : "/" + std::to_string(of));
 }
 
 }  // namespace scree::sound

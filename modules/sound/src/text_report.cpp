@@ -29,6 +29,7 @@ std::string peak_line(const Measurement& m, const Resonance& first) {
                                   nearest->mode.frequency_error)
                     : fmt::format("  {:>21}", "-");
   }
+  if (const std::string name = name_of(first); !name.empty()) line += "  " + name;
   return line;
 }
 
@@ -56,7 +57,8 @@ std::string text_report(const Measurement& m) {
   for (const RoadSpectrum& road : m.roads)
     lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12.4g}", road.road, road.frequencies.size(),
                                 road.steps, road.wall));
-  for (std::size_t c = 0; c < m.observed.size(); ++c) add_peaks(m, c, lines);
+  for (std::size_t c = 0; c < m.observed.size(); ++c)
+    if (!m.observed[c].of_shape) add_peaks(m, c, lines);
   std::string text;
   const bool all = lines.size() <= most_lines;
   for (std::size_t k = 0; k < (all ? lines.size() : most_lines - 1); ++k) text += lines[k] + "\n";

@@ -149,3 +149,24 @@ TEST_CASE("a drive that moves no wall is refused", "[sound]") {
         std::string::npos);
   CHECK(!std::filesystem::exists(bench.options.out));
 }
+
+TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
+  Bench bench(Chain().text(
+                  "from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nfewest_contacts = 1\nshape_from = 'profile'\n") +
+              "[[probe]]\nplugin = 'profile'\naxis = 'z'\nbins = 8\nlow = 0\nhigh = 0.0796\n");
+  bench.options.roads = {Road::linear};
+  const Measurement m = measure(bench.plan, bench.options);
+  std::vector<std::string> names;
+  for (const Resonance& r : m.resonances)
+    if (m.observed[r.column].name == "particles.z_8") names.push_back(name_of(r));
+  CHECK(names == std::vector<std::string>{"λ/4", "3λ/4", "5λ/4"});
+  // The discrete shape of the fixed-free chain, sin((2j - 1) n π/(2 N + 1)); damping and the other modes change it.
+  constexpr double tolerance = 0.1;
+  for (std::size_t n = 1; n <= 8; ++n) {
+    const double exact = std::sin(3 * double(n) * std::acos(-1.0) / 17);
+    CHECK(std::abs(std::abs(m.resonances[1].shape[n - 1]) - std::abs(exact)) < tolerance);
+  }
+  CHECK(bench.has("shapes.csv"));
+  // Layers are in the shapes, not in the tables.
+  CHECK(bench.text("spectrum.csv").find("displacement") == std::string::npos);
+}

@@ -11,6 +11,7 @@ struct ObservedColumn {
   std::string name, unit;             // "<probe>.<column>"
   bool relative = false;              // divided by its mean
   std::string place;                  // file:line:column, for messages
+  bool of_shape = false;              // a layer of the shapes of peaks, which has no peaks of its own
 };
 
 // The response of a packing to a driven wall over frequency, as [spectrum] asks for it.

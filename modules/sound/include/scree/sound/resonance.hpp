@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include <scree/scenario/spectrum_plan.hpp>
 #include <scree/sound/road_spectrum.hpp>
 #include <scree/spectrum/peaks.hpp>
 
@@ -13,9 +15,17 @@ struct Resonance {
   spectrum::Mode mode;
   // f0 − that of the nearest peak of the first road (Hz); 0 for the first road, NaN if it has none.
   double difference = 0;
+  // Wavelengths between the ends of the packing, 0.25 of λ/4: from the shape, not the order (mode_shape.hpp); NaN without one.
+  double wavelengths = 0;
+  std::vector<double>
+      shape;  // in-phase displacements of layers at the nearest frequency, the largest 1; or empty
 };
 
-// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies have none.
-std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads);
+// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies have none. `observed`: of the
+// columns of the roads.
+std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
+                                     const std::vector<scenario::ObservedColumn>& observed);
+// "λ/4", "3λ/4", "λ", ...; "" without a shape.
+std::string name_of(const Resonance& resonance);
 
 }  // namespace scree::sound

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+namespace scree::sound {
+
+// The displacement of layers from one end of a packing to the other in a steady motion.
+struct ModeShape {
+  // In the phase in which the layers move most, over the largest; its sign is such that the largest is above 0.
+  std::vector<double> displacement;
+  // Wavelengths between the ends: 0.25, 0.75, ... where one end is an antinode, else 0.5, 1, ... A node at each end, or
+  // an antinode at one, with a sign change for each node between.
+  double wavelengths = 0;
+};
+
+// Of three layers or more. Layers that move less than a tenth of the largest displacement are in no phase.
+ModeShape mode_shape(const std::vector<std::complex<double>>& layers);
+
+}  // namespace scree::sound

@@ -1,0 +1,49 @@
+#include "mode_shape.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+using namespace scree::sound;
+
+namespace {
+
+// sin(2π w x + φ) at the middles of ten layers, x from 0 to 1, all turned by one phase.
+std::vector<std::complex<double>> standing_wave(double wavelengths, double phase) {
+  std::vector<std::complex<double>> layers;
+  for (int k = 0; k < 10; ++k)
+    layers.push_back(std::polar(3e-6, 2.2) *
+                     std::sin(2 * std::numbers::pi * wavelengths * (k + 0.5) / 10 + phase));
+  return layers;
+}
+
+}  // namespace
+
+TEST_CASE("the shape of a standing wave tells its wavelengths, from either end", "[sound]") {
+  constexpr double from_node = 0, from_antinode = std::numbers::pi / 2;
+  for (const double wavelengths : {0.25, 0.75, 1.25, 1.75})
+    for (const double phase : {from_node, from_antinode}) {
+      CAPTURE(wavelengths, phase);
+      CHECK(mode_shape(standing_wave(wavelengths, phase)).wavelengths == wavelengths);
+    }
+  for (const double wavelengths : {0.5, 1.0, 1.5})
+    CHECK(mode_shape(standing_wave(wavelengths, from_node)).wavelengths == wavelengths);
+}
+
+TEST_CASE("a shape is in the phase in which the layers move most, its largest 1", "[sound]") {
+  auto layers = standing_wave(0.25, 0);
+  const std::vector<double> shape = mode_shape(layers).displacement;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    CHECK(shape[k] == Approx(std::abs(layers[k]) / std::abs(layers.back())).epsilon(1e-12));
+  // A part in quadrature changes nothing but round-off.
+  for (auto& u : layers) u += std::complex<double>(0, 0.3) * u;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    CHECK(mode_shape(layers).displacement[k] == Approx(shape[k]).epsilon(1e-12));
+}
+
+TEST_CASE("layers at rest have no shape but no nodes either", "[sound]") {
+  const ModeShape shape = mode_shape(std::vector<std::complex<double>>(5, 0.0));
+  CHECK(shape.displacement == std::vector<double>(5, 0.0));
+  CHECK(shape.wavelengths == 0.5);
+}
