@@ -41,6 +41,7 @@ Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
   if (plan_.stages.empty()) set_start(simulation->state());
   if (start_) const DrivenWalls checked(*start_);
+  if (start_) check_observed(plan_, *simulation);
   directory_.create();
   try {
     write_record("running", result_, directory_);
@@ -49,7 +50,10 @@ Measurement Course::begin() {
     simulation.reset();
     take_roads();
   } catch (const Error& error) {
-    if (error.status() == ExitStatus::bad_input) directory_.discard();
+    if (error.status() == ExitStatus::bad_input)
+      directory_.discard();
+    else
+      save_failed();
     throw;
   }
   return finish();
@@ -62,8 +66,23 @@ Measurement Course::resume(const State& state) {
   if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
   directory_.create();
   write_record("running", result_, directory_);
-  take_roads();
+  try {
+    take_roads();
+  } catch (const Error&) {
+    save_failed();
+    throw;
+  }
   return finish();
+}
+
+void Course::save_failed() {
+  try {
+    if (sweep_) write_sweep_table();
+    if (kept_) write_state(*kept_);
+    write_record("failed", result_, directory_);
+  } catch (const Error&) {
+    // The error for which it failed is the one to tell.
+  }
 }
 
 void Course::set_start(State state) {

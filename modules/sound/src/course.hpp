@@ -35,6 +35,8 @@ class Course {
   void save();
   void write_sweep_table();
   void write_state(const State& state);
+  // Saves what can be saved.
+  void save_failed();
   void transfer(const StateTransfer& state);
   void warn(const std::string& line) const;
   Measurement finish();

@@ -15,7 +15,8 @@ struct Resonance {
   double difference = 0;
 };
 
-// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies have none.
+// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies, and columns with numbers that are not
+// finite, have none.
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads);
 
 }  // namespace scree::sound
