@@ -201,8 +201,8 @@ void add_spectrum_verb(CommandLine& line) {
   verb.footer(
       "Phases are of sines; in a time series they refer to t = 0, in a response to the drive. Errors are standard errors from\n"
       "the noise near each line.\n"
-      "Examples: scree spectrum scenarios/sound/chain.toml --by all\n"
-      "          scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
+      "Example: scree spectrum scenarios/sound/chain.toml --by all\n"
+      "         scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
   verb.action([a] { return spectrum_of(*a); });
 }
 

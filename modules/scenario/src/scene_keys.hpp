@@ -199,7 +199,7 @@ struct ProbeKeys : TableKeys {
       : TableKeys("probe", "[[probe]]",
                   "a time series, series/<name>.csv; beside these the parameters of the plug-in") {}
   StringKey plugin = string("plugin", "of kind probe");
-  Key every = other("every", "number", Range::positive("s"), "required", "time between samples");
+  Key every = other("every", "number", Range::positive("s"), "required with stages", "time between samples");
   Key observe_every = other("observe_every", "number", Range::positive("s"), "default every step",
                             "time between updates of what the probe keeps, if it observes the run");
   Key stages = other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it records");

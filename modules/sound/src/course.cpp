@@ -43,6 +43,7 @@ Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
   if (plan_.stages.empty()) set_start(simulation->state());
   if (start_) const DrivenWalls checked(*start_);
+  if (start_) check_observed(plan_, *simulation);
   directory_.create();
   try {
     write_record("running", result_, directory_);
@@ -51,7 +52,11 @@ Measurement Course::begin() {
     simulation.reset();
     take_roads();
   } catch (const Error& error) {
-    fail(error);
+    if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_)
+      directory_.discard();
+    else
+      save_failed(error);
+    throw;
   }
   return finish();
 }
@@ -66,20 +71,22 @@ Measurement Course::resume(const State& state) {
   try {
     take_roads();
   } catch (const Error& error) {
-    fail(error);
+    save_failed(error);
+    throw;
   }
   return finish();
 }
 
-// What is complete stays, unless the input was refused before a road was taken.
-void Course::fail(const Error& error) {
-  if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_) {
-    directory_.discard();
-  } else if (error.status() != ExitStatus::interrupted) {
-    result_.error = error.what();
+void Course::save_failed(const Error& failure) {
+  if (failure.status() == ExitStatus::interrupted) return;
+  result_.error = failure.what();
+  try {
+    if (sweep_) write_sweep_table();
+    if (kept_) write_state(*kept_);
     write_record("failed", result_, directory_);
+  } catch (const Error&) {
+    // The error for which it failed is the one to report.
   }
-  throw error;
 }
 
 void Course::set_start(State state) {

@@ -35,9 +35,11 @@ class Course {
   void save();
   void write_sweep_table();
   void write_state(const State& state);
+  // Saves what can be saved.
+  // What is complete stays.
+  void save_failed(const Error& failure);
   void transfer(const StateTransfer& state);
   void warn(const std::string& line);
-  [[noreturn]] void fail(const Error& error);
   Measurement finish();
   double seconds() const;  // of wall time so far
 

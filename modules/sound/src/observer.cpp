@@ -1,6 +1,7 @@
 #include "observer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -40,6 +41,15 @@ const std::vector<double>& Observer::values(const scree_view& view) {
 
 const std::vector<double>& Observer::values(const Simulation& simulation) {
   return values(SimulationView(simulation, needs()).get());
+}
+
+void check_observed(const scenario::Plan& plan, const Simulation& simulation) {
+  Observer observer(plan);
+  const std::vector<double>& values = observer.values(simulation);
+  for (std::size_t c = 0; c < values.size(); ++c)
+    if (const scenario::ObservedColumn& column = plan.spectrum->observed[c]; !std::isfinite(values[c]))
+      throw Error(fmt::format("{}: '{}' has no value at the start; observe a column that has one",
+                              column.place, column.name));
 }
 
 void Observer::transfer(const StateTransfer& state) {

@@ -31,4 +31,7 @@ class Observer {
   std::vector<double> values_;
 };
 
+// Throws Error at a column that has no finite value in the present state, and where a probe lacks what it reads.
+void check_observed(const scenario::Plan& plan, const Simulation& simulation);
+
 }  // namespace scree::sound

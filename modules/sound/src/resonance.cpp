@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::size_t fewest_frequencies = 16;
 
+bool is_finite(const RoadSpectrum::Column& column) {
+  return std::all_of(column.response.begin(), column.response.end(), [](const std::complex<double>& h) {
+    return std::isfinite(h.real()) && std::isfinite(h.imag());
+  });
+}
+
 double nearest_difference(double frequency, const std::vector<spectrum::Mode>& modes) {
   double nearest = std::numeric_limits<double>::quiet_NaN();
   for (const spectrum::Mode& mode : modes)
@@ -43,7 +49,7 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
     if (observed[c].of_shape) continue;
     std::vector<spectrum::Mode> of_first;
     for (std::size_t r = 0; r < roads.size(); ++r) {
-      if (roads[r].frequencies.size() < fewest_frequencies) continue;
+      if (roads[r].frequencies.size() < fewest_frequencies || !is_finite(roads[r].columns[c])) continue;
       const auto modes = spectrum::find_modes(roads[r].frequencies, roads[r].columns[c].response);
       if (r == 0) of_first = modes;
       for (const spectrum::Mode& mode : modes) {

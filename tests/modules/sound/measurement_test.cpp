@@ -142,6 +142,29 @@ TEST_CASE("one road that cannot be taken does not hinder the others", "[sound]")
   CHECK(warnings[0].find("the road linear is left out") != std::string::npos);
 }
 
+TEST_CASE("a sweep that becomes unstable keeps what it has and says that it failed", "[sound]") {
+  // Beads move faster than the limit where the frequency is that of the chain.
+  Bench bench(Chain().text("from_hz = 60\nto_hz = 87\nstep_hz = 9\nperiods = 40\nanalysed_periods = 20\n"));
+  bench.plan.scene.limits.speed = 2e-5;  // reached at 87 Hz alone
+  bench.options.roads = {Road::sweep};
+  CHECK_THROWS_AS(measure(bench.plan, bench.options), Error);
+  CHECK(bench.text("spectrum.json").find("\"status\": \"failed\"") != std::string::npos);
+  const std::string table = bench.text("sweep.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') > 1);
+  CHECK(bench.has("state.h5"));
+}
+
+TEST_CASE("columns without a value and layers without beads are refused before anything is written",
+          "[sound]") {
+  const std::string layer = with(Chain().text(grid), "'particles.z_1'", "'layer.position'");
+  Bench bench(layer + "[[probe]]\nplugin = 'layer'\naxis = 'z'\nat = 5\nhalf_width = 0.001\n");
+  const std::string line = message([&] { measure(bench.plan, bench.options); });
+  INFO(line);
+  CHECK(line.find("scene.toml:") != std::string::npos);
+  CHECK(line.find("; ") != std::string::npos);
+  CHECK(!std::filesystem::exists(bench.options.out));
+}
+
 TEST_CASE("a drive that moves no wall is refused", "[sound]") {
   const std::string text = with(Chain().text(grid), "displacement = 0\n", "control = 'fixed'\n");
   Bench bench(text);

@@ -21,8 +21,8 @@ struct Resonance {
       shape;  // in-phase displacements of layers at the nearest frequency, the largest 1; or empty
 };
 
-// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies have none. `observed`: of the
-// columns of the roads.
+// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies, and columns with numbers that are not
+// finite, have none. `observed`: of the columns of the roads.
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed);
 // "λ/4", "3λ/4", "λ", ...; "" without a shape.
