@@ -35,7 +35,6 @@ class Course {
   void save();
   void write_sweep_table();
   void write_state(const State& state);
-  // Saves what can be saved.
   // What is complete stays.
   void save_failed(const Error& failure);
   void transfer(const StateTransfer& state);
