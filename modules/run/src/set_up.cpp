@@ -39,7 +39,7 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
       continue;
     try {
       const Probe configured(probe.parameters, plan.scene.dimension);
-      configured.check(SimulationView(simulation, configured.needs()).get());
+      configured.check(SimulationView(simulation, configured.needs(), duration_of(plan.stages)).get());
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", probe.place, error.what()));
     }

@@ -52,6 +52,7 @@ void StateWriter::write_checkpoint() {
       state_file::write_state(path, state);
       checkpoints_.remove_old();
     });
+    results_.record("running", "", watch_);  // with the times so far, which are in no state
   } catch (const Error& error) {
     report(error.what());
   } catch (const std::bad_alloc&) {
