@@ -166,6 +166,17 @@ struct Box {
     }
   }
 
+  // p A falls as walls of other axes move inwards.
+  void linear(const BoundaryStep& s, scree::LinearWalls& linear) const {
+    for (int w = 0; w < walls(); ++w) {
+      linear.walls[std::size_t(w)] = motions[w].linear(s.walls[std::size_t(w)].normal);
+      for (int other = 0; other < walls(); ++other)
+        if (other / 2 != w / 2)
+          linear.stiffness(std::size_t(w), std::size_t(other)) =
+              forces_on(w, s, s.time).press / length(other / 2, s);
+    }
+  }
+
  private:
   void declare_motion(scree::Declaration& d) {
     using scree::any_number;

@@ -121,6 +121,10 @@ struct Plane {
     for (int k = 0; k < 3; ++k) s.state[std::size_t(load + k)] = s.loads[0].force[k];
   }
 
+  void linear(const scree::BoundaryStep&, scree::LinearWalls& linear) const {
+    linear.walls[0] = motion.linear(vector(direction));
+  }
+
  private:
   static scree::Vec3 vector(const std::array<double, 3>& v) { return {{v[0], v[1], v[2]}}; }
 

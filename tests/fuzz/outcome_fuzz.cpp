@@ -18,8 +18,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::ofstream(run / "series" / "energy.csv", std::ios::binary)
       << text.substr(std::min(end + 1, text.size()));
   return scree::fuzz::accept_or_refuse([&] {
-    const scree::campaign::Outcome outcome =
-        scree::campaign::read_outcome(run, {}, {"energy.work.last", "energy.residual.max"});
-    outcome.unmet();
+    scree::campaign::Campaign campaign;
+    campaign.collect = {"energy.work.last", "energy.residual.max"};
+    scree::campaign::read_outcome(run, campaign, {}).unmet();
   });
 }

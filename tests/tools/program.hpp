@@ -41,8 +41,8 @@ class Workspace {
   bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
   void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   std::string text(const std::string& name) const { return text_of(folder_ / name); }
-  nlohmann::json record(const std::string& directory = "out") const {
-    return nlohmann::json::parse(text(directory + "/run.json"));
+  nlohmann::json record(const std::string& directory = "out", const std::string& file = "run.json") const {
+    return nlohmann::json::parse(text(directory + '/' + file));
   }
 
  private:

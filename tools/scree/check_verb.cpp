@@ -33,6 +33,15 @@ void print_stages(const scenario::Plan& plan) {
   fmt::print("  at least {:g} s of simulated time\n", least);
 }
 
+void print_spectrum(const scenario::Plan& plan) {
+  const std::vector<double> frequencies = plan.spectrum->frequencies();
+  double steps = 0;
+  for (const double f : frequencies) steps += plan.spectrum->periods / (f * plan.scene.step);
+  if (plan.spectrum->direction == scenario::SpectrumPlan::Direction::both) steps *= 2;
+  fmt::print("  spectrum: {} frequencies from {:g} to {:g} Hz, {:.3g} steps for a sweep with all periods\n",
+             frequencies.size(), frequencies.front(), frequencies.back(), steps);
+}
+
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
   fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", files::escaped(plan.title));
   fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
@@ -42,7 +51,8 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
                largest.bodies);
-  print_stages(plan);
+  if (!plan.stages.empty()) print_stages(plan);
+  if (plan.spectrum) print_spectrum(plan);
 }
 
 ExitStatus check(const CheckArguments& arguments) {

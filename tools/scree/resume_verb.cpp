@@ -1,7 +1,10 @@
+#include "measurement_report.hpp"
 #include "run_report.hpp"
 #include "verbs.hpp"
 
 #include <memory>
+
+#include <fmt/format.h>
 
 #include <scree/run/run.hpp>
 
@@ -18,8 +21,24 @@ struct ResumeArguments {
   PluginOptions plugins;
 };
 
+// What changes a run changes no spectrum.
+void refuse_changes(const ResumeArguments& arguments) {
+  if (!arguments.overrides.empty() || arguments.until > 0 || !arguments.checkpoint_every.empty())
+    throw Error(fmt::format(
+        "{}: holds a spectrum, which goes on as it began; give no --set, --until and --checkpoint-every",
+        arguments.directory));
+}
+
 ExitStatus resume(const ResumeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
+  if (sound::is_measurement(arguments.directory)) {
+    refuse_changes(arguments);
+    return report_measurement(arguments.quiet, [&](sound::MeasurementOptions options) {
+      options.out = arguments.directory;
+      options.threads = arguments.threads;
+      return sound::resume_measurement(options, host);
+    });
+  }
   run::ResumeChanges changes;
   changes.overrides = arguments.overrides;
   if (arguments.until > 0) changes.until = arguments.until;
@@ -36,9 +55,9 @@ ExitStatus resume(const ResumeArguments& arguments) {
 }  // namespace
 
 void add_resume_verb(CommandLine& line) {
-  Verb verb = line.verb("resume", "Go on with a run from its latest state, to the same bits");
+  Verb verb = line.verb("resume", "Go on with a run or a spectrum from its latest state, to the same bits");
   auto arguments = std::make_shared<ResumeArguments>();
-  verb.option("directory", arguments->directory, "Directory of the run").required();
+  verb.option("directory", arguments->directory, "Directory of the run or spectrum").required();
   verb.option("--until", arguments->until,
               "Time (s) at which the last stage is to end; prolongs a finished run")
       .above_zero()

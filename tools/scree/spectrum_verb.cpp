@@ -1,3 +1,4 @@
+#include "measurement_report.hpp"
 #include "spectrum_files.hpp"
 #include "verbs.hpp"
 
@@ -22,6 +23,11 @@ namespace fs = std::filesystem;
 struct SpectrumArguments {
   std::string csv, column, out, detrend = "linear";
   double frequency = 0;  // 0: not given
+  std::string scenario, by = "sweep";
+  std::vector<std::string> overrides;
+  unsigned threads = 1;
+  bool overwrite = false, resume = false, quiet = false;
+  PluginOptions plugins;
 };
 
 const std::vector<std::string> detrendings = {"constant", "linear", "quadratic", "cubic", "period-average"};
@@ -127,13 +133,58 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   return ExitStatus::success;
 }
 
+std::vector<sound::Road> roads_of(const std::string& by) {
+  using enum sound::Road;
+  if (by == "all") return {linear, pulse, sweep};
+  return {by == "linear" ? linear : by == "pulse" ? pulse : sweep};
+}
+
+ExitStatus measure(const SpectrumArguments& arguments) {
+  PluginHost host = make_host(arguments.plugins);
+  return report_measurement(arguments.quiet, [&](sound::MeasurementOptions options) {
+    options.out = arguments.out;
+    options.overwrite = arguments.overwrite;
+    options.threads = arguments.threads;
+    options.roads = roads_of(arguments.by);
+    if (arguments.resume) return sound::resume_measurement(options, host);
+    return sound::measure(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+  });
+}
+
+ExitStatus spectrum_of(const SpectrumArguments& arguments) {
+  const bool of_file = !arguments.csv.empty();
+  if (of_file && (!arguments.scenario.empty() || arguments.resume))
+    throw Error("--csv analyses a file, not a scenario; give one of them");
+  if (of_file && arguments.column.empty()) throw Error("--csv without --column; give --column NAME");
+  if (of_file) return analyse(arguments);
+  if (arguments.resume && arguments.out.empty())
+    throw Error("--resume without --out; give --out with the directory of the spectrum");
+  if (!arguments.resume && arguments.scenario.empty())
+    throw Error("neither a scenario nor --csv; give a scenario with [spectrum], or --csv FILE --column NAME");
+  return measure(arguments);
+}
+
 }  // namespace
 
 void add_spectrum_verb(CommandLine& line) {
-  Verb verb = line.verb("spectrum", "Amplitudes, phases and their errors in a column of a time series");
+  Verb verb = line.verb(
+      "spectrum", "Response of a packing to a driven wall over frequency; or the lines of a time series");
   auto a = std::make_shared<SpectrumArguments>();
-  verb.option("--csv", a->csv, "CSV file; its first column is the time in s").required().shown_as("FILE");
-  verb.option("--column", a->column, "Column, with or without its unit").required().shown_as("NAME");
+  verb.option("scenario", a->scenario, "Scenario file (TOML) with [spectrum]");
+  verb.option(
+          "--by", a->by,
+          "Road: a sweep, a pulse, linear response of the contact network, or all of them (default sweep)")
+      .one_of({"sweep", "pulse", "linear", "all"});
+  verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
+  verb.option("--threads", a->threads,
+              "Number of threads; results are bitwise identical for any number (default 1)")
+      .between(1, 1024);
+  verb.flag("--overwrite", a->overwrite, "Replace an existing spectrum in the directory");
+  verb.flag("--resume", a->resume, "Go on with the interrupted spectrum in --out, to the same bits");
+  verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
+  verb.option("--csv", a->csv, "Instead of a scenario: CSV file; its first column is the time in s")
+      .shown_as("FILE");
+  verb.option("--column", a->column, "Column of the CSV file, with or without its unit").shown_as("NAME");
   verb.option("--frequency", a->frequency,
               "Fit a sine of this frequency and its harmonics; default: the strongest lines")
       .above_zero()
@@ -143,12 +194,16 @@ void add_spectrum_verb(CommandLine& line) {
           "What is removed with the fit at --frequency: a polynomial, or the mean over one period (default "
           "linear)")
       .one_of(detrendings);
-  verb.option("--out", a->out, "Directory of spectrum.csv and spectrum.png; default: that of the file")
+  verb.option("--out", a->out,
+              "Directory of the results; default runs/<scenario>-spectrum, or that of the CSV file")
       .shown_as("DIR");
+  add_plugin_options(verb, a->plugins);
   verb.footer(
-      "Phases are of sines and refer to t = 0; errors are standard errors from the noise near each line.\n"
-      "Example: scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
-  verb.action([a] { return analyse(*a); });
+      "Phases are of sines; in a time series they refer to t = 0, in a response to the drive. Errors are standard errors from\n"
+      "the noise near each line.\n"
+      "Examples: scree spectrum scenarios/sound/chain.toml --by all\n"
+      "          scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
+  verb.action([a] { return spectrum_of(*a); });
 }
 
 }  // namespace scree::tool

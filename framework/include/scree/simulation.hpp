@@ -13,6 +13,7 @@
 #include <scree/profile.hpp>
 #include <scree/scene.hpp>
 #include <scree/state.hpp>
+#include <scree/wall_equations.hpp>
 
 namespace scree {
 
@@ -77,6 +78,9 @@ class Simulation {
   Vec3 lengths() const;
   const Vec3& lengths_at_start() const;
   ContactList contact_list() const;
+  // How forces move the walls about their present state. Throws Error if a boundary states numbers that are not
+  // finite, a negative mass or viscosity, or a direction that is no unit vector.
+  WallEquations linear_walls() const;
   // What the law of a pair of the contact list keeps in a history column; 0 for columns that it does not have.
   double contact_history(std::size_t pair, std::uint32_t column) const;
   // What was taken over from a state, "walls of 'box'"; empty for a new packing.
@@ -101,6 +105,10 @@ class Simulation {
   // Everything that the simulation is, between two steps: its scene (see scene_record.hpp) and what has
   // changed since the start.
   State state() const;
+  // The same in two parts: what changes, copied between two steps, and what stays as it was at the start (bodies and
+  // their first motion), which may be added by another thread while the simulation goes on.
+  State changing_state() const;
+  void add_unchanging_state(State& state) const;
   Footprint footprint() const;
 
   // For the framework and its tests only; the types are private.

@@ -108,16 +108,22 @@ void Boundaries::show_domain() {
 
 scree_boundary_step Boundaries::step_of(Member& member, double time, double step,
                                         scree_boundary_energy& energy) {
+  return step_of(member, planes_of(member), member.state, time, step, energy);
+}
+
+scree_boundary_step Boundaries::step_of(const Member& member, std::span<scree_plane> planes,
+                                        std::span<double> state, double time, double step,
+                                        scree_boundary_energy& energy) const {
   scree_boundary_step s = {};
   s.struct_size = sizeof(s);
   s.dimension = std::uint32_t(dimension_);
   s.time = time - member.clock_start;
   s.step = step;
-  s.plane_count = member.plugin.instance().plane_count;
-  s.state_width = std::uint32_t(member.state.size());
+  s.plane_count = std::uint32_t(planes.size());
+  s.state_width = std::uint32_t(state.size());
   s.loads = loads_.data() + member.first_plane;
-  s.planes = planes_.data() + member.first_plane;
-  s.state = member.state.data();
+  s.planes = planes.data();
+  s.state = state.data();
   s.energy = &energy;
   s.scene = &shared_;
   return s;

@@ -62,4 +62,16 @@ std::string problem_of(const scree_plane& plane) {
   return std::abs(length - 1) > 1e-9 ? fmt::format("normal has length {:g}", length) : "";
 }
 
+std::string problem_of(const scree_linear_plane& plane, std::span<const double> stiffness) {
+  const double length = std::hypot(plane.direction[0], plane.direction[1], plane.direction[2]);
+  if (!(std::abs(length - 1) < 1e-9)) return fmt::format("a direction of length {:g}", length);
+  if (!plane.free) return "";
+  if (!(plane.mass >= 0 && std::isfinite(plane.mass))) return fmt::format("a mass of {:g} kg", plane.mass);
+  if (!(plane.viscosity >= 0 && std::isfinite(plane.viscosity)))
+    return fmt::format("a viscosity of {:g} kg/s", plane.viscosity);
+  for (const double k : stiffness)
+    if (!std::isfinite(k)) return fmt::format("a stiffness of {:g} N/m", k);
+  return "";
+}
+
 }  // namespace scree

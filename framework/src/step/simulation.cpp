@@ -102,21 +102,31 @@ void Simulation::start_audits() {
 }
 
 State Simulation::state() const {
-  // The pairs are about half of the bytes: two threads copy a state in half of the time.
-  std::future<State> copied = std::async(std::launch::async, [this] {
+  State state = changing_state();
+  add_unchanging_state(state);
+  return state;
+}
+
+State Simulation::changing_state() const {
+  // Three parts that take about equally long.
+  std::future<State> pairs_copied = std::async(std::launch::async, [this] {
     State pairs;
     parts_->transfer_pairs(StateTransfer::saving_to(pairs));
     return pairs;
   });
+  std::future<std::uint64_t> hashed = std::async(std::launch::async, [this] { return state_hash(); });
   State state;
   const StateTransfer to = StateTransfer::saving_to(state);
   save_scene(to.below("scene"), parts_->scene);
-  save_bodies_at_start(to, parts_->scene);
   parts_->transfer_all_but_pairs(to);
-  std::uint64_t hash = state_hash();
+  std::uint64_t hash = hashed.get();
   to.value("state_hash", "", hash);
-  state.merge(copied.get());
+  state.merge(pairs_copied.get());
   return state;
+}
+
+void Simulation::add_unchanging_state(State& state) const {
+  save_bodies_at_start(StateTransfer::saving_to(state), parts_->scene);
 }
 
 void Simulation::advance(bool observed) {
@@ -187,6 +197,10 @@ const std::vector<std::string>& Simulation::taken_over() const { return parts_->
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
+
+WallEquations Simulation::linear_walls() const {
+  return parts_->boundaries.linear_walls(parts_->stepper.time());
+}
 
 ContactList Simulation::contact_list() const {
   const SimulationParts& p = *parts_;

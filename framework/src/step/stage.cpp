@@ -17,7 +17,7 @@ constexpr std::uint64_t condition_interval = 100;
 }  // namespace
 
 double duration_of(const std::vector<Stage>& stages) {
-  double sum = 0;
+  double sum = stages.empty() ? NAN : 0;
   for (const Stage& stage : stages) sum += stage.duration.value_or(NAN);
   return sum;
 }

@@ -10,6 +10,7 @@
 
 #include <scree/accuracy/study.hpp>
 #include <scree/error.hpp>
+#include <scree/run/set_up.hpp>
 #include <scree/run/trial.hpp>
 
 namespace scree::accuracy {
@@ -42,6 +43,7 @@ class StudyRunner {
   }
 
   Study execute() {
+    run::require_stages(plan_);
     study_.tolerance = options_.tolerance;
     check_length();
     find_horizon();

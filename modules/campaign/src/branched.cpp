@@ -1,5 +1,7 @@
 #include "directory_layout.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <scree/campaign/campaign.hpp>
@@ -21,16 +23,26 @@ std::string key_of(const Inputs& inputs) {
 Campaign branched(Campaign campaign, const PluginHost& host) {
   if (!campaign.preparation) return campaign;
   const auto preparation = std::make_shared<Campaign>(*campaign.preparation);
-  std::vector<std::string> states;  // as in SCREE_STATE_PATH
-  for (Point& point : preparation->points) {
+  std::vector<Point> all = std::move(preparation->points);
+  preparation->points.clear();
+  std::vector<std::string> keys;      // of preparation->points
+  std::vector<std::size_t> place_of;  // of all: cases that prepare alike share a preparation
+  for (Point& point : all) {
     const std::string key = key_of(inputs_of(*preparation, point, host));
+    const auto known = std::find(keys.begin(), keys.end(), key);
+    place_of.push_back(std::size_t(known - keys.begin()));
+    if (known != keys.end()) continue;
+    keys.push_back(key);
     point.name = fmt::format("{}/{}", preparation_folder, key);
-    states.push_back(fmt::format("\"{}/{}\"", key, final_state));
+    preparation->points.push_back(std::move(point));
   }
   campaign.preparation = preparation;
-  for (std::size_t k = 0; k < campaign.points.size(); ++k)
-    campaign.points[k].settings.push_back(
-        {"particles.state", states[campaign.preparation_of(k)], campaign.scenario_place});
+  for (std::size_t k = 0; k < campaign.points.size(); ++k) {
+    std::size_t& place = campaign.preparation_of[k];
+    place = place_of[place];
+    const std::string path = fmt::format("\"{}/{}\"", keys[place], final_state);  // as in SCREE_STATE_PATH
+    campaign.points[k].settings.push_back({"particles.state", path, campaign.scenario_place});
+  }
   return campaign;
 }
 

@@ -55,19 +55,19 @@ std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign, const
     const Point& point = campaign.points[k];
     std::error_code failed;
     const bool prepared =
-        !campaign.preparation || has_final_state(campaign.preparation->points[campaign.preparation_of(k)]);
+        !campaign.preparation || has_final_state(campaign.preparation->points[campaign.preparation_of[k]]);
     if (prepared)
       all.push_back(outcome(campaign, point, host));
     else  // its inputs are not known yet
       all.emplace_back().status =
-          fs::exists(run(point) / "run.json", failed) ? Status::changed : Status::missing;
+          fs::exists(run(point) / campaign.record(), failed) ? Status::changed : Status::missing;
   }
   return all;
 }
 
 Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point,
                                    const PluginHost& host) const {
-  Outcome found = read_outcome(run(point), inputs_of(campaign, point, host), campaign.collect);
+  Outcome found = read_outcome(run(point), campaign, inputs_of(campaign, point, host));
   if (found.status == Status::running && !in_use_) found.status = Status::interrupted;
   const bool prepares = fs::path(point.name).parent_path() == preparation_folder;
   if (prepares && found.status == Status::finished && !has_final_state(point)) found.status = Status::changed;
@@ -81,6 +81,7 @@ bool CampaignDirectory::has_final_state(const Point& point) const {
 
 bool CampaignDirectory::has_state(const Point& point) const {
   std::error_code failed;
+  if (fs::exists(run(point) / state_of_spectrum, failed)) return true;
   for (const auto& entry : fs::directory_iterator(run(point) / "checkpoint", failed))
     if (entry.path().extension() == ".h5") return true;
   return false;
@@ -93,7 +94,7 @@ std::vector<std::string> CampaignDirectory::leftovers(const Campaign& campaign) 
     const std::string name = entry.path().filename().string();
     const auto is_there = [&](const Point& point) { return point.name == name; };
     const bool begun = fs::exists(entry.path() / run::RunDirectory::log_name, failed) ||
-                       fs::exists(entry.path() / "run.json", failed);
+                       fs::exists(entry.path() / campaign.record(), failed);
     if (begun && std::none_of(campaign.points.begin(), campaign.points.end(), is_there))
       names.push_back(name);
   }

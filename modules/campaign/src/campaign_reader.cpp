@@ -1,6 +1,7 @@
 #include "points.hpp"
 #include "settings.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -52,12 +53,13 @@ std::vector<Case> read_cases(const Table& root) {
   std::vector<Case> cases;
   std::set<std::string> names;
   for (const Table& table : root.tables("case")) {
-    Case one{table.string("name"), {}};
+    Case one{table.string("name"), {}, {}};
     if (one.name.empty()) throw table.error("name", "the name of the case is empty", "give a name");
     if (!names.insert(one.name).second)
       throw table.error("name", fmt::format("the case name '{}' is already in use", one_line(one.name)),
                         "give each a different name");
     if (const auto set = table.optional_table("set")) one.settings = read_case_settings(*set);
+    if (const auto set = table.optional_table("prepare")) one.preparation = read_case_settings(*set);
     cases.push_back(std::move(one));
   }
   return cases;
@@ -116,7 +118,14 @@ void check_count(const Table& root, const Campaign& c) {
 std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campaign& c,
                                                  const std::string& seeds_place) {
   const auto table = root.optional_table("prepare");
-  if (!table) return nullptr;
+  if (!table) {
+    for (const Case& one : c.cases)
+      if (!one.preparation.empty())
+        throw Error(fmt::format(
+            "{}: a case sets '{}' of its preparation, but there is no [prepare]; add one with scenario",
+            one.preparation.front().place, one_line(one.preparation.front().key)));
+    return nullptr;
+  }
   const auto preparation = std::make_shared<Campaign>();
   preparation->source = c.source;
   preparation->scenario = c.source.parent_path() / table->string("scenario");
@@ -124,10 +133,31 @@ std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campai
   check_scenario(*preparation);
   if (const auto set = table->optional_table("set")) preparation->fixed = read_case_settings(*set);
   preparation->seeds = c.seeds;
+  if (std::any_of(c.cases.begin(), c.cases.end(), [](const Case& one) { return !one.preparation.empty(); }))
+    for (const Case& one : c.cases) preparation->cases.push_back({one.name, one.preparation, {}});
   check_sources(*preparation);
   preparation->points = make_points(*preparation, seeds_place);
   for (Point& point : preparation->points) point.name = "prepare";
   return preparation;
+}
+
+// Cases vary slowest, seeds fastest.
+std::vector<std::size_t> preparations_of(const Campaign& c) {
+  std::vector<std::size_t> all;
+  const std::size_t seeds = std::max<std::size_t>(1, c.seeds.size());
+  const std::size_t points_each = c.points.size() / std::max<std::size_t>(1, c.preparation->cases.size());
+  for (std::size_t k = 0; k < c.points.size(); ++k) all.push_back(k / points_each * seeds + k % seeds);
+  return all;
+}
+
+// Roads of spectra instead of runs.
+std::string read_roads(const Table& table) {
+  if (!table.optional("spectrum")) return "";
+  const std::string roads = table.string("spectrum");
+  for (const char* known : {"sweep", "pulse", "linear", "all"})
+    if (roads == known) return roads;
+  throw table.error("spectrum", fmt::format("there is no road '{}'", one_line(roads)),
+                    "give \"sweep\", \"pulse\", \"linear\" or \"all\", as for scree spectrum --by");
 }
 
 }  // namespace
@@ -142,8 +172,12 @@ Campaign read_campaign(const std::filesystem::path& path) {
   c.scenario = path.parent_path() / table.string("scenario");
   c.scenario_place = table.place("scenario");
   check_scenario(c);
+  c.roads = read_roads(table);
   if (table.optional("collect")) c.collect = table.strings("collect");
   c.collect_place = table.place("collect");
+  if (!c.roads.empty() && !c.collect.empty())
+    throw table.error("collect", "spectra have no series to collect from",
+                      "remove it; their peaks are in the table");
   c.seeds = read_seeds(table);
   Settings settings = read_settings(root.table_or_empty("set"));
   c.fixed = std::move(settings.fixed);
@@ -154,6 +188,7 @@ Campaign read_campaign(const std::filesystem::path& path) {
   check_sources(c);
   check_count(root, c);
   c.points = make_points(c, table.place("seeds"));
+  if (c.preparation) c.preparation_of = preparations_of(c);
   return c;
 }
 

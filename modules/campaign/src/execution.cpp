@@ -40,7 +40,7 @@ class Executor {
       add({*campaign.preparation, campaign.preparation->points[k], result_.preparations[k]});
     for (std::size_t k = 0; k < result_.outcomes.size(); ++k)
       add({campaign, campaign.points[k], result_.outcomes[k],
-           campaign.preparation ? &jobs_[campaign.preparation_of(k)] : nullptr});
+           campaign.preparation ? &jobs_[campaign.preparation_of[k]] : nullptr});
     to_do_ = waiting_.size();
     result_.finished_before = std::size_t(std::count_if(
         jobs_.begin(), jobs_.end(), [&](const Job& job) { return !job.to_do && !prepares(job); }));

@@ -6,6 +6,7 @@
 
 #include <scree/campaign/outcome.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/run/input_hashes_json.hpp>
 #include <scree/run/record_json.hpp>
 
 namespace scree::campaign {
@@ -18,8 +19,7 @@ using Json = nlohmann::ordered_json;
 // Absent in a run.json of former versions.
 std::optional<run::InputHashes> hashes_in(const Json& json) {
   if (!json.contains("inputs")) return std::nullopt;
-  const Json& inputs = json["inputs"];
-  return run::InputHashes{inputs.value("bodies", ""), inputs.at("plugins")};
+  return run::input_hashes_of(json["inputs"]);
 }
 
 Status status_of(const Json& json, const Inputs& inputs) {
@@ -61,9 +61,8 @@ std::size_t Outcome::unmet() const {
       std::count_if(expectations.begin(), expectations.end(), [](const Judged& j) { return !j.met; }));
 }
 
-Outcome read_outcome(const fs::path& directory, const Inputs& inputs,
-                     const std::vector<std::string>& collect) {
-  const fs::path record = directory / "run.json";
+Outcome read_outcome(const fs::path& directory, const Campaign& campaign, const Inputs& inputs) {
+  const fs::path record = directory / campaign.record();
   Outcome outcome;
   std::error_code failed;
   const fs::file_status status = fs::status(record, failed);
@@ -80,7 +79,7 @@ Outcome read_outcome(const fs::path& directory, const Inputs& inputs,
     if (outcome.status == Status::failed) outcome.problem = json.value("error", "");
     if (outcome.status != Status::finished) return outcome;
     std::vector<std::string> damaged;
-    outcome.numbers = collected(directory, collect, damaged);
+    outcome.numbers = collected(directory, campaign.collect, damaged);
     add_numbers(json, "", outcome);
     add_expectations(json, outcome);
     if (json.contains("warnings")) outcome.warnings = json["warnings"];

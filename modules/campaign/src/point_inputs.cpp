@@ -64,6 +64,10 @@ scenario::Plan checked_plan(const Campaign& campaign, const Point& point, Plugin
 
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
   const scenario::Plan plan = checked_plan(campaign, point, host);
+  if (!campaign.roads.empty() && !plan.spectrum)
+    throw Error(
+        fmt::format("{}: {} has no [spectrum] to measure; add one, or remove spectrum from [campaign]",
+                    campaign.scenario_place, campaign.scenario.string()));
   const std::vector<std::string> known = scenario::quantity_names(plan.probes, plan.scene.dimension);
   for (const std::string& name : campaign.collect)
     if (const auto problem = scenario::quantity_problem(name, known))

@@ -1,5 +1,7 @@
 #include "mass_weighted.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -13,22 +15,36 @@ void check(const char* name, Eigen::Index given, Eigen::Index needed) {
     throw Error(fmt::format("Drive::{} has {} components; give {} or none", name, given, needed));
 }
 
+Eigen::VectorXd inverse_root_of_scale(const LinearSystem& system) {
+  const Eigen::VectorXd stiffness = system.stiffness.diagonal().cwiseAbs();
+  double largest = 0;
+  for (Eigen::Index i = 0; i < stiffness.size(); ++i)
+    if (system.mass[i] > 0) largest = std::max(largest, stiffness[i] / system.mass[i]);
+  Eigen::VectorXd scale = system.mass;
+  for (Eigen::Index i = 0; i < scale.size(); ++i)
+    if (scale[i] == 0) scale[i] = stiffness[i] > 0 && largest > 0 ? stiffness[i] / largest : 1;
+  return scale.cwiseSqrt().cwiseInverse();
+}
+
 }  // namespace
 
 MassWeighted::MassWeighted(const LinearSystem& system)
     : system_(system),
-      inverse_root_(system.mass.cwiseSqrt().cwiseInverse()),
+      inverse_root_(inverse_root_of_scale(system)),
       stiffness_(inverse_root_.asDiagonal() * system.stiffness * inverse_root_.asDiagonal()),
       damping_(inverse_root_.asDiagonal() * system.damping * inverse_root_.asDiagonal()),
-      identity_(system.mass.size(), system.mass.size()) {
-  identity_.setIdentity();
+      mass_(system.mass.size(), system.mass.size()) {
+  mass_.setIdentity();
+  // 1 up to round-off where there is a mass.
+  for (Eigen::Index i = 0; i < system.mass.size(); ++i)
+    if (system.mass[i] == 0) mass_.coeffRef(i, i) = 0;
 }
 
 ComplexMatrix MassWeighted::dynamic_stiffness(double omega) const {
   const std::complex<double> i_omega(0, omega);
   ComplexMatrix sum = stiffness_.cast<std::complex<double>>();
   sum += i_omega * damping_.cast<std::complex<double>>();
-  sum -= omega * omega * identity_.cast<std::complex<double>>();
+  sum -= omega * omega * mass_.cast<std::complex<double>>();
   return sum;
 }
 
@@ -41,6 +57,7 @@ Eigen::VectorXcd MassWeighted::load(const Drive& drive, double omega) const {
   if (drive.walls.size() > 0) {
     sum -= system_.wall_stiffness * drive.walls;
     sum -= i_omega * (system_.wall_damping * drive.walls);
+    sum += omega * omega * (system_.wall_mass * drive.walls);
   }
   return inverse_root_.asDiagonal() * sum;
 }

@@ -125,6 +125,12 @@ void Results::judge(const Sampler& sampler) {
 void Results::record(const std::string& status, const std::string& error, const Stopwatch& watch) {
   result_.quantities = scenario::run_quantities(simulation_);
   result_.state_hash = simulation_.state_hash();
+  write(status, error, watch);
+}
+
+void Results::record_times(const Stopwatch& watch) { write("running", "", watch); }
+
+void Results::write(const std::string& status, const std::string& error, const Stopwatch& watch) {
   result_.wall = wall_before_ + watch.total();
   result_.output = output_before_ + watch.output();
   const double work = double(simulation_.steps()) * double(simulation_.particles().size());

@@ -36,11 +36,14 @@ class Results {
   void judge(const Sampler& sampler);
   // Writes run.json. `status` and `error` as in run_record.
   void record(const std::string& status, const std::string& error, const Stopwatch& watch);
+  // The same of a run that goes on, with the quantities and the hash of the last record.
+  void record_times(const Stopwatch& watch);
 
   const RunResult& result() const { return result_; }
 
  private:
   void go_on_from(const InputHashes& before);
+  void write(const std::string& status, const std::string& error, const Stopwatch& watch);
 
   const scenario::Plan& plan_;
   const RunOptions& options_;

@@ -178,9 +178,9 @@ class Run {
                   SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
   }
 
-  // The list of files must contain that of the state already.
+  // But what does not change, which the writer adds. The list of files must contain that of the state already.
   State save_state() {
-    State state = simulation_->state();
+    State state = simulation_->changing_state();
     const StateTransfer to = StateTransfer::saving_to(state).below("run");
     std::string scenario = plan_.resolved_text;
     to.value("scenario", "", scenario);
@@ -297,6 +297,7 @@ RunResult run_from(const State* state, const scenario::Plan& plan, const RunOpti
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
+  require_stages(plan);
   RunDirectory directory = directory_of(plan, options);
   return run_from(nullptr, plan, options, directory);
 }

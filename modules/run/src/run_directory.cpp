@@ -23,7 +23,17 @@ const Layout& layout_of(RunDirectory::Kind kind) {
   static const Layout run = {"run", "run.json", {"series", "snapshots", "images", "charts"}, {}};
   static const Layout study = {"accuracy study", "accuracy.json", {"charts"}, {}};
   static const Layout campaign = {"campaign", "campaign.json", {}, {"table.csv", "means.csv"}};
-  return kind == RunDirectory::Kind::run ? run : kind == RunDirectory::Kind::study ? study : campaign;
+  static const Layout spectrum = {"spectrum", "spectrum.json", {"charts"}, {}};
+  switch (kind) {
+    case RunDirectory::Kind::run:
+      return run;
+    case RunDirectory::Kind::study:
+      return study;
+    case RunDirectory::Kind::campaign:
+      return campaign;
+    default:
+      return spectrum;
+  }
 }
 
 // The path itself, or its nearest parent directory that exists.
@@ -186,6 +196,7 @@ fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
   if (kind == Kind::campaign) return "campaigns" / name;
   fs::path path = "runs" / name;
   if (kind == Kind::study) path += "-accuracy";
+  if (kind == Kind::spectrum) path += "-spectrum";
   return path;
 }
 

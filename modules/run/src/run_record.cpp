@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/text_file.hpp>
+#include <scree/run/input_hashes_json.hpp>
 #include <scree/run/record_json.hpp>
 
 namespace scree::run {
@@ -47,13 +48,6 @@ Json stages_of(const RunResult& result) {
   return json;
 }
 
-Json inputs_of(const InputHashes& hashes) {
-  Json json = Json::object();
-  if (!hashes.bodies.empty()) json["bodies"] = hashes.bodies;
-  json["plugins"] = Json(hashes.plugins);
-  return json;
-}
-
 }  // namespace
 
 std::string run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
@@ -79,7 +73,7 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["stages"] = stages_of(result);
   json["expect"] = Json::array();
   for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
-  json["inputs"] = inputs_of(result.inputs);
+  json["inputs"] = json_of(result.inputs);
   json["scenario"] = plan.resolved_text;
   // replace: a path in an error message may not be valid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -33,10 +33,8 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
 void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
   for (const scenario::ProbePlan& probe : plan.probes) {
     // A probe of later stages may read contacts or walls that do not exist yet.
-    const std::string& first = plan.stages.front().name;
-    if (!probe.stages.empty() &&
-        std::find(probe.stages.begin(), probe.stages.end(), first) == probe.stages.end())
-      continue;
+    const std::vector<std::string>& in = probe.stages;
+    if (!in.empty() && std::find(in.begin(), in.end(), plan.stages.front().name) == in.end()) continue;
     try {
       const Probe configured(probe.parameters, plan.scene.dimension);
       configured.check(SimulationView(simulation, configured.needs(), duration_of(plan.stages)).get());
@@ -88,6 +86,14 @@ std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads)
   check_later_stages(plan);
   check_probes(plan, *simulation);
   return simulation;
+}
+
+void require_stages(const scenario::Plan& plan) {
+  if (plan.stages.empty())
+    throw Error(fmt::format(
+        "{}: the scenario says nothing of how long it lasts; give time.duration or [[stage]], or run "
+        "scree spectrum with it",
+        plan.source.string()));
 }
 
 namespace {

@@ -12,6 +12,13 @@
 
 namespace scree::run {
 
+namespace {
+
+constexpr const char* no_memory =
+    "there is no memory for a copy of the state; use fewer bodies, or checkpoint.every = \"never\"";
+
+}  // namespace
+
 StateWriter::StateWriter(const scenario::CheckpointPlan& plan, const RunDirectory& directory,
                          const Simulation& simulation, Results& results, const Stopwatch& watch,
                          std::function<State()> save)
@@ -48,15 +55,16 @@ void StateWriter::write_checkpoint() {
   last_step_ = simulation_.steps();
   try {
     const std::filesystem::path path = checkpoints_.add(last_step_);
-    writing_ = std::async(std::launch::async, [this, path, state = take()] {
+    writing_ = std::async(std::launch::async, [this, path, state = take()]() mutable {
+      simulation_.add_unchanging_state(state);
       state_file::write_state(path, state);
       checkpoints_.remove_old();
     });
-    results_.record("running", "", watch_);  // with the times so far, which are in no state
+    results_.record_times(watch_);  // they are in no state
   } catch (const Error& error) {
     report(error.what());
   } catch (const std::bad_alloc&) {
-    report("there is no memory for a copy of the state; use fewer bodies, or checkpoint.every = \"never\"");
+    report(no_memory);
   }
   last_ = watch_.total();
 }
@@ -68,6 +76,8 @@ void StateWriter::finish() {
     failed_ = false;
   } catch (const Error& error) {
     report(error.what());
+  } catch (const std::bad_alloc&) {
+    report(no_memory);
   }
 }
 
@@ -82,7 +92,9 @@ void StateWriter::write_final() {
   finish();
   if (!plan_.final_state) return;
   const std::filesystem::path path = checkpoints_.add_final();
-  state_file::write_state(path, take());
+  State state = take();
+  simulation_.add_unchanging_state(state);
+  state_file::write_state(path, state);
 }
 
 State StateWriter::take() {

@@ -64,6 +64,7 @@ std::vector<Vec3> unwrapped_positions(const Simulation& s) {
 
 Trial run_trial(const scenario::Plan& plan, const TrialOptions& options) {
   using Clock = std::chrono::steady_clock;
+  require_stages(plan);
   const auto simulation = set_up(plan, options.threads);
   Sampler sampler(plan);
   sampler.open();

@@ -192,6 +192,31 @@ void refuse_without_state(const document::Table& particles) {
                           "add state = \"<path>\", or remove it");
 }
 
+// What [particles] adds to the velocities of its bodies.
+class AddedVelocity {
+ public:
+  AddedVelocity(const document::Table& particles, int dimension)
+      : velocity_(read_vector(particles, particles_keys.velocity, dimension, false)),
+        gradient_(read_vector(particles, particles_keys.velocity_gradient, dimension, false)),
+        deviation_(read(particles, particles_keys.random_velocity)),
+        dimension_(dimension) {}
+
+  // At a position (m).
+  Vec3 at(const Vec3& position, packing::Random& random) const {
+    Vec3 added = velocity_;
+    for (int k = 0; k < dimension_; ++k) {
+      added[k] += gradient_[k] * position[k];
+      if (deviation_ > 0) added[k] += deviation_ * random.normal();
+    }
+    return added;
+  }
+
+ private:
+  Vec3 velocity_, gradient_;
+  double deviation_;
+  int dimension_;
+};
+
 // Bodies keep the order of the state, by which its contacts number them.
 ReadBodies read_bodies_of_state(const document::Table& root, const document::Table& particles, int dimension,
                                 const std::vector<Material>& materials, std::uint64_t seed,
@@ -207,12 +232,8 @@ ReadBodies read_bodies_of_state(const document::Table& root, const document::Tab
   std::vector<Body>& bodies = read_bodies.bodies;
   bodies = bodies_of(particles, *read_bodies.state, materials);
   packing::Random random(seed);
-  const double deviation = read(particles, particles_keys.random_velocity);
-  const Vec3 velocity = read_vector(particles, particles_keys.velocity, dimension, false);
-  for (Body& body : bodies) {
-    body.velocity += velocity;
-    for (int k = 0; k < dimension && deviation > 0; ++k) body.velocity[k] += deviation * random.normal();
-  }
+  const AddedVelocity added(particles, dimension);
+  for (Body& body : bodies) body.velocity += added.at(body.position, random);
   add_inline(root, dimension, materials, bodies);
   number_bodies(root, bodies);
   return read_bodies;
@@ -231,15 +252,12 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
   if (const auto particles = root.optional_table("particles")) {
     refuse_without_state(*particles);
     const std::string material = read(*particles, particles_keys.material);
-    const double velocity_deviation = read(*particles, particles_keys.random_velocity);
-    const Vec3 velocity = read_vector(*particles, particles_keys.velocity, dimension, false);
+    const AddedVelocity added(*particles, dimension);
     packing::Packing source = read_source(*particles, dimension, random, folder, materials);
     if (source.bounds) box = {source.periodic, source.bounds->lower, source.bounds->upper};
     for (packing::Body& from : source.bodies) {
       if (from.material.empty()) from.material = material;
-      from.velocity += velocity;
-      for (int k = 0; k < dimension && velocity_deviation > 0; ++k)
-        from.velocity[k] += velocity_deviation * random.normal();
+      from.velocity += added.at(from.position, random);
       bodies.push_back(complete(*particles, from, dimension, materials));
     }
   }

@@ -6,6 +6,7 @@
 #include "plugin_parameters.hpp"
 #include "probe_reader.hpp"
 #include "scene_keys.hpp"
+#include "spectrum_reader.hpp"
 #include "stage_reader.hpp"
 #include "state_reader.hpp"
 
@@ -224,6 +225,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
   plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
+  plan.spectrum = read_spectrum(root, plan);
   plan.scene.pair_forces = needs_pair_forces(plan);
   plan.scene.orientations =
       any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_later(plan, &reads_orientations);

@@ -142,7 +142,9 @@ void read_probe(Entry& entry, const std::vector<Entry>& entries, const Scene& sc
   const document::Table& t = entry.table;
   ProbePlan& plan = entry.plan;
   read_parameters(t, scene.dimension, plan.parameters);
-  plan.every = read_interval(t, probe_keys.every, scene.step);
+  // Without stages nothing is sampled by time.
+  if (!stages.empty() || t.optional(probe_keys.every))
+    plan.every = read_interval(t, probe_keys.every, scene.step);
   if (t.optional(probe_keys.stages)) plan.stages = t.strings(probe_keys.stages);
   for (std::size_t k = 0; k < plan.stages.size(); ++k)
     find_name(t, "stages", "stage", plan.stages[k], stages, k);

@@ -120,7 +120,8 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
   if (!stages.empty() && time.optional(time_keys.duration))
     throw time.error("duration", "both stages and time.duration are given",
                      "keep [[stage]] or time.duration");
-  if (stages.empty()) {
+  const bool needs_none = root.has("spectrum") && !time.has(time_keys.duration);
+  if (stages.empty() && !needs_none) {
     Stage stage;
     stage.name = "run";
     stage.duration = read_steps(time, time_keys.duration, scene.step);

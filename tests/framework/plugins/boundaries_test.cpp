@@ -25,6 +25,7 @@ struct Script {
   std::string fault = {};  // what goes wrong
   double bad = 0;          // the number that it puts there
   double from_time = 0;    // of faults during steps
+  bool linear = false;     // whether the plug-in states a linear equation
   std::vector<std::string> calls = {};
   std::vector<double> times = {}, steps = {};
   std::vector<std::string> names = {};
@@ -81,7 +82,7 @@ struct Scripted {
     if (s.state.size() > 1) s.state[1] = 8;
   }
 
- private:
+ protected:
   static void note(const char* call, const BoundaryStep& s) {
     script.calls.push_back(call);
     script.times.push_back(s.time);
@@ -98,17 +99,31 @@ struct Scripted {
   }
 };
 
+// The same with a linear equation.
+struct Linear : Scripted {
+  void linear(const BoundaryStep& s, LinearWalls& equations) const {
+    note("linear", s);
+    s.walls[0].point[2] = s.state[0] = 17;
+    const auto value = [](const char* what, double sound) {
+      return script.fault == std::string("linear ") + what ? script.bad : sound;
+    };
+    equations.walls[0] = {1, {{0, 0, 2 * value("direction", 0.5)}}, value("mass", 2), value("viscosity", 3)};
+    equations.stiffness(0, 0) = value("stiffness", 4);
+  }
+};
+
+template <class Author>
 const scree_plugin& scripted() {
   using namespace scree::detail;
-  static const scree_boundary interface = {sizeof(scree_boundary),         sizeof(Scripted),
-                                           &configure_boundary<Scripted>,  &start_boundary<Scripted>,
-                                           &begin_boundary_step<Scripted>, &finish_boundary_step<Scripted>,
-                                           change_of<Scripted>()};
-  return *manifest_of<Scripted>(SCREE_BOUNDARY, interface);
+  static const scree_boundary interface = {sizeof(scree_boundary),       sizeof(Author),
+                                           &configure_boundary<Author>,  &start_boundary<Author>,
+                                           &begin_boundary_step<Author>, &finish_boundary_step<Author>,
+                                           change_of<Author>(),          linear_of<Author>()};
+  return *manifest_of<Author>(SCREE_BOUNDARY, interface);
 }
 
 Parameters with_number(double number) {
-  Parameters p(scripted());
+  Parameters p(script.linear ? scripted<Linear>() : scripted<Scripted>());
   p.set("number", {number});
   return p;
 }
@@ -246,4 +261,46 @@ TEST_CASE("a boundary sees the walls and loads of the others, the bodies and the
   test::run(s, 1);
   CHECK(script.other_load == s.loads()[0].force[2]);
   CHECK(script.other_load == Approx(-50).epsilon(1e-3));
+}
+
+TEST_CASE("walls whose boundary states nothing are prescribed along their normals") {
+  const Simulation s(scene_with({}));
+  const WallEquations equations = s.linear_walls();
+  REQUIRE(equations.walls.size() == 1);
+  CHECK(equations.walls[0].free == 0);
+  CHECK(equations.walls[0].direction[2] == 1);
+  CHECK(equations.stiffness == std::vector<double>{0});
+}
+
+TEST_CASE(
+    "a boundary states the linear equations of its walls, with the time since its parameters were set") {
+  Simulation s(scene_with({.linear = true}));
+  test::run(s, 3);
+  s.reconfigure_boundary("mine", with_number(1));
+  s.apply_reconfiguration();
+  test::run(s, 2);
+  const State before = s.state();
+  const WallEquations equations = s.linear_walls();
+  CHECK(script.calls.back() == "linear");
+  CHECK(script.times.back() == Approx(2e-3));
+  CHECK(script.steps.back() == 0);
+  CHECK(equations.walls[0].free == 1);
+  CHECK(equations.walls[0].mass == 2);
+  CHECK(equations.walls[0].viscosity == 3);
+  CHECK(equations.stiffness_of(0, 0) == 4);
+  // What the plug-in wrote into walls and state went into copies.
+  CHECK(s.state_hash() == Simulation(s.scene(), before).state_hash());
+}
+
+TEST_CASE("linear equations of walls that cannot be are refused by name") {
+  for (const auto& [fault, text] :
+       {std::pair{"linear mass", "a mass of -1 kg"}, std::pair{"linear viscosity", "a viscosity of -1 kg/s"},
+        std::pair{"linear direction", "a direction of length 2"}}) {
+    const Simulation s(scene_with({.fault = fault, .bad = -1, .linear = true}));
+    CHECK_THROWS_WITH(s.linear_walls(),
+                      std::string("boundary plug-in scripted, wall mine.only: its linear equation has ") +
+                          text + "; correct the plug-in");
+  }
+  const Simulation s(scene_with({.fault = "linear stiffness", .bad = infinite, .linear = true}));
+  CHECK_THROWS_WITH(s.linear_walls(), Catch::Contains("a stiffness of inf N/m"));
 }

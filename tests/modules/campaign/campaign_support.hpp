@@ -56,7 +56,7 @@ inline void make_run(const campaign::Campaign& c, std::size_t k, const std::file
 
 inline campaign::Outcome outcome_of(const campaign::Campaign& c, std::size_t k,
                                     const std::filesystem::path& out, const PluginHost& plugins = host()) {
-  return campaign::read_outcome(out, campaign::inputs_of(c, c.points[k], plugins), c.collect);
+  return campaign::read_outcome(out, c, campaign::inputs_of(c, c.points[k], plugins));
 }
 
 }  // namespace scree::test

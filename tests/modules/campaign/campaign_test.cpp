@@ -129,3 +129,14 @@ TEST_CASE("a run that would be refused is reported at the value that causes it",
   starts(refusal("collect = ['energy.wrk.last']\n"),
          "campaign.toml:3:11: no quantity 'energy.wrk.last'; did you mean 'energy.work.last'?");
 }
+
+TEST_CASE("a campaign of spectra names a road, needs a scene with a spectrum and collects no series",
+          "[campaign]") {
+  CHECK_THAT(CampaignFolder("spectrum = 'sweeep'\n").refusal(),
+             Catch::StartsWith("campaign.toml:3:12: there is no road 'sweeep'; give \"sweep\", "));
+  CHECK_THAT(CampaignFolder("spectrum = 'pulse'\ncollect = ['energy.work.last']\n").refusal(),
+             Catch::StartsWith("campaign.toml:4:11: spectra have no series to collect from; "));
+  CHECK_THAT(CampaignFolder("spectrum = 'pulse'\n").refusal(),
+             Catch::Contains("campaign.toml:2:12: ") &&
+                 Catch::Contains("scene.toml has no [spectrum] to measure; "));
+}

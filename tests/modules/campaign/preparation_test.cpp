@@ -34,12 +34,32 @@ TEST_CASE("a campaign has one preparation per seed, with its own settings", "[ca
         std::vector<std::string>{"particles.lattice.count=[2, 2]", "scene.seed=8"});
   // Seeds vary fastest.
   for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(c.points[k].seed == c.preparation->points[c.preparation_of(k)].seed);
+    CHECK(c.points[k].seed == c.preparation->points[c.preparation_of[k]].seed);
     const std::string name = c.preparation->points[k % 2].name;
     REQUIRE(name.size() == std::string("prepare/0123456789abcdef").size());
     CHECK(c.points[k].find("particles.state")->value == '"' + name.substr(8) + "/final_state.h5\"");
   }
   CHECK(c.points[0].name == "normal_stiffness=10000,seed=7");
+}
+
+TEST_CASE("cases may have preparations of their own, and share those that are the same", "[campaign]") {
+  const CampaignFolder folder(
+      "seeds = [7, 8]\n[[case]]\nname = 'soft'\nprepare.contact.normal_stiffness = 1e3\n"
+      "[[case]]\nname = 'hard'\nprepare.contact.normal_stiffness = 1e5\n"
+      "[[case]]\nname = 'hard and long'\nset.time.duration = 2e-4\nprepare.contact.normal_stiffness = 1e5\n"
+      "[set]\n\"contact.normal_damping\" = [0, 1]\n" +
+      prepare);
+  folder.folder().write("prepare.toml", test::discs);
+  const Campaign c = branched(folder.read(), test::host());
+  REQUIRE(c.points.size() == 12);
+  REQUIRE(c.preparation->points.size() == 4);
+  for (std::size_t k = 0; k < 12; ++k) {
+    const Point& from = c.preparation->points[c.preparation_of[k]];
+    CHECK(c.points[k].seed == from.seed);
+    CHECK(from.find("contact.normal_stiffness")->value ==
+          (c.points[k].case_name == "soft" ? "1000.0" : "100000.0"));
+    CHECK(c.points[k].find("particles.state")->value == '"' + from.name.substr(8) + "/final_state.h5\"");
+  }
 }
 
 TEST_CASE("without seeds a campaign has one preparation, with the seed of its scenario", "[campaign]") {
@@ -69,6 +89,10 @@ TEST_CASE("an error in [prepare] is reported with position and cure", "[campaign
              Catch::StartsWith("campaign.toml:4:20: 'particles.state' is also set by [prepare]; "));
   CHECK_THAT(refusal("seeds = [1]\n" + prepare + "set.scene.seed = 2\n"),
              Catch::StartsWith("campaign.toml:6:18: 'scene.seed' is also set by seeds; "));
+  CHECK_THAT(
+      refusal("[[case]]\nname = 'a'\nprepare.scene.title = 'b'\n"),
+      Catch::StartsWith(
+          "campaign.toml:5:23: a case sets 'scene.title' of its preparation, but there is no [prepare]; "));
   CHECK_THAT(refusal(prepare + "more = 1\n"), Catch::StartsWith("campaign.toml:5:1: unknown key 'more'"));
 }
 

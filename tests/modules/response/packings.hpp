@@ -58,7 +58,8 @@ inline State strained(Scene scene) {
   return Simulation(stopped, moved, Branching()).state();
 }
 
-// Forces and torques of all bodies as a vector.
+// Forces and torques of all bodies, and forces of contacts and pressing forces on the walls that are numbered,
+// along their normals, as a vector. The walls are those of a box, the only boundary.
 inline Eigen::VectorXd loads(const Simulation& s, const response::DegreesOfFreedom& freedom) {
   Eigen::VectorXd all(freedom.size());
   const Particles& p = s.particles();
@@ -66,6 +67,13 @@ inline Eigen::VectorXd loads(const Simulation& s, const response::DegreesOfFreed
     for (int k = 0; k < freedom.dimension(); ++k) all[freedom.translation(i, k)] = p.force()[k][i];
     for (int k = 0; k < freedom.spins(); ++k)
       if (freedom.rotation(i, k) >= 0) all[freedom.rotation(i, k)] = p.torque()[p.spin_axes().first + k][i];
+  }
+  if (freedom.walls() == 0) return all;
+  const State state = s.state();
+  for (std::size_t w = 0; w < freedom.walls(); ++w) {
+    if (freedom.wall(w) < 0) continue;
+    all[freedom.wall(w)] = std::get<std::vector<double>>(state.at("walls/0/state").values)[w];
+    for (int k = 0; k < 3; ++k) all[freedom.wall(w)] += s.loads()[w].force[k] * s.planes()[w].normal[k];
   }
   return all;
 }

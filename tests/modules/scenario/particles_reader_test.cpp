@@ -122,3 +122,15 @@ TEST_CASE("bodies whose distance has no finite square are refused", "[scenario]"
                  Catch::EndsWith(
                      "outside the range of numbers (1e154); check position, spacing, period and velocity"));
 }
+
+TEST_CASE("velocities of a packing are those of the file plus a velocity and a gradient times the position",
+          "[scenario]") {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius,vx,vy,vz\n7,0.5,1,0,0.1,0,8,0\n8,0.5,2,4,0.1,0,0,0\n");
+  const auto file =
+      folder.write("scene.toml", scene_with("velocity = [1, 0, 0]\nvelocity_gradient = [2, -4, 0.5]\n"));
+  const auto bodies = scree::scenario::read_plan(file, {}, scree::test::host()).scene.bodies;
+  REQUIRE(bodies.size() == 2);
+  for (const scree::Body& b : bodies)
+    CHECK(b.velocity == (b.id == 7 ? scree::Vec3{{2, 4, 0}} : scree::Vec3{{2, -8, 2}}));
+}

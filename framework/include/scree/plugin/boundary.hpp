@@ -22,6 +22,9 @@
 //   void finish_step(const scree::BoundaryStep&) const;   velocities and energies at t + step
 //   void change(const Author& before, double time_before, const scree::BoundaryStep&) const;
 //                                                         optional: velocities after a change of parameters
+//   void linear(const scree::BoundaryStep&, scree::LinearWalls&) const;
+//                                                         optional: how forces move the walls, for a linear
+//                                                         response; without it they are prescribed
 //
 // A boundary without walls needs only `describe`. When each is called: scree/plugin/abi/boundary.h.
 // The motion of one wall, prescribed or under stress: scree/plugin/wall_motion.hpp.
@@ -81,6 +84,25 @@ struct BoundaryLayout {
   double damping_rate = 0;               // (1/s) at which viscosity slows the lightest wall
   bool still = false;                    // no wall moves, and begin_step and finish_step are not called
   std::optional<Axis> periodic[3] = {};  // the same in all stages
+};
+
+// Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
+// displacement x, its superposed part d and the force F of the contacts (abi/boundary.h).
+struct LinearWall {
+  std::uint32_t free = 0;  // nonzero: moved by forces; 0: as prescribed
+  Vec3 direction;          // unit; the normal at first
+  double mass = 0;         // m (kg), may be 0
+  double viscosity = 0;    // γ (kg/s)
+};
+
+// Those of all walls of a boundary, at first prescribed and 0.
+struct LinearWalls {
+  std::span<LinearWall> walls;
+  std::span<double> stiffnesses;  // (walls, walls)
+  // Negative derivative of the pressing force of a free wall with the displacement of any wall (N/m).
+  double& stiffness(std::size_t pressed, std::size_t moved) const {
+    return stiffnesses[pressed * walls.size() + moved];
+  }
 };
 
 namespace detail {
@@ -165,6 +187,22 @@ void change_boundary(const void* storage, const void* before, double time_before
                                               step_of(*step));
 }
 template <class Author>
+void linearise_boundary(const void* storage, const scree_boundary_step* step,
+                        const scree_linear_planes* planes) {
+  const std::size_t count = planes->plane_count;
+  LinearWalls walls = {span_of<LinearWall>(planes->planes, count), {planes->stiffness, count * count}};
+  static_cast<const Author*>(storage)->linear(step_of(*step), walls);
+}
+template <class Author>
+constexpr auto linear_of() {
+  if constexpr (requires(const Author& author, const BoundaryStep& s, LinearWalls& w) {
+                  author.linear(s, w);
+                })
+    return &linearise_boundary<Author>;
+  else
+    return nullptr;
+}
+template <class Author>
 constexpr auto change_of() {
   if constexpr (requires(const Author& author, const BoundaryStep& s) { author.change(author, 0.0, s); })
     return &change_boundary<Author>;
@@ -195,5 +233,6 @@ inline BoundaryScene BoundaryStep::scene() const {
                                                  &scree::detail::start_boundary<Author>,       \
                                                  &scree::detail::begin_boundary_step<Author>,  \
                                                  &scree::detail::finish_boundary_step<Author>, \
-                                                 scree::detail::change_of<Author>()};          \
+                                                 scree::detail::change_of<Author>(),           \
+                                                 scree::detail::linear_of<Author>()};          \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BOUNDARY, scree_interface)))

@@ -89,6 +89,12 @@ struct WallMotion {
     return before.control == pressed ? free_speed : speed;
   }
 
+  // The equation of small motions along a direction.
+  LinearWall linear(const Vec3& direction) const {
+    if (control != pressed) return {.direction = direction};
+    return {.free = 1, .direction = direction, .mass = mass, .viscosity = viscosity};
+  }
+
   void add_kinetic(double free_speed, BoundaryEnergy& energy) const {
     if (control == pressed) energy.kinetic += 0.5 * mass * free_speed * free_speed;
   }

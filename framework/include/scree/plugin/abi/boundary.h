@@ -70,6 +70,27 @@ typedef struct scree_boundary_instance {
   uint32_t still;      /* nonzero: no plane moves, and `begin_step` and `finish_step` are not called */
 } scree_boundary_instance;
 
+/* Equation of small motions of a plane about its present state, along one direction:
+ *   m s" + γ s' + Σ_c k_c x_c = F,  x = s + d
+ * x: displacement, d: its superposed part, F: change of the force of the contacts along the direction, and k_c
+ * the negative derivative of the pressing force with the displacement of plane c along the direction of that
+ * plane. */
+typedef struct scree_linear_plane {
+  uint32_t free;       /* nonzero: moved by forces; 0: as prescribed, and only the direction counts */
+  double direction[3]; /* unit */
+  double mass;         /* (kg) m >= 0 */
+  double viscosity;    /* (kg/s) γ >= 0 */
+} scree_linear_plane;
+
+/* Output of `linear`; before the call planes are prescribed along their normals, and all numbers are 0. */
+typedef struct scree_linear_planes {
+  uint32_t struct_size;
+  uint32_t plane_count;
+  scree_linear_plane* planes; /* plane_count */
+  double* stiffness;          /* (plane_count, plane_count) (N/m) by rows; rows of planes that are not free
+                                 do not count */
+} scree_linear_planes;
+
 /* Calls: `start` when a scene is set up, also where it is only checked; then for each substep `begin_step`, an
  * evaluation of the forces, `finish_step`; between steps `change` when a stage sets parameters. Planes must be
  * finite after every call, and normals unit vectors after `start`; otherwise the host stops with an error
@@ -93,6 +114,9 @@ typedef struct scree_boundary {
    * kinetic energy stay, or become 0 if the planes are still from now on. */
   void (*change)(const void* storage, const void* before, double time_before,
                  const scree_boundary_step* step);
+  /* (optional) States how forces move the planes, for a linear response. `step` is as between two steps, with
+   * copies of planes and state; its energy is ignored. Without this function all planes are prescribed. */
+  void (*linear)(const void* storage, const scree_boundary_step* step, const scree_linear_planes* planes);
 } scree_boundary;
 
 #ifdef __cplusplus

@@ -30,6 +30,7 @@ struct Parameter {
 struct Case {
   std::string name;
   std::vector<Setting> settings;
+  std::vector<Setting> preparation;  // of its preparation
 };
 
 // One run of a campaign.
@@ -49,6 +50,7 @@ struct Campaign {
   std::string title;
   std::filesystem::path source, scenario;
   std::string scenario_place;        // file:line:column, for messages
+  std::string roads;                 // by which scree spectrum measures the scenario; empty: it is run
   std::vector<std::string> collect;  // quantities of the runs' series, "<probe>.<column>.<statistic>"
   std::string collect_place;
   std::vector<Setting> fixed;
@@ -56,20 +58,22 @@ struct Campaign {
   std::vector<Case> cases;
   std::vector<std::int64_t> seeds;
   std::vector<Point> points;  // at least one
-  // [prepare]: a campaign of one point per seed, from whose final states the points of this one branch; or null.
+  // [prepare]: a campaign of one point per seed, and per case if any has settings for it, from whose final states the
+  // points of this one branch; or null.
   std::shared_ptr<const Campaign> preparation = nullptr;
 
   // Keys in which points may differ: those of the cases, then the parameters.
   std::vector<std::string> varying_keys() const;
-  // Index in preparation->points of that from which a point branches.
-  std::size_t preparation_of(std::size_t point) const { return point % preparation->points.size(); }
+  std::vector<std::size_t> preparation_of;  // of each point: index in preparation->points
+  // File in the directory of a point that states its status and inputs.
+  const char* record() const { return roads.empty() ? "run.json" : "spectrum.json"; }
 };
 
 // Reads a campaign file. Throws Error "file:line:column: what is wrong; what to do" for any error in it, and
 // if the scenario cannot be read.
 Campaign read_campaign(const std::filesystem::path& path);
 
-// Inputs of the run of a point, as stored in run.json.
+// Inputs of the run of a point, as stored in its record.
 struct Inputs {
   std::string resolved_text;  // the scenario including the settings
   run::InputHashes hashes;

@@ -35,9 +35,8 @@ struct Outcome {
   std::size_t unmet() const;
 };
 
-// Reads run.json and the collected quantities from the directory of a run. An unreadable or invalid file
-// counts as missing.
-Outcome read_outcome(const std::filesystem::path& directory, const Inputs& inputs,
-                     const std::vector<std::string>& collect);
+// Reads the record of a run or spectrum, and the collected quantities, from its directory. An unreadable or invalid
+// file counts as missing.
+Outcome read_outcome(const std::filesystem::path& directory, const Campaign& campaign, const Inputs& inputs);
 
 }  // namespace scree::campaign

@@ -8,30 +8,35 @@
 namespace scree::response {
 
 // Numbers the degrees of freedom of a linear system: for each body its translations (m), then its rotations
-// (rad). Bodies without translations, and bodies without rotations, are left out.
+// (rad); behind the bodies the displacements of walls that forces move (m). Bodies without translations, bodies
+// without rotations, and other walls are left out.
 class DegreesOfFreedom {
  public:
   static constexpr Eigen::Index none = -1;
 
-  // spins: 0, 1 or 3. Per body: whether it has translations; whether it has rotations too.
+  // spins: 0, 1 or 3. Per body: whether it has translations; whether it has rotations too. Per wall: whether
+  // forces move it.
   DegreesOfFreedom(int dimension, int spins, const std::vector<bool>& translates,
-                   const std::vector<bool>& rotates);
+                   const std::vector<bool>& rotates, const std::vector<bool>& free_walls = {});
 
   int dimension() const { return dimension_; }
   int spins() const { return spins_; }
   Eigen::Index size() const { return size_; }
   std::size_t bodies() const { return translation_.size(); }
+  std::size_t walls() const { return wall_.size(); }
   // Number of the component k of the displacement of a body, 0 <= k < dimension; `none` if it is left out.
   Eigen::Index translation(std::size_t body, int k) const { return offset(translation_[body], k); }
   // Number of its rotation about axis k, 0 <= k < spins; in 2D the only axis is z.
   Eigen::Index rotation(std::size_t body, int k) const { return offset(rotation_[body], k); }
+  // Number of the displacement of a wall along its direction; `none` if it is left out.
+  Eigen::Index wall(std::size_t wall) const { return wall_[wall]; }
 
  private:
   static Eigen::Index offset(Eigen::Index first, int k) { return first == none ? none : first + k; }
 
   int dimension_, spins_;
   Eigen::Index size_ = 0;
-  std::vector<Eigen::Index> translation_, rotation_;
+  std::vector<Eigen::Index> translation_, rotation_, wall_;
 };
 
 }  // namespace scree::response

@@ -11,14 +11,17 @@
 namespace scree::response {
 
 // Small motions q of a packing about its present state, with its walls displaced by w:
-//   M q″ + C q′ + K q = f − C_w w′ − K_w w
-// q: translations (m) and rotations (rad) of the bodies that are held. Rows are forces (N) and torques (N m).
+//   M q″ + C q′ + K q = f − M_w w″ − C_w w′ − K_w w
+// q: translations (m) and rotations (rad) of the bodies that are held, and displacements (m) of the walls that
+// forces move and held bodies touch. Of such a wall, w is the superposed displacement: inertia and viscosity
+// belong to q − w. Rows are forces (N) and torques (N m).
 struct LinearSystem {
   DegreesOfFreedom freedom;
   Eigen::SparseMatrix<double> stiffness, damping;  // K, C: (q, q)
-  Eigen::VectorXd mass;                            // M: (q) masses (kg), moments of inertia (kg m²)
-  Eigen::SparseMatrix<double> wall_stiffness, wall_damping;  // K_w, C_w: (q, walls × dimension)
-  std::vector<std::uint32_t> rattlers;                       // bodies that are left out, in ascending order
+  Eigen::VectorXd mass;  // M: (q) masses (kg), of walls 0 or more; moments of inertia (kg m²)
+  // K_w, C_w, M_w: (q, walls × dimension)
+  Eigen::SparseMatrix<double> wall_stiffness, wall_damping, wall_mass;
+  std::vector<std::uint32_t> rattlers;  // bodies that are left out, in ascending order
 };
 
 struct AssemblyOptions {
@@ -27,8 +30,8 @@ struct AssemblyOptions {
   int fewest_contacts = 0;
 };
 
-// Linearises all contacts and body forces at the present positions, orientations and springs, with bodies and
-// walls at rest. Contacts that slide go on sliding, the others go on sticking. Throws Error if a law reads
+// Linearises all contacts, body forces and walls at the present positions, orientations and springs, with bodies
+// and walls at rest. Contacts that slide go on sliding, the others go on sticking. Throws Error if a law reads
 // orientations or has no derivatives, or if no body is held.
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
 

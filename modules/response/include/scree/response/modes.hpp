@@ -6,7 +6,8 @@
 
 namespace scree::response {
 
-// Free motions without damping, q = shape cos(ωt).
+// Free motions without damping, q = shape cos(ωt): as many as there are masses above 0. Walls without mass follow
+// the others at once.
 struct Modes {
   Eigen::VectorXd square_frequency;  // ω² (1/s²), ascending; below 0: the packing is unstable
   Eigen::MatrixXd shape;             // one column each, normalised to shapeᵀ M shape = 1

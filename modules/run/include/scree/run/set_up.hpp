@@ -14,6 +14,9 @@ namespace scree::run {
 // long, or if a probe reads something that does not exist.
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads = 1);
 
+// Throws Error (bad_input) if a plan has no stages, as one for a spectrum may.
+void require_stages(const scenario::Plan& plan);
+
 // One line for people: the time step, and the number of steps per shortest contact.
 std::string describe_step(const Simulation& simulation);
 

@@ -11,6 +11,7 @@
 #include <scree/branching.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/scenario/input_files.hpp>
+#include <scree/scenario/spectrum_plan.hpp>
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
@@ -96,7 +97,8 @@ struct Plan {
   CheckpointPlan checkpoint;
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;
-  std::string resolved_text;  // TOML with overrides
+  std::optional<SpectrumPlan> spectrum;  // for scree spectrum; then there may be no stages
+  std::string resolved_text;             // TOML with overrides
   std::string
       text_for_any_folder;   // the same with the path of a packing made absolute; empty if not to be written
   std::string bodies_place;  // file:line:column, for messages

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace scree::scenario {
+
+// A column of a probe whose response to a drive is measured.
+struct ObservedColumn {
+  std::size_t probe = 0, column = 0;  // indices of the plan's probe and of its column
+  std::string name, unit;             // "<probe>.<column>"
+  bool relative = false;              // divided by its mean
+  std::string place;                  // file:line:column, for messages
+};
+
+// The response of a packing to a driven wall over frequency, as [spectrum] asks for it.
+struct SpectrumPlan {
+  enum class Direction { up, down, both };
+  enum class Detrending { period_average, polynomial };
+  enum class Pulse { gaussian, ricker };
+
+  std::string boundary, key;  // of the displacement that takes the wave
+  std::string drive_place;    // file:line:column, for messages
+  double amplitude = 0;       // (m)
+  std::vector<ObservedColumn> observed;
+  double from_hz = 0, to_hz = 0, step_hz = 0;
+  Direction direction = Direction::up;
+  double periods = 0, analysed_periods = 0, samples_per_period = 0, rise_periods = 0;
+  Detrending detrending = Detrending::period_average;
+  bool adaptive = false;
+  double tolerance = 0;  // relative error of an adaptive sweep
+  Pulse pulse = Pulse::gaussian;
+  double decay = 0;          // integral of |response| behind the record of a pulse over that before
+  double longest_pulse = 0;  // (s)
+  int fewest_contacts = 0;   // see response::AssemblyOptions
+
+  // from_hz, from_hz + step_hz, ... up to to_hz.
+  std::vector<double> frequencies() const;
+};
+
+}  // namespace scree::scenario

@@ -1,0 +1,190 @@
+#include "spectrum_reader.hpp"
+
+#include "names.hpp"
+#include "scene_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
+#include <scree/plugin/program.hpp>
+#include <scree/probes.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+constexpr double most_frequencies = 100000;
+
+// The keys of a boundary that are functions of time in m.
+std::vector<std::string> displacements_of(const Parameters& boundary) {
+  std::vector<std::string> keys;
+  for (std::uint32_t k = 0; k < boundary.plugin().parameter_count; ++k) {
+    const scree_parameter& p = boundary.plugin().parameters[k];
+    if (p.type == SCREE_PROGRAM && std::string(p.unit) == "m") keys.push_back(p.key);
+  }
+  return keys;
+}
+
+// The clock of a boundary starts again at each frequency, so that nothing else of it may vary.
+void check_others(const document::Table& t, const Parameters& boundary, const std::string& drive) {
+  const std::vector<scree_value> values = boundary.values();
+  for (std::uint32_t k = 0; k < boundary.plugin().parameter_count; ++k) {
+    const scree_parameter& p = boundary.plugin().parameters[k];
+    if (p.type != SCREE_PROGRAM || !boundary.given(p.key) || p.key == drive) continue;
+    if (Program(values[k]).kind() != Program::constant)
+      throw t.error(
+          spectrum_keys.drive,
+          fmt::format(
+              "'{}' of the driven boundary varies with time, and would start again at every frequency",
+              p.key),
+          "give it a constant, or drive another boundary");
+  }
+}
+
+void read_drive(const document::Table& t, const Scene& scene, SpectrumPlan& plan) {
+  const std::string drive = read(t, spectrum_keys.drive);
+  plan.drive_place = t.place(spectrum_keys.drive);
+  const auto dot = drive.rfind('.');
+  if (dot == std::string::npos)
+    throw t.error(spectrum_keys.drive, fmt::format("'{}' names no key of a boundary", files::one_line(drive)),
+                  "give \"<boundary>.<key>\", such as \"top.displacement\"");
+  plan.boundary = drive.substr(0, dot), plan.key = drive.substr(dot + 1);
+  std::vector<std::string> names;
+  for (const Scene::Boundary& boundary : scene.boundaries) names.push_back(boundary.name);
+  const Parameters& boundary =
+      scene.boundaries[find_name(t, spectrum_keys.drive, "boundary", plan.boundary, names)].parameters;
+  const std::vector<std::string> keys = displacements_of(boundary);
+  find_name(t, spectrum_keys.drive, fmt::format("displacement of '{}' named", plan.boundary), plan.key, keys);
+  check_others(t, boundary, plan.key);
+}
+
+// All columns of all probes, with nothing but where and what they are.
+std::vector<ObservedColumn> all_columns(const Plan& plan) {
+  std::vector<ObservedColumn> all;
+  for (std::size_t p = 0; p < plan.probes.size(); ++p) {
+    const Probe probe(plan.probes[p].parameters, plan.scene.dimension);
+    const std::vector<std::string> names = probe.names(), units = probe.units();
+    for (std::size_t c = 0; c < names.size(); ++c)
+      all.push_back({p, c, fmt::format("{}.{}", plan.probes[p].name, names[c]), units[c], false, ""});
+  }
+  return all;
+}
+
+void read_observed(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {
+  const std::vector<ObservedColumn> all = all_columns(plan);
+  std::vector<std::string> names, observed;
+  for (const ObservedColumn& column : all) names.push_back(column.name);
+  const std::vector<std::string> asked = t.strings(spectrum_keys.observe);
+  if (asked.empty())
+    throw t.error(spectrum_keys.observe, "'observe' has no columns",
+                  "give columns of probes, such as [\"strain.strain\"]");
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    ObservedColumn column = all[find_name(t, spectrum_keys.observe, "column", asked[k], names, k)];
+    column.place = t.place(spectrum_keys.observe, k);
+    if (std::find(observed.begin(), observed.end(), column.name) != observed.end())
+      throw t.error(spectrum_keys.observe, k, fmt::format("'{}' stands here twice", column.name),
+                    "remove one");
+    if (Probe(plan.probes[column.probe].parameters, plan.scene.dimension).observes())
+      throw t.error(spectrum_keys.observe, k,
+                    fmt::format("'{}' depends on all steps, not on the present state", column.name),
+                    "observe a column of a probe such as strain, layer or particles");
+    observed.push_back(column.name);
+    spectrum.observed.push_back(std::move(column));
+  }
+  if (!t.optional(spectrum_keys.relative_to_mean)) return;
+  const std::vector<std::string> relative = t.strings(spectrum_keys.relative_to_mean);
+  for (std::size_t k = 0; k < relative.size(); ++k)
+    spectrum
+        .observed[find_name(t, spectrum_keys.relative_to_mean, "observed column", relative[k], observed, k)]
+        .relative = true;
+}
+
+void read_frequencies(const document::Table& t, double step, SpectrumPlan& plan) {
+  plan.from_hz = read(t, spectrum_keys.from_hz);
+  plan.to_hz = read(t, spectrum_keys.to_hz);
+  plan.step_hz = read(t, spectrum_keys.step_hz);
+  if (!(plan.from_hz < plan.to_hz))
+    throw t.error(spectrum_keys.from_hz,
+                  fmt::format("{:g} Hz is not below to_hz = {:g} Hz", plan.from_hz, plan.to_hz),
+                  "give the lower frequency first; direction says how a sweep goes");
+  if (plan.to_hz * step >= 0.5)
+    throw t.error(spectrum_keys.to_hz,
+                  fmt::format("{:g} Hz is not below half the sampling rate of a sample per step, {:g} Hz",
+                              plan.to_hz, 0.5 / step),
+                  "give a lower to_hz, or a shorter time.step");
+  if ((plan.to_hz - plan.from_hz) / plan.step_hz > most_frequencies)
+    throw t.error(spectrum_keys.step_hz,
+                  fmt::format("{:g} frequencies are more than {:g}",
+                              (plan.to_hz - plan.from_hz) / plan.step_hz, most_frequencies),
+                  "give a larger step_hz");
+}
+
+void read_sweep(const document::Table& t, SpectrumPlan& plan) {
+  const std::string direction = read(t, spectrum_keys.direction);
+  plan.direction = direction == "up"     ? SpectrumPlan::Direction::up
+                   : direction == "down" ? SpectrumPlan::Direction::down
+                                         : SpectrumPlan::Direction::both;
+  plan.periods = read(t, spectrum_keys.periods);
+  plan.analysed_periods = read(t, spectrum_keys.analysed_periods);
+  if (plan.analysed_periods > plan.periods)
+    throw t.error(
+        t.has(spectrum_keys.analysed_periods) ? spectrum_keys.analysed_periods : spectrum_keys.periods,
+        fmt::format("{:g} analysed periods are more than the {:g} at each frequency", plan.analysed_periods,
+                    plan.periods),
+        "give fewer analysed_periods, or more periods");
+  plan.samples_per_period = read(t, spectrum_keys.samples_per_period);
+  plan.rise_periods = read(t, spectrum_keys.rise_periods);
+  if (plan.rise_periods > plan.periods - plan.analysed_periods)
+    throw t.error(spectrum_keys.rise_periods,
+                  fmt::format("a rise of {:g} periods reaches into the analysed ones, which begin after {:g}",
+                              plan.rise_periods, plan.periods - plan.analysed_periods),
+                  "give fewer rise_periods or analysed_periods, or more periods");
+  plan.detrending = read(t, spectrum_keys.detrend) == "polynomial" ? SpectrumPlan::Detrending::polynomial
+                                                                   : SpectrumPlan::Detrending::period_average;
+}
+
+void read_adaptive(const document::Table& t, SpectrumPlan& plan) {
+  plan.adaptive = read(t, spectrum_keys.adaptive);
+  plan.tolerance = read(t, spectrum_keys.tolerance);
+  if (plan.adaptive && plan.direction == SpectrumPlan::Direction::both)
+    throw t.error(spectrum_keys.adaptive, "an adaptive sweep takes each frequency once",
+                  "give direction = \"up\" or \"down\"");
+}
+
+void read_pulse(const document::Table& t, SpectrumPlan& plan) {
+  plan.pulse =
+      read(t, spectrum_keys.pulse) == "ricker" ? SpectrumPlan::Pulse::ricker : SpectrumPlan::Pulse::gaussian;
+  plan.decay = read(t, spectrum_keys.decay);
+  plan.longest_pulse = read_optional(t, spectrum_keys.longest_pulse).value_or(30 / plan.step_hz);
+  plan.fewest_contacts =
+      int(t.optional_integer(spectrum_keys.fewest_contacts, spectrum_keys.fewest_contacts.range).value_or(0));
+}
+
+}  // namespace
+
+std::vector<double> SpectrumPlan::frequencies() const {
+  std::vector<double> all;
+  const double steps = std::floor((to_hz - from_hz) / step_hz * (1 + 1e-12));
+  for (double k = 0; k <= steps; ++k) all.push_back(from_hz + k * step_hz);
+  return all;
+}
+
+std::optional<SpectrumPlan> read_spectrum(const document::Table& root, const Plan& plan) {
+  const auto t = root.optional_table("spectrum");
+  if (!t) return std::nullopt;
+  SpectrumPlan spectrum;
+  read_drive(*t, plan.scene, spectrum);
+  spectrum.amplitude = read(*t, spectrum_keys.amplitude);
+  read_observed(*t, plan, spectrum);
+  read_frequencies(*t, plan.scene.step, spectrum);
+  read_sweep(*t, spectrum);
+  read_adaptive(*t, spectrum);
+  read_pulse(*t, spectrum);
+  return spectrum;
+}
+
+}  // namespace scree::scenario

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <scree/state_transfer.hpp>
+
+namespace scree::sound {
+
+// A road to the response of a packing to a driven wall.
+enum class Road { linear, pulse, sweep };
+
+inline constexpr const char* road_names[] = {"linear", "pulse", "sweep"};
+
+// What a road found: response over drive at each frequency.
+struct RoadSpectrum {
+  struct Column {
+    // (unit of the column / m); e^(iωt), so that the phase is that by which the response precedes the drive.
+    std::vector<std::complex<double>> response;
+    std::vector<double> error;      // (the same) of |response|, by the means of the road
+    std::vector<double> linearity;  // (the same) change at half the amplitude; of a pulse only
+  };
+
+  std::string road;                 // "linear", "pulse", "sweep", "sweep_down"
+  std::vector<double> frequencies;  // (Hz) increasing
+  std::vector<Column> columns;      // as SpectrumPlan::observed
+  std::uint64_t steps = 0;
+  double wall = 0;                 // (s)
+  std::vector<std::string> notes;  // "<what>; <cure>"
+
+  void transfer(const StateTransfer& state);
+};
+
+}  // namespace scree::sound

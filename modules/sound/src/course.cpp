@@ -1,0 +1,207 @@
+#include "course.hpp"
+
+#include "linear.hpp"
+#include "measurement_files.hpp"
+#include "pulse.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/run/set_up.hpp>
+#include <scree/state_file/state_file.hpp>
+
+namespace scree::sound {
+
+namespace {
+
+constexpr double seconds_between_states = 60, seconds_between_tables = 1;
+
+std::string title_of(const scenario::Plan& plan) {
+  return plan.title.empty() ? plan.source.stem().string() : plan.title;
+}
+
+Scene last_scene(const scenario::Plan& plan, unsigned threads) {
+  Scene scene = scene_in_stage(plan.scene, plan.stages, plan.stages.size());
+  scene.threads = threads;
+  return scene;
+}
+
+}  // namespace
+
+Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory)
+    : plan_(plan), options_(options), directory_(directory), asked_(options.roads) {
+  result_.title = title_of(plan);
+  result_.observed = plan.spectrum->observed;
+  result_.directory = directory.path();
+  result_.scenario = plan.resolved_text;
+  result_.inputs = run::hashes_of(plan.files);
+}
+
+Measurement Course::begin() {
+  auto simulation = run::set_up(plan_, options_.threads);
+  if (plan_.stages.empty()) set_start(simulation->state());
+  if (start_) const DrivenWalls checked(*start_);
+  directory_.create();
+  try {
+    write_record("running", result_, directory_);
+    directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+    if (!start_) run_stages(*simulation);
+    simulation.reset();
+    take_roads();
+  } catch (const Error& error) {
+    fail(error);
+  }
+  return finish();
+}
+
+Measurement Course::resume(const State& state) {
+  const StateTransfer from = StateTransfer::restoring_from(state).below("spectrum");
+  transfer(from);
+  set_start(state);
+  if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
+  directory_.create();
+  write_record("running", result_, directory_);
+  try {
+    take_roads();
+  } catch (const Error& error) {
+    fail(error);
+  }
+  return finish();
+}
+
+// What is complete stays, unless the input was refused before a road was taken.
+void Course::fail(const Error& error) {
+  if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_) {
+    directory_.discard();
+  } else if (error.status() != ExitStatus::interrupted) {
+    result_.error = error.what();
+    write_record("failed", result_, directory_);
+  }
+  throw error;
+}
+
+void Course::set_start(State state) {
+  start_.emplace(Start{plan_, last_scene(plan_, options_.threads), std::move(state), options_.stop,
+                       [this](double share, const std::string& what) {
+                         if (options_.on_progress) options_.on_progress(share, seconds(), what);
+                       }});
+}
+
+void Course::run_stages(Simulation& simulation) {
+  constexpr std::uint64_t steps_between_reports = 1000;
+  StageRunner runner(simulation, plan_.stages);
+  while (!runner.finished()) {
+    if (!proceeds()) throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
+    runner.run(steps_between_reports, [this] { return proceeds(); });
+    if (options_.on_progress && !runner.finished())
+      options_.on_progress(runner.progress().value_or(0), seconds(), runner.stages()[runner.current()].name);
+  }
+  set_start(simulation.state());
+}
+
+bool Course::asks(Road road) const { return std::find(asked_.begin(), asked_.end(), road) != asked_.end(); }
+
+bool Course::has(const std::string& road) const {
+  return std::any_of(result_.roads.begin(), result_.roads.end(),
+                     [&](const auto& r) { return r.road == road; });
+}
+
+void Course::take_roads() {
+  if (!sweep_) {
+    take_short(Road::linear, linear_spectrum);
+    take_short(Road::pulse, pulse_spectrum);
+  }
+  if (asks(Road::sweep) && proceeds()) take_sweep();
+}
+
+void Course::take_short(Road road, RoadSpectrum (*take)(const Start&)) {
+  const char* const name = road_names[std::size_t(road)];
+  if (!asks(road) || has(name) || !proceeds()) return;
+  try {
+    result_.roads.push_back(take(*start_));
+    for (const std::string& note : result_.roads.back().notes) warn(note);
+  } catch (const Error& error) {
+    if (error.status() == ExitStatus::interrupted) return;
+    if (asked_.size() == 1) throw;
+    warn(fmt::format("{} (the road {} is left out)", error.what(), name));
+    asked_.erase(std::find(asked_.begin(), asked_.end(), road));
+  }
+}
+
+void Course::take_sweep() {
+  if (!sweep_) sweep_ = std::make_unique<Sweep>(*start_);
+  save();
+  sweep_->run([this] {
+    const double now = seconds();
+    if (now - last_state_ >= seconds_between_states) {
+      last_state_ = now;
+      return save();
+    }
+    kept_ = sweep_->save();
+    transfer(StateTransfer::saving_to(*kept_).below("spectrum"));
+    if (now - last_table_ >= seconds_between_tables) last_table_ = now, write_sweep_table();
+  });
+  write_sweep_table();
+  if (kept_) write_state(*kept_);
+  for (RoadSpectrum& road : sweep_->spectra()) {
+    for (const std::string& note : road.notes) warn(note);
+    result_.roads.push_back(std::move(road));
+  }
+}
+
+void Course::save() {
+  kept_.reset();
+  State state = sweep_->save();
+  transfer(StateTransfer::saving_to(state).below("spectrum"));
+  write_sweep_table();
+  write_state(state);
+}
+
+void Course::write_sweep_table() {
+  directory_.write_file("sweep.csv", sweep_table(plan_.spectrum->observed, sweep_->points()));
+}
+
+void Course::write_state(const State& state) { state_file::write_state(directory_.add(state_name), state); }
+
+void Course::transfer(const StateTransfer& state) {
+  std::string scenario = plan_.resolved_text;
+  state.value("scenario", "", scenario);
+  std::vector<std::string> asked;
+  for (const Road road : asked_) asked.push_back(road_names[std::size_t(road)]);
+  state.rows("asked", "", asked);
+  asked_.clear();
+  for (const Road road : {Road::linear, Road::pulse, Road::sweep})
+    if (std::find(asked.begin(), asked.end(), road_names[std::size_t(road)]) != asked.end())
+      asked_.push_back(road);
+  std::uint64_t count = result_.roads.size();
+  state.value("count", "1", count);
+  result_.roads.resize(count);
+  for (std::size_t k = 0; k < count; ++k) result_.roads[k].transfer(state.below("road_" + std::to_string(k)));
+}
+
+void Course::warn(const std::string& line) {
+  result_.warnings.push_back(line);
+  if (options_.on_warning) options_.on_warning(line);
+}
+
+Measurement Course::finish() {
+  result_.interrupted = !proceeds();
+  // Without a sweep, that with which resume goes on.
+  if (result_.interrupted && !sweep_) {
+    transfer(StateTransfer::saving_to(start_->state).below("spectrum"));
+    write_state(start_->state);
+  }
+  result_.resonances = resonances_of(result_.roads);
+  write_tables(result_, directory_);
+  draw_charts(result_, directory_);
+  write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
+  return std::move(result_);
+}
+
+double Course::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+}  // namespace scree::sound

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "start.hpp"
+#include "sweep.hpp"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include <scree/run/run_directory.hpp>
+#include <scree/sound/measurement.hpp>
+
+namespace scree::sound {
+
+// One measurement from its start, or from its state, to its last file.
+class Course {
+ public:
+  static constexpr const char* state_name = "state.h5";
+
+  Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory);
+
+  Measurement begin();
+  Measurement resume(const State& state);
+
+ private:
+  void set_start(State state);
+  void run_stages(Simulation& simulation);
+  bool asks(Road road) const;
+  bool has(const std::string& road) const;
+  bool proceeds() const { return !options_.stop || !*options_.stop; }
+  void take_roads();
+  // A road that is repeated if it is interrupted. With others to take, one that cannot be taken is left out.
+  void take_short(Road road, RoadSpectrum (*take)(const Start&));
+  void take_sweep();
+  void save();
+  void write_sweep_table();
+  void write_state(const State& state);
+  void transfer(const StateTransfer& state);
+  void warn(const std::string& line);
+  [[noreturn]] void fail(const Error& error);
+  Measurement finish();
+  double seconds() const;  // of wall time so far
+
+  const scenario::Plan& plan_;
+  const MeasurementOptions& options_;
+  run::RunDirectory& directory_;
+  std::vector<Road> asked_;
+  Measurement result_;
+  std::optional<Start> start_;
+  std::unique_ptr<Sweep> sweep_;
+  std::optional<State> kept_;  // behind the last complete frequency, if it is not in the file
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  double last_state_ = 0, last_table_ = 0;  // (s)
+};
+
+}  // namespace scree::sound

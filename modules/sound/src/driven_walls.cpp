@@ -1,0 +1,68 @@
+#include "driven_walls.hpp"
+
+#include "wave.hpp"
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/plugin/program.hpp>
+#include <scree/wall_equations.hpp>
+
+namespace scree::sound {
+
+namespace {
+
+Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
+
+// Velocity of each wall (m/s) at the start of a drive of this speed (m/s).
+std::vector<Vec3> velocities(Simulation& copy, const scenario::SpectrumPlan& plan, double speed) {
+  start_wave(copy, plan, {Program::ramp, 0, speed, 1});
+  std::vector<Vec3> all;
+  for (const scree_plane& plane : copy.planes()) all.push_back(vector(plane.velocity));
+  return all;
+}
+
+}  // namespace
+
+DrivenWalls::DrivenWalls(const Start& start) {
+  Simulation copy(start.scene, start.state);
+  const scenario::SpectrumPlan& plan = start.spectrum();
+  for (const scree_plane& plane : copy.planes()) at_rest_.push_back(vector(plane.point));
+  // Slow compared with any motion of the scene, since limits of speed hold for walls too.
+  const double speed = 2 * plan.from_hz * plan.amplitude;
+  const std::vector<Vec3> still = velocities(copy, plan, 0), moving = velocities(copy, plan, speed);
+  const WallEquations equations = copy.linear_walls();
+  for (std::size_t w = 0; w < still.size(); ++w) {
+    motion_.push_back((1 / speed) * (moving[w] - still[w]));
+    square_ += dot(motion_[w], motion_[w]);
+    prescribed_ &= dot(motion_[w], motion_[w]) == 0 || !equations.walls[w].free;
+  }
+  if (square_ == 0)
+    throw Error(
+        fmt::format("{}: '{}' of '{}' moves no wall with its present control; set the control that uses it",
+                    plan.drive_place, plan.key, plan.boundary));
+}
+
+double DrivenWalls::drive_of(const std::vector<scree_plane>& planes) const {
+  double sum = 0;
+  for (std::size_t w = 0; w < planes.size(); ++w)
+    sum += dot(motion_[w], vector(planes[w].point) - at_rest_[w]);
+  return sum / square_;
+}
+
+void DrivenWalls::transfer(const StateTransfer& state) {
+  const auto vectors = [&](const char* name, const char* unit, std::vector<Vec3>& all) {
+    std::vector<double> numbers;
+    for (const Vec3& v : all) numbers.insert(numbers.end(), {v[0], v[1], v[2]});
+    state.rows(name, unit, numbers);
+    all.resize(numbers.size() / 3);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      all[k] = {{numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]}};
+  };
+  vectors("motion", "1", motion_);
+  vectors("at_rest", "m", at_rest_);
+  state.value("square", "1", square_);
+  state.value("prescribed", "", prescribed_);
+}
+
+}  // namespace scree::sound

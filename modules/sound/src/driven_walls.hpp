@@ -1,0 +1,30 @@
+#pragma once
+
+#include "start.hpp"
+
+#include <vector>
+
+namespace scree::sound {
+
+// How walls follow the drive.
+class DrivenWalls {
+ public:
+  DrivenWalls() = default;  // for transfer()
+  // Asks a copy of the simulation. Throws Error if the drive moves no wall.
+  explicit DrivenWalls(const Start& start);
+
+  // Displacement of each wall (m) for a drive of 1 m.
+  const std::vector<Vec3>& motion() const { return motion_; }
+  // Whether nothing but the drive moves them, so that their position tells the drive.
+  bool are_prescribed() const { return prescribed_; }
+  // The drive (m) that the position of the walls tells; only if they are prescribed.
+  double drive_of(const std::vector<scree_plane>& planes) const;
+  void transfer(const StateTransfer& state);
+
+ private:
+  std::vector<Vec3> motion_, at_rest_;
+  double square_ = 0;
+  bool prescribed_ = true;
+};
+
+}  // namespace scree::sound

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <scree/response/degrees_of_freedom.hpp>
+#include <scree/response/frequency_response.hpp>
+#include <scree/simulation.hpp>
+
+namespace scree::sound {
+
+// The steady motion of a packing about its present state while its walls move.
+struct HarmonicMotion {
+  response::DegreesOfFreedom freedom;
+  std::vector<response::HarmonicResponse> responses;  // for each frequency
+};
+
+// walls: displacement of each wall (m). The one place where the linear system is set up and solved. Throws Error if a law
+// cannot be linearised.
+HarmonicMotion harmonic_motion(const Simulation& simulation, const std::vector<Vec3>& walls,
+                               const std::vector<double>& frequencies_hz,
+                               const response::AssemblyOptions& options);
+
+}  // namespace scree::sound

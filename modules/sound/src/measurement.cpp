@@ -1,0 +1,71 @@
+#include "course.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/scene_record.hpp>
+#include <scree/sound/measurement.hpp>
+#include <scree/state_file/state_file.hpp>
+
+namespace scree::sound {
+
+namespace {
+
+namespace fs = std::filesystem;
+using run::RunDirectory;
+
+RunDirectory directory_of(const scenario::Plan& plan, const MeasurementOptions& options) {
+  constexpr auto kind = RunDirectory::Kind::spectrum;
+  if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source, kind), kind);
+  using Existing = RunDirectory::Existing;
+  RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse, kind);
+  directory.protect(plan.inputs);
+  directory.take();
+  return directory;
+}
+
+std::string status_in(const fs::path& directory) {
+  const auto json = nlohmann::json::parse(files::read_text(directory / "spectrum.json"), nullptr, false);
+  return json.is_object() && json.contains("status") ? json.value("status", "") : "";
+}
+
+}  // namespace
+
+Measurement measure(const scenario::Plan& plan, const MeasurementOptions& options) {
+  if (!plan.spectrum)
+    throw Error(fmt::format(
+        "{}: has no [spectrum]; add one with drive, amplitude, observe, from_hz, to_hz and step_hz",
+        plan.source.string()));
+  RunDirectory directory = directory_of(plan, options);
+  return Course(plan, options, directory).begin();
+}
+
+bool is_measurement(const fs::path& directory) {
+  std::error_code failed;
+  return fs::exists(directory / "spectrum.json", failed);
+}
+
+Measurement resume_measurement(const MeasurementOptions& options, PluginHost& host) {
+  if (!is_measurement(options.out))
+    throw Error(fmt::format("{}: contains no spectrum; give the directory of one", options.out.string()));
+  RunDirectory directory(options.out, RunDirectory::Existing::keep, RunDirectory::Kind::spectrum);
+  directory.take();
+  if (status_in(options.out) == "finished")
+    throw Error(
+        fmt::format("{}: the spectrum is finished; give --overwrite with the scenario to measure it again",
+                    options.out.string()));
+  const fs::path file = options.out / Course::state_name;
+  if (std::error_code failed; !fs::exists(file, failed))
+    throw Error(fmt::format("{}: there is no state yet; measure the scenario again with --overwrite",
+                            options.out.string()));
+  const State state = state_file::read_state(file);
+  std::string text;
+  StateTransfer::restoring_from(state).below("spectrum").value("scenario", "", text);
+  const scenario::Plan plan =
+      scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
+  return Course(plan, options, directory).resume(state);
+}
+
+}  // namespace scree::sound

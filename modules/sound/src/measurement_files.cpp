@@ -1,0 +1,180 @@
+#include "measurement_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/files/csv_line.hpp>
+#include <scree/run/input_hashes_json.hpp>
+#include <scree/snapshot/load_backend.hpp>
+
+namespace scree::sound {
+
+namespace {
+
+using files::csv_line;
+using files::csv_number;
+using Json = nlohmann::ordered_json;
+using Cells = std::vector<std::string>;
+
+void add_numbers(Cells& cells, std::initializer_list<double> numbers) {
+  for (const double x : numbers) cells.push_back(csv_number(x));
+}
+
+std::string spectrum_table(const Measurement& m) {
+  Cells head = {"road", "frequency [Hz]"};
+  for (const scenario::ObservedColumn& column : m.observed)
+    for (const char* what : {"amplitude", "phase", "error", "linearity"})
+      head.push_back(fmt::format("{}.{} [{}]", column.name, what,
+                                 what == std::string("phase") ? "rad" : unit_of_response(column)));
+  std::string text = csv_line(head);
+  for (const RoadSpectrum& road : m.roads)
+    for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
+      Cells cells = {road.road, csv_number(road.frequencies[k])};
+      for (const RoadSpectrum::Column& column : road.columns)
+        add_numbers(cells, {std::abs(column.response[k]), std::arg(column.response[k]), column.error[k],
+                            column.linearity.empty() ? NAN : column.linearity[k]});
+      text += csv_line(cells);
+    }
+  return text;
+}
+
+std::string peak_table(const Measurement& m) {
+  std::string text = csv_line({"road", "column", "frequency [Hz]", "frequency_error [Hz]", "width [Hz]",
+                               "width_error [Hz]", "quality", "quality_error", "amplitude", "amplitude_error",
+                               "amplitude_unit", "phase [rad]", "difference [Hz]"});
+  for (const Resonance& r : m.resonances) {
+    const spectrum::Mode& mode = r.mode;
+    Cells cells = {m.roads[r.road].road, m.observed[r.column].name};
+    add_numbers(cells, {mode.frequency, mode.frequency_error, mode.width, mode.width_error, mode.quality,
+                        mode.quality_error, mode.amplitude, mode.amplitude_error});
+    cells.push_back(unit_of_response(m.observed[r.column]));
+    add_numbers(cells, {mode.phase, r.difference});
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+// By road, column and number, so that each number has a name of its own: peaks.pulse.strain.strain.peak_1.frequency.
+Json peaks_of(const Measurement& m) {
+  Json peaks = Json::object();
+  for (const Resonance& r : m.resonances) {
+    const spectrum::Mode& mode = r.mode;
+    Json& of_column = peaks[m.roads[r.road].road][m.observed[r.column].name];
+    of_column[fmt::format("peak_{}", of_column.size() + 1)] = {
+        {"frequency", mode.frequency}, {"frequency_error", mode.frequency_error},
+        {"quality", mode.quality},     {"quality_error", mode.quality_error},
+        {"amplitude", mode.amplitude}, {"amplitude_error", mode.amplitude_error}};
+  }
+  return peaks;
+}
+
+std::string road_table(const Measurement& m) {
+  std::string text = csv_line({"road", "frequencies", "steps", "wall [s]"});
+  for (const RoadSpectrum& road : m.roads)
+    text += csv_line({road.road, fmt::format("{}", road.frequencies.size()), fmt::format("{}", road.steps),
+                      csv_number(road.wall)});
+  return text;
+}
+
+bool is_sweep(const RoadSpectrum& road) { return road.road.starts_with("sweep"); }
+
+snapshot::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double scale) {
+  snapshot::ChartSeries curve;
+  curve.name = road.road == "sweep_down" ? "sweep down" : road.road;
+  if (road.road == "pulse") curve.line = snapshot::LineStyle::dashed;
+  if (is_sweep(road)) curve.line = snapshot::LineStyle::none, curve.markers = true;
+  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
+    const double amplitude = std::abs(road.columns[c].response[k]);
+    if (!(amplitude > 0 && std::isfinite(amplitude))) continue;  // not possible on a logarithmic axis
+    curve.x.push_back(scale * road.frequencies[k]);
+    curve.y.push_back(amplitude);
+  }
+  return curve;
+}
+
+}  // namespace
+
+std::string unit_of_response(const scenario::ObservedColumn& column) {
+  if (column.relative || column.unit.empty()) return "1/m";
+  return column.unit == "m" ? "1" : column.unit + "/m";
+}
+
+void write_record(const std::string& status, const Measurement& m, const run::RunDirectory& directory) {
+  Json json = {{"version", SCREE_VERSION}, {"status", status}};
+  if (!m.error.empty()) json["error"] = m.error;
+  json["title"] = m.title;
+  for (const scenario::ObservedColumn& column : m.observed) json["observed"].push_back(column.name);
+  for (const RoadSpectrum& road : m.roads)
+    json["roads"].push_back({{"road", road.road},
+                             {"frequencies", road.frequencies.size()},
+                             {"steps", road.steps},
+                             {"wall", road.wall},
+                             {"notes", road.notes}});
+  json["peaks"] = peaks_of(m);
+  json["warnings"] = m.warnings;
+  json["expect"] = Json::array();
+  json["inputs"] = run::json_of(m.inputs);
+  json["scenario"] = m.scenario;
+  directory.write_file("spectrum.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
+                        const std::vector<SweepPoint>& points) {
+  Cells head = {"frequency [Hz]", "start [s]", "steps", "periods", "steady", "drive [m]"};
+  for (const scenario::ObservedColumn& column : observed) {
+    const std::string unit = unit_of_response(column);
+    head.push_back(fmt::format("{}.amplitude [{}]", column.name, unit));
+    head.push_back(fmt::format("{}.phase [rad]", column.name));
+    head.push_back(fmt::format("{}.error [{}]", column.name, unit));
+    head.push_back(column.unit.empty() ? column.name + ".mean"
+                                       : fmt::format("{}.mean [{}]", column.name, column.unit));
+  }
+  std::string text = csv_line(head);
+  for (const SweepPoint& point : points) {
+    Cells cells = {csv_number(point.frequency), csv_number(point.start),     fmt::format("{}", point.steps),
+                   csv_number(point.periods),   point.is_steady ? "1" : "0", csv_number(point.drive)};
+    for (const SweepPoint::Column& column : point.columns)
+      add_numbers(cells, {std::abs(column.response), std::arg(column.response), column.error, column.mean});
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+void write_tables(const Measurement& m, const run::RunDirectory& directory) {
+  directory.write_file("spectrum.csv", spectrum_table(m));
+  directory.write_file("peaks.csv", peak_table(m));
+  directory.write_file("roads.csv", road_table(m));
+}
+
+void draw_charts(const Measurement& m, const run::RunDirectory& directory) {
+  if (!snapshot::has_pictures()) return;
+  double highest = 0;
+  for (const RoadSpectrum& road : m.roads)
+    if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
+  const bool in_khz = highest >= 1e4;
+  for (std::size_t c = 0; c < m.observed.size(); ++c) {
+    snapshot::ChartSpec chart;
+    chart.title = m.title;
+    chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
+    const std::string unit = unit_of_response(m.observed[c]);
+    chart.y_label = unit == "1" ? m.observed[c].name + " per drive"
+                                : fmt::format("{} per drive ({})", m.observed[c].name, unit);
+    chart.log_y = true;
+    // The marks of sweeps are below the lines.
+    for (const bool sweeps : {true, false})
+      for (const RoadSpectrum& road : m.roads)
+        if (snapshot::ChartSeries curve = curve_of(road, c, in_khz ? 1e-3 : 1);
+            is_sweep(road) == sweeps && !curve.x.empty())
+          chart.series.push_back(std::move(curve));
+    if (chart.series.empty()) continue;
+    std::string name = m.observed[c].name;
+    name[name.rfind('.')] = '_';
+    snapshot::load_backend()->chart(chart, directory.add("charts/" + name + ".png"));
+  }
+}
+
+}  // namespace scree::sound

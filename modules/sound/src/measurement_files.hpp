@@ -1,0 +1,28 @@
+#pragma once
+
+#include "sweep_point.hpp"
+
+#include <string>
+#include <vector>
+
+#include <scree/run/run_directory.hpp>
+#include <scree/sound/measurement.hpp>
+
+namespace scree::sound {
+
+// The record of a measurement by which its directory is known.
+void write_record(const std::string& status, const Measurement& measurement,
+                  const run::RunDirectory& directory);
+
+// sweep.csv: one row per frequency, in the order of the sweep.
+std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
+                        const std::vector<SweepPoint>& points);
+
+// spectrum.csv, peaks.csv, roads.csv and, with pictures, a chart of each column.
+void write_tables(const Measurement& measurement, const run::RunDirectory& directory);
+void draw_charts(const Measurement& measurement, const run::RunDirectory& directory);
+
+// Unit of a column per drive: "1/m" of a strain.
+std::string unit_of_response(const scenario::ObservedColumn& column);
+
+}  // namespace scree::sound

@@ -1,0 +1,62 @@
+#include "pulse.hpp"
+
+#include "pulse_record.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::sound {
+
+namespace {
+
+RoadSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& half, std::size_t c,
+                               const std::vector<double>& frequencies, double scale) {
+  RoadSpectrum::Column column;
+  const double beyond = full.beyond(c);
+  for (const double f : frequencies) {
+    const std::complex<double> drive = full.drive_at(f), h = scale * full.column_at(c, f) / drive;
+    column.response.push_back(h);
+    column.error.push_back(scale * beyond / std::abs(drive));
+    column.linearity.push_back(std::abs(h - scale * half.column_at(c, f) / half.drive_at(f)));
+  }
+  return column;
+}
+
+void note_tail(const PulseRecord& record, std::size_t c, const scenario::SpectrumPlan& plan,
+               RoadSpectrum& road) {
+  if (record.tail(c) < plan.decay) return;
+  road.notes.push_back(fmt::format(
+      "pulse: after {:.3g} s {} has not decayed: what follows changes the response by {}; give a longer longest_pulse",
+      record.length(), plan.observed[c].name,
+      std::isfinite(record.tail(c)) ? fmt::format("about {:.2g} of its largest value", record.tail(c))
+                                    : "an unknown amount"));
+}
+
+}  // namespace
+
+RoadSpectrum pulse_spectrum(const Start& start) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  const scenario::SpectrumPlan& plan = start.spectrum();
+  const DrivenWalls walls(start);
+  PulseRecord undriven(start, walls, 0, nullptr), full(start, walls, plan.amplitude, &undriven),
+      half(start, walls, 0.5 * plan.amplitude, &undriven);
+  if (!full.until_decay() || !half.until_samples(full.samples()))
+    throw Error("interrupted while the response to the pulse was recorded", ExitStatus::interrupted);
+  RoadSpectrum road{.road = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
+  road.steps = undriven.steps() + full.steps() + half.steps();
+  for (std::size_t c = 0; c < plan.observed.size(); ++c) {
+    const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
+    road.columns.push_back(column_of(full, half, c, road.frequencies, scale));
+    note_tail(full, c, plan, road);
+  }
+  road.wall = std::chrono::duration<double>(Clock::now() - began).count();
+  return road;
+}
+
+}  // namespace scree::sound

@@ -1,0 +1,33 @@
+#include <scree/sound/road_spectrum.hpp>
+
+namespace scree::sound {
+
+namespace {
+
+void transfer_column(const StateTransfer& state, RoadSpectrum::Column& column) {
+  std::vector<double> parts;
+  for (const std::complex<double>& h : column.response) parts.insert(parts.end(), {h.real(), h.imag()});
+  state.rows("response", "1", parts);
+  column.response.resize(parts.size() / 2);
+  for (std::size_t k = 0; k < column.response.size(); ++k)
+    column.response[k] = {parts[2 * k], parts[2 * k + 1]};
+  state.rows("error", "1", column.error);
+  state.rows("linearity", "1", column.linearity);
+}
+
+}  // namespace
+
+void RoadSpectrum::transfer(const StateTransfer& state) {
+  state.value("road", "", road);
+  state.rows("frequencies", "1/s", frequencies);
+  state.value("steps", "1", steps);
+  state.value("wall", "s", wall);
+  state.rows("notes", "", notes);
+  std::uint64_t count = columns.size();
+  state.value("columns", "1", count);
+  columns.resize(count);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    transfer_column(state.below(std::to_string(c)), columns[c]);
+}
+
+}  // namespace scree::sound

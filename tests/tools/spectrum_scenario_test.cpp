@@ -1,0 +1,108 @@
+#include "program.hpp"
+
+#include <algorithm>
+
+using namespace scree::test;
+
+namespace {
+
+// The chain of the repository, over one of its peaks.
+const std::string chain = text_of(SCREE_TEST_SOURCE "/scenarios/sound/chain.toml");
+const std::string peak =
+    "--set spectrum.from_hz=70 --set spectrum.to_hz=105 --set spectrum.periods=60 "
+    "--set spectrum.analysed_periods=30 ";
+
+std::size_t lines_of(const std::string& text) {
+  return std::size_t(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("spectrum of a scenario takes all roads and prints what they found", "[tools]") {
+  const Workspace w(chain);
+  const Outcome outcome = w.scree("spectrum scene.toml --by all --out out " + peak);
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK(lines_of(outcome.out) <= 27);
+  for (const char* part : {"linear ", "pulse ", "sweep ", "particles.z_8, linear:", "results in out"})
+    CHECK(outcome.out.find(part) != std::string::npos);
+  CHECK(w.text("out/spectrum.csv")
+            .starts_with("road,frequency [Hz],particles.z_1.amplitude [1],particles.z_1.phase [rad],"));
+  // Three roads with two columns each; the header.
+  CHECK(lines_of(w.text("out/peaks.csv")) == 7);
+  CHECK(lines_of(w.text("out/spectrum.csv")) == 1 + 3 * 71);
+  CHECK(lines_of(w.text("out/sweep.csv")) == 1 + 71);
+  CHECK(lines_of(w.text("out/roads.csv")) == 4);
+  CHECK(nlohmann::json::parse(w.text("out/spectrum.json"))["status"] == "finished");
+#ifdef SCREE_TEST_PICTURES
+  CHECK(w.has("out/charts/particles_z_8.png"));
+#endif
+}
+
+TEST_CASE("a sweep that Ctrl-C ends goes on with resume, to the same table", "[tools]") {
+  const Workspace w(chain);
+  const std::string sweep = "' spectrum scene.toml --quiet " + peak;
+  const Outcome outcome =
+      w.shell("'" SCREE_TEST_PROGRAM + sweep + "--out whole\n'" SCREE_TEST_PROGRAM + sweep +
+              "--out out &\nrun=$!\nuntil test -s out/state.h5; do sleep 0.01; done; sleep 0.2\n"
+              "kill -INT $run; wait $run; echo status $?\nscree resume out --quiet");
+  INFO(outcome.err << outcome.out);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.find("status 130") != std::string::npos);
+  CHECK(outcome.out.find("go on with: scree resume out") != std::string::npos);
+  CHECK(w.text("out/sweep.csv") == w.text("whole/sweep.csv"));
+  CHECK(w.text("out/spectrum.csv") == w.text("whole/spectrum.csv"));
+}
+
+TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothing", "[tools]") {
+  const Workspace w(chain);
+  const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
+    check_refused(w, w.scree("spectrum " + arguments), begin, end);
+    CHECK(!w.has("out"));
+  };
+  refused("--out out", "neither a scenario nor --csv", "or --csv FILE --column NAME");
+  refused("scene.toml --csv x.csv --column y", "--csv analyses a file, not a scenario", "give one of them");
+  refused("--csv x.csv", "--csv without --column", "give --column NAME");
+  refused("--resume", "--resume without --out", "with the directory of the spectrum");
+  refused("--resume --out out", "out: contains no spectrum", "give the directory of one");
+  const std::string scene = "scene.toml --out out --set ";
+  refused(scene + "spectrum.drive=\\'lid.displacement\\'", "--set spectrum.drive=", "there are: floor");
+  refused(scene + "spectrum.observe=[\\'particles.z_9\\']",
+          "--set spectrum.observe=", "did you mean 'particles.z_1'?");
+  refused(scene + "spectrum.amplitude=-1e-8", "--set spectrum.amplitude=", "give an amplitude above 0");
+  refused(scene + "spectrum.to_hz=1e5", "--set spectrum.to_hz=", "a shorter time.step");
+  refused(scene + "boundary.floor.control=\\'fixed\\'", "scene.toml:", "set the control that uses it");
+  refused(scene + "spectrum.fewest_contacts=9 --by linear", "no body is held", "compress the packing");
+  const Workspace without;
+  check_refused(without, without.scree("spectrum scene.toml --out out"), "scene.toml: has no [spectrum]",
+                "from_hz, to_hz and step_hz");
+}
+
+TEST_CASE("a scenario of a spectrum without stages is checked, but not run", "[tools]") {
+  const Workspace w(chain);
+  const Outcome checked = w.scree("check scene.toml");
+  CHECK(checked.status == 0);
+  CHECK(checked.out.find("spectrum: 281 frequencies from 20 to 160 Hz") != std::string::npos);
+  check_refused(w, w.run(), "scene.toml: the scenario says nothing of how long it lasts",
+                "or run scree spectrum with it");
+  check_refused(w, w.scree("accuracy scene.toml --out out"),
+                "scene.toml: the scenario says nothing of how long", "or run scree spectrum with it");
+}
+
+TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
+  const Workspace w(chain);
+  REQUIRE(w.scree("spectrum scene.toml --by linear --out out --quiet").status == 0);
+  const std::string table = w.text("out/spectrum.csv");
+  const auto refused = [&](const std::string& arguments, const char* problem) {
+    const Outcome outcome = w.scree(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(problem) != std::string::npos);
+  };
+  refused("resume out --until 1", "out: holds a spectrum, which goes on as it began; give no --set, --until");
+  refused("resume out", "out: the spectrum is finished; give --overwrite");
+  refused("spectrum scene.toml --out out", "out: already contains a spectrum; give another --out");
+  CHECK(w.text("out/spectrum.csv") == table);
+  CHECK(w.scree("spectrum scene.toml --by linear --out out --quiet --overwrite").status == 0);
+}
