@@ -61,6 +61,8 @@ TEST_CASE("prepared runs are kept, also where the directory of the campaign was 
   const Outcome moved =
       w.shell("mv out moved; touch moved/prepare/*/*.h5; scree campaign campaign.toml --out moved");
   CHECK(contains(moved.out, "4 finished (4 of them in an earlier call)\n"));
+  CHECK(contains(moved.out, "kept     2 preparations of an earlier call\n"));
+  CHECK_FALSE(contains(moved.out, "prepared prepare/"));
   // Another preparation has another directory, and runs from the former one are changed.
   REQUIRE(w.shell("mv moved out").status == 0);
   w.write("prepare.toml", with(discs, "normal_damping = 0", "normal_damping = 0.01"));
@@ -100,6 +102,20 @@ TEST_CASE("runs that do not fit the prepared state are refused before any is run
   CHECK_FALSE(w.has("out/normal_stiffness=10000,seed=1"));
   const PreparedWorkspace wrong("[prepare]\nscenario = 'prepare.toml'\nset.time.step = -1\n");
   check_refused(wrong, wrong.scree(call), "campaign.toml:5:17: in run 'prepare/", "give a step above 0");
+}
+
+TEST_CASE("a misspelt key is refused before anything is prepared", "[tools]") {
+  const auto refused = [](const std::string& rest, const std::string& place,
+                          const std::string& text = scene) {
+    const PreparedWorkspace w(rest, text);
+    check_refused(w, w.scree(call), place, "did you mean ");
+    CHECK_FALSE(w.has("out"));
+  };
+  refused("[set]\ncontact.normal_stifness = [1e4, 2e4]\n" + prepare,
+          "campaign.toml:4:28: in run 'normal_stifness=10000' --set contact.normal_stifness=10000");
+  refused("[prepare]\nscenario = 'prepare.toml'\nset.contact.normal_stifness = 1e4\n",
+          "campaign.toml:5:31: in run 'prepare/");
+  refused(prepare, "campaign.toml:2:12: in run 'run' scene.toml:", scene + "[limits]\noverlap_rato = 0.5\n");
 }
 
 TEST_CASE("preparations are not written through a link", "[tools]") {

@@ -21,19 +21,28 @@ class Parameters {
                                             const std::vector<double>& data);
   // Sets a parameter. Throws Error for an unknown key or numbers that are out of range.
   void set(const std::string& key, std::vector<double> data);
+  // Sets a parameter of the type SCREE_INPUT: "<probe>.<column>" and the unit of that column. Throws Error for another
+  // parameter.
+  void set_input(const std::string& key, const std::string& name, const std::string& unit);
   // Throws Error if a required parameter is missing or if two mutually exclusive ones are given.
   void check_complete() const;
 
   bool given(const std::string& key) const;
   // One value per declared parameter, defaults filled in; valid until this object is changed or destroyed.
   std::vector<scree_value> values() const;
+  // Columns of other probes, in the order in which they were set; valid as values() are.
+  std::vector<scree_input> inputs() const;
 
  private:
+  struct NamedInput {
+    std::string name, unit;
+  };
   std::size_t index_of(const std::string& key) const;
 
   const scree_plugin* plugin_;
   std::vector<std::vector<double>> data_;
   std::vector<bool> given_;
+  std::vector<NamedInput> inputs_;
 };
 
 // The words of a choice parameter: "first|second" split at '|'.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,8 +14,10 @@ namespace scree {
 // Read-only view of a simulation for probes; valid until the next step.
 class SimulationView {
  public:
-  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies.
-  SimulationView(const Simulation& simulation, std::uint32_t needs);
+  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies. end_time: (s) of the
+  // run, if it is known.
+  SimulationView(const Simulation& simulation, std::uint32_t needs,
+                 double end_time = std::numeric_limits<double>::quiet_NaN());
   SimulationView(const SimulationView&) = delete;
   SimulationView& operator=(const SimulationView&) = delete;
 
@@ -44,10 +47,14 @@ class Probe {
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }
 
-  // Updates the state. Throws Error, as sample() does, if the scene lacks what the probe reads.
-  void observe(const scree_view& view);
+  // Time between observations that the plug-in has chosen (s); 0 if it leaves that to the scenario.
+  double observe_every() const { return plugin_.instance().observe_every; }
+
+  // Updates the state. inputs: values of the columns of other probes that this one reads, in the order of
+  // Parameters::inputs(). Throws Error, as sample() does, if the scene lacks what the probe reads.
+  void observe(const scree_view& view, std::span<const double> inputs = {});
   // One row of values.
-  std::vector<double> sample(const scree_view& view);
+  std::vector<double> sample(const scree_view& view, std::span<const double> inputs = {});
   // Throws Error if the scene lacks what the probe reads; leaves the state as it is.
   void check(const scree_view& view) const;
   // What the probe keeps.

@@ -28,6 +28,9 @@ struct Stage {
   std::optional<double> at_most;  // (s) after which an unfulfilled condition is an error
 };
 
+// Duration of all stages together (s); NaN if one ends by a condition, or there is none.
+double duration_of(const std::vector<Stage>& stages);
+
 // Runs a simulation through its stages.
 class StageRunner {
  public:

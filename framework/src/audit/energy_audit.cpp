@@ -1,29 +1,22 @@
 #include "audit/energy_audit.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <scree/energy.hpp>
+#include <scree/plugin/energies.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
 
 namespace {
 
-// The totals that are kept from step to step.
-constexpr std::pair<const char*, double scree_energy::*> named_totals[] = {
-    {"elastic_normal", &scree_energy::elastic_normal},
-    {"elastic_tangential", &scree_energy::elastic_tangential},
-    {"potential", &scree_energy::potential},
-    {"dissipated_normal", &scree_energy::dissipated_normal},
-    {"dissipated_tangential", &scree_energy::dissipated_tangential},
-    {"dissipated_rolling", &scree_energy::dissipated_rolling},
-    {"dissipated_friction", &scree_energy::dissipated_friction},
-    {"dissipated_release", &scree_energy::dissipated_release},
-    {"dissipated_translation", &scree_energy::dissipated_translation},
-    {"dissipated_rotation", &scree_energy::dissipated_rotation},
-    {"created", &scree_energy::created},
-    {"work", &scree_energy::work}};
+// What balance() sets; the others are kept from step to step.
+constexpr double scree_energy::*computed[] = {
+    &scree_energy::kinetic_translation, &scree_energy::kinetic_rotation, &scree_energy::kinetic_boundary,
+    &scree_energy::dissipated_boundary, &scree_energy::residual};
 
 // The larger number; NaN if one of them is, which std::max passes over.
 double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
@@ -118,7 +111,9 @@ void BodySums::transfer(const StateTransfer& state) {
 }
 
 void EnergyAudit::transfer(const StateTransfer& state) {
-  for (const auto& [name, energy] : named_totals) state.value(name, "J", totals_.*energy);
+  for (const NamedEnergy& energy : energies)
+    if (std::find(std::begin(computed), std::end(computed), energy.member) == std::end(computed))
+      state.value(energy.name, "J", totals_.*energy.member);
   contacts_.transfer(state.below("contacts"));
   bodies_.transfer(state.below("body_forces"));
   state.value("stored_at_start", "J", stored_at_start_);

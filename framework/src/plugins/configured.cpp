@@ -43,11 +43,14 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
       storage_(::operator new(SCREE_MAX_INSTANCE_SIZE, std::align_val_t(64))) {
   parameters_->check_complete();
   const std::vector<scree_value> values = parameters_->values();
+  const std::vector<scree_input> inputs = parameters_->inputs();
   char message[512] = "";
   scree_setup setup = {};
   setup.struct_size = sizeof(setup);
   setup.dimension = std::uint32_t(dimension);
   setup.values = values.data();
+  setup.input_count = std::uint32_t(inputs.size());
+  setup.inputs = inputs.data();
   for (int k = 0; k < 3; ++k) setup.lower[k] = lower[k], setup.upper[k] = upper[k];
   setup.message = message;
   setup.message_size = sizeof(message);

@@ -78,8 +78,10 @@ Problem default_problem(const scree_parameter& p) {
 Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) {
   if (!p.key) return missing("key of a parameter");
   if (!p.unit || !p.doc) return missing(fmt::format("unit or doc of the parameter '{}'", p.key));
-  if (p.type > SCREE_PROGRAM)
+  if (p.type > SCREE_INPUT)
     return fmt::format("its parameter '{}' has the unknown type {}; give one of scree_type", p.key, p.type);
+  if (p.type == SCREE_INPUT && plugin.kind != SCREE_PROBE)
+    return fmt::format("its parameter '{}' is a column of a probe, which only probes read; remove it", p.key);
   if (p.type == SCREE_CHOICE && !p.choices)
     return missing(fmt::format("choices of the parameter '{}'", p.key));
   if (const Problem problem = default_problem(p)) return problem;

@@ -33,6 +33,8 @@ std::string kind_of(const scree_parameter& p) {
       return "list of numbers";
     case SCREE_PROGRAM:
       return "number or program of time";
+    case SCREE_INPUT:
+      return "\"<probe>.<column>\" of another probe";
     case SCREE_NUMBER:
       break;
   }
@@ -96,6 +98,7 @@ const scree_parameter* Parameters::find(const std::string& key) const {
 
 std::optional<std::string> Parameters::problem(const scree_parameter& p, const std::vector<double>& data) {
   if (data.empty()) return fmt::format("is empty; give a {}", describe_range(p));
+  if (p.type == SCREE_INPUT) return fmt::format("is a number; give {}", describe_range(p));
   if (p.type == SCREE_PROGRAM) {
     if (auto wrong = program_problem(data)) return wrong;
     const auto [least, most] = program_extremes(data);
@@ -120,6 +123,16 @@ void Parameters::set(const std::string& key, std::vector<double> data) {
   given_[k] = true;
 }
 
+void Parameters::set_input(const std::string& key, const std::string& name, const std::string& unit) {
+  const std::size_t k = index_of(key);
+  if (plugin_->parameters[k].type != SCREE_INPUT)
+    throw Error(fmt::format("{}.{} is no column of a probe; give a {}", plugin_->name, key,
+                            describe_range(plugin_->parameters[k])));
+  if (!given_[k]) data_[k] = {double(inputs_.size())}, inputs_.emplace_back();
+  inputs_[std::size_t(data_[k][0])] = {name, unit};
+  given_[k] = true;
+}
+
 bool Parameters::given(const std::string& key) const { return given_[index_of(key)]; }
 
 void Parameters::check_complete() const {
@@ -138,6 +151,12 @@ void Parameters::check_complete() const {
           fmt::format("{}: '{}' is missing; add {} = <{}>", plugin_->name, p.key, p.key, describe_range(p)));
     }
   }
+}
+
+std::vector<scree_input> Parameters::inputs() const {
+  std::vector<scree_input> inputs;
+  for (const NamedInput& input : inputs_) inputs.push_back({input.name.c_str(), input.unit.c_str()});
+  return inputs;
 }
 
 std::vector<scree_value> Parameters::values() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -40,7 +41,7 @@ bool fits_csv(const std::string& text) {
 
 }  // namespace
 
-SimulationView::SimulationView(const Simulation& s, std::uint32_t needs)
+SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double end_time)
     : energy_((needs & SCREE_NEEDS_ENERGY) && s.scene().audit ? s.energy() : no_energy()) {
   view_.struct_size = sizeof(view_);
   view_.dimension = std::uint32_t(s.dimension());
@@ -51,6 +52,7 @@ SimulationView::SimulationView(const Simulation& s, std::uint32_t needs)
   show_boundaries(s);
   if (needs & SCREE_NEEDS_CONTACTS) show_contacts(s);
   view_.energy = &energy_;
+  view_.end_time = end_time;
 }
 
 void SimulationView::show_bodies(const Simulation& s) {
@@ -103,6 +105,9 @@ Probe::Probe(const Parameters& parameters, int dimension)
   const char* const plugin = parameters.plugin().name;
   if (observes() && !plugin_.interface().observe)
     throw Error(fmt::format("plug-in {}: asks to observe but has no observe function; give it one", plugin));
+  if (!(observe_every() >= 0 && std::isfinite(observe_every())))
+    throw Error(fmt::format("plug-in {}: observes every {} s; give a time above 0, or 0 for the scenario's",
+                            plugin, observe_every()));
   std::set<std::string> taken = {"time"};
   for (std::uint32_t c = 0; c < plugin_.instance().column_count; ++c) {
     char name[SCREE_MAX_NAME] = "", unit[SCREE_MAX_NAME] = "";
@@ -185,20 +190,39 @@ void Probe::check_restored(const scree_view& view) const {
                     plugin_.parameters().plugin().name, state_size_, size));
 }
 
-void Probe::observe(const scree_view& view) {
+namespace {
+
+// Calls with the view, and in it the columns of other probes that the probe reads.
+template <class Call>
+void show(const scree_view& view, std::span<const double> inputs, const Call& call) {
+  if (inputs.empty()) return call(view);
+  scree_view shown = view;
+  shown.input_count = std::uint32_t(inputs.size());
+  shown.inputs = inputs.data();
+  call(shown);
+}
+
+}  // namespace
+
+void Probe::observe(const scree_view& view, std::span<const double> inputs) {
   start_once(view);
   if (!observes()) return;
   const char* const name = plugin_.parameters().plugin().name;
-  plugin_call(name, "observe", [&] { plugin_.interface().observe(plugin_.storage(), &view, state_.data()); });
+  show(view, inputs, [&](const scree_view& shown) {
+    plugin_call(name, "observe",
+                [&] { plugin_.interface().observe(plugin_.storage(), &shown, state_.data()); });
+  });
   check_guard(state_, name, "state");
 }
 
-std::vector<double> Probe::sample(const scree_view& view) {
+std::vector<double> Probe::sample(const scree_view& view, std::span<const double> inputs) {
   start_once(view);
   std::vector<double> row = guarded(plugin_.instance().column_count);
   const char* const name = plugin_.parameters().plugin().name;
-  plugin_call(name, "sample",
-              [&] { plugin_.interface().sample(plugin_.storage(), &view, state_.data(), row.data()); });
+  show(view, inputs, [&](const scree_view& shown) {
+    plugin_call(name, "sample",
+                [&] { plugin_.interface().sample(plugin_.storage(), &shown, state_.data(), row.data()); });
+  });
   check_guard(row, name, "row");
   row.resize(row.size() - guard_size);
   return row;

@@ -16,6 +16,12 @@ constexpr std::uint64_t condition_interval = 100;
 
 }  // namespace
 
+double duration_of(const std::vector<Stage>& stages) {
+  double sum = stages.empty() ? NAN : 0;
+  for (const Stage& stage : stages) sum += stage.duration.value_or(NAN);
+  return sum;
+}
+
 StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages)
     : simulation_(simulation), stages_(std::move(stages)) {
   if (!finished()) begin();

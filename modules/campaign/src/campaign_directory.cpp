@@ -1,15 +1,14 @@
 #include "directory_layout.hpp"
-#include "record_json.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include <scree/campaign/campaign_directory.hpp>
-#include <scree/document/message.hpp>
 #include <scree/files/directory_lock.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/run/record_json.hpp>
 
 namespace scree::campaign {
 
@@ -24,7 +23,7 @@ void check_owner(const fs::path& path, const Campaign& campaign) {
   if (!fs::exists(record, failed)) return;
   if (!fs::is_regular_file(record, failed))
     throw Error(fmt::format("{}: is not a file; remove it, or give another --out", record.string()));
-  const auto json = parse_record(files::read_text(record));
+  const auto json = run::parse_record(files::read_text(record));
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return;
   const std::string owner = json["file"];
   // Campaign file and directory may have been moved together.

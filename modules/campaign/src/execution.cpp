@@ -51,9 +51,13 @@ class Executor {
     for (const Job* job : waiting_) {
       if (stopped()) return;
       if (options_.on_check) options_.on_check(checked++, to_do_);
-      if (prepares(*job)) check_preparation(job->campaign, job->point, host_);
+      if (prepares(*job))
+        bodies_ = check_preparation(job->campaign, job->point, host_);
+      else if (job->preparation && !job->preparation->is_there())
+        check_keys(job->campaign, job->point, bodies_, host_);
       check_directory(directory_.run(job->point));
     }
+    bodies_.clear();
     check_points();
     // `collect` may have changed even if all runs have finished.
     if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host_);
@@ -174,7 +178,7 @@ class Executor {
 
   // What the end of a preparation means for its points.
   void follow(const Job& preparation) {
-    if (preparation.is_there()) check_points();
+    if (preparation.is_there()) result_.prepared.push_back(preparation.id), check_points();
     if (!preparation.has_failed()) return;
     std::erase_if(waiting_, [&](Job* job) {
       if (job->preparation != &preparation) return false;
@@ -216,8 +220,9 @@ class Executor {
   const ExecutionOptions& options_;
   PluginHost& host_;
   Execution result_;
-  std::deque<Job> jobs_;  // the preparations, then the points
+  std::deque<Job> jobs_;  // the preparations, then the points; the id is the place
   std::deque<Job*> waiting_;
+  std::vector<Body> bodies_;  // of a preparation that is to be run
   std::vector<Job*> running_;
   std::size_t to_do_ = 0, done_ = 0, failed_ = 0;  // of this call
   ProcessPool pool_;

@@ -1,5 +1,4 @@
 #include "collected.hpp"
-#include "record_json.hpp"
 
 #include <algorithm>
 
@@ -8,6 +7,7 @@
 #include <scree/campaign/outcome.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/input_hashes_json.hpp>
+#include <scree/run/record_json.hpp>
 
 namespace scree::campaign {
 
@@ -73,7 +73,7 @@ Outcome read_outcome(const fs::path& directory, const Campaign& campaign, const 
     return outcome;
   }
   try {
-    const Json json = parse_record(files::read_text(record));
+    const Json json = run::parse_record(files::read_text(record));
     if (!json.is_object()) return outcome;
     outcome.status = status_of(json, inputs);
     if (outcome.status == Status::failed) outcome.problem = json.value("error", "");

@@ -74,12 +74,19 @@ void check_point(const Campaign& campaign, const Point& point, PluginHost& host)
       throw Error(fmt::format("{}: {}", campaign.collect_place, *problem));
 }
 
-void check_preparation(const Campaign& preparation, const Point& point, PluginHost& host) {
-  if (!checked_plan(preparation, point, host).checkpoint.final_state)
+std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host) {
+  const scenario::Plan plan = checked_plan(preparation, point, host);
+  if (!plan.checkpoint.final_state)
     throw Error(
         fmt::format("{}: {} writes no final state, from which runs could begin; remove "
                     "checkpoint.final_state = false",
                     preparation.scenario_place, preparation.scenario.string()));
+  return plan.scene.bodies;
+}
+
+void check_keys(const Campaign& campaign, const Point& point, const std::vector<Body>& bodies,
+                PluginHost& host) {
+  placed(campaign, point, [&] { scenario::check_keys(campaign.scenario, point.overrides(), bodies, host); });
 }
 
 }  // namespace scree::campaign

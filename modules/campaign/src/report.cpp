@@ -55,16 +55,22 @@ std::string name_of(const Point& preparation) {
                           : preparation.name;
 }
 
-void write_preparations(const Campaign& campaign, const std::vector<Outcome>& outcomes, Out out) {
-  std::size_t count = 0;
+void write_preparations(const Campaign& campaign, const Execution& execution, Out out) {
+  const std::vector<Outcome>& outcomes = execution.preparations;
+  std::size_t made = 0, kept = 0;
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     const std::string name = name_of(campaign.preparation->points[k]);
+    const auto& prepared = execution.prepared;
+    const bool now = std::find(prepared.begin(), prepared.end(), k) != prepared.end();
     if (outcomes[k].status == Status::failed)
       fmt::format_to(out, "FAILED   {}: {}\n", name, outcomes[k].problem);
-    else if (outcomes[k].status == Status::finished && ++count <= max_listed)
+    else if (now && ++made <= max_listed)
       fmt::format_to(out, "prepared {} in {:.3g} s\n", name, number_of(outcomes[k], "wall_s"));
+    else if (!now && outcomes[k].status == Status::finished)
+      ++kept;
   }
-  if (count > max_listed) fmt::format_to(out, "         and {} more\n", count - max_listed);
+  if (made > max_listed) fmt::format_to(out, "         and {} more\n", made - max_listed);
+  if (kept) fmt::format_to(out, "kept     {} of an earlier call\n", counted(kept, "preparation"));
 }
 
 void write_resumed(const Execution& execution, Out out) {
@@ -100,7 +106,7 @@ void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcom
 std::string text_report(const Campaign& campaign, const Execution& execution) {
   std::string text = title_line(campaign);
   const Out out(text);
-  write_preparations(campaign, execution.preparations, out);
+  write_preparations(campaign, execution, out);
   const std::size_t finished = execution.count(Status::finished), failed = execution.count(Status::failed);
   fmt::format_to(out, "{} finished", finished);
   if (execution.finished_before)

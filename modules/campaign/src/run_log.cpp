@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 
 namespace scree::campaign {

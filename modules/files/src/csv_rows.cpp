@@ -34,12 +34,14 @@ CsvRows::CsvRows(const std::filesystem::path& path)
 
 bool CsvRows::next_line() {
   text_.clear();
+  whole_ = true;
   errno = 0;
   for (int byte; (byte = getc_unlocked(file_.get())) != '\n';) {
     if (byte == EOF) {
       if (std::ferror(file_.get()))
         throw ReadError(name() + ": cannot be read to its end; check the disk, and that it is a file", errno);
       if (text_.empty()) return false;
+      whole_ = false;
       break;
     }
     text_.push_back(char(byte));
@@ -98,6 +100,10 @@ bool CsvRows::next() {
 
 double CsvRows::number(std::size_t column) const {
   return TextLine::number((*row_)[column], labels_[column]);
+}
+
+double CsvRows::any_number(std::size_t column) const {
+  return TextLine::any_number((*row_)[column], labels_[column]);
 }
 
 }  // namespace scree::files

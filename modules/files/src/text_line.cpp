@@ -83,7 +83,7 @@ Token TextLine::trimmed(std::size_t begin, std::size_t end) const {
   return {text.substr(first, text.find_last_not_of(blanks) - first + 1), begin + first + 1};
 }
 
-double TextLine::number(const Token& token, std::string_view what) const {
+double TextLine::any_number(const Token& token, std::string_view what) const {
   const std::string_view text = without_plus(token.text);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -95,6 +95,11 @@ double TextLine::number(const Token& token, std::string_view what) const {
     fail(token.column, fmt::format("{} {} is not a number", what, quote_token(token.text)),
          "write a number such as 1.5e-3");
   }
+  return value;
+}
+
+double TextLine::number(const Token& token, std::string_view what) const {
+  const double value = any_number(token, what);
   if (!std::isfinite(value)) {
     fail(token.column, fmt::format("{} {} is not finite", what, quote_token(token.text)),
          "write a finite number; the run that wrote this may have failed");

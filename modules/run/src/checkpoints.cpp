@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t kept = 2;
 
+std::string name_of(std::uint64_t steps) { return fmt::format("step_{:015}.h5", steps); }
+
 std::uint64_t steps_of(const State& state) {
   std::uint64_t steps = 0;
   StateTransfer::restoring_from(state).below("clock").value("steps", "1", steps);
@@ -40,13 +42,19 @@ std::vector<fs::path> Checkpoints::all() const {
 fs::path Checkpoints::add(std::uint64_t steps) const {
   std::error_code failed;  // a failure is reported when the file is opened
   fs::create_directories(folder(), failed);
-  return directory_.add(fmt::format("checkpoint/step_{:015}.h5", steps));
+  return directory_.add(fmt::format("{}/{}", WrittenFiles::states_folder, name_of(steps)));
 }
 
 void Checkpoints::remove_old() const {
   std::error_code failed;
   const std::vector<fs::path> paths = all();
   for (std::size_t k = kept; k < paths.size(); ++k) fs::remove(paths[k], failed);
+}
+
+void Checkpoints::remove_later(std::uint64_t steps) const {
+  std::error_code failed;
+  for (const fs::path& path : all())
+    if (path.filename().string() > name_of(steps)) fs::remove(path, failed);
 }
 
 std::optional<Checkpoints::Latest> Checkpoints::latest(

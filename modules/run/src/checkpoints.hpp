@@ -23,6 +23,8 @@ class Checkpoints {
   std::filesystem::path add_final() const { return directory_.add(final_name); }
   // Removes all but the two latest.
   void remove_old() const;
+  // Removes those after more steps, which a run that goes on from an earlier one has not taken.
+  void remove_later(std::uint64_t steps) const;
 
   struct Latest {
     State state;
@@ -34,7 +36,7 @@ class Checkpoints {
 
  private:
   static constexpr const char* final_name = "final_state.h5";
-  std::filesystem::path folder() const { return directory_.path() / "checkpoint"; }
+  std::filesystem::path folder() const { return directory_.path() / WrittenFiles::states_folder; }
   // Sorted from the latest to the first.
   std::vector<std::filesystem::path> all() const;
 

@@ -57,21 +57,23 @@ Results::Results(const scenario::Plan& plan, const RunOptions& options, const Ru
   result_.inputs = hashes_of(plan.files);
 }
 
-void Results::transfer(const StateTransfer& state, const Stopwatch& watch) {
+void Results::transfer(const StateTransfer& state) {
   transfer_stages(state.below("stages"), result_.stages);
   state.rows("warnings", "", result_.warnings);
-  double wall = wall_before_ + watch.total(), output = output_before_ + watch.output();
-  state.value("wall", "s", wall);
-  state.value("output", "s", output);
-  state.value("states", "1", result_.states);
-  state.value("state_output", "s", result_.state_output);
   const InputHashes inputs = transfer_inputs(state.below("inputs"), result_.inputs);
   if (!state.restoring()) return;
   if (result_.stages.size() > plan_.stages.size())
     state.refuse("stages/names", "lists more stages than the scenario has");
   go_on_from(inputs);
-  wall_before_ = wall, output_before_ = output;
   if (!result_.stages.empty()) result_.stages.back().ended = "running";
+}
+
+void Results::go_on_with_times() {
+  const Recorded before = recorded_in(directory_.path());
+  wall_before_ = before.wall;
+  output_before_ = before.output;
+  result_.state_output = before.state_output;
+  result_.states = before.states;
 }
 
 // A plug-in that was built again may give other results, so that the run is that of neither library.
@@ -123,6 +125,12 @@ void Results::judge(const Sampler& sampler) {
 void Results::record(const std::string& status, const std::string& error, const Stopwatch& watch) {
   result_.quantities = scenario::run_quantities(simulation_);
   result_.state_hash = simulation_.state_hash();
+  write(status, error, watch);
+}
+
+void Results::record_times(const Stopwatch& watch) { write("running", "", watch); }
+
+void Results::write(const std::string& status, const std::string& error, const Stopwatch& watch) {
   result_.wall = wall_before_ + watch.total();
   result_.output = output_before_ + watch.output();
   const double work = double(simulation_.steps()) * double(simulation_.particles().size());

@@ -18,8 +18,11 @@ class Results {
   Results(const scenario::Plan& plan, const RunOptions& options, const RunDirectory& directory,
           const Simulation& simulation);
 
-  // The stages so far, warnings and wall times, which go on in a run that is resumed.
-  void transfer(const StateTransfer& state, const Stopwatch& watch);
+  // The stages so far and warnings, which go on in a run that is resumed.
+  void transfer(const StateTransfer& state);
+  // Takes wall times and the number of states, which differ between runs of one scene and therefore are in no state, from
+  // the run.json of the run that goes on.
+  void go_on_with_times();
 
   void begin_stage(const std::string& name);
   // `how`: "interrupted" or "failed"; empty if the stage has reached its end.
@@ -33,11 +36,14 @@ class Results {
   void judge(const Sampler& sampler);
   // Writes run.json. `status` and `error` as in run_record.
   void record(const std::string& status, const std::string& error, const Stopwatch& watch);
+  // The same of a run that goes on, with the quantities and the hash of the last record.
+  void record_times(const Stopwatch& watch);
 
   const RunResult& result() const { return result_; }
 
  private:
   void go_on_from(const InputHashes& before);
+  void write(const std::string& status, const std::string& error, const Stopwatch& watch);
 
   const scenario::Plan& plan_;
   const RunOptions& options_;

@@ -1,13 +1,12 @@
 #include "checkpoints.hpp"
 #include "run_from.hpp"
+#include "run_record.hpp"
 #include "stage_lengths.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <scree/document/document.hpp>
 #include <scree/error.hpp>
-#include <scree/files/text_file.hpp>
 #include <scree/scene_record.hpp>
 
 namespace scree::run {
@@ -71,29 +70,30 @@ RunDirectory directory_of(const fs::path& path) {
   return directory;
 }
 
-// Whether the record of a run has its last form. It may have been killed between its last state and that.
-bool is_recorded_as_finished(const fs::path& directory) {
-  try {
-    const auto json = nlohmann::json::parse(files::read_text(directory / "run.json"), nullptr, false);
-    return json.is_object() && json.value("status", "") == "finished";
-  } catch (const std::exception&) {
-    return false;
-  }
-}
-
 // Throws Error if nothing is left to do.
 void check_unfinished(const State& state, const scenario::Plan& plan, const fs::path& directory) {
   const Position position = position_of(state, plan);
   const std::optional<double> last = plan.stages.back().duration;
   const bool prolonged = last && position.began + *last > time_of(state) + 0.5 * plan.scene.step;
-  if (position.ended && !prolonged && is_recorded_as_finished(directory))
+  // It may have been killed between its last state and its last record.
+  if (position.ended && !prolonged && recorded_in(directory).status == "finished")
     throw Error(fmt::format("{}: the run has finished at t = {:g} s; give a later --until to prolong it",
                             directory.string(), time_of(state)));
 }
 
-}  // namespace
+// The run stays in its directory, so that no cure is to give another.
+std::string cured_in_place(std::string line) {
+  const std::string elsewhere = "give another --out";
+  const auto replace = [&](const std::string& part, const char* other) {
+    if (const std::size_t at = line.rfind(part); at != line.npos) line.replace(at, part.size(), other);
+  };
+  replace(", or " + elsewhere, "");
+  replace(" or " + elsewhere, "");
+  replace(elsewhere, "check its permissions");
+  return line;
+}
 
-RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
   check_overrides(changes.overrides);
   RunDirectory directory = directory_of(options.out);
   const auto latest = Checkpoints(directory).latest(options.on_warning);
@@ -107,6 +107,16 @@ RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, Pl
     directory.replace();
   }
   return run_from(latest ? &latest->state : nullptr, plan, options, directory);
+}
+
+}  // namespace
+
+RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+  try {
+    return go_on(options, changes, host);
+  } catch (const Error& error) {
+    throw Error(cured_in_place(error.what()), error.status());
+  }
 }
 
 }  // namespace scree::run

@@ -9,6 +9,7 @@
 #include "stopwatch.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -84,6 +85,7 @@ class Run {
         pictures_.draw_charts(sampler_, [this](const std::string& line) { results_.warn(line); });
       });
       results_.judge(sampler_);
+      if (no_final_state_) std::rethrow_exception(no_final_state_);
     } catch (const Error& error) {
       fail(error.what());
       // The status bad_input is reserved for errors before anything is written.
@@ -149,7 +151,8 @@ class Run {
     sampler_.transfer(from.below("probes"));
     sampler_.check_restored(*simulation_);
     pictures_.transfer(from.below("pictures"));
-    results_.transfer(from.below("results"), watch_);
+    results_.transfer(from.below("results"));
+    results_.go_on_with_times();
     from.value("written", "1", written_);
     std::string scenario;
     from.value("scenario", "", scenario);
@@ -161,6 +164,7 @@ class Run {
     sampler_.reopen(directory_.series(), results_.stages());
     directory_.create();
     directory_.written().return_to(written_);
+    states_.remove_later();
     sampler_.cut();
     results_.record("running", "", watch_);
     if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
@@ -184,7 +188,7 @@ class Run {
     sampler_.flush();
     sampler_.transfer(to.below("probes"));
     pictures_.transfer(to.below("pictures"));
-    results_.transfer(to.below("results"), watch_);
+    results_.transfer(to.below("results"));
     written_ = directory_.written().size();
     to.value("written", "1", written_);
     return state;
@@ -199,10 +203,19 @@ class Run {
       if (results_.interrupted())
         states_.write_checkpoint();
       else
-        states_.write_final();
+        write_final_state();
       states_.finish();
       sampler_.sample_last(*simulation_, last);
     });
+  }
+
+  // A state that cannot be written fails the run after all else has been saved.
+  void write_final_state() {
+    try {
+      states_.write_final();
+    } catch (const std::exception&) {
+      no_final_state_ = std::current_exception();
+    }
   }
 
   // Returns the name of the last stage.
@@ -273,6 +286,7 @@ class Run {
   bool prolonged_ = false;     // its stages are longer than in the state from which it goes on
   std::uint64_t written_ = 0;  // see WrittenFiles::size
   double last_report_ = 0;     // (s) of wall time
+  std::exception_ptr no_final_state_;
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ fs::path existing_part(const fs::path& path) {
 // Whether a list is of another origin: it is not empty and does not list the record.
 bool is_foreign_list(const fs::path& path, const Layout& layout) {
   const WrittenFiles written(path);
-  return written.size() > 0 && !written.contains(layout.record);
+  return !written.empty() && !written.contains(layout.record);
 }
 
 // True if there is nothing but the log, the lock, the list and incomplete files of a process killed at its start.
@@ -78,10 +78,12 @@ void check_list(const fs::path& path, const Layout& layout) {
                     "remove it, or give another --out");
   if (WrittenFiles(path).contains(layout.record)) return;
   if (fs::exists(path / layout.record, failed))
-    throw refusal(path,
-                  fmt::format("contains {} without {}, the list of its files, so that it cannot be replaced",
-                              with_article(layout), WrittenFiles::file_name),
-                  "move it elsewhere, or give another --out");
+    throw refusal(
+        path,
+        fmt::format(
+            "contains {} without {}, the list of its files, so that it can be neither replaced nor resumed",
+            with_article(layout), WrittenFiles::file_name),
+        "move it elsewhere, or give another --out");
   throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
 }
 

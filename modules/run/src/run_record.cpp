@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <scree/files/text_file.hpp>
 #include <scree/run/input_hashes_json.hpp>
+#include <scree/run/record_json.hpp>
 
 namespace scree::run {
 
@@ -75,6 +77,16 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["scenario"] = plan.resolved_text;
   // replace: a path in an error message may not be valid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Recorded recorded_in(const std::filesystem::path& directory) {
+  try {
+    const Json json = parse_record(files::read_text(directory / "run.json"));
+    return {json.value("status", ""), json.value("wall_s", 0.0), json.value("output_s", 0.0),
+            json.value("states_s", 0.0), json.value("states", std::uint64_t(0))};
+  } catch (const std::exception&) {
+    return {};
+  }
 }
 
 }  // namespace scree::run

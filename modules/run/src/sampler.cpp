@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace scree::run {
 
@@ -18,9 +19,24 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step) {
   return next < 0x1p53 ? std::uint64_t(next) : never;
 }
 
-Sampler::Sampler(const scenario::Plan& plan) : staged_(plan.stages.size() > 1) {
+Sampler::Sampler(const scenario::Plan& plan)
+    : staged_(plan.stages.size() > 1), end_time_(duration_of(plan.stages)) {
   for (const scenario::ProbePlan& probe : plan.probes)
     probes_.push_back({&probe, Probe(probe.parameters, plan.scene.dimension)});
+  put_in_order();
+}
+
+void Sampler::put_in_order() {
+  order_.resize(probes_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t(0));
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+    return probes_[a].plan->depth < probes_[b].plan->depth;
+  });
+  for (const std::size_t k : order_) {
+    probes_[k].needs = probes_[k].probe.needs();
+    for (const scenario::ProbeInput& input : probes_[k].plan->inputs)
+      probes_[k].needs |= probes_[input.probe].needs;
+  }
 }
 
 void Sampler::open(const std::filesystem::path& folder) {
@@ -58,13 +74,18 @@ std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& s
   bool any = false;
   for (const Active& p : probes_)
     if (p.records_in(stage) && (p.is_observed(simulation, steps) || p.is_sampled(simulation, steps)))
-      any = true, needs |= p.probe.needs();
+      any = true, needs |= p.needs;
   const std::uint64_t next = this->next(simulation, stage, steps);
   if (!any) return next;
-  const SimulationView view(simulation, needs);
-  for (Active& p : probes_) {
+  const SimulationView view(simulation, needs, end_time_);
+  forget_rows();
+  for (const std::size_t k : order_) {
+    Active& p = probes_[k];
     if (!p.records_in(stage)) continue;
-    if (p.is_observed(simulation, steps)) p.probe.observe(view.get()), p.observed = simulation.steps();
+    if (p.is_observed(simulation, steps)) {
+      p.probe.observe(view.get(), inputs_of(p, view.get()));
+      p.observed = simulation.steps();
+    }
     if (p.is_sampled(simulation, steps)) sample(p, view.get());
   }
   return next;
@@ -81,8 +102,9 @@ std::uint64_t Sampler::next(const Simulation& simulation, const std::string& sta
 void Sampler::sample_last(const Simulation& simulation, const std::string& stage) {
   std::uint32_t needs = 0;
   for (const Active& p : probes_)
-    if (p.records_in(stage)) needs |= p.probe.needs();
-  const SimulationView view(simulation, needs);
+    if (p.records_in(stage)) needs |= p.needs;
+  const SimulationView view(simulation, needs, end_time_);
+  forget_rows();
   for (Active& p : probes_)
     if (p.records_in(stage)) sample(p, view.get());
 }
@@ -90,7 +112,23 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
 void Sampler::sample(Active& p, const scree_view& view) {
   // The last row of a stage is also the first of the next stage.
   if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
-  p.series->add(view.time, p.probe.sample(view));
+  p.series->add(view.time, row(p, view));
+}
+
+const std::vector<double>& Sampler::row(Active& p, const scree_view& view) {
+  if (p.row.empty()) p.row = p.probe.sample(view, inputs_of(p, view));
+  return p.row;
+}
+
+void Sampler::forget_rows() {
+  for (Active& p : probes_) p.row.clear();
+}
+
+std::vector<double> Sampler::inputs_of(const Active& p, const scree_view& view) {
+  std::vector<double> values;
+  for (const scenario::ProbeInput& input : p.plan->inputs)
+    values.push_back(row(probes_[input.probe], view)[input.column]);
+  return values;
 }
 
 void Sampler::begin_stage(std::size_t number) {

@@ -21,7 +21,7 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step);
 inline constexpr std::uint64_t never = ~std::uint64_t(0);
 
 // The probes of a run, each with its series. Probes that observe do so on a clock of their own, so that what
-// they keep does not depend on when samples are taken.
+// they keep does not depend on when samples are taken. A probe that reads columns of others comes after these.
 class Sampler {
  public:
   explicit Sampler(const scenario::Plan& plan);
@@ -61,6 +61,8 @@ class Sampler {
     std::unique_ptr<Series> series = nullptr;
     std::uint64_t observed = never;  // step of the last observation
     SeriesEnd end = {};              // behind which a series that is reopened goes on
+    std::uint32_t needs = 0;         // of the probe and of those whose columns it reads
+    std::vector<double> row = {};    // of the present time; empty if it was not computed
 
     bool records_in(const std::string& stage) const;
     // At the start of a stage, after which the clock runs anew, it may have been observed already.
@@ -69,10 +71,17 @@ class Sampler {
     // Step count at which the next observation or sample is due.
     std::uint64_t next(double step, std::uint64_t steps) const;
   };
+  void put_in_order();
   void sample(Active& probe, const scree_view& view);
+  // The row of the probe at the time of the view, computed once.
+  const std::vector<double>& row(Active& probe, const scree_view& view);
+  void forget_rows();
+  std::vector<double> inputs_of(const Active& probe, const scree_view& view);
 
   std::vector<Active> probes_;
+  std::vector<std::size_t> order_;  // of probes_, each after those whose columns it reads
   bool staged_;
+  double end_time_;  // (s) of the run; NaN if it is not known
 };
 
 }  // namespace scree::run

@@ -37,7 +37,7 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
     if (!in.empty() && std::find(in.begin(), in.end(), plan.stages.front().name) == in.end()) continue;
     try {
       const Probe configured(probe.parameters, plan.scene.dimension);
-      configured.check(SimulationView(simulation, configured.needs()).get());
+      configured.check(SimulationView(simulation, configured.needs(), duration_of(plan.stages)).get());
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", probe.place, error.what()));
     }

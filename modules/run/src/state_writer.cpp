@@ -60,6 +60,7 @@ void StateWriter::write_checkpoint() {
       state_file::write_state(path, state);
       checkpoints_.remove_old();
     });
+    results_.record_times(watch_);  // they are in no state
   } catch (const Error& error) {
     report(error.what());
   } catch (const std::bad_alloc&) {

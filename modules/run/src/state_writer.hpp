@@ -36,6 +36,8 @@ class StateWriter {
   void finish();
   // Throws Error (failure) if it cannot be written.
   void write_final();
+  // Removes checkpoints of later steps than those of a run that goes on.
+  void remove_later() { checkpoints_.remove_later(simulation_.steps()); }
 
  private:
   bool is_due_by_time() const;

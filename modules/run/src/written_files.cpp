@@ -41,6 +41,10 @@ bool leads_through_link(const fs::path& directory, const fs::path& folder) {
   });
 }
 
+bool is_state(const std::string& file) {
+  return file.starts_with(std::string(WrittenFiles::states_folder) + '/');
+}
+
 void check_lines(const fs::path& directory, const std::vector<std::string>& lines) {
   std::unordered_set<std::string> checked;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -74,6 +78,8 @@ void WrittenFiles::read() {
   const std::vector<std::string> lines = lines_of(all);
   check_lines(directory_, lines);
   size_ = all.size();
+  steady_size_ = 0;
+  for (const std::string& line : lines) steady_size_ += is_state(line) ? 0 : line.size() + 1;
   listed_ = {lines.begin(), lines.end()};
 }
 
@@ -113,17 +119,31 @@ fs::path WrittenFiles::add(const std::string& file) {
   if (!code) code = files::write_all(descriptor, file + '\n');
   if (code) throw unwritable(list, code);
   size_ += file.size() + 1;
+  steady_size_ += is_state(file) ? 0 : file.size() + 1;
   listed_.insert(file);
   return path;
 }
 
+// In bytes, of the line at which size() was this and of the states that follow it.
+std::uint64_t WrittenFiles::end_of_line_at(const std::string& all, std::uint64_t size) const {
+  if (size == 0) return 0;
+  std::uint64_t end = 0, steady = 0;
+  for (const std::string& line : lines_of(all)) {
+    if (!is_state(line) && steady >= size) break;
+    steady += is_state(line) ? 0 : line.size() + 1;
+    end += line.size() + 1;
+  }
+  if (steady != size)
+    throw Error(fmt::format(
+        "{}: has no line that ends where the state says; the directory was changed, start the run again",
+        (directory_ / file_name).string()));
+  return end;
+}
+
 void WrittenFiles::return_to(std::uint64_t size) {
   const std::string all = text();
-  if (size > all.size() || (size > 0 && all[size - 1] != '\n'))
-    throw Error(
-        fmt::format("{}: has no line that ends at byte {}; the directory was changed, start the run again",
-                    (directory_ / file_name).string(), size));
-  const std::vector<std::string> kept = lines_of(all.substr(0, size)), dropped = lines_of(all.substr(size));
+  const std::uint64_t end = end_of_line_at(all, size);
+  const std::vector<std::string> kept = lines_of(all.substr(0, end)), dropped = lines_of(all.substr(end));
   check_lines(directory_, dropped);
   std::unordered_set<std::string> remaining(kept.begin(), kept.end());
   for (auto file = dropped.rbegin(); file != dropped.rend(); ++file) {
@@ -135,9 +155,10 @@ void WrittenFiles::return_to(std::uint64_t size) {
   const fs::path list = directory_ / file_name;
   if (size == 0)
     remove_file(list);
-  else if (truncate(list.c_str(), off_t(size)) != 0)
+  else if (truncate(list.c_str(), off_t(end)) != 0)
     throw unwritable(list, errno);
-  size_ = size;
+  size_ = end;
+  steady_size_ = size;
   listed_ = std::move(remaining);
 }
 

@@ -1,7 +1,8 @@
 #include "output_reader.hpp"
 
+#include "interval.hpp"
 #include "names.hpp"
-#include "plugin_parameters.hpp"
+#include "probe_reader.hpp"
 #include "scene_keys.hpp"
 
 #include <algorithm>
@@ -12,63 +13,12 @@
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/nearest.hpp>
-#include <scree/probes.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/snapshot/render_options.hpp>
 
 namespace scree::scenario {
 
 namespace {
-
-double read_interval(const document::Table& t, const Key& key, double step) {
-  const double every = t.number(key, key.range);
-  if (every < 0.999 * step)
-    throw t.error(key,
-                  fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key.name, every, step),
-                  "increase it, or decrease time.step");
-  return every;
-}
-
-ProbePlan read_probe(const document::Table& t, const Scene& scene, const std::vector<std::string>& stages,
-                     PluginHost& host) {
-  ProbePlan probe{.name = "",
-                  .parameters = Parameters(find_plugin(t, SCREE_PROBE, host)),
-                  .stages = {},
-                  .place = t.place("plugin")};
-  read_parameters(t, scene.dimension, probe.parameters);
-  check_complete(t, probe.parameters);
-  probe.name = t.string(probe_keys.name, probe.parameters.plugin().name);
-  check_file_name(t, probe.name);
-  // Without stages nothing is sampled by time.
-  if (!stages.empty() || t.optional(probe_keys.every))
-    probe.every = read_interval(t, probe_keys.every, scene.step);
-  if (t.optional(probe_keys.stages)) probe.stages = t.strings(probe_keys.stages);
-  for (std::size_t k = 0; k < probe.stages.size(); ++k)
-    find_name(t, "stages", "stage", probe.stages[k], stages, k);
-  const bool observes =
-      placed(t, "plugin", [&] { return Probe(probe.parameters, scene.dimension).observes(); });
-  if (t.optional(probe_keys.observe_every)) {
-    if (!observes)
-      throw t.error(probe_keys.observe_every,
-                    fmt::format("the probe {} does not observe the run with these parameters",
-                                probe.parameters.plugin().name),
-                    "remove observe_every");
-    probe.observe_every = read_interval(t, probe_keys.observe_every, scene.step);
-  }
-  return probe;
-}
-
-struct Columns {
-  std::vector<std::string> names, units;  // the first column is time
-};
-
-Columns columns_of(const ProbePlan& probe, int dimension) {
-  const Probe configured(probe.parameters, dimension);
-  Columns columns = {configured.names(), configured.units()};
-  columns.names.insert(columns.names.begin(), "time");
-  columns.units.insert(columns.units.begin(), "s");
-  return columns;
-}
 
 const ProbePlan& probe_named(const document::Table& t, const std::vector<ProbePlan>& probes) {
   std::vector<std::string> names;
@@ -90,7 +40,7 @@ void set_axis(const document::Table& t, const StringKey& key, const std::string&
 }
 
 // Curves of the given columns; their common unit, or none if it differs: then their names have it.
-std::string add_curves(const Columns& columns, const std::vector<std::size_t>& at, const std::string& x,
+std::string add_curves(const ProbeColumns& columns, const std::vector<std::size_t>& at, const std::string& x,
                        ChartPlan& chart, const std::string& probe) {
   const auto unit = [&](std::size_t k) { return columns.units[at[k]]; };
   bool same = true;
@@ -108,7 +58,7 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& pro
   chart.name = read(t, chart_keys.name);
   check_file_name(t, chart.name);
   const ProbePlan& probe = probe_named(t, probes);
-  const Columns columns = columns_of(probe, dimension);
+  const ProbeColumns columns = columns_of(probe, dimension);
   const std::string x = read(t, chart_keys.x);
   const std::size_t x_at = find_name(t, "x", "column", x, columns.names);
   const bool several = t.is_array(chart_keys.y);
@@ -167,19 +117,6 @@ std::optional<std::string> quantity_problem(const std::string& name, const std::
            : fmt::format("give one of {}, or <probe>.<column>.<{}>", fmt::join(run_quantity_names(), ", "),
                          fmt::join(series_statistics, "|"));
   return fmt::format("no quantity '{}'; {}", files::one_line(name), cure);
-}
-
-std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
-                                   const std::vector<Stage>& stages, PluginHost& host) {
-  std::vector<ProbePlan> probes;
-  UniqueNames names("probe");
-  std::vector<std::string> stage_names;
-  for (const Stage& stage : stages) stage_names.push_back(stage.name);
-  for (const document::Table& t : root.tables("probe")) {
-    probes.push_back(read_probe(t, scene, stage_names, host));
-    names.add(t, probes.back().name);
-  }
-  return probes;
 }
 
 SnapshotPlan read_snapshot(const document::Table& root, double step) {

@@ -7,8 +7,6 @@
 
 namespace scree::scenario {
 
-std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
-                                   const std::vector<Stage>& stages, PluginHost& host);
 // step: the time step (s), minimum of all intervals.
 SnapshotPlan read_snapshot(const document::Table& root, double step);
 std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbePlan>& probes,

@@ -4,6 +4,7 @@
 #include "output_reader.hpp"
 #include "particles_reader.hpp"
 #include "plugin_parameters.hpp"
+#include "probe_reader.hpp"
 #include "scene_keys.hpp"
 #include "spectrum_reader.hpp"
 #include "stage_reader.hpp"
@@ -259,6 +260,19 @@ Plan read_plan_again(const std::string& text, const std::string& name,
   plan.files.plugins = plugin_files(document, host);
   plan.resolved_text = document.resolved_text();
   return plan;
+}
+
+void check_keys(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                std::vector<Body> bodies, PluginHost& host) {
+  const document::Document document = document::Document::load(path, overrides);
+  for (Body& body : bodies) body.material = 0;
+  try {
+    read(document, path, std::move(bodies), host);
+  } catch (const Error&) {
+    return;  // it may fit the bodies of the state
+  }
+  for (const char* table : {"particles", "particle"}) document.root().accept(table);
+  document.refuse_unused();
 }
 
 std::string length_override(const std::string& resolved_text, double seconds) {

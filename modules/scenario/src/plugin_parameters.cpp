@@ -32,6 +32,7 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
       return table.numbers(p.key);
     case SCREE_PROGRAM:
       return read_program(table, p.key);
+    case SCREE_INPUT:
     case SCREE_NUMBER:
       break;
   }
@@ -62,7 +63,7 @@ void read_parameters(const document::Table& table, int dimension, Parameters& pa
   const scree_plugin& plugin = parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
-    if (!table.optional(p.key)) continue;
+    if (p.type == SCREE_INPUT || !table.optional(p.key)) continue;
     std::vector<double> data = read_value(table, p, dimension);
     if (const auto wrong = Parameters::problem(p, data)) refuse(table, p.key, *wrong);
     parameters.set(p.key, std::move(data));

@@ -11,7 +11,8 @@ namespace scree::scenario {
 // Finds the plug-in named by the `plugin` key of the table. Throws Error at that key.
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host);
 
-// Copies the keys of a table that the plug-in declares to `parameters`; other keys are left for the caller.
+// Copies the keys of a table that the plug-in declares to `parameters`; other keys, and columns of other probes, are left for
+// the caller.
 void read_parameters(const document::Table& table, int dimension, Parameters& parameters);
 
 // Throws Error at the table unless all required parameters are given.

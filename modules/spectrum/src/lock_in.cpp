@@ -128,6 +128,8 @@ void LockIn::add(double time, double value) {
     for (std::size_t j = 0; j <= i; ++j) row[j] += column[i] * column[j];
 }
 
+std::size_t LockIn::samples() const { return std::size_t(state_[count]); }
+
 LockInResult LockIn::result() const {
   if (state_[count] < double(model_))
     throw Error(fmt::format("lock-in: {} samples for {} unknowns; give more samples", state_[count], model_));
@@ -136,7 +138,7 @@ LockInResult LockIn::result() const {
   const Fit fit(options_, state_, model_, columns_);
   LockInResult result;
   result.harmonics = std::size_t(options_.harmonics);
-  result.samples = std::size_t(state_[count]);
+  result.samples = samples();
   result.mean = fit.mean();
   result.residual_rms = std::sqrt(fit.residual() / state_[count]);
   std::size_t column = model_;

@@ -1,5 +1,7 @@
 #include "maxima.hpp"
 
+#include "median.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,12 +23,6 @@ std::vector<double> third_differences(const Response& response) {
   for (std::size_t k = 0; k + 3 < h.size(); ++k)
     squares.push_back(std::norm(h[k + 3] - 3.0 * h[k + 2] + 3.0 * h[k + 1] - h[k]));
   return squares;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "median.hpp"
 #include "scree/spectrum/amplitude_spectrum.hpp"
 
 #include <algorithm>
@@ -21,11 +22,7 @@ double median_beside(const std::vector<double>& amplitude, std::size_t k) {
   const std::size_t side = std::clamp(k / 2, shortest_side, longest_side);
   const std::size_t begin = k > side ? k - side : 1;
   const std::size_t end = std::min(amplitude.size(), k + side + 1);
-  std::vector<double> beside(amplitude.begin() + std::ptrdiff_t(begin),
-                             amplitude.begin() + std::ptrdiff_t(end));
-  const auto middle = beside.begin() + std::ptrdiff_t(beside.size() / 2);
-  std::nth_element(beside.begin(), middle, beside.end());
-  return *middle;
+  return median({amplitude.begin() + std::ptrdiff_t(begin), amplitude.begin() + std::ptrdiff_t(end)});
 }
 
 // Bins of maxima above the noise, the highest first.

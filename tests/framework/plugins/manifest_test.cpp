@@ -69,6 +69,8 @@ TEST_CASE("a parameter without a key, unit, text or choices is refused, and one 
   CHECK(problem_of(p) == "its manifest has no choices of the parameter 'k'; set it");
   p = good, p.type = 99;
   CHECK(problem_of(p).starts_with("its parameter 'k' has the unknown type 99; "));
+  p = good, p.type = SCREE_INPUT;
+  CHECK(problem_of(p) == "its parameter 'k' is a column of a probe, which only probes read; remove it");
   p = good, p.excludes = "other";
   CHECK(problem_of(p).starts_with("its parameter 'k' excludes 'other', which it does not have; "));
 }

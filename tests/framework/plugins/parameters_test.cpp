@@ -51,7 +51,9 @@ const scree_plugin& plugin() {
 // The members of an author's struct, for these parameters.
 Author read(const std::vector<scree_value>& values) {
   Author author;
-  scree::Declaration declaration(values.data());
+  scree_setup setup = {};
+  setup.values = values.data();
+  scree::Declaration declaration(setup);
   author.declare(declaration);
   return author;
 }

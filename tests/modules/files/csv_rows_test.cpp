@@ -1,5 +1,7 @@
 #include "temporary_folder.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
@@ -56,6 +58,23 @@ TEST_CASE("a table that cannot be read is refused with line, column and cure", "
   CHECK(refusal(std::string("time,strain\n0,\0\n", 15)).starts_with(":2:3: not a text file"));
   CHECK(refusal("\x1f\x8b\x08").starts_with(": the file is compressed; unpack it with gunzip"));
   CHECK(refusal("time,strain\n" + std::string(2000000, '1')).starts_with(":2:1: the line is longer than "));
+}
+
+TEST_CASE("numbers of a run may be infinite or NaN, and a row that was cut off is told", "[csv_rows]") {
+  const TemporaryFolder folder;
+  CsvRows rows(folder.write("t.csv", "time,a\n0,nan\n1,-inf\n2,0.5"));
+  CHECK(rows.is_whole());
+  REQUIRE(rows.next());
+  CHECK(std::isnan(rows.any_number(1)));
+  CHECK_THROWS_AS(rows.number(1), scree::Error);
+  REQUIRE(rows.next());
+  CHECK(rows.any_number(1) == -INFINITY);
+  CHECK(rows.is_whole());
+  REQUIRE(rows.next());
+  CHECK_FALSE(rows.is_whole());
+  CHECK(rows.any_number(1) == 0.5);
+  CHECK_FALSE(rows.next());
+  CHECK_FALSE(CsvRows(folder.write("h.csv", "time,a")).is_whole());
 }
 
 TEST_CASE("a table that is no file is refused", "[csv_rows]") {

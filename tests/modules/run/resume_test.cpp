@@ -4,8 +4,10 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <scree/error.hpp>
+#include <scree/run/run_directory.hpp>
 
 using namespace scree;
 using namespace scree::run;
@@ -155,4 +157,84 @@ TEST_CASE("a damaged checkpoint is passed over for the one before", "[run]") {
   CHECK(warnings[0].find(states.back().filename().string()) != std::string::npos);
   CHECK(resumed.state_hash == whole.state_hash);
   CHECK(series_of(bench, "energy") == energy);
+}
+
+TEST_CASE("two runs of a scene leave the same bytes as their final state, whenever they wrote checkpoints",
+          "[run]") {
+  const auto final_state = [](std::optional<double> every) {
+    Bench bench(stages);
+    bench.plan.checkpoint.every_time = every;
+    CHECK(bench.run().states == (every ? 4u : 1u));
+    return text_of(bench.options.out / "final_state.h5");
+  };
+  const std::string once = final_state({});
+  REQUIRE(once.size() > 1000);
+  CHECK(final_state({}) == once);
+  CHECK(final_state(2.5e-5) == once);
+}
+
+TEST_CASE("a run that goes on counts its wall time and its states on", "[run]") {
+  const Bench bench(stages, {"checkpoint.every_time=3e-5"});
+  bench.run();
+  const auto record = [&] { return nlohmann::json::parse(text_of(bench.options.out / "run.json")); };
+  // As if it had taken long.
+  auto before = record();
+  const std::uint64_t states = before["states"];
+  before["wall_s"] = 100, before["output_s"] = 60, before["states_s"] = 30;
+  bench.folder.write("out/run.json", before.dump());
+  const RunResult prolonged = resume(bench, {}, 2e-4);
+  for (const auto& [now, then] : {std::pair(prolonged.wall, 100), std::pair(prolonged.output, 60),
+                                  std::pair(prolonged.state_output, 30)}) {
+    CHECK(now >= then);
+    CHECK(now < then + 10);  // ten steps
+  }
+  CHECK(prolonged.states > states);
+  CHECK(record()["states"] == prolonged.states);
+}
+
+TEST_CASE("checkpoints after the state from which a run goes on are removed", "[run]") {
+  const Bench bench(stages, {"checkpoint.every_time=2e-5", "checkpoint.final_state=false"});
+  bench.run();
+  const auto later = bench.options.out / "checkpoint/step_000000000000008.h5";
+  REQUIRE(std::filesystem::exists(later));
+  std::filesystem::resize_file(later, 100);
+  std::vector<std::string> warnings;
+  RunOptions options = bench.options;
+  options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  options.on_start = [&](const Simulation&) { CHECK_FALSE(std::filesystem::exists(later)); };
+  resume_run(options, {}, host());
+  CHECK(warnings.size() == 1);
+}
+
+TEST_CASE("a final state that cannot be written fails the run after all else is saved", "[run]") {
+  Bench bench(with(discs, "every = 2e-5", "every = 3e-5") +
+              (SCREE_TEST_PICTURES ? "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = 'work'\n" : ""));
+  bench.options.on_start = [&](const Simulation&) {
+    std::filesystem::create_directory(bench.options.out / "final_state.h5");
+  };
+  CHECK_THROWS_WITH(bench.run(), Catch::Contains("final_state.h5: is there and was not written by a run"));
+  const auto times = series_of(bench, "energy");
+  CHECK(times.find("\n0.0001,") != std::string::npos);
+  CHECK(std::filesystem::exists(bench.options.out / "charts/c.png") == bool(SCREE_TEST_PICTURES));
+  CHECK(std::filesystem::exists(bench.options.out / "final_packing.csv"));
+  CHECK(text_of(bench.options.out / "run.json").find("\"status\": \"failed\"") != std::string::npos);
+}
+
+TEST_CASE("messages about the directory of a run that goes on ask for no other", "[run]") {
+  const Bench bench(discs);
+  bench.run();
+  SECTION("another process uses it") {
+    RunDirectory other(bench.options.out, RunDirectory::Existing::keep);
+    other.take();
+    CHECK(refused(bench, {}, 2e-4).ends_with("another run is running there; wait for it"));
+  }
+  SECTION("its list of files was lost") {
+    std::filesystem::remove(bench.options.out / "written.txt");
+    CHECK(refused(bench, {}, 2e-4).ends_with("can be neither replaced nor resumed; move it elsewhere"));
+  }
+  SECTION("its list is no file") {
+    std::filesystem::remove(bench.options.out / "written.txt");
+    std::filesystem::create_directory(bench.options.out / "written.txt");
+    CHECK(refused(bench, {}, 2e-4).ends_with("written.txt: is not a file; remove it"));
+  }
 }

@@ -54,10 +54,11 @@ TEST_CASE("a run directory with foreign files or another run is not overwritten"
   CHECK(fs::is_empty(folder / "run"));
   folder.write("run/run.json", "{}");
   for (const Existing existing : {Existing::refuse, Existing::replace})
-    CHECK(reason(folder / "run", existing)
-              .ends_with(
-                  "contains a run without written.txt, the list of its files, so that it cannot be replaced; "
-                  "move it elsewhere, or give another --out"));
+    CHECK(
+        reason(folder / "run", existing)
+            .ends_with(
+                "contains a run without written.txt, the list of its files, so that it can be neither replaced nor resumed; "
+                "move it elsewhere, or give another --out"));
   folder.write("run/written.txt", "run.json\n");
   CHECK(reason(folder / "run", Existing::refuse).ends_with("or --overwrite to replace it"));
   CHECK(reason(folder / "run", Existing::replace) == "no error");

@@ -54,6 +54,27 @@ TEST_CASE("a return removes what was listed since, but for what was listed befor
   for (const std::uint64_t nowhere : {size - 1, size + 1}) CHECK_THROWS_AS(files.return_to(nowhere), Error);
 }
 
+TEST_CASE(
+    "states do not count, as their number depends on the wall time, and return with the line before them",
+    "[run]") {
+  const TemporaryFolder folder;
+  WrittenFiles files(folder.path());
+  write(files, "run.json");
+  const std::uint64_t size = files.size();
+  write(files, "checkpoint/step_1.h5");
+  CHECK(files.size() == size);
+  CHECK(WrittenFiles(folder.path()).size() == size);
+  write(files, "images/2.png");
+  write(files, "checkpoint/step_3.h5");
+  files.return_to(size);
+  CHECK(files.size() == size);
+  CHECK(text_of(folder / "written.txt") == "run.json\ncheckpoint/step_1.h5\n");
+  CHECK(fs::exists(folder / "checkpoint/step_1.h5"));
+  CHECK_FALSE(fs::exists(folder / "checkpoint/step_3.h5"));
+  write(files, "images/2.png");
+  CHECK(text_of(folder / "written.txt") == "run.json\ncheckpoint/step_1.h5\nimages/2.png\n");
+}
+
 TEST_CASE("a line that a killed run began is not followed, and lines of others are kept", "[run]") {
   const TemporaryFolder folder;
   folder.write("written.txt", "run.json\nimag");

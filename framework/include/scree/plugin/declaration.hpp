@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include <scree/plugin/abi.h>
+#include <scree/plugin/input_column.hpp>
 #include <scree/plugin/numerics.hpp>
 #include <scree/plugin/program.hpp>
 
@@ -64,11 +65,17 @@ class Declaration {
   };
 
   Declaration() = default;
-  explicit Declaration(const scree_value* values) : values_(values) {}
+  explicit Declaration(const scree_setup& setup) : values_(setup.values), inputs_(setup.inputs) {}
 
   Entry number(const char* key, double& member, const char* unit, const Range& range, const char* doc) {
     assign(member);
     return add(SCREE_NUMBER, key, unit, doc, member, range);
+  }
+  Entry integer(const char* key, int& member, const char* unit, const Range& range, const char* doc) {
+    double value = member;
+    assign(value);
+    member = int(value);
+    return add(SCREE_INTEGER, key, unit, doc, value, range);
   }
   Entry boolean(const char* key, bool& member, const char* doc) {
     double value = member ? 1 : 0;
@@ -105,6 +112,14 @@ class Declaration {
     if (const scree_value* value = next()) member = Program(*value);
     return add(SCREE_PROGRAM, key, unit, doc, 0, range);
   }
+  // A column of another probe; of probes only.
+  Entry input(const char* key, InputColumn& member, const char* doc) {
+    if (const scree_value* value = next()) {
+      const std::uint32_t number = std::uint32_t(value->data[0]);
+      member = {inputs_[number].name, inputs_[number].unit, number};
+    }
+    return add(SCREE_INPUT, key, "", doc, 0, any_number);
+  }
 
   const scree_parameter* table() const { return table_.data(); }
   std::uint32_t count() const { return count_; }
@@ -136,6 +151,7 @@ class Declaration {
   }
 
   const scree_value* values_ = nullptr;
+  const scree_input* inputs_ = nullptr;
   std::array<scree_parameter, capacity> table_ = {};
   std::uint32_t count_ = 0;
 };
@@ -167,7 +183,7 @@ int configure_author(const scree_setup* setup, void* storage) try {
   static_assert(sizeof(Author) <= SCREE_MAX_INSTANCE_SIZE, "keep large data in the host's state");
   static_assert(std::is_trivially_copyable_v<Author> && std::is_trivially_destructible_v<Author>);
   Author* author = ::new (storage) Author{};
-  Declaration declaration(setup->values);
+  Declaration declaration(*setup);
   author->declare(declaration);
   if constexpr (requires(const Setup& s) { author->prepare(s); }) {
     const Setup view(*setup);

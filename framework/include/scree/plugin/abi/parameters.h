@@ -18,7 +18,8 @@ typedef enum scree_type {
   SCREE_CHOICE = 3,  /* index into `choices` */
   SCREE_VECTOR = 4,  /* `dimension` doubles, padded with zeros to 3 */
   SCREE_LIST = 5,    /* any number of doubles */
-  SCREE_PROGRAM = 6  /* a function of time: see program.hpp */
+  SCREE_PROGRAM = 6, /* a function of time: see program.hpp */
+  SCREE_INPUT = 7    /* of probes: its number in scree_setup.inputs; see input_column.hpp */
 } scree_type;
 
 enum {
@@ -47,11 +48,19 @@ typedef struct scree_value {
   uint64_t count;     /* 0: an optional parameter that was not given */
 } scree_value;
 
+typedef struct
+    scree_input {   /* a column of another probe; the strings are valid as the data of a scree_value */
+  const char* name; /* "<probe>.<column>" */
+  const char* unit; /* "" if dimensionless */
+} scree_input;
+
 typedef struct scree_setup {
   uint32_t struct_size;
   uint32_t dimension;        /* 2 or 3 */
   const scree_value* values; /* one per declared parameter, in declared order */
   double lower[3], upper[3]; /* (m) bounding box of the bodies' surfaces at the start; 0 without bodies */
+  uint32_t input_count;
+  const scree_input* inputs; /* input_count */
   char* message;             /* output: reason of a failure */
   size_t message_size;
 } scree_setup;

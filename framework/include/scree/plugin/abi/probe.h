@@ -73,6 +73,9 @@ typedef struct scree_view {
   const scree_load* loads;        /* plane_count */
   const char* const* plane_names; /* plane_count: "<boundary>.<plane>" */
   const scree_energy* energy;     /* all NaN unless SCREE_NEEDS_ENERGY, or without the balance */
+  double end_time;                /* (s) when the run ends; NaN where that is not known */
+  uint32_t input_count;           /* of the probe that is called, in observe and sample; else 0 */
+  const double* inputs;           /* input_count: values of scree_setup.inputs at this time */
 } scree_view;
 
 typedef struct scree_probe_instance {
@@ -82,6 +85,7 @@ typedef struct scree_probe_instance {
   uint32_t column_count;
   uint32_t state_width; /* doubles of state, unless the probe has `state_size` */
   uint32_t observes;    /* nonzero: `observe` is called */
+  double observe_every; /* (s) between observations if it is the probe that chooses it, else 0 */
 } scree_probe_instance;
 
 /* The state is an array of doubles that the host stores between the calls, zero before `start`. Only `start`
@@ -103,8 +107,9 @@ typedef struct scree_probe {
   int (*start)(const void* storage, const scree_view* view, double* state, char* message,
                size_t message_size);
   /* (optional) Updates the state. Called if the instance has set `observes`: at the start of each stage in
-   * which the probe records, and then at the end of every step or, with the key `observe_every`, at the steps
-   * nearest to the multiples of that time; never twice at one step, and independently of samples. */
+   * which the probe records, and then at the end of every step or, with the key or the member `observe_every`, at the
+   * steps nearest to the multiples of that time; never twice at one step, and independently of samples. What
+   * view->inputs shows has been observed before, if that was due. */
   void (*observe)(const void* storage, const scree_view* view, double* state);
   /* Writes one row of column_count values. Called at the start of each stage in which the probe records, at the
    * steps nearest to the multiples of the key `every`, and at the end. */

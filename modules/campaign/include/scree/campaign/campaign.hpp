@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/particles.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/run/input_hashes.hpp>
 
@@ -88,7 +89,11 @@ Campaign branched(Campaign campaign, const PluginHost& host);
 // Throws Error, like scree check, unless the point can be run and has all collected quantities. The position
 // is that of the setting that causes the error, if there is one.
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host);
-// The same for a point of a preparation, which must write its final state.
-void check_preparation(const Campaign& preparation, const Point& point, PluginHost& host);
+// The same for a point of a preparation, which must write its final state. Returns the bodies at its start.
+std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host);
+// Throws Error at a setting, or in the scenario, of a key that nothing reads, as far as that is known before the preparation
+// of the point, which begins with these bodies, has been run.
+void check_keys(const Campaign& campaign, const Point& point, const std::vector<Body>& bodies,
+                PluginHost& host);
 
 }  // namespace scree::campaign

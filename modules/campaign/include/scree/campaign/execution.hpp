@@ -34,6 +34,7 @@ struct Execution {
   std::size_t finished_before = 0;  // not run again
   bool interrupted = false;
   std::vector<Outcome> preparations = {};    // in the order of Campaign::preparation->points
+  std::vector<std::size_t> prepared = {};    // numbers of those that this call has run to their end
   std::size_t gone_on = 0;                   // runs and preparations that went on from a state
   std::vector<std::string> begun_anew = {};  // "<name>: <why it could not go on>"
 

@@ -30,6 +30,10 @@ class CsvRows : public TextLine {
   bool next();
   // The finite number in a column of the row.
   double number(std::size_t column) const;
+  // The same, which may be infinite or NaN too.
+  double any_number(std::size_t column) const;
+  // Whether the row, or the header before the first, ends with a line break; the last of a file that was cut off does not.
+  bool is_whole() const { return whole_; }
 
  private:
   bool next_line();
@@ -37,6 +41,7 @@ class CsvRows : public TextLine {
 
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::string text_;
+  bool whole_ = false;
   const std::vector<Token>* row_ = nullptr;
   std::vector<Column> columns_;
   std::vector<std::string> labels_;  // names for messages

@@ -39,7 +39,9 @@ class TextLine {
   // Whether the line is blank or begins with '#'.
   bool is_comment() const;
 
-  // Throws unless the token is a finite number. what: name of the quantity for messages.
+  // Throws unless the token is a number, which may be infinite or NaN. what: name of the quantity for messages.
+  double any_number(const Token& token, std::string_view what) const;
+  // The same for a finite number.
   double number(const Token& token, std::string_view what) const;
   double positive_number(const Token& token, std::string_view what) const;
   std::int64_t integer(const Token& token, std::string_view what) const;

@@ -12,6 +12,8 @@ namespace scree::run {
 class WrittenFiles {
  public:
   static constexpr const char* file_name = "written.txt";
+  // How many files are in this folder depends on the wall time.
+  static constexpr const char* states_folder = "checkpoint";
 
   // Reads the list; empty if there is none. Throws Error if it cannot be read, or a line leads out of the directory:
   // it is absolute, contains "..", or leads through a symbolic link.
@@ -22,19 +24,21 @@ class WrittenFiles {
   // is not listed, its folder is a symbolic link, or the list cannot be written.
   std::filesystem::path add(const std::string& file);
 
-  // Bytes of the list so far.
-  std::uint64_t size() const { return size_; }
-  // Removes the files listed behind a former size() and not before it, the last first, then folders that are empty,
-  // and cuts the list there. At 0 the list is removed too. Throws Error if a line does not end there, Error (failure)
-  // if a file cannot be removed.
+  bool empty() const { return listed_.empty(); }
+  // Bytes of the lines so far but for those of states_folder: the same in all runs of a scene.
+  std::uint64_t size() const { return steady_size_; }
+  // Removes the files listed behind the line at which size() was this, and the states that follow it, and not before;
+  // the last first, then folders that are empty; and cuts the list there. At 0 the list is removed too. Throws Error if
+  // no line ends there, Error (failure) if a file cannot be removed.
   void return_to(std::uint64_t size);
 
  private:
   std::string text() const;
   void read();
+  std::uint64_t end_of_line_at(const std::string& all, std::uint64_t size) const;
 
   std::filesystem::path directory_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0, steady_size_ = 0;  // with and without the states
   std::unordered_set<std::string> listed_;
 };
 

@@ -17,12 +17,19 @@
 
 namespace scree::scenario {
 
+// A column of another probe that a probe reads.
+struct ProbeInput {
+  std::size_t probe, column;  // in Plan::probes, and in the rows of that probe
+};
+
 // A probe that writes series/<name>.csv.
 struct ProbePlan {
   std::string name;
   Parameters parameters;
   double every = 0;                          // (s) between samples, rounded to whole steps when it runs
   std::optional<double> observe_every = {};  // (s) likewise, between observations; absent: every step
+  std::vector<ProbeInput> inputs = {};       // in the order of Parameters::inputs()
+  std::size_t depth = 0;                     // greater than those of the probes of its inputs
   std::vector<std::string> stages;           // stages in which it records; all if empty
   std::string place;                         // file:line:column, for messages
 };
@@ -114,6 +121,11 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
 // that no packing is read again. name: of the text in messages.
 Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host);
+
+// Refuses the keys of a scenario that nothing reads, while the state from which it begins is not there: `bodies` stand for
+// those of the state, and keys of [particles] are not looked at. What else is wrong is left to read_plan.
+void check_keys(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                std::vector<Body> bodies, PluginHost& host);
 
 // The override "stage[1].duration=2", with which the last stage of a scenario, which ends by its duration or after
 // cycles, takes so many seconds.

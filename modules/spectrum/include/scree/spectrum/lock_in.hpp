@@ -61,6 +61,8 @@ class LockIn {
   // Adds a sample, at any time (s); value below 1e150 in size.
   void add(double time, double value);
 
+  std::size_t samples() const;  // so far
+
   // Throws Error if there are too few samples or if their times do not tell the terms apart.
   LockInResult result() const;
 

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace scree::campaign {
+namespace scree::run {
 
-// The JSON of a run.json or campaign.json, without what is nested deeper than any program writes; discarded if
+// The JSON of a record, such as run.json or campaign.json, without what is nested deeper than any program writes; discarded if
 // it is not JSON.
 inline nlohmann::ordered_json parse_record(const std::string& text) {
   constexpr int deepest = 32;
@@ -16,4 +16,4 @@ inline nlohmann::ordered_json parse_record(const std::string& text) {
   return nlohmann::ordered_json::parse(text, keep, false);
 }
 
-}  // namespace scree::campaign
+}  // namespace scree::run

@@ -1,0 +1,92 @@
+#include "plan_support.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+// Ten steps of 1e-5 s: ten samples in a period.
+const std::string lock_in =
+    "[[probe]]\n"                          // 27
+    "plugin = 'lock_in'\n"                 // 28
+    "of = 'energy.kinetic_translation'\n"  // 29
+    "frequency_hz = 1e4\n"                 // 30
+    "periods = 0.9\n"                      // 31
+    "every = 1e-4\n";                      // 32
+
+const std::string measured = std::string(discs) + lock_in;
+
+std::string refused_of(const std::string& of) {
+  return refusal(with(measured, "energy.kinetic_translation", of));
+}
+
+}  // namespace
+
+TEST_CASE("a probe may read a column of another, with the unit of that", "[scenario]") {
+  const scenario::Plan plan =
+      plan_of(measured + "[[chart]]\nname = 'a'\nprobe = 'lock_in'\ny = ['amplitude', 'mean']\n");
+  REQUIRE(plan.probes.size() == 2);
+  REQUIRE(plan.probes[1].inputs.size() == 1);
+  CHECK(plan.probes[1].inputs[0].probe == 0);
+  CHECK(plan.probes[1].inputs[0].column == 0);
+  CHECK(plan.charts[0].y_unit == "J");
+  // 50 samples in a period would be shorter than a step.
+  CHECK_FALSE(plan.probes[1].observe_every.has_value());
+  CHECK(plan_of(measured, {"probe.lock_in.harmonics=1", "probe.lock_in.samples_per_period=4"})
+            .probes[1]
+            .observe_every == Approx(2.5e-5));
+}
+
+TEST_CASE("a probe may stand before the one that it reads", "[scenario]") {
+  const scenario::Plan plan = plan_of(with(discs, "[[probe]]", lock_in + "[[probe]]"));
+  CHECK(plan.probes[0].name == "lock_in");
+  CHECK(plan.probes[0].inputs[0].probe == 1);
+  CHECK(plan.probes[0].depth > plan.probes[1].depth);
+}
+
+TEST_CASE("a column that does not exist is refused where it stands, with the nearest", "[scenario]") {
+  CHECK(refused_of("energie.kinetic_translation") ==
+        "scene.toml:29:6: no probe 'energie'; did you mean 'energy'?");
+  CHECK(refused_of("energy.kinetic_transl") ==
+        "scene.toml:29:6: no column 'kinetic_transl'; did you mean 'kinetic_translation'?");
+  CHECK(refused_of("energy") ==
+        "scene.toml:29:6: 'energy' is not <probe>.<column>; give the name of a [[probe]], a "
+        "dot and one of its columns");
+  CHECK(refused_of("lock_in.amplitude") ==
+        "scene.toml:29:6: the probe 'lock_in' reads a column of itself; give a column of another probe");
+  CHECK(refusal(with(measured, "'energy.kinetic_translation'", "3")).starts_with("scene.toml:29:6: "));
+  CHECK(
+      refusal(with(measured, "of = 'energy.kinetic_translation'\n", "")).find("'of' is missing; add of = ") !=
+      std::string::npos);
+}
+
+TEST_CASE("probes that read each other in a circle are refused", "[scenario]") {
+  const auto reads = [](const std::string& name, const std::string& of) {
+    return with(lock_in, "of = 'energy.kinetic_translation'",
+                "name = '" + name + "'\nof = '" + of + ".mean'");
+  };
+  // 'outside' waits for the circle and is not in it.
+  CHECK(
+      refusal(discs + reads("outside", "a") + reads("a", "b") + reads("b", "c") + reads("c", "a")) ==
+      "scene.toml:37:6: the probes a, b, c read columns of each other in a circle; let one of them read a column "
+      "of another probe");
+}
+
+TEST_CASE("a probe records only while those do that it reads", "[scenario]") {
+  const std::string staged =
+      with(measured, "duration = 1e-4\n", "") +
+      "[[stage]]\nname = 'a'\nduration = 1e-4\n[[stage]]\nname = 'b'\nduration = 1e-4\n";
+  CHECK(
+      refusal(staged, {"probe.energy.stages=['b']"}) ==
+      "scene.toml:28:6: the probe 'energy' does not record in stage 'a', in which 'lock_in' does; give both the "
+      "same stages");
+  CHECK(refusal(staged, {"probe.energy.stages=['b']", "probe.lock_in.stages=['b']"}) == "no error");
+  CHECK(refusal(staged, {"probe.lock_in.stages=['a']"}) == "no error");
+}
+
+TEST_CASE("a probe with times of its own takes no others", "[scenario]") {
+  CHECK(refusal(measured + "observe_every = 1e-5\n") ==
+        "scene.toml:33:17: the probe lock_in has times of its own; remove observe_every");
+}
