@@ -100,6 +100,22 @@ TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[soun
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }
 
+TEST_CASE("a column relative to its mean is divided by it on every road", "[sound]") {
+  const std::string few =
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n";
+  Bench plain(Chain().text(few)), relative(Chain().text(few + "relative_to_mean = ['particles.z_8']\n"));
+  const Measurement a = measure(plain.plan, plain.options), b = measure(relative.plan, relative.options);
+  REQUIRE(a.roads.size() == 3);
+  // The bead at the top is at 0.07464 m; it moves by 1e-8 m about that.
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t k = 0; k < 3; ++k) {
+      CAPTURE(a.roads[r].road, k);
+      const std::complex<double> whole = a.roads[r].columns[1].response[k];
+      CHECK(std::abs(0.07464 * b.roads[r].columns[1].response[k] / whole - 1.0) < 1e-6);
+      CHECK(b.roads[r].columns[0].response[k] == a.roads[r].columns[0].response[k]);
+    }
+}
+
 TEST_CASE("stages run before the roads are taken", "[sound]") {
   // A floor that stays where its stage has brought it.
   const std::string text =
@@ -156,13 +172,24 @@ TEST_CASE("a sweep that becomes unstable keeps what it has and says that it fail
 
 TEST_CASE("columns without a value and layers without beads are refused before anything is written",
           "[sound]") {
-  const std::string layer = with(Chain().text(grid), "'particles.z_1'", "'layer.position'");
-  Bench bench(layer + "[[probe]]\nplugin = 'layer'\naxis = 'z'\nat = 5\nhalf_width = 0.001\n");
-  const std::string line = message([&] { measure(bench.plan, bench.options); });
+  std::string line;
+  SECTION("a layer without beads") {
+    Bench bench(with(Chain().text(grid), "'particles.z_1'", "'layer.position'") +
+                "[[probe]]\nplugin = 'layer'\naxis = 'z'\nat = 5\nhalf_width = 0.001\n");
+    line = message([&] { measure(bench.plan, bench.options); });
+    CHECK(!std::filesystem::exists(bench.options.out));
+  }
+  SECTION("energies that are not computed") {
+    Bench bench(with(Chain().text(grid), "'particles.z_1'", "'energy.residual'") +
+                "[[probe]]\nplugin = 'energy'\n");
+    bench.plan.scene.audit = false;
+    line = message([&] { measure(bench.plan, bench.options); });
+    CHECK(line.find("'energy.residual' has no value at the start; observe") != std::string::npos);
+    CHECK(!std::filesystem::exists(bench.options.out));
+  }
   INFO(line);
   CHECK(line.find("scene.toml:") != std::string::npos);
   CHECK(line.find("; ") != std::string::npos);
-  CHECK(!std::filesystem::exists(bench.options.out));
 }
 
 TEST_CASE("a drive that moves no wall is refused", "[sound]") {
