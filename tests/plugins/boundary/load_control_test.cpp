@@ -160,6 +160,28 @@ TEST_CASE("a servo wall behind a driven row keeps its force to the resolution of
   CHECK(std::abs(servo.position - massless.position) < 100 * servo.worst_load / k);
 }
 
+TEST_CASE("a wall that keeps its load feels bodies that were far away at the last search", "[plane]") {
+  const double speed = 1, weak = 0.01, skin = 5 * speed * step;
+  double largest = 0;
+  for (int n = 0; n < 20; ++n) {
+    const double gap = skin + (0.02 + 0.2 * n) * speed * step;
+    Scene sc = scene(3, step, {body(1, radius, 0.02, {}, {{0, 0, 0.9 * speed}})}, linear);
+    sc.skin = skin;
+    add_boundary(sc, "plane",
+                 {{"point", {0, 0, radius + gap}},
+                  {"normal", {0, 0, -1}},
+                  {"control", {plane_massless}},
+                  {"force", {0, weak}},
+                  {"speed_limit", {speed}}});
+    Simulation s(sc);
+    for (int k = 0; k < 30; ++k) {
+      s.step();
+      largest = std::max(largest, load(s));
+    }
+  }
+  CHECK(largest == Approx(weak).epsilon(2e-9));
+}
+
 TEST_CASE("a superposed motion of a wall that keeps its load is made up for", "[plane]") {
   for (const int control : {int(plane_servo), int(plane_massless)}) {
     Scene sc = bead_under_lid(control, linear, "linear_spring_dashpot", radius - force / k);
