@@ -1,5 +1,4 @@
-// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed, moved by a program, or stress-controlled after David
-// et al. 2005.
+// Rectangular box of 4 (2D) or 6 (3D) walls, each fixed, moved by a program, or stress-controlled.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,7 @@ using scree::WallMotion;
 
 struct Box {
   static constexpr int max_walls = 6;
-  enum Control { stress, fixed, displacement, velocity, strain_rate };
+  enum Control { stress, fixed, displacement, velocity, strain_rate, servo, massless };
 
   std::optional<std::array<double, 3>> lower_given, upper_given;
   std::array<double, 3> lower = {}, upper = {};
@@ -28,17 +27,20 @@ struct Box {
   scree::Program wall_stress[max_walls];
   scree::Program strain_rates[3];
   WallMotion motions[max_walls];  // along the inward normals
+  scree::LoadControl limits;
   int dimension = 3;
-  bool superposes = false;
+  bool superposes = false, tries = false;
   double masses[max_walls] = {};  // (kg); 0 for walls that forces do not move
 
   static constexpr scree::About about = {
       "box", "4 or 6 walls, each fixed, moved by a program, or stress-controlled with mass and viscosity",
       "stress: m_w s\" = F·n + p(t) A(t) − γ_w s', and a superposed displacement d(t) is added to s\n"
+      "servo: in each step of several displacements within v Δt the one with −F·n nearest to p(t) A(t)\n"
+      "massless: F·n + p(t) A(t) = 0 at the end of each step, and |s'| <= v\n"
       "displacement: d(t) − d(0);  velocity: ∫u dt;  strain_rate: L' = −ε'(t) L, opposite walls alike\n"
       "s: inward displacement of the wall, n: inward normal, L: length of the box along n,\n"
       "F: contact force on the wall, A(t): its present area (2D: length × 1 m)",
-      "David et al. 2005, section 2; McNamara et al. 2008, equation 1"};
+      "David et al. 2005, section 2; McNamara et al. 2008, equation 1; servo: Lemrich et al. 2017, section II"};
 
   static constexpr const char* names[max_walls] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
   struct AxisKeys {
@@ -57,7 +59,7 @@ struct Box {
       {"stress_y_high", "displacement_y_high", "velocity_y_high", "superposed_y_high"},
       {"stress_z_low", "displacement_z_low", "velocity_z_low", "superposed_z_low"},
       {"stress_z_high", "displacement_z_high", "velocity_z_high", "superposed_z_high"}};
-  static constexpr const char* controls = "stress|fixed|displacement|velocity|strain_rate";
+  static constexpr const char* controls = "stress|fixed|displacement|velocity|strain_rate|servo|massless";
 
   void declare(scree::Declaration& d) {
     using namespace scree;
@@ -87,6 +89,7 @@ struct Box {
                 "p of this wall; overrides that of its axis")
           .optional();
     declare_motion(d);
+    declare_load_control(d, limits);
   }
 
   void prepare(const scree::Setup& setup) {
@@ -108,12 +111,13 @@ struct Box {
 
   void describe(scree::BoundaryLayout& layout) const {
     layout.walls = std::uint32_t(walls());
-    layout.state = std::uint32_t(superposes ? 2 * walls() : walls());
+    layout.state = std::uint32_t((1 + superposes + tries) * walls());
     layout.names = names;
     layout.masses = masses;
     layout.still = true;
     for (int w = 0; w < walls(); ++w) {
       if (pressed(w)) layout.damping_rate = viscosity / mass;
+      layout.trial_speed = std::max(layout.trial_speed, motions[w].trial_speed(limits));
       if (motions[w].moves()) layout.still = false;
     }
   }
@@ -145,11 +149,13 @@ struct Box {
     WallMotion::Forces forces[max_walls];
     for (int w = 0; w < walls(); ++w) {
       prescribed[w] = prescribed_of(w, s, s.step);
-      forces[w] = forces_on(w, s, s.time);
+      forces[w] = forces_on(w, s, motions[w].tries() ? s.time + s.step : s.time);
     }
     for (int w = 0; w < walls(); ++w) {
       if (!motions[w].moves()) continue;
-      const auto course = motions[w].begin(free_speed_of(w, s), prescribed[w], forces[w], s.step, s.energy);
+      const auto course = motions[w].tries() ? try_displacements(w, s, prescribed[w], forces[w])
+                                             : motions[w].begin(free_speed_of(w, s), prescribed[w], forces[w],
+                                                                s.step, s.energy);
       s.walls[std::size_t(w)].point[w / 2] += sign(w) * course.distance;
       set(w, s, course);
     }
@@ -202,8 +208,9 @@ struct Box {
 
   // Control and program of a wall. Returns whether they fit.
   bool prepare_wall(int w, const scree::Setup& setup) {
-    static constexpr int motion_of[] = {WallMotion::pressed, WallMotion::fixed, WallMotion::displaced,
-                                        WallMotion::at_velocity, WallMotion::strained};
+    static constexpr int motion_of[] = {WallMotion::pressed,     WallMotion::fixed,    WallMotion::displaced,
+                                        WallMotion::at_velocity, WallMotion::strained, WallMotion::servo,
+                                        WallMotion::massless};
     WallMotion& motion = motions[w];
     const int of_axis = axis_control[w / 2], chosen = std::max({control[w], of_axis, int(stress)});
     motion.control = motion_of[chosen];
@@ -211,6 +218,7 @@ struct Box {
     motion.viscosity = viscosity;
     masses[w] = pressed(w) ? mass : 0;
     superposes = superposes || motion.superposes();
+    tries = tries || motion.tries();
     if (!wall_stress[w].given())
       wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : all_stress;
 
@@ -222,7 +230,8 @@ struct Box {
     if (control[w] >= 0 && of_axis >= 0)
       std::snprintf(line, sizeof(line), "%s and %s both say what moves a wall; keep one of them", names[w],
                     axis_keys[w / 2].control);
-    if (chosen == stress && !wall_stress[w].given())
+    if (motion.tries()) need(limits.speed_limit > 0, "speed limit", "speed_limit", "m/s");
+    if (motion.moved_by_forces() && !wall_stress[w].given())
       std::snprintf(line, sizeof(line),
                     "a stress-controlled wall has no stress; give stress = <Pa>, or set %s to \"fixed\"",
                     names[w]);
@@ -250,7 +259,22 @@ struct Box {
   }
   WallMotion::Forces forces_on(int w, const BoundaryStep& s, double time) const {
     return {sign(w) * s.loads[std::size_t(w)].force[w / 2],
-            pressed(w) ? wall_stress[w](time) * area(w, s) : 0};
+            motions[w].moved_by_forces() ? wall_stress[w](time) * area(w, s) : 0};
+  }
+
+  WallMotion::Course try_displacements(int w, const BoundaryStep& s, const WallMotion::Prescribed& prescribed,
+                                       const WallMotion::Forces& forces) const {
+    const scree::Vec3 inwards = s.walls[std::size_t(w)].normal;
+    const auto load_after = [&](double x) {
+      return dot(inwards, s.trial_load(std::size_t(w), x * inwards).force);
+    };
+    const double mid_speed = dot(inwards, s.walls[std::size_t(w)].mid_velocity);
+    return motions[w].begin_trying(limits, mid_speed, stiffness_of(w, s), prescribed, forces, s.step,
+                                   load_after, s.energy);
+  }
+  // Stiffness of the contacts of a wall that tries displacements: the last part of the state.
+  double& stiffness_of(int w, const BoundaryStep& s) const {
+    return s.state[std::size_t((1 + superposes) * walls() + w)];
   }
 
   WallMotion::Prescribed prescribed_of(int w, const BoundaryStep& s, double step) const {
@@ -273,6 +297,7 @@ struct Box {
   // Speeds before the first step with these parameters.
   void set_speeds(int w, const BoundaryStep& s, double free) const {
     s.state[std::size_t(w)] = forces_on(w, s, s.time).press;
+    if (tries) stiffness_of(w, s) = 0;
     if (motions[w].moves()) {
       const double speed = free + prescribed_of(w, s, 0).speed;
       set(w, s, {0, speed, speed, free});

@@ -1,4 +1,4 @@
-// One infinite plane, fixed, moved by a program, or pressed by a stress or force.
+// One infinite plane, fixed, moved by a program, or or under a stress or force.
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 namespace {
 
 struct Plane {
-  enum Control { fixed, displacement, velocity, stress, force };
+  enum Control { fixed, displacement, velocity, stress, force, servo, massless };
   // Layout of the state: the load of the last step (N), which the hash of the state covers; s' if a motion is
-  // superposed.
-  enum State { load, free_speed = 3, state_width };
+  // superposed under stress or force, or the stiffness of the contacts (N/m) if displacements are tried.
+  enum State { load, free_speed = 3, stiffness = 3, state_width };
 
   std::array<double, 3> point = {};
   std::array<double, 3> normal = {};
@@ -21,14 +21,17 @@ struct Plane {
   double mass = 0;  // (kg) 0 unless forces move the plane
   scree::Program pressing_stress, pressing_force;
   scree::WallMotion motion;
+  scree::LoadControl limits;
 
   static constexpr scree::About about = {
       "plane", "infinite plane, fixed, with prescribed motion, or under constant stress or force",
       "x_w(t) = point + e (s + d)   e: direction of motion\n"
       "control displacement or velocity: d(t) − d(0) or ∫u dt, s = 0\n"
       "control stress or force: m s\" = F·e + P(t) − γ s', P = p(t) A or the force, d: superposed displacement\n"
+      "control servo: in each step of several displacements within v Δt the one with −F·e nearest to P\n"
+      "control massless: F·e + P = 0 at the end of each step, and |s'| <= v\n"
       "F: contact force on the plane",
-      "—"};
+      "servo: Lemrich et al. 2017, section II"};
 
   void declare(scree::Declaration& d) {
     using namespace scree;
@@ -40,23 +43,25 @@ struct Plane {
     d.program("displacement", motion.displacement, "m", any_number,
               "d(t) along the direction; fixed if neither this nor control is given")
         .optional();
-    d.choice("control", control, "fixed|displacement|velocity|stress|force",
+    d.choice("control", control, "fixed|displacement|velocity|stress|force|servo|massless",
              "what moves the plane; if absent the displacement, if given")
         .optional();
     d.program("velocity", motion.velocity, "m/s", any_number,
               "u(t) along the direction, for control = \"velocity\"; reached at once, a ramp starts smoothly")
         .optional();
     d.program("stress", pressing_stress, "Pa", any_number,
-              "p on the area, along the direction, for control = \"stress\"")
+              "p on the area, along the direction, for control = \"stress\", \"servo\" or \"massless\"")
         .optional();
     d.number("area", area, "m^2", positive, "A on which the stress acts (2D: length × 1 m)").optional();
-    d.program("force", pressing_force, "N", any_number, "P along the direction, for control = \"force\"")
+    d.program("force", pressing_force, "N", any_number,
+              "P along the direction, for control = \"force\", or \"servo\" or \"massless\" without stress")
         .optional();
     d.number("mass", motion.mass, "kg", positive, "m under stress or force");
     d.number("viscosity", motion.viscosity, "kg/s", non_negative, "γ under stress or force");
     d.program("superposed", motion.superposed, "m", any_number,
               "d(t) added to the motion under stress or force, from where the plane is")
         .optional();
+    declare_load_control(d, limits);
   }
 
   void prepare(const scree::Setup& setup) {
@@ -78,18 +83,31 @@ struct Plane {
       return setup.refuse("control = \"stress\" without stress and area; give stress = <Pa>, area = <m^2>");
     if (control == force && !pressing_force.given())
       return setup.refuse("control = \"force\" without force; give force = <N>");
+    const bool tries = control == servo || control == massless;
+    if (tries && pressing_stress.given() == pressing_force.given())
+      return setup.refuse(
+          "control = \"servo\" or \"massless\" needs either stress or force; give stress = <Pa>, area = <m^2>, or "
+          "force = <N>");
+    if (tries && pressing_stress.given() && !(area > 0))
+      return setup.refuse("stress without area; give area = <m^2>");
+    if (tries && !(limits.speed_limit > 0))
+      return setup.refuse(
+          "control = \"servo\" or \"massless\" without speed_limit; give speed_limit = <m/s>");
     motion.control = control == fixed          ? WallMotion::fixed
                      : control == displacement ? WallMotion::displaced
                      : control == velocity     ? WallMotion::at_velocity
+                     : control == servo        ? WallMotion::servo
+                     : control == massless     ? WallMotion::massless
                                                : WallMotion::pressed;
     mass = motion.control == WallMotion::pressed ? motion.mass : 0;
   }
 
   void describe(scree::BoundaryLayout& layout) const {
     layout.walls = 1;
-    layout.state = motion.superposes() ? state_width : free_speed;
+    layout.state = motion.superposes() || motion.tries() ? state_width : free_speed;
     layout.masses = &mass;
     layout.damping_rate = mass > 0 ? motion.viscosity / mass : 0;
+    layout.trial_speed = motion.trial_speed(limits);
     layout.still = !motion.moves();
   }
 
@@ -106,8 +124,10 @@ struct Plane {
   }
 
   void begin_step(const scree::BoundaryStep& s) const {
-    const auto c = motion.begin(free_speed_of(s), motion.prescribed(s.time, s.step), forces(s, s.time),
-                                s.step, s.energy);
+    const auto prescribed = motion.prescribed(s.time, s.step);
+    const auto c = motion.tries()
+                       ? try_displacements(prescribed, s)
+                       : motion.begin(free_speed_of(s), prescribed, forces(s, s.time), s.step, s.energy);
     s.walls[0].point += c.distance * vector(direction);
     set(s, c);
   }
@@ -139,10 +159,19 @@ struct Plane {
     return true;
   }
 
+  scree::WallMotion::Course try_displacements(const scree::WallMotion::Prescribed& prescribed,
+                                              const scree::BoundaryStep& s) const {
+    const scree::Vec3 e = vector(direction);
+    const auto load_after = [&](double x) { return dot(e, s.trial_load(0, x * e).force); };
+    return motion.begin_trying(limits, dot(e, s.walls[0].mid_velocity), s.state[stiffness], prescribed,
+                               {dot(e, s.loads[0].force), forces(s, s.time + s.step).press}, s.step,
+                               load_after, s.energy);
+  }
+
   scree::WallMotion::Forces forces(const scree::BoundaryStep& s, double time) const {
-    const double press = control == stress  ? pressing_stress(time) * area
-                         : control == force ? pressing_force(time)
-                                            : 0;
+    const double press = !motion.moved_by_forces()                      ? 0
+                         : control == force || !pressing_stress.given() ? pressing_force(time)
+                                                                        : pressing_stress(time) * area;
     return {dot(vector(direction), s.loads[0].force), press};
   }
   double free_speed_of(const scree::BoundaryStep& s) const {
@@ -153,6 +182,7 @@ struct Plane {
     if (!motion.moves()) return;
     const double speed = free + motion.prescribed(s.time, 0).speed;
     set(s, {0, speed, speed, free});
+    if (motion.tries()) s.state[stiffness] = 0;
   }
   void set(const scree::BoundaryStep& s, const scree::WallMotion::Course& c) const {
     s.walls[0].mid_velocity = c.mid_speed * vector(direction);

@@ -61,6 +61,13 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
   ++revision_;
 }
 
+void Contacts::append(std::size_t group, const std::vector<PlanePair>& pairs) {
+  groups_[group].begin = a.size();
+  for (const PlanePair& p : pairs)
+    a.push_back(p.body), b.push_back(p.plane), image.push_back(Domain::no_shift);
+  append_padding(groups_[group]);
+}
+
 void Contacts::append_padding(PairGroup& group) {
   group.end = a.size();
   while (a.size() % SCREE_LANES)

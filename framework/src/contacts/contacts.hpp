@@ -54,6 +54,10 @@ class Contacts {
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
                const Lookup& lookup);
 
+  // Fills a group of pairs with planes, which must be the next empty one, with history 0. For pairs that are not
+  // replaced by `rebuild`.
+  void append(std::size_t group, const std::vector<PlanePair>& pairs);
+
   // Pairs and histories, with as many bodies and planes as the scene has.
   void transfer(const class StateTransfer& state, std::size_t bodies, std::size_t planes);
 

@@ -38,14 +38,6 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
   return shifts;
 }
 
-// Inputs that any law reads, and the inputs from which these are computed.
-std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
-  std::uint32_t reads = 0;
-  for (const LawInstance& law : laws) reads |= law.interface.reads;
-  if (reads & (1u << SCREE_CONTACT_RADIUS)) reads |= 1u << SCREE_EFFECTIVE_RADIUS;
-  return reads;
-}
-
 ContactSums add_up(const std::vector<ContactSums>& blocks) {
   ContactSums total;
   for (const ContactSums& block : blocks) total += block;
@@ -53,6 +45,13 @@ ContactSums add_up(const std::vector<ContactSums>& blocks) {
 }
 
 }  // namespace
+
+std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
+  std::uint32_t reads = 0;
+  for (const LawInstance& law : laws) reads |= law.interface.reads;
+  if (reads & (1u << SCREE_CONTACT_RADIUS)) reads |= 1u << SCREE_EFFECTIVE_RADIUS;
+  return reads;
+}
 
 void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads,
                           std::size_t planes) {

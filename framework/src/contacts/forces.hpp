@@ -26,6 +26,9 @@ struct LawInstance {
   OnsetWeights touching = {}, parting = {};  // weights of its forces at first touch and at parting
 };
 
+// Bits of the inputs that any law reads, and of the inputs from which these are computed.
+std::uint32_t reads_of(const std::vector<LawInstance>& laws);
+
 // Evaluates all contacts in tiles of bodies: gather -> geometry -> law -> scatter, in blocks of pairs.
 // Every sum has a fixed order, so that results have the same bits for any number of threads.
 class Forces {
@@ -56,6 +59,7 @@ class Forces {
   // bodies.
   using FinishPart = std::function<void(std::size_t part, unsigned worker)>;
 
+  const Features& features() const { return features_; }
   // Sets the loads of bodies to 0; must be called for all bodies before an evaluation.
   static void clear(Particles& particles, BodyRange bodies);
   ContactSums evaluate(const Evaluation& evaluation, ThreadPool& threads, const FinishPart& finish_part,

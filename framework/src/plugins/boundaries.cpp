@@ -23,6 +23,7 @@ Boundaries::Boundaries(const std::vector<Scene::Boundary>& entries, int dimensio
     shared_.upper[k] = upper_[k] = bodies.upper[k];
   }
   for (const Scene::Boundary& entry : entries) add(entry);
+  set_trial_speed();
   check_walls_against_domain();
 }
 
@@ -133,44 +134,6 @@ std::span<scree_plane> Boundaries::planes_of(const Member& member) {
   return {planes_.data() + member.first_plane, member.plugin.instance().plane_count};
 }
 
-void Boundaries::begin_step(double time, double step) {
-  for (Member& member : members_) {
-    if (member.still()) continue;
-    scree_boundary_energy energy = {};
-    const scree_boundary_step s = step_of(member, time, step, energy);
-    member.plugin.interface().begin_step(member.plugin.storage(), &s);
-    add_energy(member, energy);
-    check_finite(member, time + step);
-  }
-}
-
-void Boundaries::finish_step(double time, double step) {
-  for (Member& member : members_) {
-    if (member.still()) continue;
-    scree_boundary_energy energy = {};
-    const scree_boundary_step s = step_of(member, time, step, energy);
-    member.plugin.interface().finish_step(member.plugin.storage(), &s);
-    member.energy.kinetic = energy.kinetic;
-    add_energy(member, energy);
-    check_finite(member, time + step);
-  }
-}
-
-void Boundaries::add_energy(Member& member, const scree_boundary_energy& energy) {
-  member.energy.work += energy.work;
-  member.energy.dissipated += energy.dissipated;
-}
-
-void Boundaries::check_finite(const Member& member, double time) {
-  for (const scree_plane& plane : planes_of(member))
-    if (!is_finite(plane))
-      throw Error(fmt::format("boundary plug-in {}, wall {}: {} at t = {:g} s; "
-                              "give it more mass or viscosity, or a shorter time.step",
-                              member.plugin_name(), names_[std::size_t(&plane - planes_.data())],
-                              problem_of(plane), time),
-                  ExitStatus::blow_up);
-}
-
 void Boundaries::extrapolate(double time) {
   planes_before_extrapolation_ = planes_;
   for (scree_plane& plane : planes_)
@@ -187,6 +150,7 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
           "boundary '{}': these parameters change its number of walls, which must be the same in all stages",
           name));
     std::swap(member.plugin, changed);
+    set_trial_speed();
     change(member, changed, time);
     return;
   }
@@ -215,6 +179,12 @@ void Boundaries::change(Member& member, const ConfiguredBoundary& before, double
   member.energy.kinetic = energy.kinetic;
   add_energy(member, energy);
   check_finite(member, time);
+}
+
+void Boundaries::set_trial_speed() {
+  trial_speed_ = 0;
+  for (const Member& member : members_)
+    trial_speed_ = std::max(trial_speed_, member.plugin.instance().trial_speed);
 }
 
 double Boundaries::largest_damping_rate() const {

@@ -13,6 +13,9 @@ namespace scree {
 
 namespace {
 
+// Least skin, in reaches of planes that try displacements: a list must last for more than one step.
+constexpr double least_reaches = 8;
+
 // Folds the position of a body into the periodic domain and counts the periods crossed.
 void fold(Particles& p, std::size_t i, const Domain& domain) {
   for (int k = 0; k < p.dimension(); ++k) {
@@ -79,6 +82,16 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
     if (!search && skin == skin_) return;
     skin_ = skin;
   }
+  rebuild(particles, boundaries, contacts, threads);
+}
+
+void NeighbourList::extend(double body_travel, double plane_reach, Particles& particles,
+                           const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
+  choice_.keep_above(least_reaches * plane_reach);
+  if (!used_up(body_travel_ + body_travel, plane_travel_ + plane_reach)) return;
+  measure(particles, boundaries);
+  if (!used_up(body_travel_, plane_travel_ + plane_reach)) return;
+  if (!choice_.fixed()) skin_ = choice_.next_skin(list_statistics(particles, boundaries, contacts));
   rebuild(particles, boundaries, contacts, threads);
 }
 

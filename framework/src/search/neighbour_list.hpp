@@ -23,6 +23,10 @@ class NeighbourList {
   // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if that is too large.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
               const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
+  // For planes that have not moved yet in a step in which bodies have moved by up to body_travel: searches now
+  // unless no unlisted pair touches wherever the planes are within plane_reach (m).
+  void extend(double body_travel, double plane_reach, Particles& particles, const Boundaries& boundaries,
+              Contacts& contacts, ThreadPool& threads);
   // Searches now and folds positions into the periodic domain.
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
 
@@ -34,7 +38,10 @@ class NeighbourList {
   std::uint64_t rebuilds() const { return rebuilds_; }
 
  private:
-  bool skin_used_up() const { return body_travel_ + std::max(body_travel_, plane_travel_) >= skin_; }
+  bool skin_used_up() const { return used_up(body_travel_, plane_travel_); }
+  bool used_up(double body_travel, double plane_travel) const {
+    return body_travel + std::max(body_travel, plane_travel) >= skin_;
+  }
   void record_positions(Particles& particles, const Domain& domain);
   void measure(const Particles& particles, const Boundaries& boundaries);
   SkinChoice::ListStatistics list_statistics(const Particles& particles, const Boundaries& boundaries,

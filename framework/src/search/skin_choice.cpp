@@ -23,12 +23,13 @@ double SkinChoice::optimal_skin(const ListStatistics& list) const {
   const double per_skin = std::max(list.listed - list.touching, 1.0) / list.skin;
   const double travel = list.travelled / double(std::max<std::uint64_t>(list.steps, 1));
   const double skin = std::sqrt(2 * travel * search_per_body * list.bodies / per_skin);
-  return std::clamp(skin, min_skin_ratio * first_, max_skin_);
+  return std::clamp(skin, std::min(std::max(min_skin_ratio * first_, least_), max_skin_), max_skin_);
 }
 
 double SkinChoice::next_skin(const ListStatistics& list) {
   next_review_ = first_review;
-  return std::clamp(optimal_skin(list), 0.5 * list.skin, std::min(2 * list.skin, max_skin_));
+  const double most = std::min(std::max(2 * list.skin, least_), max_skin_);
+  return std::clamp(optimal_skin(list), std::min(0.5 * list.skin, most), most);
 }
 
 double SkinChoice::reviewed_skin(const ListStatistics& list) {

@@ -22,6 +22,8 @@ class SkinChoice {
 
   double first() const { return first_; }
   bool fixed() const { return fixed_; }
+  // A skin that is chosen from now on is not smaller (m), unless the largest allowed one is.
+  void keep_above(double skin) { least_ = skin; }
   // Whether the skin should be reviewed after this many steps; the interval grows while nothing changes.
   bool review_due(std::uint64_t steps) const { return !fixed_ && steps == next_review_; }
   // The skin of the next search when the list is used up (m); within a factor of 2 of the last.
@@ -36,7 +38,7 @@ class SkinChoice {
   double optimal_skin(const ListStatistics& list) const;
 
   static constexpr std::uint64_t first_review = 32;
-  double first_, max_skin_;
+  double first_, max_skin_, least_ = 0;
   bool fixed_;
   std::uint64_t next_review_ = first_review;
 };

@@ -5,6 +5,7 @@
 #include "contacts/contacts.hpp"
 #include "contacts/forces.hpp"
 #include "contacts/touching_contacts.hpp"
+#include "contacts/trial_loads.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
 #include "plugins/boundaries.hpp"
@@ -13,6 +14,7 @@
 #include "threads/thread_pool.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <scree/particles.hpp>
@@ -44,6 +46,7 @@ struct SimulationParts {
   Contacts contacts;
   NeighbourList neighbours;
   Forces forces;
+  std::optional<TrialLoads> trial_loads;  // once a boundary tries displacements
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<ThreadPool> threads;
   Profile* profile = nullptr;

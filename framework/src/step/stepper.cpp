@@ -11,9 +11,10 @@
 
 // Sequence of a substep from t to t + h (one per step; five in `fourth_order`):
 //
-//   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
 //   bodies begin      Integrator::begin_step       positions to t + h, velocities predicted there
 //                     Orientations::rotate         only if the scene carries them
+//   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
+//                     TrialLoads::load             only for boundaries that try displacements
 //   search            NeighbourList::update        only when the skin may be used up
 //   each tile         kernel::evaluate_tile        gather, geometry, law, scatter, block by block
 //   each part         Forces::collect              adds loads computed by other tiles to its bodies
@@ -55,16 +56,20 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   const bool mid_step = p.integrator->evaluates_at_mid_step();
   const double elapsed = mid_step && forces_at_ == ForcesAt::end_of_step ? 0.5 * step : step;
   if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.undo_extrapolation();
-  Laps laps(p.profile);
-  p.boundaries.begin_step(force_time_, elapsed);
-  const double plane_speed = p.boundaries.largest_speed();
-  laps.lap(Profile::boundaries);
-
   if (!bodies_advanced_) begin_bodies(step);
   const double square_speed = largest_square_speed(), speed = std::sqrt(square_speed);
-  if (!(std::isfinite(square_speed) && std::isfinite(plane_speed))) return std::nullopt;
+  if (!std::isfinite(square_speed)) return std::nullopt;
 
-  laps = Laps(p.profile);
+  Laps laps(p.profile);
+  if (const double trial_speed = p.boundaries.trial_speed(); trial_speed > 0)
+    p.neighbours.extend(speed * std::abs(step), trial_speed * std::abs(elapsed), p.particles, p.boundaries,
+                        p.contacts, *p.threads);
+  laps.lap(Profile::neighbours);
+  begin_walls(elapsed);
+  const double plane_speed = p.boundaries.largest_speed();
+  if (!std::isfinite(plane_speed)) return std::nullopt;
+  laps.lap(Profile::boundaries);
+
   p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);
   laps.lap(Profile::neighbours);
 
@@ -81,6 +86,16 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   forces_at_ = mid_step ? ForcesAt::middle_of_step : ForcesAt::end_of_step;
   if (mid_step) p.boundaries.extrapolate(0.5 * step);
   return finite ? square_speed : infinity;
+}
+
+void Stepper::begin_walls(double step) {
+  SimulationParts& p = parts_;
+  if (p.boundaries.trial_speed() == 0) return p.boundaries.begin_step(force_time_, step);
+  if (!p.trial_loads) p.trial_loads.emplace(p.forces.features());
+  p.boundaries.begin_step(force_time_, step, [&](std::size_t plane, const double* displacement) {
+    return p.trial_loads->load({p.particles, p.contacts, p.laws, p.boundaries.planes(), step}, plane,
+                               displacement);
+  });
 }
 
 void Stepper::begin_bodies(double step) {
@@ -181,7 +196,7 @@ void Stepper::synchronise() {
   }
   const double behind = time_ - force_time_;
   p.boundaries.undo_extrapolation();
-  p.boundaries.begin_step(force_time_, behind);
+  begin_walls(behind);
   reevaluate_forces(behind);
   p.boundaries.finish_step(force_time_, behind);
   if (p.scene.audit) p.audit.add_step(behind, p.contact_sums, p.body_sums);

@@ -68,8 +68,12 @@ struct BoundaryStep {
   std::span<double> state;          // kept by the host between calls
   BoundaryEnergy& energy;
   const scree_boundary_scene* shared;
+  const scree_trials* trials;
 
   BoundaryScene scene() const;
+  // In `begin_step` with a trial_speed: the load of a wall at the end of the step after a displacement (m) at
+  // constant velocity, where `walls` does not have it yet.
+  WallLoad trial_load(std::size_t wall, const Vec3& displacement) const;
 };
 
 // What a boundary consists of with its present parameters.
@@ -82,6 +86,8 @@ struct BoundaryLayout {
   const char* const* names = nullptr;    // of the walls, if they have names
   const double* masses = nullptr;        // (kg) of the walls, a member of the struct; 0: not moved by forces
   double damping_rate = 0;               // (1/s) at which viscosity slows the lightest wall
+  double trial_speed = 0;                // (m/s) largest speed of displacements for which begin_step asks
+                                         // trial_load; 0: it does not
   bool still = false;                    // no wall moves, and begin_step and finish_step are not called
   std::optional<Axis> periodic[3] = {};  // the same in all stages
 };
@@ -133,7 +139,8 @@ inline BoundaryStep step_of(const scree_boundary_step& s) {
           span_of<const WallLoad>(s.loads, s.plane_count),
           {s.state, s.state_width},
           *s.energy,
-          s.scene};
+          s.scene,
+          s.trials};
 }
 
 inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layout) {
@@ -144,6 +151,7 @@ inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layo
   instance.plane_names = layout.names;
   instance.plane_masses = layout.masses;
   instance.damping_rate = layout.damping_rate;
+  instance.trial_speed = layout.trial_speed;
   instance.still = layout.still;
   for (int k = 0; k < 3; ++k) {
     if (!layout.periodic[k]) continue;
@@ -222,6 +230,12 @@ inline BoundaryScene BoundaryStep::scene() const {
           {s.periodic[0] != 0, s.periodic[1] != 0, s.periodic[2] != 0},
           detail::vector_of(s.domain_lower),
           detail::vector_of(s.domain_upper)};
+}
+
+inline WallLoad BoundaryStep::trial_load(std::size_t wall, const Vec3& displacement) const {
+  scree_load load;
+  trials->load(trials->host, std::uint32_t(wall), displacement.component, &load);
+  return {detail::vector_of(load.force)};
 }
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/plugin/boundary.hpp>
+#include <scree/plugin/load_control.hpp>
 #include <scree/plugin/program.hpp>
 
 namespace scree {
@@ -8,27 +9,31 @@ namespace scree {
 // Motion of one wall along one direction, such as its normal: x = s + d.
 //
 //   pressed:  m s" = F + P − γ s',  d: the superposed displacement, if any
+//   servo:    s in a step is that of several displacements which brings −F nearest to P
+//   massless: F + P = 0             s' is limited in both
 //   others:   s is constant,        d: from a displacement, a velocity or, by the caller, a strain rate
 //
 // F is the load of the contacts along the direction, P the pressing force. Only increments of d count, so that
 // the wall moves on from where it is. Energy: ½ m s'² is kinetic, P s' − F d' the power of work, γ s'² is
-// dissipated. Velocity Verlet, implicit in the viscosity; a constant force is exact.
+// dissipated. Velocity Verlet, implicit in the viscosity; a constant force is exact. Servo and massless walls do
+// the work −F x', and their speed at the end of a step is displacement / step: a first-order error where
+// contacts are damped.
 struct WallMotion {
-  enum Control { pressed, fixed, displaced, at_velocity, strained };
+  enum Control { pressed, fixed, displaced, at_velocity, strained, servo, massless };
 
   int control = fixed;
   double mass = 1;       // m (kg)
   double viscosity = 0;  // γ (kg/s)
   Program displacement;  // (m) if displaced
   Program velocity;      // (m/s) if at_velocity
-  Program superposed;    // (m) added to s if pressed
+  Program superposed;    // (m) added to s if forces move the wall
 
   // d in a step (m), and d' at its end (m/s).
   struct Prescribed {
     double distance = 0;
     double speed = 0;
   };
-  // Along the direction (N); press is 0 unless the wall is pressed.
+  // Along the direction (N); press is 0 unless forces move the wall.
   struct Forces {
     double load;
     double press;
@@ -42,6 +47,13 @@ struct WallMotion {
   };
 
   bool moves() const { return control != fixed; }
+  // Whether the wall tries displacements in each step, with `begin_trying`.
+  bool tries() const { return control == servo || control == massless; }
+  // Largest speed of x in trials (m/s); a superposed motion is assumed to be no faster than the limit of s'.
+  double trial_speed(const LoadControl& limits) const {
+    return tries() ? (superposed.given() ? 2 : 1) * limits.speed_limit : 0;
+  }
+  bool moved_by_forces() const { return control == pressed || tries(); }
   // Whether s' must be kept between steps, because it is not the speed of the wall.
   bool superposes() const { return control == pressed && superposed.given(); }
 
@@ -49,7 +61,7 @@ struct WallMotion {
   Prescribed prescribed(double time, double step) const {
     if (control == displaced) return increment(displacement, time, step);
     if (control == at_velocity) return {step * mean(velocity, time, step), velocity(time + step)};
-    if (superposes()) return increment(superposed, time, step);
+    if (moved_by_forces() && superposed.given()) return increment(superposed, time, step);
     return {};
   }
 
@@ -63,6 +75,20 @@ struct WallMotion {
     energy.work += 0.5 * step * forces.press * mid;
     if (!superposes()) return {step * mid, mid, end, end};
     return {step * mid + p.distance, mid + p.distance / step, end + p.speed, end};
+  }
+
+  // First half of a step of a wall that tries displacements. forces: load at the start, pressing force at the end
+  // of the step; load(x): load at the end after a displacement x (m); mid_speed: of the last step, stiffness: of the
+  // contacts (N/m), kept from one step to the next.
+  template <class Load>
+  Course begin_trying(const LoadControl& limits, double mid_speed, double& stiffness, const Prescribed& p,
+                      const Forces& forces, double step, const Load& load, BoundaryEnergy& energy) const {
+    const auto excess = [&](double s) { return -load(s + p.distance) - forces.press; };
+    const double guess = step * mid_speed - p.distance;
+    const double s = limits.displacement(excess, guess, step, forces.press, control == servo, stiffness);
+    const double distance = s + p.distance;
+    energy.work -= 0.5 * forces.load * distance;
+    return {distance, distance / step, distance / step, s / step};
   }
 
   // Second half of the step that began at `time`, with the mean speed from `begin` and the forces at its end.
@@ -91,7 +117,8 @@ struct WallMotion {
 
   // The equation of small motions along a direction.
   LinearWall linear(const Vec3& direction) const {
-    if (control != pressed) return {.direction = direction};
+    if (!moved_by_forces()) return {.direction = direction};
+    if (tries()) return {.free = 1, .direction = direction};
     return {.free = 1, .direction = direction, .mass = mass, .viscosity = viscosity};
   }
 

@@ -1,0 +1,67 @@
+#include "contacts/kernel/trial.hpp"
+
+#include "contacts/kernel/block_task.hpp"
+#include "contacts/kernel/levels.hpp"
+
+namespace scree::kernel {
+
+namespace {
+
+// Sums in a fixed order, for all instruction levels.
+struct LaneSums {
+  double lanes[3][SCREE_LANES] = {};
+
+  template <class T>
+  SCREE_HOT void add(int k, const T* column, std::uint32_t padded) {
+    for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
+      for (std::uint32_t lane = 0; lane < SCREE_LANES; ++lane) lanes[k][lane] += double(column[i + lane]);
+  }
+  SCREE_HOT double total(int k) const {
+    double sum = 0;
+    for (const double lane : lanes[k]) sum += lane;
+    return sum;
+  }
+};
+
+template <int D, bool spin, class T>
+SCREE_HOT void evaluate_trial(const TileJob& job, scree_load& load) {
+  BlockColumns<T> work;
+  begin_batch(*job.input, work);
+  LaneSums on_bodies;
+  for (std::uint32_t g = 0; g < job.groups->size(); ++g) {
+    const PairGroup& group = (*job.groups)[g];
+    const std::size_t end = group.begin + group.padded_size();
+    for (std::size_t begin = group.begin; begin < end; begin += block_size) {
+      const auto count = std::uint32_t(std::min<std::size_t>(block_size, end - begin));
+      const Tiles::PairBlock pairs = {
+          .group = g, .begin = begin, .count = count, .first_visit = 0, .last_visit = 0};
+      const BlockTask<T> task = block_task<T>(job, pairs);
+      assert_layout(task);
+      gather<D, spin, true>(task, work);
+      if (reads_orientations(task.law.interface))
+        gather_orientations<true>(*job.input, pairs.begin, task.padded(), work);
+      resolve<D, spin, true>(task, work);
+      call_law<D>(task, work);
+      for (int k = 0; k < D; ++k) on_bodies.add(k, work.output[SCREE_FORCE + k], task.padded());
+    }
+  }
+  load = {};
+  for (int k = 0; k < D; ++k) load.force[k] = -on_bodies.total(k);
+}
+
+#define SCREE_TRIAL_LEVEL(level, ...)                                                                    \
+  template <int D, bool spin, class T>                                                                   \
+  [[gnu::flatten __VA_OPT__(, ) __VA_ARGS__]] void trial_##level(const TileJob& job, scree_load& load) { \
+    evaluate_trial<D, spin, T>(job, load);                                                               \
+  }
+SCREE_LEVELS(SCREE_TRIAL_LEVEL)
+
+}  // namespace
+
+EvaluateTrial trial_evaluation(const Forces::Features& features) {
+  EvaluateTrial evaluate = nullptr;
+  specialise(features, [&]<int D, bool spin, class T>() { evaluate = SCREE_BEST_LEVEL(trial, D, spin, T); });
+  return evaluate;
+}
+
+}  // namespace scree::kernel

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "contacts/forces.hpp"
+
+#include <scree/plugin/abi.h>
+
+namespace scree::kernel {
+
+struct TileJob;
+
+// Evaluates all pairs of a job, which are with one plane, and writes their force on it (N); changes histories,
+// and nothing else. Needs neither tiles nor slots.
+using EvaluateTrial = void (*)(const TileJob&, scree_load& load);
+
+// As tile_evaluation.
+EvaluateTrial trial_evaluation(const Forces::Features& features);
+
+}  // namespace scree::kernel

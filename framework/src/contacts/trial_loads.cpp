@@ -1,0 +1,82 @@
+#include "contacts/trial_loads.hpp"
+
+#include "contacts/kernel/block.hpp"
+#include "contacts/kernel/evaluate.hpp"
+
+namespace scree {
+
+TrialLoads::TrialLoads(const Forces::Features& features)
+    : features_(features), evaluate_(kernel::trial_evaluation(features)) {}
+
+scree_load TrialLoads::load(const Scene& scene, std::size_t plane, const double* displacement) {
+  PlanePairs& pairs = pairs_of(scene, plane);
+  std::size_t next = 0;
+  for (const PairGroup& all : scene.contacts.groups()) {
+    if (!all.planes) continue;
+    pairs.contacts.groups()[next].history.take(all.history, pairs.rows[next]);
+    ++next;
+  }
+  planes_ = scene.planes;
+  for (int k = 0; k < 3; ++k) {
+    planes_[plane].point[k] += displacement[k];
+    planes_[plane].velocity[k] = planes_[plane].mid_velocity[k] = displacement[k] / scene.step;
+  }
+  records_.set(planes_, scene.particles.width());
+  const kernel::EvaluationInput input = {.contacts = pairs.contacts,
+                                         .records = scene.particles.records(),
+                                         .orientations = scene.particles.orientations,
+                                         .planes = records_,
+                                         .shifts = nullptr,
+                                         .periodic = false,
+                                         .step = scene.step,
+                                         .audit = false,
+                                         .pair_forces = false,
+                                         .max_overlap_ratio = 0};
+  scree_load load = {};
+  evaluate_({.input = &input,
+             .tiles = nullptr,
+             .tile = 0,
+             .groups = &pairs.contacts.groups(),
+             .laws = scene.laws.data(),
+             .constants = &pairs.constants,
+             .slots = nullptr,
+             .sums = nullptr,
+             .profile = nullptr},
+            load);
+  return load;
+}
+
+TrialLoads::PlanePairs& TrialLoads::pairs_of(const Scene& scene, std::size_t plane) {
+  while (pairs_.size() <= plane)
+    pairs_.push_back({.revision = 0,
+                      .contacts = Contacts({}, features_.precision),
+                      .constants = PairConstants(features_.precision),
+                      .rows = {}});
+  PlanePairs& pairs = pairs_[plane];
+  if (pairs.revision != scene.contacts.revision()) take(scene, plane, pairs);
+  return pairs;
+}
+
+void TrialLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const {
+  pairs.revision = scene.contacts.revision();
+  std::vector<Contacts::Kind> kinds;
+  for (const PairGroup& group : scene.contacts.groups())
+    if (group.planes) kinds.push_back({group.law, true, group.history_width});
+  pairs.contacts = Contacts(kinds, features_.precision);
+  pairs.rows.assign(kinds.size(), {});
+  std::size_t next = 0;
+  for (const PairGroup& all : scene.contacts.groups()) {
+    if (!all.planes) continue;
+    std::vector<PairColumns::Move>& rows = pairs.rows[next];
+    std::vector<PlanePair> of_plane;
+    for (std::size_t q = all.begin; q < all.end; ++q) {
+      if (scene.contacts.b[q] != plane) continue;
+      rows.push_back({std::uint32_t(q - all.begin), std::uint32_t(rows.size())});
+      of_plane.push_back({scene.contacts.a[q], std::uint32_t(plane)});
+    }
+    pairs.contacts.append(next++, of_plane);
+  }
+  pairs.constants.update(pairs.contacts, scene.particles, reads_of(scene.laws), false);
+}
+
+}  // namespace scree

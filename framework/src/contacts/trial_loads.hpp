@@ -1,0 +1,53 @@
+#pragma once
+
+#include "contacts/contacts.hpp"
+#include "contacts/forces.hpp"
+#include "contacts/kernel/plane_records.hpp"
+#include "contacts/kernel/trial.hpp"
+#include "contacts/pair_constants.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include <scree/particles.hpp>
+#include <scree/plugin/abi.h>
+
+namespace scree {
+
+// Evaluates the contacts of single planes with displacements that the planes might have, without a trace in
+// bodies, histories or sums. By one thread and in the order of the pairs, so that the bits are the same for any
+// number of threads.
+class TrialLoads {
+ public:
+  explicit TrialLoads(const Forces::Features& features);
+
+  // What the contacts follow from: bodies at the end of a step (s) with predicted velocities, planes.
+  struct Scene {
+    const Particles& particles;
+    const Contacts& contacts;
+    const std::vector<LawInstance>& laws;
+    const std::vector<scree_plane>& planes;
+    double step;
+  };
+  // Load of a plane (N) after a displacement (m) in the step, at constant velocity.
+  scree_load load(const Scene& scene, std::size_t plane, const double* displacement);
+
+ private:
+  // The pairs of one plane and, per group, their rows in the group of all pairs.
+  struct PlanePairs {
+    std::uint64_t revision = 0;  // of the contacts from which they were taken
+    Contacts contacts;
+    PairConstants constants;
+    std::vector<std::vector<PairColumns::Move>> rows;
+  };
+  PlanePairs& pairs_of(const Scene& scene, std::size_t plane);
+  void take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const;
+
+  Forces::Features features_;
+  kernel::EvaluateTrial evaluate_;
+  std::vector<PlanePairs> pairs_;  // of each plane, filled when it is tried
+  std::vector<scree_plane> planes_;
+  kernel::PlaneRecords records_;
+};
+
+}  // namespace scree

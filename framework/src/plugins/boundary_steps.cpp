@@ -1,0 +1,66 @@
+#include "plugins/boundaries.hpp"
+#include "plugins/boundary_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree {
+
+namespace {
+
+// The planes of one boundary in trials.
+struct Trials {
+  const Boundaries::TrialLoad& trial_load;
+  std::size_t first_plane;
+
+  static void load(void* host, std::uint32_t plane, const double* displacement, scree_load* load) {
+    const Trials& trials = *static_cast<const Trials*>(host);
+    *load = trials.trial_load(trials.first_plane + plane, displacement);
+  }
+};
+
+}  // namespace
+
+void Boundaries::begin_step(double time, double step, const TrialLoad& trial_load) {
+  for (Member& member : members_) {
+    if (member.still()) continue;
+    scree_boundary_energy energy = {};
+    scree_boundary_step s = step_of(member, time, step, energy);
+    Trials host = {trial_load, member.first_plane};
+    const scree_trials trials = {sizeof(trials), &host, &Trials::load};
+    if (member.plugin.instance().trial_speed > 0) s.trials = &trials;
+    member.plugin.interface().begin_step(member.plugin.storage(), &s);
+    add_energy(member, energy);
+    check_finite(member, time + step);
+  }
+}
+
+void Boundaries::finish_step(double time, double step) {
+  for (Member& member : members_) {
+    if (member.still()) continue;
+    scree_boundary_energy energy = {};
+    const scree_boundary_step s = step_of(member, time, step, energy);
+    member.plugin.interface().finish_step(member.plugin.storage(), &s);
+    member.energy.kinetic = energy.kinetic;
+    add_energy(member, energy);
+    check_finite(member, time + step);
+  }
+}
+
+void Boundaries::add_energy(Member& member, const scree_boundary_energy& energy) {
+  member.energy.work += energy.work;
+  member.energy.dissipated += energy.dissipated;
+}
+
+void Boundaries::check_finite(const Member& member, double time) {
+  for (const scree_plane& plane : planes_of(member))
+    if (!is_finite(plane))
+      throw Error(fmt::format("boundary plug-in {}, wall {}: {} at t = {:g} s; "
+                              "give it more mass or viscosity, or a shorter time.step",
+                              member.plugin_name(), names_[std::size_t(&plane - planes_.data())],
+                              problem_of(plane), time),
+                  ExitStatus::blow_up);
+}
+
+}  // namespace scree
