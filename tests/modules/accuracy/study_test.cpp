@@ -72,11 +72,12 @@ TEST_CASE("a study finds the orders of the integrators from the closed form, and
 TEST_CASE("a study compares the amplitude that a lock-in measures", "[accuracy]") {
   const std::string measured =
       oscillator + fmt::format("{:.17g}\n", exact) +
-      fmt::format("[[probe]]\nplugin = 'lock_in'\nof = 'particles.z_1'\nfrequency_hz = {:.17g}\nperiods = 0.6\n"
-                  "harmonics = 1\ndrift_degree = 0\nevery = 0.128\n"
-                  "[[expect]]\nrequirement = 'amplitude'\nquantity = 'lock_in.amplitude.last'\n"
-                  "reference = 0.002\ntolerance = 1e-4\n",
-                  std::sqrt(1000.0) / (2 * std::numbers::pi));
+      fmt::format(
+          "[[probe]]\nplugin = 'lock_in'\nof = 'particles.z_1'\nfrequency_hz = {:.17g}\nperiods = 0.6\n"
+          "harmonics = 1\ndrift_degree = 0\nevery = 0.128\n"
+          "[[expect]]\nrequirement = 'amplitude'\nquantity = 'lock_in.amplitude.last'\n"
+          "reference = 0.002\ntolerance = 1e-4\n",
+          std::sqrt(1000.0) / (2 * std::numbers::pi));
   StudyOptions options = quick();
   options.integrations = {Integration::velocity_verlet};
   const Study result = study(plan_of(measured), options);
