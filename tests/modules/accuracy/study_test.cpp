@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -66,6 +67,30 @@ TEST_CASE("a study finds the orders of the integrators from the closed form, and
   CHECK(*order_of(by_limit, Integration::fourth_order).of_worst == Approx(4).margin(0.2));
   CHECK_FALSE(by_limit.horizon.has_value());
   CHECK(by_limit.duration == Approx(0.128));
+}
+
+TEST_CASE("a study compares the amplitude that a lock-in measures", "[accuracy]") {
+  const std::string measured =
+      oscillator + fmt::format("{:.17g}\n", exact) +
+      fmt::format(
+          "[[probe]]\nplugin = 'lock_in'\nof = 'particles.z_1'\nfrequency_hz = {:.17g}\nperiods = 0.6\n"
+          "harmonics = 1\ndrift_degree = 0\nevery = 0.128\n"
+          "[[expect]]\nrequirement = 'amplitude'\nquantity = 'lock_in.amplitude.last'\n"
+          "reference = 0.002\ntolerance = 1e-4\n",
+          std::sqrt(1000.0) / (2 * std::numbers::pi));
+  StudyOptions options = quick();
+  options.integrations = {Integration::velocity_verlet};
+  const Study result = study(plan_of(measured), options);
+  REQUIRE(result.quantities.size() == 3);
+  CHECK(result.quantities[1].name == "lock_in.amplitude.last");
+  CHECK(result.quantities[1].closed_form);
+  std::vector<double> errors;
+  for (const Outcome& o : result.outcomes)
+    if (o.setting.precision == Precision::double_precision) errors.push_back(o.errors.at(1));
+  REQUIRE(errors.size() == 4);
+  // Of second order: eight times smaller steps, 64 times smaller errors, but for where samples lie in a period.
+  CHECK(errors[0] > 30 * errors[3]);
+  CHECK(errors[3] < 1e-4);
 }
 
 TEST_CASE("the cheapest setting meets the tolerance and no cheaper one does", "[accuracy]") {
