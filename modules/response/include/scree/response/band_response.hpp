@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include <scree/response/frequency_response.hpp>
+
+namespace scree::response {
+
+struct BandOptions {
+  double tolerance = 1e-2;  // largest estimated relative error of an amplitude, above 0
+  unsigned threads = 0;     // 0: as many as the machine has; results do not depend on it
+};
+
+struct BandStatistics {
+  int factorisations = 0;
+  int largest_basis = 0;  // vectors from which the solutions at neighbouring frequencies are combined
+  double seconds = 0;     // wall time
+};
+
+struct BandResponse {
+  std::vector<HarmonicResponse> responses;  // in the order of the frequencies
+  BandStatistics statistics;
+};
+
+// The same as `solve`, at many frequencies from few factorisations: those near the frequency of a factorisation
+// are found by iteration with it. HarmonicResponse::error is below the tolerance, or, where iteration at a
+// factorised frequency does not reach it, the error that remains. Throws Error as `solve` does, and if the
+// tolerance is not above 0.
+BandResponse solve_band(const LinearSystem& system, const Drive& drive,
+                        const std::vector<double>& frequencies_hz, const BandOptions& options = {});
+
+}  // namespace scree::response

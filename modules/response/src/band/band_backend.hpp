@@ -1,0 +1,47 @@
+#pragma once
+
+#include <complex>
+#include <memory>
+
+namespace scree::response {
+
+// A sparse matrix by columns, of equal numbers of rows and columns.
+struct SparseView {
+  int size;
+  const int* outer;
+  const int* inner;
+  const double* values;
+};
+
+// Neighbouring frequencies, the loads and what is found. Arrays of vectors are columns one behind another.
+struct BandWindow {
+  int count;
+  const double* omega;               // (rad/s) (count) ascending
+  const std::complex<double>* load;  // (size, count)
+  double tolerance;
+  bool single_precision;            // of the factorisation
+  std::complex<double>* amplitude;  // (size, count)
+  double* residual;                 // (count)
+  double* error;                    // (count) NaN if the factorised matrix is singular
+};
+
+// Solves a window (K + iωC − ω²M) q = f; `solve` may be called by several threads at once.
+class BandBackend {
+ public:
+  virtual ~BandBackend() = default;
+  // Returns the number of basis vectors.
+  virtual int solve(const BandWindow& window) const = 0;
+};
+
+constexpr int band_backend_version = 1;
+
+// Made by the library, compiled for several instruction levels: dense products take nearly all of its time.
+class BandBackendFactory {
+ public:
+  virtual ~BandBackendFactory() = default;
+  // The views must outlive the backend. mass: diagonal.
+  virtual std::unique_ptr<BandBackend> create(const SparseView& stiffness, const SparseView& damping,
+                                              const double* mass) const = 0;
+};
+
+}  // namespace scree::response

@@ -1,0 +1,90 @@
+#include "packings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include <scree/response/band_response.hpp>
+
+using namespace scree;
+using namespace scree::response;
+
+namespace {
+
+// Spheres on a cubic lattice between two planes, with tangential springs and damping.
+LinearSystem lattice(int side) {
+  std::vector<Body> bodies;
+  for (int n = 0; n < side * side * side; ++n) {
+    const double wobble = 1e-3 * std::sin(1.7 * n);
+    bodies.push_back(test::body(
+        n, 1, 1, {{1.99 * (n % side), 1.99 * (n / side % side), 0.995 + 1.99 * (n / side / side) + wobble}},
+        {}, {}, 3));
+  }
+  Scene scene = test::scene(3, 1e-4, std::move(bodies),
+                            {{"normal_stiffness", {1000}},
+                             {"normal_damping", {0.6}},
+                             {"tangential_stiffness", {700}},
+                             {"static_friction", {50}}});
+  test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}}, "floor");
+  return assemble(Simulation(scene), {.fewest_contacts = 1});
+}
+
+std::vector<double> grid(double from, double to, int count) {
+  std::vector<double> frequencies;
+  for (int k = 0; k < count; ++k) frequencies.push_back(from + (to - from) * k / (count - 1));
+  return frequencies;
+}
+
+// In the coordinates √M q.
+double relative_difference(const LinearSystem& system, const HarmonicResponse& a, const HarmonicResponse& b) {
+  const Eigen::VectorXd root = system.mass.cwiseSqrt();
+  return (root.asDiagonal() * (a.amplitude - b.amplitude)).norm() / (root.asDiagonal() * b.amplitude).norm();
+}
+
+}  // namespace
+
+TEST_CASE("a band has the amplitudes of one factorisation per frequency", "[response]") {
+  const LinearSystem system = lattice(5);
+  const Drive drive = {.walls = Eigen::VectorXcd::Unit(3, 2)};
+  std::vector<double> frequencies = grid(0.25, 12, 48);
+  std::swap(frequencies[3], frequencies[30]);
+  const std::vector<HarmonicResponse> exact = solve(system, drive, frequencies);
+  for (const double tolerance : {1e-2, 1e-10}) {
+    CAPTURE(tolerance);
+    const BandResponse band = solve_band(system, drive, frequencies, {.tolerance = tolerance});
+    REQUIRE(band.responses.size() == frequencies.size());
+    CHECK(band.statistics.factorisations < int(frequencies.size()));
+    int honest = 0;
+    for (std::size_t k = 0; k < frequencies.size(); ++k) {
+      const HarmonicResponse& found = band.responses[k];
+      CAPTURE(found.frequency_hz, found.error);
+      CHECK(found.frequency_hz == frequencies[k]);
+      CHECK(found.error <= tolerance);
+      const double error = relative_difference(system, found, exact[k]);
+      // The estimate is the change in the next round, which removes most of the error; beside round-off of `solve`.
+      CHECK(error < 3 * found.error + 1e-11);
+      honest += found.error < 3 * error + 1e-11;
+    }
+    CHECK(honest >= int(frequencies.size()) - 2);
+  }
+}
+
+TEST_CASE("a band does not depend on the number of threads", "[response]") {
+  const LinearSystem system = lattice(3);
+  const Drive drive = {.force = Eigen::VectorXcd::Unit(system.freedom.size(), 4)};
+  const std::vector<double> frequencies = grid(1, 9, 23);
+  const BandResponse one = solve_band(system, drive, frequencies, {.threads = 1});
+  const BandResponse three = solve_band(system, drive, frequencies, {.threads = 3});
+  for (std::size_t k = 0; k < frequencies.size(); ++k)
+    CHECK(one.responses[k].amplitude == three.responses[k].amplitude);
+}
+
+TEST_CASE("a band without a drive is at rest, and tolerances of 0 are refused", "[response]") {
+  const LinearSystem system = lattice(2);
+  const BandResponse band = solve_band(system, {}, {1.0, 2.0});
+  CHECK(band.responses[1].amplitude.norm() == 0);
+  CHECK(band.responses[1].error == 0);
+  CHECK_THROWS_WITH(solve_band(system, {}, {1.0}, {.tolerance = 0}),
+                    "BandOptions::tolerance is 0; give a number above 0");
+}
