@@ -299,9 +299,9 @@ struct SpectrumKeys : TableKeys {
   BooleanKey adaptive = boolean(
       "adaptive", false,
       "a sweep stays at each frequency until the response is steady, and takes the grid in full only where it varies");
-  NumberKey tolerance =
-      number("tolerance", Range::between(1e-9, 0.1), 1e-3,
-             "relative error of the response from which an adaptive sweep takes it to be steady");
+  NumberKey tolerance = number(
+      "tolerance", Range::between(1e-9, 0.1), 1e-3,
+      "relative error of the linear response of more than 300 degrees of freedom, and of the response that an adaptive sweep takes to be steady");
   ChoiceKey pulse =
       choice_or_first("pulse", {"gaussian", "ricker"}, "wave of a pulse, as wide as to_hz needs");
   NumberKey decay =

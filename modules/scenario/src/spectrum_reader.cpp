@@ -76,8 +76,8 @@ std::vector<ObservedColumn> all_columns(const Plan& plan) {
 
 // Columns displacement_1, displacement_2, ... of a probe, in their order.
 void read_shape(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {
+  if (!t.optional(spectrum_keys.shape_from)) return;
   const std::string probe = read(t, spectrum_keys.shape_from);
-  if (probe.empty()) return;
   constexpr std::size_t fewest_layers = 3;
   std::vector<std::string> names;
   for (const ProbePlan& one : plan.probes) names.push_back(one.name);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <scree/response/band_response.hpp>
 #include <scree/response/degrees_of_freedom.hpp>
 #include <scree/response/frequency_response.hpp>
 #include <scree/simulation.hpp>
@@ -14,10 +15,11 @@ struct HarmonicMotion {
   std::vector<response::HarmonicResponse> responses;  // for each frequency
 };
 
-// walls: displacement of each wall (m). The one place where the linear system is set up and solved. Throws Error if a law
+// walls: displacement of each wall (m). The one place where the linear system is set up and solved; a small
+// one to round-off. Throws Error if a law
 // cannot be linearised.
 HarmonicMotion harmonic_motion(const Simulation& simulation, const std::vector<Vec3>& walls,
                                const std::vector<double>& frequencies_hz,
-                               const response::AssemblyOptions& options);
+                               const response::AssemblyOptions& options, const response::BandOptions& band);
 
 }  // namespace scree::sound

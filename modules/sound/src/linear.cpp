@@ -98,8 +98,9 @@ RoadSpectrum linear_spectrum(const Start& start) {
   Simulation simulation(start.scene, start.state);
   const DrivenWalls walls(start);
   start.on_progress(0, "linear response");
-  const HarmonicMotion motion = harmonic_motion(simulation, walls.motion(), plan.frequencies(),
-                                                {.fewest_contacts = plan.fewest_contacts});
+  const HarmonicMotion motion = harmonic_motion(
+      simulation, walls.motion(), plan.frequencies(), {.fewest_contacts = plan.fewest_contacts},
+      {.tolerance = plan.tolerance, .threads = start.scene.threads});
   Columns columns(start, simulation, walls.motion(), motion);
   RoadSpectrum road{.road = "linear", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
   road.columns.resize(plan.observed.size());

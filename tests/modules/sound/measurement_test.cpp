@@ -201,9 +201,10 @@ TEST_CASE("a drive that moves no wall is refused", "[sound]") {
 }
 
 TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
-  Bench bench(Chain().text(
-                  "from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nfewest_contacts = 1\nshape_from = 'profile'\n") +
-              "[[probe]]\nplugin = 'profile'\naxis = 'z'\nbins = 8\nlow = 0\nhigh = 0.0796\n");
+  Bench bench(
+      Chain().text(
+          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nfewest_contacts = 1\nshape_from = 'profile'\n") +
+      "[[probe]]\nplugin = 'profile'\naxis = 'z'\nbins = 8\nlow = 0\nhigh = 0.0796\n");
   bench.options.roads = {Road::linear};
   const Measurement m = measure(bench.plan, bench.options);
   std::vector<std::string> names;

@@ -17,6 +17,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr int most_rounds = 14;
 // Changes that fall more slowly from round to round say little about what is left: a tenth may have been found.
 constexpr double slowest_decay = 0.9;
+// A mode near the frequency that enters the basis late lets a round change the solution by less than its error, rarely two rounds.
+constexpr double caution = 2;
 // Before the first change, the whole amplitude is unknown.
 constexpr double slowest_start = 1;
 
@@ -26,7 +28,8 @@ Sparse copy_of(const SparseView& view) {
 }
 
 // Iteration at the frequencies of a window. In each round, residuals are multiplied by the approximate inverse, and
-// the directions found added to the basis; the change of the solution by them is the error of the one before.
+// the directions found added to the basis; the change of the solution by them is the error of the one before, which
+// is stated for the newer one too.
 class WindowIteration {
  public:
   WindowIteration(const BandWindow& window, const Sparse& stiffness, const Sparse& damping,
@@ -36,7 +39,8 @@ class WindowIteration {
         loads_(Eigen::Map<const Matrix>(window.load, size_, window.count)),
         basis_(stiffness, damping, mass, std::min<Eigen::Index>(size_, 2 + most_rounds * window.count)),
         open_(std::size_t(window.count)),
-        changes_(Eigen::VectorXd::Constant(window.count, slowest_start)) {
+        changes_(Eigen::VectorXd::Constant(window.count, slowest_start)),
+        errors_(Eigen::VectorXd::Constant(window.count, std::numeric_limits<double>::infinity())) {
     for (int k = 0; k < window.count; ++k) open_[std::size_t(k)] = k;
     std::fill_n(window.error, window.count, std::numeric_limits<double>::quiet_NaN());
   }
@@ -53,12 +57,14 @@ class WindowIteration {
       directions = unit(inverse(residuals_));
       if (!directions.allFinite()) break;
       basis_.extend(directions);
-      const Matrix older = solutions_;
-      const Eigen::VectorXd residual = residuals_.colwise().norm();
-      solve_open();
-      judge(older, residual, round + 1 == most_rounds || basis_.size() == before);
       if (basis_.size() == before) break;
+      const Matrix older = solutions_;
+      solve_open();
+      estimate_errors(older);
+      write_open();
+      close_found();
     }
+    write_open();
     return int(basis_.size());
   }
 
@@ -101,24 +107,33 @@ class WindowIteration {
     residuals_ = basis_.residuals(omega, loads, coefficients);
   }
 
-  // Writes and closes the frequencies whose older solution is near enough to the newer one; `last`: writes all.
-  void judge(const Matrix& older, const Eigen::VectorXd& residual, bool last) {
-    std::vector<int> still_open;
-    std::vector<Eigen::Index> columns;
+  void estimate_errors(const Matrix& older) {
     for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
       const int at = open_[std::size_t(k)];
       const double change = (solutions_.col(k) - older.col(k)).norm() / solutions_.col(k).norm();
       // The sum of further changes, each smaller than the one before as this one is.
       const double ratio = std::min(change / changes_[at], slowest_decay);
-      const double error = change / (1 - ratio);
+      errors_[at] = caution * std::max(change, changes_[at]) / (1 - ratio);
       changes_[at] = change;
-      if (error <= window_.tolerance || last) {
-        Eigen::Map<Matrix>(window_.amplitude, size_, window_.count).col(at) = older.col(k);
-        window_.residual[at] = residual[k] / loads_.col(at).norm();
-        window_.error[at] = error;
-      }
-      if (error <= window_.tolerance) continue;
-      still_open.push_back(at);
+    }
+  }
+
+  void write_open() {
+    for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
+      const int at = open_[std::size_t(k)];
+      Eigen::Map<Matrix>(window_.amplitude, size_, window_.count).col(at) = solutions_.col(k);
+      window_.residual[at] = residuals_.col(k).norm() / loads_.col(at).norm();
+      // In a basis of the whole space only round-off is left.
+      window_.error[at] = basis_.size() == size_ ? window_.residual[at] : errors_[at];
+    }
+  }
+
+  void close_found() {
+    std::vector<int> still_open;
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
+      if (errors_[open_[std::size_t(k)]] <= window_.tolerance) continue;
+      still_open.push_back(open_[std::size_t(k)]);
       columns.push_back(k);
     }
     if (columns.size() == open_.size()) return;
@@ -133,6 +148,7 @@ class WindowIteration {
   GalerkinBasis basis_;
   std::vector<int> open_;    // frequencies whose solution is not found
   Eigen::VectorXd changes_;  // of each frequency in the last round, over its amplitude
+  Eigen::VectorXd errors_;   // of each frequency, estimated, over its amplitude
   Matrix solutions_, residuals_;
 };
 
