@@ -35,4 +35,8 @@ TEST_CASE("spectra of a campaign are measured again where a plug-in or value is 
   const Outcome list = w.scree(call + "--list");
   CHECK(contains(list.out, "changed "));
   CHECK(!contains(list.out, "finished "));
+  const Outcome again = w.scree(call);
+  INFO(again.err);
+  CHECK(again.status == 0);
+  CHECK(contains(again.out, "2 finished\n"));
 }

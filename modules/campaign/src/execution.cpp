@@ -20,13 +20,15 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // The same check as by the run itself: the directory may contain other files.
-void check_directory(const fs::path& path) {
+void check_directory(const fs::path& path, const Campaign& campaign) {
   std::error_code failed;
   for (const fs::path& one : {path, path.parent_path()})
     if (fs::is_symlink(fs::symlink_status(one, failed)))
       throw Error(fmt::format(
           "{}: is a symbolic link, which is not followed; remove it, or give another --out", one.string()));
-  run::RunDirectory(path, run::RunDirectory::Existing::replace);
+  using run::RunDirectory;
+  RunDirectory(path, RunDirectory::Existing::replace,
+               campaign.roads.empty() ? RunDirectory::Kind::run : RunDirectory::Kind::spectrum);
 }
 
 class Executor {
@@ -55,7 +57,7 @@ class Executor {
         bodies_ = check_preparation(job->campaign, job->point, host_);
       else if (job->preparation && !job->preparation->is_there())
         check_keys(job->campaign, job->point, bodies_, host_);
-      check_directory(directory_.run(job->point));
+      check_directory(directory_.run(job->point), job->campaign);
     }
     bodies_.clear();
     check_points();
