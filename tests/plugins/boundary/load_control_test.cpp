@@ -229,7 +229,7 @@ TEST_CASE("walls that keep their loads go on from a state, with any number of th
   const auto integration =
       GENERATE(Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order);
   std::vector<Body> bodies;
-  for (int n = 0; n < 1500; ++n)
+  for (int n = 0; n < 600; ++n)
     bodies.push_back(body(n, 0.5 + 0.02 * std::sin(n), 1,
                           {{double(n % 10), double(n / 10 % 10), double(n / 100)}},
                           {{std::sin(3.0 * n), std::cos(5.0 * n), std::sin(7.0 * n)}}));
