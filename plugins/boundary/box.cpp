@@ -1,5 +1,7 @@
 // Rectangular box of 4 (2D) or 6 (3D) walls, each fixed, moved by a program, or stress-controlled.
 
+#include "box_keys.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,12 +10,13 @@
 
 namespace {
 
+using namespace box;
 using scree::BoundaryStep;
 using scree::WallMotion;
 
 struct Box {
-  static constexpr int max_walls = 6;
   enum Control { stress, fixed, displacement, velocity, strain_rate, servo, massless };
+  static constexpr const char* controls = "stress|fixed|displacement|velocity|strain_rate|servo|massless";
 
   std::optional<std::array<double, 3>> lower_given, upper_given;
   std::array<double, 3> lower = {}, upper = {};
@@ -42,25 +45,6 @@ struct Box {
       "F: contact force on the wall, A(t): its present area (2D: length × 1 m)",
       "David et al. 2005, section 2; McNamara et al. 2008, equation 1; servo: Lemrich et al. 2017, section II"};
 
-  static constexpr const char* names[max_walls] = {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
-  struct AxisKeys {
-    const char *control, *stress, *strain_rate;
-  };
-  static constexpr AxisKeys axis_keys[3] = {{"x", "stress_x", "strain_rate_x"},
-                                            {"y", "stress_y", "strain_rate_y"},
-                                            {"z", "stress_z", "strain_rate_z"}};
-  struct WallKeys {
-    const char *stress, *displacement, *velocity, *superposed;
-  };
-  static constexpr WallKeys wall_keys[max_walls] = {
-      {"stress_x_low", "displacement_x_low", "velocity_x_low", "superposed_x_low"},
-      {"stress_x_high", "displacement_x_high", "velocity_x_high", "superposed_x_high"},
-      {"stress_y_low", "displacement_y_low", "velocity_y_low", "superposed_y_low"},
-      {"stress_y_high", "displacement_y_high", "velocity_y_high", "superposed_y_high"},
-      {"stress_z_low", "displacement_z_low", "velocity_z_low", "superposed_z_low"},
-      {"stress_z_high", "displacement_z_high", "velocity_z_high", "superposed_z_high"}};
-  static constexpr const char* controls = "stress|fixed|displacement|velocity|strain_rate|servo|massless";
-
   void declare(scree::Declaration& d) {
     using namespace scree;
     d.vector("lower", lower_given, "m",
@@ -74,7 +58,8 @@ struct Box {
     d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");
     d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w of each stress-controlled wall");
     for (int w = 0; w < max_walls; ++w)
-      d.choice(names[w], control[w], controls, "what moves this wall; if absent that of its axis").optional();
+      d.choice(wall_names[w], control[w], controls, "what moves this wall; if absent that of its axis")
+          .optional();
     for (int k = 0; k < 3; ++k)
       d.choice(axis_keys[k].control, axis_control[k], controls,
                "what moves both walls of this axis; stress if absent; excludes the keys of single walls")
@@ -112,7 +97,7 @@ struct Box {
   void describe(scree::BoundaryLayout& layout) const {
     layout.walls = std::uint32_t(walls());
     layout.state = std::uint32_t((1 + superposes + tries) * walls());
-    layout.names = names;
+    layout.names = wall_names;
     layout.masses = masses;
     layout.still = true;
     for (int w = 0; w < walls(); ++w) {
@@ -225,16 +210,17 @@ struct Box {
     char line[256] = "";
     const auto need = [&](bool given, const char* quantity, const char* key, const char* unit) {
       if (!given)
-        std::snprintf(line, sizeof(line), "wall %s has no %s; give %s = <%s>", names[w], quantity, key, unit);
+        std::snprintf(line, sizeof(line), "wall %s has no %s; give %s = <%s>", wall_names[w], quantity, key,
+                      unit);
     };
     if (control[w] >= 0 && of_axis >= 0)
-      std::snprintf(line, sizeof(line), "%s and %s both say what moves a wall; keep one of them", names[w],
-                    axis_keys[w / 2].control);
+      std::snprintf(line, sizeof(line), "%s and %s both say what moves a wall; keep one of them",
+                    wall_names[w], axis_keys[w / 2].control);
     if (motion.tries()) need(limits.speed_limit > 0, "speed limit", "speed_limit", "m/s");
     if (motion.moved_by_forces() && !wall_stress[w].given())
       std::snprintf(line, sizeof(line),
                     "a stress-controlled wall has no stress; give stress = <Pa>, or set %s to \"fixed\"",
-                    names[w]);
+                    wall_names[w]);
     if (chosen == displacement)
       need(motion.displacement.given(), "displacement", wall_keys[w].displacement, "m");
     if (chosen == velocity) need(motion.velocity.given(), "velocity", wall_keys[w].velocity, "m/s");

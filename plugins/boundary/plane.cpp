@@ -1,4 +1,4 @@
-// One infinite plane, fixed, moved by a program, or or under a stress or force.
+// One infinite plane, fixed, moved by a program, or under a stress or force.
 
 #include <algorithm>
 #include <cmath>

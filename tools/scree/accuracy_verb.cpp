@@ -49,21 +49,12 @@ accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBa
   return options;
 }
 
-run::RunDirectory directory_of(const AccuracyArguments& arguments) {
-  using run::RunDirectory;
-  constexpr auto kind = RunDirectory::Kind::study;
-  if (arguments.out.empty())
-    return RunDirectory::numbered(RunDirectory::default_for(arguments.scenario, kind), kind);
-  using Existing = RunDirectory::Existing;
-  RunDirectory directory(arguments.out, arguments.overwrite ? Existing::replace : Existing::refuse, kind);
-  directory.take();
-  return directory;
-}
-
 ExitStatus study_scenario(const AccuracyArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  run::RunDirectory directory = directory_of(arguments);
+  using run::RunDirectory;
+  RunDirectory directory = RunDirectory::of_results(arguments.out, arguments.overwrite, arguments.scenario,
+                                                    plan.inputs, RunDirectory::Kind::study);
   // The table is worth having without them.
   if (!snapshot::has_pictures())
     report(

@@ -25,7 +25,7 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
   state.vectors("load", "N", {force, 3, loads_.size(), 0, 3}, 0, 3);
   state.numbers("domain_lower", "m", domain_.lower.component, 3);
   state.numbers("domain_upper", "m", domain_.upper.component, 3);
-  show_domain();
+  if (state.restoring()) show_domain();
   if (!extrapolated) return;
   planes_before_extrapolation_.resize(planes_.size());
   transfer_planes(state.below("before_extrapolation"), planes_before_extrapolation_);

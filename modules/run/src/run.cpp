@@ -38,16 +38,19 @@ void try_each(const Work&... work) {
   (attempt(work), ...);
 }
 
-RunDirectory directory_of(const scenario::Plan& plan, const RunOptions& options) {
-  if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source));
-  using Existing = RunDirectory::Existing;
-  RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse);
-  directory.protect(plan.inputs);
-  directory.take();
-  return directory;
-}
-
 constexpr const char* final_packing = "final_packing.csv";
+
+Progress progress_of(const Simulation& simulation, const StageRunner& runner, double wall) {
+  const Stage& stage = runner.stages()[runner.current()];
+  return {runner.progress(),
+          wall,
+          simulation.time(),
+          stage.name,
+          runner.current() + 1,
+          runner.stages().size(),
+          runner.kinetic_over_elastic(),
+          stage.kinetic_over_elastic};
+}
 
 // The simulation of a run that goes on, with the parameters of its present stage.
 std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state, unsigned threads) {
@@ -241,19 +244,8 @@ class Run {
     last_report_ = wall;
     sampler_.flush();
     states_.look_at_clock();
-    if (options_.on_progress && !runner.finished()) options_.on_progress(progress_of(runner, wall));
-  }
-
-  Progress progress_of(const StageRunner& runner, double wall) const {
-    const Stage& stage = runner.stages()[runner.current()];
-    return {runner.progress(),
-            wall,
-            simulation_->time(),
-            stage.name,
-            runner.current() + 1,
-            runner.stages().size(),
-            runner.kinetic_over_elastic(),
-            stage.kinetic_over_elastic};
+    if (options_.on_progress && !runner.finished())
+      options_.on_progress(progress_of(*simulation_, runner, wall));
   }
 
   void save() {
@@ -298,7 +290,7 @@ RunResult run_from(const State* state, const scenario::Plan& plan, const RunOpti
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
   require_stages(plan);
-  RunDirectory directory = directory_of(plan, options);
+  RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs);
   return run_from(nullptr, plan, options, directory);
 }
 

@@ -123,6 +123,15 @@ RunDirectory RunDirectory::numbered(const fs::path& path, Kind kind) {
   }
 }
 
+RunDirectory RunDirectory::of_results(const fs::path& out, bool overwrite, const fs::path& scenario,
+                                      const std::vector<fs::path>& inputs, Kind kind) {
+  if (out.empty()) return numbered(default_for(scenario, kind), kind);
+  RunDirectory directory(out, overwrite ? Existing::replace : Existing::refuse, kind);
+  directory.protect(inputs);
+  directory.take();
+  return directory;
+}
+
 void RunDirectory::check() const {
   std::error_code failed;
   if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, kind_, existing_);

@@ -1,7 +1,7 @@
 #include "checkpoint_reader.hpp"
 
+#include "output_keys.hpp"
 #include "plugin_parameters.hpp"
-#include "scene_keys.hpp"
 #include "stage_reader.hpp"
 
 #include <charconv>

@@ -1,5 +1,5 @@
 #include "body_file.hpp"
-#include "scene_keys.hpp"
+#include "particles_keys.hpp"
 #include "state_reader.hpp"
 
 #include <scree/scenario/input_files.hpp>

@@ -1,8 +1,8 @@
 #include "lattice_reader.hpp"
 
 #include "body_memory.hpp"
+#include "particles_keys.hpp"
 #include "plugin_parameters.hpp"
-#include "scene_keys.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "body_memory.hpp"
 #include "lattice_reader.hpp"
 #include "names.hpp"
+#include "particles_keys.hpp"
 #include "plugin_parameters.hpp"
-#include "scene_keys.hpp"
 #include "state_reader.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "interval.hpp"
 #include "names.hpp"
+#include "output_keys.hpp"
 #include "plugin_parameters.hpp"
-#include "scene_keys.hpp"
 
 #include <algorithm>
 

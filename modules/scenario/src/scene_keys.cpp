@@ -1,5 +1,11 @@
 #include "scene_keys.hpp"
 
+#include "output_keys.hpp"
+#include "particles_keys.hpp"
+#include "spectrum_keys.hpp"
+
+#include <scree/integration.hpp>
+
 namespace scree::scenario {
 
 std::vector<std::string> integrator_names() {

@@ -1,7 +1,7 @@
 #include "spectrum_reader.hpp"
 
 #include "names.hpp"
-#include "scene_keys.hpp"
+#include "spectrum_keys.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "state_reader.hpp"
 
 #include "names.hpp"
+#include "particles_keys.hpp"
 #include "plugin_parameters.hpp"
-#include "scene_keys.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -11,7 +11,9 @@
 
 namespace scree::scenario {
 
-// A key of a table: its name for the readers, and all that is known of its value. Declared once, in scene_keys.hpp;
+using document::Range;
+
+// A key of a table: its name for the readers, and all that is known of its value. Declared once, in the headers *_keys.hpp;
 // read with the functions below.
 struct Key {
   std::string name;

@@ -114,7 +114,7 @@ RoadSpectrum linear_spectrum(const Start& start) {
       changes[c].push_back(scale * change[c]);
     }
   }
-  for (std::size_t c = 0; c < plan.observed.size(); ++c)
+  for (std::size_t c = 0; c < responding(plan.observed); ++c)
     check_column(plan.observed[c], road.columns[c], changes[c]);
   road.wall = std::chrono::duration<double>(Clock::now() - began).count();
   return road;

@@ -16,16 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using run::RunDirectory;
 
-RunDirectory directory_of(const scenario::Plan& plan, const MeasurementOptions& options) {
-  constexpr auto kind = RunDirectory::Kind::spectrum;
-  if (options.out.empty()) return RunDirectory::numbered(RunDirectory::default_for(plan.source, kind), kind);
-  using Existing = RunDirectory::Existing;
-  RunDirectory directory(options.out, options.overwrite ? Existing::replace : Existing::refuse, kind);
-  directory.protect(plan.inputs);
-  directory.take();
-  return directory;
-}
-
 std::string status_in(const fs::path& directory) {
   const auto json = nlohmann::json::parse(files::read_text(directory / "spectrum.json"), nullptr, false);
   return json.is_object() && json.contains("status") ? json.value("status", "") : "";
@@ -38,7 +28,8 @@ Measurement measure(const scenario::Plan& plan, const MeasurementOptions& option
     throw Error(fmt::format(
         "{}: has no [spectrum]; add one with drive, amplitude, observe, from_hz, to_hz and step_hz",
         plan.source.string()));
-  RunDirectory directory = directory_of(plan, options);
+  RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs,
+                                                    RunDirectory::Kind::spectrum);
   return Course(plan, options, directory).begin();
 }
 

@@ -26,17 +26,16 @@ void add_numbers(Cells& cells, std::initializer_list<double> numbers) {
 
 std::string spectrum_table(const Measurement& m) {
   Cells head = {"road", "frequency [Hz]"};
-  for (const scenario::ObservedColumn& column : m.observed)
+  const std::size_t columns = responding(m.observed);
+  for (std::size_t c = 0; c < columns; ++c)
     for (const char* what : {"amplitude", "phase", "error", "linearity"})
-      if (!column.of_shape)
-        head.push_back(fmt::format("{}.{} [{}]", column.name, what,
-                                   what == std::string("phase") ? "rad" : unit_of_response(column)));
+      head.push_back(fmt::format("{}.{} [{}]", m.observed[c].name, what,
+                                 what == std::string("phase") ? "rad" : unit_of_response(m.observed[c])));
   std::string text = csv_line(head);
   for (const RoadSpectrum& road : m.roads)
     for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
       Cells cells = {road.road, csv_number(road.frequencies[k])};
-      for (std::size_t c = 0; c < road.columns.size(); ++c) {
-        if (m.observed[c].of_shape) continue;
+      for (std::size_t c = 0; c < columns; ++c) {
         const RoadSpectrum::Column& column = road.columns[c];
         add_numbers(cells, {std::abs(column.response[k]), std::arg(column.response[k]), column.error[k],
                             column.linearity.empty() ? NAN : column.linearity[k]});
@@ -144,8 +143,9 @@ void write_record(const std::string& status, const Measurement& m, const run::Ru
 std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
                         const std::vector<SweepPoint>& points) {
   Cells head = {"frequency [Hz]", "start [s]", "steps", "periods", "steady", "drive [m]"};
-  for (const scenario::ObservedColumn& column : observed) {
-    if (column.of_shape) continue;
+  const std::size_t columns = responding(observed);
+  for (std::size_t c = 0; c < columns; ++c) {
+    const scenario::ObservedColumn& column = observed[c];
     const std::string unit = unit_of_response(column);
     head.push_back(fmt::format("{}.amplitude [{}]", column.name, unit));
     head.push_back(fmt::format("{}.phase [rad]", column.name));
@@ -157,9 +157,8 @@ std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
   for (const SweepPoint& point : points) {
     Cells cells = {csv_number(point.frequency), csv_number(point.start),     fmt::format("{}", point.steps),
                    csv_number(point.periods),   point.is_steady ? "1" : "0", csv_number(point.drive)};
-    for (std::size_t c = 0; c < point.columns.size(); ++c) {
+    for (std::size_t c = 0; c < columns; ++c) {
       const SweepPoint::Column& column = point.columns[c];
-      if (observed[c].of_shape) continue;
       add_numbers(cells, {std::abs(column.response), std::arg(column.response), column.error, column.mean});
     }
     text += csv_line(cells);
@@ -206,8 +205,7 @@ void draw_charts(const Measurement& m, const run::RunDirectory& directory) {
   for (const RoadSpectrum& road : m.roads)
     if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
   const bool in_khz = highest >= 1e4;
-  for (std::size_t c = 0; c < m.observed.size(); ++c) {
-    if (m.observed[c].of_shape) continue;
+  for (std::size_t c = 0; c < responding(m.observed); ++c) {
     snapshot::ChartSpec chart;
     chart.title = m.title;
     chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";

@@ -53,7 +53,7 @@ RoadSpectrum pulse_spectrum(const Start& start) {
   for (std::size_t c = 0; c < plan.observed.size(); ++c) {
     const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
     road.columns.push_back(column_of(full, half, c, road.frequencies, scale));
-    note_tail(full, c, plan, road);
+    if (!plan.observed[c].of_shape) note_tail(full, c, plan, road);
   }
   road.wall = std::chrono::duration<double>(Clock::now() - began).count();
   return road;

@@ -82,7 +82,7 @@ bool PulseRecord::until_decay() {
       if (!sample_next()) return false;
     start_.on_progress(std::min(share_of_driven, share_of_driven * length() / plan.longest_pulse), "pulse");
     bool decayed = length() > end_of_pulse() + 1 / plan.from_hz;
-    for (std::size_t c = 0; c < columns_.size(); ++c) decayed &= tail(c) < plan.decay;
+    for (std::size_t c = 0; c < responding(plan.observed); ++c) decayed &= tail(c) < plan.decay;
     if (decayed) return true;
   }
   return true;

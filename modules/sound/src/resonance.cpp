@@ -32,8 +32,8 @@ void set_shape(const RoadSpectrum& road, const std::vector<scenario::ObservedCol
     return std::abs(a - resonance.mode.frequency) < std::abs(b - resonance.mode.frequency);
   });
   std::vector<std::complex<double>> layers;
-  for (std::size_t c = 0; c < observed.size(); ++c)
-    if (observed[c].of_shape) layers.push_back(road.columns[c].response[std::size_t(nearest - f.begin())]);
+  for (std::size_t c = responding(observed); c < observed.size(); ++c)
+    layers.push_back(road.columns[c].response[std::size_t(nearest - f.begin())]);
   if (layers.empty()) return;
   const ModeShape shape = mode_shape(layers);
   resonance.wavelengths = shape.wavelengths;
@@ -45,8 +45,7 @@ void set_shape(const RoadSpectrum& road, const std::vector<scenario::ObservedCol
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed) {
   std::vector<Resonance> all;
-  for (std::size_t c = 0; !roads.empty() && c < observed.size(); ++c) {
-    if (observed[c].of_shape) continue;
+  for (std::size_t c = 0; !roads.empty() && c < responding(observed); ++c) {
     std::vector<spectrum::Mode> of_first;
     for (std::size_t r = 0; r < roads.size(); ++r) {
       if (roads[r].frequencies.size() < fewest_frequencies || !is_finite(roads[r].columns[c])) continue;

@@ -33,7 +33,7 @@ std::vector<SweepPoint::Column> SteadyState::limits() const {
 bool SteadyState::is_reached() const {
   if (blocks_.size() < fewest_blocks) return false;
   const std::vector<SweepPoint::Column> found = limits();
-  for (std::size_t c = 0; c < found.size(); ++c)
+  for (std::size_t c = 0; c < scales_.size(); ++c)
     if (!(found[c].error <= tolerance_ * std::max(std::abs(found[c].response), scales_[c]))) return false;
   return true;
 }

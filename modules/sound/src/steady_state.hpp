@@ -11,7 +11,7 @@ namespace scree::sound {
 // of the limit from one block to the next is its error.
 class SteadyState {
  public:
-  // tolerance: of the error, over the larger of the limit and `scale` of each column.
+  // tolerance: of the error, over the larger of the limit and its scale, for each column that has a scale.
   SteadyState(double tolerance, std::vector<double> scales)
       : tolerance_(tolerance), scales_(std::move(scales)) {}
 

@@ -135,7 +135,7 @@ bool Sweep::measure_until_steady(SweepPoint& point) {
 }
 
 std::vector<double> Sweep::scales() const {
-  std::vector<double> largest(start_.spectrum().observed.size(), 0.0);
+  std::vector<double> largest(responding(start_.spectrum().observed), 0.0);
   for (const SweepPoint& point : points_)
     for (std::size_t c = 0; c < largest.size(); ++c)
       largest[c] = std::max(largest[c], least_scale * std::abs(point.columns[c].response));

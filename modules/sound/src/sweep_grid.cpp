@@ -33,9 +33,9 @@ bool is_maximum(const std::vector<SweepPoint>& points, std::size_t k, std::size_
          (k + 1 == points.size() || here >= size_at(points, k + 1, column));
 }
 
-// Between the points k and k + 1.
-bool varies(const std::vector<SweepPoint>& points, std::size_t k) {
-  for (std::size_t c = 0; c < points[k].columns.size(); ++c) {
+// Whether one of the first `columns` does so between the points k and k + 1.
+bool varies(const std::vector<SweepPoint>& points, std::size_t k, std::size_t columns) {
+  for (std::size_t c = 0; c < columns; ++c) {
     const std::complex<double> ratio = points[k + 1].columns[c].response / points[k].columns[c].response;
     if (!(std::abs(std::arg(ratio)) <= largest_turn && std::abs(std::log(std::abs(ratio))) <= largest_growth))
       return true;
@@ -64,7 +64,8 @@ std::vector<double> further_frequencies(const SpectrumPlan& plan, std::vector<Sw
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const std::size_t low = number_of(plan, points[k].frequency),
                       high = number_of(plan, points[k + 1].frequency);
-    if (high - low > 1 && varies(points, k)) further.push_back(all[(low + high) / 2]);
+    if (high - low > 1 && varies(points, k, responding(plan.observed)))
+      further.push_back(all[(low + high) / 2]);
   }
   return ordered(plan, further);
 }

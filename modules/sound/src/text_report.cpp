@@ -57,8 +57,7 @@ std::string text_report(const Measurement& m) {
   for (const RoadSpectrum& road : m.roads)
     lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12.4g}", road.road, road.frequencies.size(),
                                 road.steps, road.wall));
-  for (std::size_t c = 0; c < m.observed.size(); ++c)
-    if (!m.observed[c].of_shape) add_peaks(m, c, lines);
+  for (std::size_t c = 0; c < responding(m.observed); ++c) add_peaks(m, c, lines);
   std::string text;
   const bool all = lines.size() <= most_lines;
   for (std::size_t k = 0; k < (all ? lines.size() : most_lines - 1); ++k) text += lines[k] + "\n";

@@ -85,3 +85,25 @@ TEST_CASE("a band without a drive is at rest, and tolerances of 0 are refused", 
   CHECK_THROWS_WITH(solve_band(system, {}, {1.0}, {.tolerance = 0}),
                     "BandOptions::tolerance is 0; give a number above 0");
 }
+
+// test_modules_response "[.estimates]" prints the numbers of modules/response/README.md.
+TEST_CASE("errors of a band are seldom above their estimates", "[.estimates]") {
+  const Drive drive = {.walls = Eigen::VectorXcd::Unit(3, 2)};
+  int all = 0, above = 0;
+  double worst = 0;
+  for (int n = 0; n < 24; ++n) {
+    const LinearSystem system = lattice(3 + n % 3, 0.05 * std::pow(1.25, n), 150 + 37 * ((7 * n) % 23));
+    const std::vector<double> frequencies = grid(0.3 + 0.01 * n, 13 + 0.2 * n, 61);
+    const std::vector<HarmonicResponse> exact = solve(system, drive, frequencies);
+    for (const double tolerance : {3e-2, 1e-2, 1e-3, 1e-6}) {
+      const BandResponse band = solve_band(system, drive, frequencies, {.tolerance = tolerance});
+      for (std::size_t k = 0; k < frequencies.size(); ++k) {
+        const HarmonicResponse& found = band.responses[k];
+        const double ratio = relative_difference(system, found, exact[k]) / (found.error + 1e-11);
+        ++all, above += ratio > 1, worst = std::max(worst, ratio);
+      }
+    }
+  }
+  WARN(above << " of " << all << " errors are above their estimates, the worst by a factor " << worst);
+  CHECK(above < 0.01 * all);
+}

@@ -61,6 +61,9 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
   refuses({"spectrum.observe=['particles.z_1','particles.z_1']"}, "stands here twice", "remove one");
   refuses({"spectrum.relative_to_mean=['particles.x_1']"}, "no observed column 'particles.x_1'",
           "particles.z_1");
+  refuses({"spectrum.shape_from='profil'"}, "no probe 'profil'", "particles");
+  refuses({"spectrum.shape_from='particles'"}, "'particles' has 0 columns displacement_<n>",
+          "give a probe such as profile");
   refuses({"spectrum.from_hz=50"}, "50 Hz is not below to_hz = 50 Hz", "lower frequency first");
   refuses({"spectrum.to_hz=5e4"}, "50000 Hz is not below half the sampling rate", "a shorter time.step");
   refuses({"spectrum.step_hz=1e-9"}, "frequencies are more than 100000", "larger step_hz");

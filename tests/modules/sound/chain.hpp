@@ -40,6 +40,10 @@ struct Chain {
            spectrum;
   }
 
+  // A probe "profile" with a layer per bead.
+  static constexpr const char* layers =
+      "[[probe]]\nplugin = 'profile'\naxis = 'z'\nbins = 8\nlow = 0\nhigh = 0.0796\n";
+
   // ω_j/2π (Hz) without damping, for j from 1.
   static double mode_hz(int j) {
     return std::sqrt(stiffness / mass) * std::sin((2 * j - 1) * std::numbers::pi / (2 * (2 * beads + 1))) /

@@ -1,6 +1,7 @@
 #include "sweep.hpp"
 
 #include "chain.hpp"
+#include "pulse.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -48,7 +49,7 @@ TEST_CASE("a sweep measures the response of the discrete chain", "[sound]") {
     }
 }
 
-TEST_CASE("a sweep moves the bodies as if nobody looked", "[sound]") {
+TEST_CASE("the samples of a sweep do not change the motion", "[sound]") {
   const Chain chain;
   const scenario::Plan plan =
       plan_of(chain.text("from_hz = 100\nto_hz = 104\nstep_hz = 9\nperiods = 12\nanalysed_periods = 6\n"));
@@ -140,6 +141,18 @@ TEST_CASE("an adaptive sweep finds the response with a quarter of the steps", "[
     CHECK(std::abs(found[k].mode.frequency - true_frequency) <
           2 * std::abs(exact[k].mode.frequency - true_frequency) + 1e-4 * true_frequency);
   }
+}
+
+TEST_CASE("layers of shapes change neither the steps of an adaptive sweep nor those of a pulse", "[sound]") {
+  const std::string keys = "from_hz = 75\nto_hz = 100\nstep_hz = 0.5\nadaptive = true\n";
+  std::vector<std::uint64_t> steps, of_pulse;
+  for (const char* shape : {"", "shape_from = 'profile'\n"}) {
+    const scenario::Plan plan = plan_of(Chain().text(keys + shape) + Chain::layers);
+    steps.push_back(sweep(start_of(plan)).steps);
+    of_pulse.push_back(pulse_spectrum(start_of(plan)).steps);
+  }
+  CHECK(steps[0] == steps[1]);
+  CHECK(of_pulse[0] == of_pulse[1]);
 }
 
 TEST_CASE("a sweep up and down has a spectrum for each direction", "[sound]") {

@@ -23,7 +23,7 @@ struct BandResponse {
 };
 
 // The same as `solve`, at many frequencies from few factorisations: those near the frequency of a factorisation
-// are found by iteration with it. HarmonicResponse::error is below the tolerance, or, where iteration at a
+// are found by iteration with it. HarmonicResponse::error, an estimate, is below the tolerance, or, where iteration at a
 // factorised frequency does not reach it, the error that remains. Throws Error as `solve` does, and if the
 // tolerance is not above 0.
 BandResponse solve_band(const LinearSystem& system, const Drive& drive,

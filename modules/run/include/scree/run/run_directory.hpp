@@ -29,6 +29,12 @@ class RunDirectory {
   // Takes the first of path, path-2, path-3, ... that does not exist.
   static RunDirectory numbered(const std::filesystem::path& path, Kind kind = Kind::run);
 
+  // That of results of a scenario, taken: `out`, or without it the first of default_for() that does not exist. Throws Error
+  // as the constructor and take() do, and if replacing what is there would remove one of the inputs.
+  static RunDirectory of_results(const std::filesystem::path& out, bool overwrite,
+                                 const std::filesystem::path& scenario,
+                                 const std::vector<std::filesystem::path>& inputs, Kind kind = Kind::run);
+
   // Creates it if it is not there, and locks it until this object or the process ends; if it is empty then, it is
   // removed again. The runs of a campaign hold its lock too. Throws Error if another process uses it.
   void take();

@@ -14,6 +14,13 @@ struct ObservedColumn {
   bool of_shape = false;              // a layer of the shapes of peaks, which has no peaks of its own
 };
 
+// Number of columns that have peaks, which stand before the layers of shapes.
+inline std::size_t responding(const std::vector<ObservedColumn>& observed) {
+  std::size_t count = 0;
+  while (count < observed.size() && !observed[count].of_shape) ++count;
+  return count;
+}
+
 // The response of a packing to a driven wall over frequency, as [spectrum] asks for it.
 struct SpectrumPlan {
   enum class Direction { up, down, both };

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "table_keys.hpp"
+
+#include <scree/snapshot/render_options.hpp>
+
+namespace scree::scenario {
+
+struct ProbeKeys : TableKeys {
+  ProbeKeys()
+      : TableKeys("probe", "[[probe]]",
+                  "a time series, series/<name>.csv; beside these the parameters of the plug-in") {}
+  StringKey plugin = string("plugin", "of kind probe");
+  Key every = other("every", "number", Range::positive("s"), "required with stages", "time between samples");
+  Key observe_every = other("observe_every", "number", Range::positive("s"), "default every step",
+                            "time between updates of what the probe keeps, if it observes the run");
+  Key stages = other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it records");
+  StringKey name = string("name", "of the file", "default the plug-in's");
+};
+
+struct ChartKeys : TableKeys {
+  ChartKeys() : TableKeys("chart", "[[chart]]", "a picture of columns of a probe, charts/<name>.png") {}
+  StringKey name = string("name", "of the file");
+  StringKey probe = string("probe", "name of a [[probe]]");
+  StringKey x = string("x", "time", "column", "default \"time\"");
+  Key y = other("y", "text or [text, ...]", Range::any(), "required", "columns, a curve each");
+  StringKey title = string("title", "above the chart", "default the name");
+  StringKey x_label = string("x_label", "of the axis", "default column and unit");
+  StringKey y_label = string("y_label", "of the axis", "default column and unit");
+  BooleanKey log_x = boolean("log_x", false, "logarithmic axis");
+  BooleanKey log_y = boolean("log_y", false, "logarithmic axis");
+};
+
+struct SnapshotKeys : TableKeys {
+  SnapshotKeys()
+      : TableKeys("snapshot", "[snapshot]", "files for ParaView and pictures of the whole scene") {}
+  Key every = other("every", "number", Range::positive("s"), "default never", "time between .vtp files");
+  Key image_every =
+      other("image_every", "number", Range::positive("s"), "default never", "time between pictures");
+  ChoiceKey color_by =
+      choice_or_first("color_by", {snapshot::color_fields.begin(), snapshot::color_fields.end()},
+                      "quantity that colours bodies");
+  Key color_range = other("color_range", "[low, high]", Range::any(), "default that of the pictures so far",
+                          "values (SI) at the ends of the colour bar");
+  ChoiceKey view = choice("view", {snapshot::view_names.begin(), snapshot::view_names.end()},
+                          "direction of view", "default \"iso\", in 2D along z");
+  BooleanKey contacts = boolean("contacts", false, "draw forces of contacts as tubes");
+  IntegerKey width = integer("width", Range::between(200, 8000, "pixels"), 1200, "of a picture");
+  IntegerKey height = integer("height", Range::between(200, 8000, "pixels"), 900, "of a picture");
+};
+
+struct CheckpointKeys : TableKeys {
+  CheckpointKeys()
+      : TableKeys("checkpoint", "[checkpoint]",
+                  "states from which scree resume goes on; the two latest are kept in checkpoint/") {}
+  StringKey every =
+      string("every", "10 min", "wall time between them, as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
+             "default \"10 min\"");
+  Key every_time =
+      other("every_time", "number", Range::positive("s"), "default never", "simulated time between them");
+  BooleanKey final_state = boolean("final_state", true, "leave the state at the end in final_state.h5");
+};
+
+struct ExpectKeys : TableKeys {
+  ExpectKeys()
+      : TableKeys("expect", "[[expect]]",
+                  "a condition that the result must fulfil; reference and tolerance, at_most, or at_least") {}
+  StringKey requirement = string("requirement", "a sentence for the report");
+  StringKey quantity =
+      string("quantity", "a number of run.json, or <probe>.<column>.<last, first, min, max or mean>");
+  NumberKey reference = number("reference", Range::any(), "expected value", "optional");
+  NumberKey tolerance =
+      number("tolerance", Range::non_negative(), "largest deviation from it", "required with reference");
+  NumberKey at_most = number("at_most", Range::any(), "upper bound", "optional");
+  NumberKey at_least = number("at_least", Range::any(), "lower bound", "optional");
+  BooleanKey of_step =
+      boolean("of_step", false, "the reference holds for the step of the file alone (scree accuracy)");
+  NumberKey scale = number("scale", Range::positive(), "what errors are divided by (scree accuracy)",
+                           "default |reference|");
+};
+
+inline const ProbeKeys probe_keys;
+inline const ChartKeys chart_keys;
+inline const SnapshotKeys snapshot_keys;
+inline const CheckpointKeys checkpoint_keys;
+inline const ExpectKeys expect_keys;
+
+}  // namespace scree::scenario

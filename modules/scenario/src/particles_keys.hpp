@@ -1,0 +1,98 @@
+#pragma once
+
+#include "table_keys.hpp"
+
+#include <scree/plugin/abi.h>
+
+namespace scree::scenario {
+
+struct ParticlesKeys : TableKeys {
+  ParticlesKeys() : TableKeys("particles", "[particles]", "bodies from a lattice or a file") {}
+  Key lattice = other("lattice", "table", Range::any(), "this or file", "see particles.lattice");
+  NumberKey radius =
+      number("radius", Range::positive("m"), "of bodies on a lattice; or a table, see particles.radius",
+             "required with lattice");
+  StringKey file =
+      string("file", "CSV, or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
+             "this, state or lattice");
+  IntegerKey timestep = integer("timestep", Range::any(), "frame of a dump", "default the last");
+  Key repeat = other("repeat", "[nx, ny, nz]", Range::between(1, 1e4), "optional",
+                     "copies of the file's bodies along each axis");
+  Key period =
+      other("period", "[x, y, z]", Range::positive("m"), "required with repeat", "distance of the copies");
+  StringKey state = string(
+      "state",
+      "state file of a run to begin from, with springs and walls; from the folder of the scenario or the working folder",
+      "instead of lattice and file");
+  Key leave_out = other("leave_out", "[\"histories\", \"walls\", \"orientations\"]", Range::any(),
+                        "default nothing", "what is not taken over from the state");
+  StringKey material =
+      string("material", "", "of bodies without one in the file", "required with several materials");
+  Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "default 0", "added to all bodies");
+  Key velocity_gradient = other("velocity_gradient", "[x, y, z]", Range::any("1/s"), "default 0",
+                                "times the coordinates of a body, added to its velocity");
+  NumberKey random_velocity = number("random_velocity", Range::non_negative("m/s"), 0,
+                                     "standard deviation of each component, added to all bodies");
+};
+
+struct LatticeKeys : TableKeys {
+  LatticeKeys() : TableKeys("particles.lattice", "lattice = { }", "a regular arrangement of bodies") {}
+  Key kind = other(
+      "kind", "text", Range::any(), "default the first",
+      "\"simple_cubic\", \"face_centred_cubic\", \"hexagonal_close\"; in 2D \"square\", \"triangular\"");
+  IntegerKey count = integer("count", Range::at_least(1), "of all bodies; or [nx, ny, nz]");
+  NumberKey spacing =
+      number("spacing", Range::positive("m"), "between neighbouring sites", "default from gap");
+  NumberKey gap = number("gap", Range::non_negative(), 0, "between neighbours, over the largest diameter");
+  NumberKey displacement =
+      number("displacement", Range::non_negative("m"), 0, "largest random displacement of a body");
+  Key origin = other("origin", "[x, y, z]", Range::any("m"), "default 0",
+                     "lower corner of the box of the lattice, or its centre");
+  BooleanKey centred = boolean("centred", false, "the origin is the centre of the box");
+};
+
+struct RadiusKeys : TableKeys {
+  RadiusKeys() : TableKeys("particles.radius", "radius = { }", "a distribution of radii") {}
+  ChoiceKey distribution =
+      choice("distribution", {"constant", "uniform", "normal", "bidisperse", "list"}, "its kind");
+  NumberKey radius = number("radius", Range::positive("m"), "of all bodies", "required for constant");
+  NumberKey minimum =
+      number("minimum", Range::positive("m"), "smallest radius", "required for uniform, normal");
+  NumberKey maximum = number("maximum", Range::positive("m"), "largest radius",
+                             "required for uniform; for normal 2 mean + 10 standard_deviation");
+  NumberKey mean = number("mean", Range::positive("m"), "before truncation", "required for normal");
+  NumberKey standard_deviation =
+      number("standard_deviation", Range::non_negative("m"), "before truncation", "required for normal");
+  NumberKey small =
+      number("small", Range::positive("m"), "radius of the small bodies", "required for bidisperse");
+  NumberKey large =
+      number("large", Range::positive("m"), "radius of the large bodies", "required for bidisperse");
+  NumberKey large_fraction = number("large_fraction", Range::between(0, 1), "number of large bodies over all",
+                                    "required for bidisperse");
+  Key radii = other("radii", "[r1, r2, ...]", Range::positive("m"), "required for list", "the radii");
+  Key weights = other("weights", "[w1, w2, ...]", Range::non_negative(),
+                      "without them the k-th body has the k-th radius",
+                      "relative frequencies of the radii, drawn at random");
+};
+
+struct ParticleKeys : TableKeys {
+  ParticleKeys() : TableKeys("particle", "[[particle]]", "one body") {}
+  Key position = other("position", "[x, y, z]", Range::any("m"), "required", "of its centre");
+  NumberKey radius = number("radius", Range::positive("m"), "of the body");
+  Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "default 0", "at the start");
+  Key spin = other("spin", "[x, y, z], in 2D a number", Range::any("rad/s"), "default 0", "at the start");
+  NumberKey density =
+      number("density", Range::positive("kg/m^3"), "instead of its material's", "default the material's");
+  NumberKey mass =
+      number("mass", Range::positive("kg"), "instead of the one by density", "default by density");
+  StringKey material = string("material", "", "name of a [[material]]", "required with several materials");
+  IntegerKey id = integer("id", Range::between(1, SCREE_MAX_ID), 0,
+                          "of the body, in files and probes; without it numbered after the largest");
+};
+
+inline const ParticlesKeys particles_keys;
+inline const LatticeKeys lattice_keys;
+inline const RadiusKeys radius_keys;
+inline const ParticleKeys particle_keys;
+
+}  // namespace scree::scenario

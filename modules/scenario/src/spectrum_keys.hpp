@@ -1,0 +1,57 @@
+#pragma once
+
+#include "table_keys.hpp"
+
+namespace scree::scenario {
+
+struct SpectrumKeys : TableKeys {
+  SpectrumKeys()
+      : TableKeys(
+            "spectrum", "[spectrum]",
+            "the response to a driven wall over frequency, for scree spectrum; stages, if any, run first") {}
+  StringKey drive =
+      string("drive", "boundary and its displacement, as \"top.displacement\", that takes the wave");
+  NumberKey amplitude = number("amplitude", Range::positive("m"), "of the wave");
+  Key observe = other("observe", "[\"probe.column\", ...]", Range::any(), "required", "columns that respond");
+  Key relative_to_mean =
+      other("relative_to_mean", "[\"probe.column\", ...]", Range::any(), "default none",
+            "columns that are divided by their means, such as the distance of two layers for a strain");
+  StringKey shape_from =
+      string("shape_from",
+             "probe whose columns displacement_1, ... give the shapes and names of peaks, such as a profile",
+             "default none");
+  NumberKey from_hz = number("from_hz", Range::positive("Hz"), "lowest frequency");
+  NumberKey to_hz = number("to_hz", Range::positive("Hz"), "highest frequency");
+  NumberKey step_hz = number("step_hz", Range::positive("Hz"), "distance of frequencies");
+  ChoiceKey direction = choice_or_first("direction", {"up", "down", "both"}, "of a sweep");
+  NumberKey periods = number("periods", Range::at_least(3), 100, "of a sweep at each frequency");
+  NumberKey analysed_periods = number("analysed_periods", Range::at_least(2), 60,
+                                      "of these, the last ones, from which amplitudes follow");
+  NumberKey samples_per_period =
+      number("samples_per_period", Range::between(4, 1e4), 50, "of a sweep and, at to_hz, of a pulse");
+  NumberKey rise_periods = number("rise_periods", Range::non_negative(), 5,
+                                  "of the first frequency, in which a sweep rises smoothly");
+  ChoiceKey detrend =
+      choice_or_first("detrend", {"period_average", "polynomial"}, "what is done against drift in a sweep");
+  BooleanKey adaptive = boolean(
+      "adaptive", false,
+      "a sweep stays at each frequency until the response is steady, and takes the grid in full only where it varies");
+  NumberKey tolerance = number(
+      "tolerance", Range::between(1e-9, 0.1), 1e-3,
+      "relative error of the linear response of more than 300 degrees of freedom, and of the response that an adaptive sweep takes to be steady");
+  ChoiceKey pulse =
+      choice_or_first("pulse", {"gaussian", "ricker"}, "wave of a pulse, as wide as to_hz needs");
+  NumberKey decay =
+      number("decay", Range::between(1e-12, 0.5), 1e-4,
+             "integral of the response to a pulse behind its record, over that before: below it the "
+             "response has decayed");
+  NumberKey longest_pulse = number("longest_pulse", Range::positive("s"),
+                                   "after which the record of a pulse ends anyway", "default 30 / step_hz");
+  IntegerKey fewest_contacts =
+      integer("fewest_contacts", Range::at_least(1), "that hold a body in the linear response",
+              "default 2, and one more than dimensions without tangential forces");
+};
+
+inline const SpectrumKeys spectrum_keys;
+
+}  // namespace scree::scenario
