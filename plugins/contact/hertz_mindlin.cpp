@@ -28,7 +28,7 @@ struct HertzMindlin : scree::ContactLaw {
   int tension = 0;  // scree::Tension
   double friction = 0;
   int history = rescaled;
-  double rolling_friction = 0;
+  scree::RollingResistance rolling_resistance;
   double effective_modulus = 0;                       // E*
   double effective_shear_modulus = 0;                 // G*
   double damping_ratio = 0;                           // β
@@ -43,7 +43,7 @@ struct HertzMindlin : scree::ContactLaw {
       "stick: |k_t ξ| <= C            slip: ξ shortened to |k_t ξ| = C; the dashpot never causes slip;\n"
       "       both only dissipate: friction k_t ξ·s >= 0 (s: slip velocity),\n"
       "       dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0\n"
-      "T = −μ_r k_n δ R* Δω/|Δω|      rolling; smaller where it would reverse the motion within a step\n"
+      "T = −μ_r k_n δ R* Δω/|Δω|      rolling; at most 0.4 m* R*² |Δω|/τ_r\n"
       "1/E* = Σ (1−ν²)/E,  1/G* = Σ 2(2−ν)(1+ν)/E   over both bodies;\n"
       "       equal materials: E* = E/(2(1−ν²)), G* = E/(4(2−ν)(1+ν))\n"
       "history: displacement (ξ kept: creates ½ ξ² dk_t while k_t grows, shown by the energy audit),\n"
@@ -70,7 +70,7 @@ struct HertzMindlin : scree::ContactLaw {
     d.number("friction", friction, "", non_negative, "μ; 0: frictionless, no tangential force");
     d.choice("history", history, "displacement|rescaled|potential",
              "quantity that the tangential spring keeps when k_t changes");
-    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0: no rolling resistance");
+    rolling_resistance.declare(d);
   }
 
   void prepare(const scree::Setup&) {
@@ -136,7 +136,7 @@ template <bool frictional, HistoryForm form, bool rolling>
 struct Kernel : HertzMindlin {
   static bool suits(const HertzMindlin& p) {
     return (p.friction > 0) == frictional && (!frictional || p.history == form) &&
-           (p.rolling_friction > 0) == rolling;
+           (p.rolling_resistance.friction > 0) == rolling;
   }
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
@@ -184,7 +184,7 @@ struct Kernel : HertzMindlin {
     out.elastic_normal = T(0.4) * spring_force * c.overlap;
     out.dissipation_rate_normal = (spring_force - f_n) * v_n;
     if constexpr (frictional) slide_or_stick(c, f_n, repulsive, weight, h, out);
-    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
+    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_resistance, out);
   }
 
  private:

@@ -30,7 +30,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
   double static_friction = 0;
   double dynamic_friction = -1;  // below 0: same as static_friction
   int slip_rule = 0;             // 0: spring force, 1: total force
-  double rolling_friction = 0;
+  scree::RollingResistance rolling_resistance;
   double damping_ratio = 0;
   double damping_by_root_mass = 0;          // γ/√m* = 2ζ √k
   double inverse_tangential_stiffness = 0;  // 1/k_t
@@ -49,7 +49,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "slip_rule = total, as printed in [D3], [D4]: slip where |k_t ξ + γ_t v_t| > C,\n"
       "       then ξ = −(f_t + γ_t v_t)/k_t; may create energy where γ_t v_t changes during slip,\n"
       "       shown by the energy audit\n"
-      "T = −μ_r k δ R* Δω/|Δω|  rolling; smaller where it would reverse the motion within a step\n"
+      "T = −μ_r k δ R* Δω/|Δω|  rolling; at most 0.4 m* R*² |Δω|/τ_r\n"
       "arms of the torque: R − δ/2 (angular momentum is conserved)",
       "David et al. 2005, equations 1 to 4"};
 
@@ -72,7 +72,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
     d.number("dynamic_friction", dynamic_friction, "", non_negative, "μ_d <= μ_s; μ_s if absent").optional();
     d.choice("slip_rule", slip_rule, "spring|total",
              "force compared with the limit: that of the spring, or the total as in David et al.");
-    d.number("rolling_friction", rolling_friction, "", non_negative, "μ_r; 0: no rolling resistance");
+    rolling_resistance.declare(d);
   }
 
   void prepare(const scree::Setup& setup) {
@@ -131,7 +131,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
 template <Friction friction, bool rolling, bool by_restitution>
 struct Kernel : LinearSpringDashpot {
   static bool suits(const LinearSpringDashpot& p) {
-    return p.friction_model() == friction && (p.rolling_friction > 0) == rolling &&
+    return p.friction_model() == friction && (p.rolling_resistance.friction > 0) == rolling &&
            (p.restitution > 0) == by_restitution;
   }
   static constexpr bool frictional = friction != Friction::none;
@@ -188,7 +188,7 @@ struct Kernel : LinearSpringDashpot {
       out.force = fused(f_n, c.normal, out.force);
     else
       out.force = f_n * c.normal;
-    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_friction, out);
+    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_resistance, out);
   }
 
  private:

@@ -219,3 +219,22 @@ TEST_CASE("rolling resistance: constant torque against the relative spin, none a
   CHECK(c.output(SCREE_COUPLE, 0) == 0);
   CHECK(c.output(SCREE_COUPLE, 1) == 0);
 }
+
+TEST_CASE("small relative spins are calmed in rolling_time, or in 16 steps where these are longer",
+          "[hertz]") {
+  LawBatch c("hertz_mindlin", {{"youngs_modulus", {1e9}},
+                               {"poissons_ratio", {0.25}},
+                               {"friction", {0.3}},
+                               {"rolling_friction", {0.01}},
+                               {"rolling_time", {1e-3}}});
+  c.set(SCREE_NORMAL, {{0, 0, 1}});
+  c.input(SCREE_OVERLAP) = 1e-4;
+  c.input(SCREE_EFFECTIVE_RADIUS) = 0.01;
+  c.input(SCREE_REDUCED_MASS) = 2;
+  c.set(SCREE_RELATIVE_SPIN, {{1e-3, 0, 0}});
+  const double inertia = 0.4 * 2 * 0.01 * 0.01;
+  for (const double step : {1e-9, 1e-6, 1e-3 / 16, 1e-4}) {
+    c.evaluate(step);
+    CHECK(c.output(SCREE_COUPLE, 0) == Approx(-inertia * 1e-3 / std::max(1e-3, 16 * step)).epsilon(1e-14));
+  }
+}
