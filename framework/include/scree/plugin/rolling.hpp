@@ -25,15 +25,14 @@ struct RollingResistance {
 // τ >= 16 steps, so that bodies at rest do not jitter, with a dozen contacts and with any integrator.
 // spring_force: elastic part of the normal force (N). Sets the couple and the dissipated power of `out`.
 template <int D, class T, std::uint32_t reads>
-void resist_rolling(const Contact<D, T, reads>& c, const T& spring_force, const RollingResistance& rolling,
+void resist_rolling(const Contact<D, T, reads>& c, const T& spring_force, RollingResistance rolling,
                     Response<D, T, true>& out) {
   const T square_spin = dot(c.relative_spin, c.relative_spin);
   const T full = T(rolling.friction) * spring_force * c.effective_radius;
   const T root = c.reduced_mass_root * c.effective_radius;
   const T step = c.step < T(0) ? -c.step : c.step;
-  const T fastest = T(1.0 / 16) / std::max(step, smallest_divisor<T>);
-  const T rate = rolling.time > 0 ? std::min(fastest, T(1 / rolling.time)) : fastest;
-  const T bound = T(0.4) * root * root * rate;
+  const T time = std::max(T(16) * step, T(rolling.time));
+  const T bound = T(0.4) * root * root * (T(1) / std::max(time, smallest_divisor<T>));
   const T torque_by_spin = std::min(full * inverse_sqrt(square_spin), bound);
   out.couple = -torque_by_spin * c.relative_spin;
   out.dissipation_rate_rolling = torque_by_spin * square_spin;
