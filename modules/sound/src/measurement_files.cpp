@@ -77,11 +77,13 @@ Json peaks_of(const Measurement& m) {
 }
 
 std::string shape_table(const Measurement& m) {
-  std::string text = csv_line({"road", "column", "frequency [Hz]", "wavelengths", "layer", "displacement"});
+  std::string text = csv_line({"road", "column", "frequency [Hz]", "wavelengths", "layer", "displacement",
+                               "amplitude [m/m]", "phase [rad]"});
   for (const Resonance& r : m.resonances)
     for (std::size_t k = 0; k < r.shape.size(); ++k)
       text += csv_line({m.roads[r.road].road, m.observed[r.column].name, csv_number(r.mode.frequency),
-                        csv_number(r.wavelengths), fmt::format("{}", k + 1), csv_number(r.shape[k])});
+                        csv_number(r.wavelengths), fmt::format("{}", k + 1), csv_number(r.shape[k]),
+                        csv_number(std::abs(r.layers[k])), csv_number(std::arg(r.layers[k]))});
   return text;
 }
 

@@ -31,11 +31,10 @@ void set_shape(const RoadSpectrum& road, const std::vector<scenario::ObservedCol
   const auto nearest = std::min_element(f.begin(), f.end(), [&](double a, double b) {
     return std::abs(a - resonance.mode.frequency) < std::abs(b - resonance.mode.frequency);
   });
-  std::vector<std::complex<double>> layers;
   for (std::size_t c = responding(observed); c < observed.size(); ++c)
-    layers.push_back(road.columns[c].response[std::size_t(nearest - f.begin())]);
-  if (layers.empty()) return;
-  const ModeShape shape = mode_shape(layers);
+    resonance.layers.push_back(road.columns[c].response[std::size_t(nearest - f.begin())]);
+  if (resonance.layers.empty()) return;
+  const ModeShape shape = mode_shape(resonance.layers);
   resonance.wavelengths = shape.wavelengths;
   resonance.shape = shape.displacement;
 }
@@ -53,7 +52,7 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
       if (r == 0) of_first = modes;
       for (const spectrum::Mode& mode : modes) {
         const double difference = r == 0 ? 0 : nearest_difference(mode.frequency, of_first);
-        all.push_back({r, c, mode, difference, std::numeric_limits<double>::quiet_NaN(), {}});
+        all.push_back({r, c, mode, difference, std::numeric_limits<double>::quiet_NaN(), {}, {}});
         set_shape(roads[r], observed, all.back());
       }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct Resonance {
   double difference = 0;
   // Wavelengths between the ends of the packing, 0.25 of λ/4: from the shape, not the order (mode_shape.hpp); NaN without one.
   double wavelengths = 0;
-  std::vector<double>
-      shape;  // in-phase displacements of layers at the nearest frequency, the largest 1; or empty
+  // Displacements of layers at the nearest frequency, over that of the drive; or empty.
+  std::vector<std::complex<double>> layers;
+  std::vector<double> shape;  // their parts in phase with each other, the largest 1
 };
 
 // The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies, and columns with numbers that are not
