@@ -20,8 +20,10 @@ namespace scree::response {
 
 namespace {
 
-// Frequencies that share a factorisation at first. Those that it does not serve are divided again.
-constexpr std::size_t first_window = 6;
+// Frequencies that share a factorisation at first: those within a half of the lowest, but not fewer or more than these. The
+// linewidths of a packing grow with frequency. Frequencies that a factorisation does not serve are divided again.
+constexpr std::size_t narrowest_window = 24, widest_window = 48;
+constexpr double window_span = 1.5;
 // Single precision of a factorisation makes iterations converge as fast down to such tolerances.
 constexpr double single_precision_tolerance = 1e-5;
 
@@ -71,11 +73,12 @@ class BandSolution {
 
   // Windows are independent, so that results do not depend on the number of threads.
   BandResponse run(unsigned threads) {
-    const std::size_t windows = (sorted_.size() + first_window - 1) / first_window;
+    const std::vector<std::size_t> ends = window_ends();
+    const std::size_t windows = ends.size();
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
       for (std::size_t w; (w = next++) < windows;) try {
-          solve(w * first_window, std::min(sorted_.size(), (w + 1) * first_window));
+          solve(w == 0 ? 0 : ends[w - 1], ends[w]);
         } catch (...) {
           const std::lock_guard lock(mutex_);
           if (!failure_) failure_ = std::current_exception();
@@ -91,6 +94,18 @@ class BandSolution {
   }
 
  private:
+  std::vector<std::size_t> window_ends() const {
+    std::vector<std::size_t> ends;
+    for (std::size_t from = 0, to = 0; from < sorted_.size(); from = to) {
+      const double highest = window_span * frequencies_[sorted_[from]];
+      while (to < sorted_.size() && to - from < widest_window &&
+             (to - from < narrowest_window || frequencies_[sorted_[to]] <= highest))
+        ++to;
+      ends.push_back(to);
+    }
+    return ends;
+  }
+
   // Solves the sorted frequencies from `from` to `to`.
   void solve(std::size_t from, std::size_t to) {
     const std::size_t count = to - from;

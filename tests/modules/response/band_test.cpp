@@ -92,7 +92,7 @@ TEST_CASE("errors of a band are seldom above their estimates", "[.estimates]") {
   int all = 0, above = 0;
   double worst = 0;
   for (int n = 0; n < 24; ++n) {
-    const LinearSystem system = lattice(3 + n % 3, 0.05 * std::pow(1.25, n), 150 + 37 * ((7 * n) % 23));
+    const LinearSystem system = lattice(3 + n % 3, 0.04 * std::pow(1.27, n), 170 + 41 * ((5 * n) % 23));
     const std::vector<double> frequencies = grid(0.3 + 0.01 * n, 13 + 0.2 * n, 61);
     const std::vector<HarmonicResponse> exact = solve(system, drive, frequencies);
     for (const double tolerance : {3e-2, 1e-2, 1e-3, 1e-6}) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace scree::response {
@@ -15,10 +16,12 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 // Rounds of iteration, after which more frequencies are cheaper with a factorisation nearer to them.
 constexpr int most_rounds = 14;
+// Frequencies whose residuals extend the basis while changes are large. More find few more directions: neighbours differ little.
+constexpr int most_sources = 4;
 // Changes that fall more slowly from round to round say little about what is left: a tenth may have been found.
 constexpr double slowest_decay = 0.9;
 // A mode near the frequency that enters the basis late lets a round change the solution by less than its error, rarely two rounds.
-constexpr double caution = 2;
+constexpr double caution = 3;
 // Before the first change, the whole amplitude is unknown.
 constexpr double slowest_start = 1;
 
@@ -27,9 +30,10 @@ Sparse copy_of(const SparseView& view) {
                                   view.values);
 }
 
-// Iteration at the frequencies of a window. In each round, residuals are multiplied by the approximate inverse, and
-// the directions found added to the basis; the change of the solution by them is the error of the one before, which
-// is stated for the newer one too.
+// Iteration at the frequencies of a window. In each round, residuals are multiplied by the approximate inverse, and the directions
+// found added to the basis; the change of a solution by them is the error of the one before, which is stated for the newer one too.
+// While a change is too large, residuals of a few frequencies do for all. A solution is found after a round with its own residual:
+// directions of others show only what these lack.
 class WindowIteration {
  public:
   WindowIteration(const BandWindow& window, const Sparse& stiffness, const Sparse& damping,
@@ -37,43 +41,76 @@ class WindowIteration {
       : window_(window),
         size_(mass.size()),
         loads_(Eigen::Map<const Matrix>(window.load, size_, window.count)),
-        basis_(stiffness, damping, mass, std::min<Eigen::Index>(size_, 2 + most_rounds * window.count)),
-        open_(std::size_t(window.count)),
+        basis_(stiffness, damping, mass,
+               std::min<Eigen::Index>(size_, 2 + most_rounds * most_sources + 2 * window.count)),
         changes_(Eigen::VectorXd::Constant(window.count, slowest_start)),
         errors_(Eigen::VectorXd::Constant(window.count, std::numeric_limits<double>::infinity())) {
-    for (int k = 0; k < window.count; ++k) open_[std::size_t(k)] = k;
+    for (int k = 0; k < window.count; ++k) open_.push_back(k);
     std::fill_n(window.error, window.count, std::numeric_limits<double>::quiet_NaN());
   }
 
   template <class Inverse>
   int run(const Inverse& inverse) {
     if (!settle_unloaded()) return 0;
-    Matrix directions = unit(inverse(loads_));
+    Matrix directions = unit(inverse(loads_of(frequencies(few_of(all_open())))));
     if (!directions.allFinite()) return 0;
     basis_.extend(directions);
     solve_open();
     for (int round = 0; round < most_rounds && !open_.empty(); ++round) {
       const Eigen::Index before = basis_.size();
-      directions = unit(inverse(residuals_));
+      const Places far = far_open();
+      directions = unit(inverse(residuals(far.empty() ? all_open() : few_of(far))));
       if (!directions.allFinite()) break;
       basis_.extend(directions);
       if (basis_.size() == before) break;
-      const Matrix older = solutions_;
+      const Matrix older = coefficients_;
       solve_open();
       estimate_errors(older);
-      write_open();
-      close_found();
+      if (far.empty()) close_found();
     }
-    write_open();
+    write(all_open());
     return int(basis_.size());
   }
 
  private:
-  // The columns of open frequencies.
-  Matrix open_loads() const {
-    Matrix loads(size_, Eigen::Index(open_.size()));
-    for (std::size_t k = 0; k < open_.size(); ++k) loads.col(Eigen::Index(k)) = loads_.col(open_[k]);
-    return loads;
+  using Places = std::vector<Eigen::Index>;  // in open_
+
+  Places all_open() const {
+    Places all(open_.size());
+    std::iota(all.begin(), all.end(), Eigen::Index(0));
+    return all;
+  }
+
+  // Those whose errors are above the tolerance.
+  Places far_open() const {
+    Places far;
+    for (const Eigen::Index k : all_open())
+      if (!(errors_[open_[std::size_t(k)]] <= window_.tolerance)) far.push_back(k);
+    return far;
+  }
+
+  // From the lowest to the highest frequency.
+  static Places few_of(const Places& places) {
+    const std::size_t count = std::min(places.size(), std::size_t(most_sources));
+    Places few;
+    for (std::size_t k = 0; k < count; ++k)
+      few.push_back(places[count == 1 ? 0 : k * (places.size() - 1) / (count - 1)]);
+    return few;
+  }
+
+  std::vector<int> frequencies(const Places& places) const {
+    std::vector<int> chosen;
+    for (const Eigen::Index place : places) chosen.push_back(open_[std::size_t(place)]);
+    return chosen;
+  }
+
+  Matrix loads_of(const std::vector<int>& frequencies) const { return loads_(Eigen::all, frequencies); }
+
+  Matrix residuals(const Places& places) const {
+    const std::vector<int> chosen = frequencies(places);
+    Eigen::VectorXd omega(places.size());
+    for (std::size_t k = 0; k < chosen.size(); ++k) omega[Eigen::Index(k)] = window_.omega[chosen[k]];
+    return basis_.residuals(omega, loads_of(chosen), coefficients_(Eigen::all, places));
   }
 
   // Without a load the solution is 0. Returns whether a frequency is left.
@@ -96,21 +133,18 @@ class WindowIteration {
   }
 
   void solve_open() {
-    Eigen::VectorXd omega(open_.size());
-    const Matrix loads = open_loads();
-    Matrix coefficients(basis_.size(), loads.cols());
-    for (Eigen::Index k = 0; k < loads.cols(); ++k) {
-      omega[k] = window_.omega[open_[std::size_t(k)]];
-      coefficients.col(k) = basis_.coefficients(omega[k], loads.col(k));
-    }
-    solutions_ = basis_.vectors(coefficients);
-    residuals_ = basis_.residuals(omega, loads, coefficients);
+    coefficients_.resize(basis_.size(), Eigen::Index(open_.size()));
+    for (std::size_t k = 0; k < open_.size(); ++k)
+      coefficients_.col(Eigen::Index(k)) = basis_.coefficients(window_.omega[open_[k]], loads_.col(open_[k]));
   }
 
+  // Lengths of coefficients are those of the solutions: the basis is orthonormal.
   void estimate_errors(const Matrix& older) {
     for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
       const int at = open_[std::size_t(k)];
-      const double change = (solutions_.col(k) - older.col(k)).norm() / solutions_.col(k).norm();
+      Eigen::VectorXcd step = coefficients_.col(k);
+      step.head(older.rows()) -= older.col(k);
+      const double change = step.norm() / coefficients_.col(k).norm();
       // The sum of further changes, each smaller than the one before as this one is.
       const double ratio = std::min(change / changes_[at], slowest_decay);
       errors_[at] = caution * std::max(change, changes_[at]) / (1 - ratio);
@@ -118,28 +152,25 @@ class WindowIteration {
     }
   }
 
-  void write_open() {
-    for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
-      const int at = open_[std::size_t(k)];
-      Eigen::Map<Matrix>(window_.amplitude, size_, window_.count).col(at) = solutions_.col(k);
-      window_.residual[at] = residuals_.col(k).norm() / loads_.col(at).norm();
+  void write(const Places& places) {
+    if (places.empty()) return;
+    const Matrix solutions = basis_.vectors(coefficients_(Eigen::all, places)), rest = residuals(places);
+    for (Eigen::Index k = 0; k < solutions.cols(); ++k) {
+      const int at = open_[std::size_t(places[std::size_t(k)])];
+      Eigen::Map<Matrix>(window_.amplitude, size_, window_.count).col(at) = solutions.col(k);
+      window_.residual[at] = rest.col(k).norm() / loads_.col(at).norm();
       // In a basis of the whole space only round-off is left.
       window_.error[at] = basis_.size() == size_ ? window_.residual[at] : errors_[at];
     }
   }
 
   void close_found() {
-    std::vector<int> still_open;
-    std::vector<Eigen::Index> columns;
-    for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
-      if (errors_[open_[std::size_t(k)]] <= window_.tolerance) continue;
-      still_open.push_back(open_[std::size_t(k)]);
-      columns.push_back(k);
-    }
-    if (columns.size() == open_.size()) return;
-    open_ = still_open;
-    solutions_ = Matrix(solutions_(Eigen::all, columns));
-    residuals_ = Matrix(residuals_(Eigen::all, columns));
+    Places found, left;
+    for (const Eigen::Index k : all_open())
+      (errors_[open_[std::size_t(k)]] <= window_.tolerance ? found : left).push_back(k);
+    write(found);
+    open_ = frequencies(left);
+    coefficients_ = Matrix(coefficients_(Eigen::all, left));
   }
 
   const BandWindow& window_;
@@ -149,7 +180,7 @@ class WindowIteration {
   std::vector<int> open_;    // frequencies whose solution is not found
   Eigen::VectorXd changes_;  // of each frequency in the last round, over its amplitude
   Eigen::VectorXd errors_;   // of each frequency, estimated, over its amplitude
-  Matrix solutions_, residuals_;
+  Matrix coefficients_;      // of the solutions at open frequencies in the basis
 };
 
 class BandSolver : public BandBackend {

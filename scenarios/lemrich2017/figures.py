@@ -1,0 +1,166 @@
+"""Draws figures 2 to 4 of Lemrich et al. (2017), and prints their numbers, from a campaign of drives.toml.
+
+Usage: python3 scenarios/lemrich2017/figures.py campaigns/drives [FOLDER for the pictures, default: that of the campaign]
+Needs python3-matplotlib."""
+import cmath
+import csv
+import math
+import os
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
+
+MODULUS = 65e9  # Pa, of the beads
+COLUMN = "strain.distance"
+COLOURS = ["#1b3a6b", "#2a7ab0", "#49a078", "#d98e04", "#c0392b"]
+LAYERS_APART = 3  # of 14: the 0.214 of the height in figure 4
+
+
+def read(path):
+    with open(path, encoding="utf-8") as lines:
+        return list(csv.DictReader(lines))
+
+
+class Sweep:
+    """One run of the campaign: a stress, a drive, the response and its peak 3λ/4."""
+
+    def __init__(self, folder, row):
+        self.stress = float(row["boundary.bottom.stress"])
+        self.case = row["case"]
+        self.amplitude = float(row["spectrum.amplitude"])
+        spectrum = read(os.path.join(folder, row["run"], "spectrum.csv"))
+        self.frequencies = [float(r["frequency [Hz]"]) for r in spectrum]
+        self.response = [float(r[f"{COLUMN}.amplitude [1/m]"]) for r in spectrum]
+        self.largest = max(range(len(self.response)), key=self.response.__getitem__)
+        peaks = [r for r in read(os.path.join(folder, row["run"], "peaks.csv")) if r["column"] == COLUMN]
+        self.peak = min(peaks, key=lambda r: abs(float(r["frequency [Hz]"]) - self.frequencies[self.largest]), default=None)
+        self.layers = self.read_layers(os.path.join(folder, row["run"], "shapes.csv"))
+
+    def read_layers(self, path):
+        """Complex displacements of the layers at the peak, over that of the drive."""
+        if self.peak is None or not os.path.exists(path):
+            return []
+        return [cmath.rect(float(r["amplitude [m/m]"]), float(r["phase [rad]"])) for r in read(path)
+                if r["column"] == COLUMN and r["frequency [Hz]"] == self.peak["frequency [Hz]"]]
+
+    def top(self):
+        """Frequency (Hz) and response (1/m) of the maximum, by a parabola through the three highest points."""
+        k = min(max(self.largest, 1), len(self.response) - 2)
+        low, middle, high = self.response[k - 1:k + 2]
+        bend = low - 2 * middle + high
+        shift = 0.5 * (low - high) / bend if bend < 0 else 0.0
+        step = self.frequencies[k + 1] - self.frequencies[k]
+        return self.frequencies[k] + shift * step, middle - 0.25 * (low - high) * shift
+
+    def local_strain(self):
+        return self.top()[1] * self.amplitude
+
+    def quality(self):
+        return float(self.peak["quality"]) if self.peak else math.nan
+
+
+def sweeps_of(folder):
+    rows = [r for r in read(os.path.join(folder, "table.csv")) if r["status"] == "finished"]
+    return sorted((Sweep(folder, row) for row in rows), key=lambda s: (s.stress, s.amplitude))
+
+
+def draw_sweeps(sweeps, height, path):
+    figure, axes = pyplot.subplots(figsize=(8, 5))
+    for sweep, colour in zip(sweeps, COLOURS):
+        ratio = [r * height for r in sweep.response]
+        axes.plot([f / 1e3 for f in sweep.frequencies], ratio, color=colour, marker="o", markersize=3, linewidth=1.3,
+                  label=f"{sweep.amplitude / height:.1e}")
+    axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
+    axes.set_title(f"Sweeps about 3λ/4 at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
+    axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False)
+    axes.grid(color="#eeeeee")
+    figure.tight_layout()
+    figure.savefig(path, dpi=120)
+
+
+def draw_collapse(sweeps, path):
+    figure, (plain, scaled) = pyplot.subplots(1, 2, figsize=(11, 5))
+    for case, colour in zip(dict.fromkeys(s.case for s in sweeps), COLOURS):
+        chosen = [s for s in sweeps if s.case == case]
+        style = {"color": colour, "marker": "o", "linewidth": 1.2, "label": case}
+        plain.plot([s.local_strain() for s in chosen], [s.top()[0] / 1e3 for s in chosen], **style)
+        scaled.plot([s.local_strain() * (s.stress / MODULUS) ** (-2 / 3) for s in chosen],
+                    [s.top()[0] * (s.stress / MODULUS) ** (-1 / 6) / 1e3 for s in chosen], **style)
+    plain.set(xscale="log", xlabel="local strain", ylabel="frequency of 3λ/4 (kHz)")
+    scaled.set(xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)")
+    plain.set_title("Peaks 3λ/4 under four stresses (figure 3)", loc="left", fontsize=11)
+    scaled.set_title("the same, scaled after Hertz", loc="left", fontsize=11)
+    for axes in (plain, scaled):
+        axes.grid(color="#eeeeee")
+    plain.legend(frameon=False, fontsize=9)
+    figure.tight_layout()
+    figure.savefig(path, dpi=120)
+
+
+def strain_profile(layers):
+    """Heights, as shares of the packing, and amplitudes of the strain between layers 0.214 of it apart."""
+    count = len(layers)
+    heights = [(k + 0.5 + LAYERS_APART / 2) / count for k in range(count - LAYERS_APART)]
+    strains = [abs(layers[k + LAYERS_APART] - layers[k]) for k in range(count - LAYERS_APART)]
+    return heights, strains
+
+
+def ideal_strain(height):
+    """Of 3λ/4 with a free lower end, cos(3π h/2): its strain over the same distance."""
+    half = LAYERS_APART / 14 / 2
+    wave = 1.5 * math.pi
+    return abs(math.cos(wave * (height + half)) - math.cos(wave * (height - half)))
+
+
+def draw_profile(sweeps, path):
+    figure, axes = pyplot.subplots(figsize=(5.5, 6))
+    for sweep, colour in zip(sweeps, (COLOURS[0], COLOURS[3], COLOURS[4])):
+        heights, strains = strain_profile(sweep.layers)
+        largest = max(strains)
+        axes.plot([s / largest for s in strains], heights, color=colour, marker="o", markersize=4, linewidth=1.2,
+                  label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz")
+    fine = [LAYERS_APART / 28 + k * (1 - LAYERS_APART / 14) / 200 for k in range(201)]
+    ideal = [ideal_strain(h) for h in fine]
+    axes.plot([s / max(ideal) for s in ideal], fine, color="black", linewidth=1.2, label="3λ/4")
+    axes.set(xlabel="local strain / the largest", ylabel="height / height of the packing", ylim=(0, 1))
+    axes.set_title(f"Strain over the height at the peak, {sweeps[0].case} (figure 4)", loc="left", fontsize=10)
+    axes.legend(frameon=False, fontsize=9)
+    axes.grid(color="#eeeeee")
+    figure.tight_layout()
+    figure.savefig(path, dpi=120)
+
+
+def print_table(sweeps):
+    print("stress [kPa]  drive [m]  peak [Hz]       Q  local strain  f (σ/Y)^(-1/6) [kHz]  ε (σ/Y)^(-2/3)")
+    for s in sweeps:
+        frequency, strain = s.top()[0], s.local_strain()
+        print(f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {frequency:10.0f} {s.quality():7.1f} {strain:13.3e}"
+              f" {frequency * (s.stress / MODULUS) ** (-1 / 6) / 1e3:22.1f} {strain * (s.stress / MODULUS) ** (-2 / 3):15.4f}")
+
+
+def main():
+    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 0 if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help") else 2
+    folder = sys.argv[1]
+    out = sys.argv[2] if len(sys.argv) > 2 else folder
+    sweeps = sweeps_of(folder)
+    if not sweeps:
+        print(f"figures.py: {folder}: no finished sweep in table.csv; run scree campaign scenarios/lemrich2017/drives.toml",
+              file=sys.stderr)
+        return 1
+    print_table(sweeps)
+    lowest = [s for s in sweeps if s.stress == sweeps[0].stress]
+    draw_sweeps(lowest, 12.26e-3, os.path.join(out, "sweeps.png"))
+    draw_collapse(sweeps, os.path.join(out, "collapse.png"))
+    shaped = [s for s in lowest if s.layers]
+    if shaped:
+        draw_profile([shaped[0], shaped[len(shaped) // 2], shaped[-1]], os.path.join(out, "profile.png"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
