@@ -201,10 +201,20 @@ Measurement Course::finish() {
     write_state(start_->state);
   }
   result_.resonances = resonances_of(result_.roads, result_.observed);
+  judge();
   write_tables(result_, directory_);
   draw_charts(result_, directory_);
   write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
   return std::move(result_);
+}
+
+void Course::judge() {
+  if (result_.interrupted) return;
+  for (const scenario::Expectation& e : plan_.peak_expectations) {
+    const auto quantity = *scenario::peak_quantity(e.quantity, result_.observed);
+    if (!has(road_names[quantity.road])) continue;
+    result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.roads, result_.resonances)));
+  }
 }
 
 double Course::seconds() const {

@@ -39,6 +39,7 @@ class Course {
   void save_failed(const Error& failure);
   void transfer(const StateTransfer& state);
   void warn(const std::string& line);
+  void judge();
   Measurement finish();
   double seconds() const;  // of wall time so far
 

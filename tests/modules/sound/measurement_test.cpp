@@ -222,3 +222,29 @@ TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
   // Layers are in the shapes, not in the tables.
   CHECK(bench.text("spectrum.csv").find("displacement") == std::string::npos);
 }
+
+TEST_CASE("expectations of peaks are judged on the roads that are taken", "[sound]") {
+  const auto expect = [](const char* quantity, const char* bounds) {
+    return fmt::format("[[expect]]\nrequirement = 'r'\nquantity = '{}'\n{}\n", quantity, bounds);
+  };
+  // The second mode, 87.11 Hz; the fit of a peak leaves 1e-5 of the other modes.
+  Bench bench(
+      Chain().text(
+          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nfewest_contacts = 1\nshape_from = 'profile'\n") +
+      Chain::layers +
+      expect("peaks.linear.particles.z_8.3lambda/4.frequency", "reference = 87.11\ntolerance = 0.01") +
+      expect("peaks.linear.particles.z_1.peak_1.frequency", "at_least = 30") +
+      expect("peaks.linear.particles.z_8.peak_9.frequency", "at_most = 1e9") +
+      expect("peaks.pulse.particles.z_8.peak_1.frequency", "at_most = 1"));
+  bench.options.roads = {Road::linear};
+  const Measurement m = measure(bench.plan, bench.options);
+  REQUIRE(m.verdicts.size() == 3);  // there is no pulse
+  CHECK(m.verdicts[0].met);
+  CHECK(!m.verdicts[1].met);
+  CHECK(std::abs(m.verdicts[1].value - Chain::mode_hz(1)) < 0.01);
+  CHECK(!m.verdicts[2].met);  // there is no such peak
+  CHECK(std::isnan(m.verdicts[2].value));
+  const std::string record = bench.text("spectrum.json");
+  CHECK(record.find("\"name\": \"3λ/4\"") != std::string::npos);
+  CHECK(record.find("\"met\": true") != std::string::npos);
+}
