@@ -56,6 +56,7 @@ class BandSolution {
                const BandOptions& options)
       : weighted_(system),
         drive_(drive),
+        options_(options),
         tolerance_(options.tolerance),
         frequencies_(frequencies_hz),
         sorted_(frequencies_hz.size()),
@@ -74,8 +75,8 @@ class BandSolution {
     const std::size_t windows = (sorted_.size() + first_window - 1) / first_window;
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
-      for (std::size_t w; (w = next++) < windows;) try {
-          solve(w * first_window, std::min(sorted_.size(), (w + 1) * first_window));
+      for (std::size_t w; proceeds() && (w = next++) < windows;) try {
+          solve_window(w * first_window, std::min(sorted_.size(), (w + 1) * first_window));
         } catch (...) {
           const std::lock_guard lock(mutex_);
           if (!failure_) failure_ = std::current_exception();
@@ -87,10 +88,19 @@ class BandSolution {
     work();
     for (std::thread& other : others) other.join();
     if (failure_) std::rethrow_exception(failure_);
+    std::erase_if(result_.responses, [](const HarmonicResponse& r) { return r.amplitude.size() == 0; });
     return std::move(result_);
   }
 
  private:
+  bool proceeds() const { return !options_.stop || !*options_.stop; }
+
+  // A window that was stopped is left out as a whole, so that those that are asked for later are the same.
+  void solve_window(std::size_t from, std::size_t to) {
+    solve(from, to);
+    for (std::size_t k = from; !proceeds() && k < to; ++k) result_.responses[sorted_[k]].amplitude.resize(0);
+  }
+
   // Solves the sorted frequencies from `from` to `to`.
   void solve(std::size_t from, std::size_t to) {
     const std::size_t count = to - from;
@@ -102,7 +112,8 @@ class BandSolution {
     }
     const bool single = tolerance_ >= single_precision_tolerance && count > 1;
     const int basis = backend_->solve({int(count), omega.data(), loads.data(), tolerance_, single,
-                                       amplitude.data(), residual.data(), error.data()});
+                                       amplitude.data(), residual.data(), error.data(), options_.stop});
+    if (!proceeds()) return;
     count_factorisation(basis);
     for (std::size_t k = 0; k < count;) {
       if (count == 1 || error[k] <= tolerance_) {
@@ -130,10 +141,14 @@ class BandSolution {
                       "damping or take another frequency",
                       frequencies_[at]));
     result_.responses[at] = {frequencies_[at], weighted_.amplitude(amplitude), residual, error};
+    const std::lock_guard lock(mutex_);
+    ++found_;
+    if (options_.on_progress) options_.on_progress(double(found_) / double(frequencies_.size()));
   }
 
   const MassWeighted weighted_;
   const Drive& drive_;
+  const BandOptions& options_;
   double tolerance_;
   const std::vector<double>& frequencies_;
   std::vector<std::size_t> sorted_;
@@ -141,6 +156,7 @@ class BandSolution {
   std::unique_ptr<BandBackend> backend_;
   std::mutex mutex_;
   std::exception_ptr failure_;
+  std::size_t found_ = 0;
   BandResponse result_;
 };
 

@@ -18,12 +18,14 @@ double ratio(double numerator, double denominator) { return denominator > 0 ? nu
 }  // namespace
 
 std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& drive,
-                                    const std::vector<double>& frequencies_hz) {
+                                    const std::vector<double>& frequencies_hz,
+                                    const std::atomic<bool>* stop) {
   const MassWeighted weighted(system);
   Eigen::SparseLU<ComplexMatrix> factors;
   bool analysed = false;
   std::vector<HarmonicResponse> responses;
   for (const double frequency : frequencies_hz) {
+    if (stop && *stop) break;
     const double omega = 2 * std::numbers::pi * frequency;
     const ComplexMatrix matrix = weighted.dynamic_stiffness(omega);
     const Eigen::VectorXcd load = weighted.load(drive, omega);

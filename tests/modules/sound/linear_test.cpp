@@ -25,3 +25,31 @@ TEST_CASE("the linear road gives the response of the discrete chain", "[sound]")
       CHECK(std::abs(road.columns[c].response[k] - exact) < 1e-10 * std::abs(exact) + 1e-11);
     }
 }
+
+TEST_CASE("a linear road that was stopped goes on with the frequencies that it lacks", "[sound]") {
+  const Chain chain;
+  const scenario::Plan plan =
+      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nfewest_contacts = 1\n"));
+  std::atomic<bool> stop = true;
+  const Start start{plan, plan.scene, run::set_up(plan)->state(), &stop};
+  RoadSpectrum road;
+  CHECK(!add_linear(start, road));
+  CHECK(road.frequencies.empty());
+  stop = false;
+  const RoadSpectrum whole = linear_spectrum(start);
+  // As if it had been stopped behind the frequencies in the middle.
+  road = whole;
+  road.frequencies.erase(road.frequencies.begin() + 40, road.frequencies.begin() + 99);
+  for (RoadSpectrum::Column& column : road.columns) {
+    column.response.erase(column.response.begin() + 40, column.response.begin() + 99);
+    column.error.erase(column.error.begin() + 40, column.error.begin() + 99);
+    column.linearity.assign(column.response.size(), 0);
+  }
+  CHECK(add_linear(start, road));
+  CHECK(road.frequencies == whole.frequencies);
+  for (const std::size_t c : {0u, 1u}) {
+    CHECK(road.columns[c].response == whole.columns[c].response);
+    CHECK(road.columns[c].error == whole.columns[c].error);
+    CHECK(road.columns[c].linearity.empty());
+  }
+}

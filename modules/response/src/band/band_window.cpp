@@ -52,7 +52,7 @@ class WindowIteration {
     if (!directions.allFinite()) return 0;
     basis_.extend(directions);
     solve_open();
-    for (int round = 0; round < most_rounds && !open_.empty(); ++round) {
+    for (int round = 0; round < most_rounds && !open_.empty() && proceeds(); ++round) {
       const Eigen::Index before = basis_.size();
       directions = unit(inverse(residuals_));
       if (!directions.allFinite()) break;
@@ -69,6 +69,8 @@ class WindowIteration {
   }
 
  private:
+  bool proceeds() const { return !window_.stop || !*window_.stop; }
+
   // The columns of open frequencies.
   Matrix open_loads() const {
     Matrix loads(size_, Eigen::Index(open_.size()));
@@ -185,7 +187,8 @@ class BandSolver : public BandBackend {
     const Sparse elastic = symmetric_stiffness_ - inertia;
     Eigen::SparseMatrix<std::complex<double>> sum = elastic.cast<std::complex<double>>();
     sum += std::complex<double>(0, omega) * symmetric_damping_.cast<std::complex<double>>();
-    const SymmetricFactors<T> factors(plan_, sum.template cast<T>());
+    const SymmetricFactors<T> factors(plan_, sum.template cast<T>(), window.stop);
+    if (window.stop && *window.stop) return 0;
     WindowIteration iteration(window, stiffness_, damping_, mass_);
     return iteration.run([&](const Matrix& b) -> Matrix {
       // Directions count, not lengths: scaled, since single precision has a small range.
