@@ -1,5 +1,6 @@
 #include "band/band_backend.hpp"
 #include "mass_weighted.hpp"
+#include "singular.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -72,11 +73,11 @@ class BandSolution {
 
   // Windows are independent, so that results do not depend on the number of threads.
   BandResponse run(unsigned threads) {
-    const std::size_t windows = (sorted_.size() + first_window - 1) / first_window;
+    const std::size_t windows = at_rest() + (sorted_.size() - at_rest() + first_window - 1) / first_window;
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
       for (std::size_t w; proceeds() && (w = next++) < windows;) try {
-          solve_window(w * first_window, std::min(sorted_.size(), (w + 1) * first_window));
+          solve_window(begin_of(w), std::min(sorted_.size(), begin_of(w + 1)));
         } catch (...) {
           const std::lock_guard lock(mutex_);
           if (!failure_) failure_ = std::current_exception();
@@ -93,6 +94,11 @@ class BandSolution {
   }
 
  private:
+  // 0 Hz has a window of its own, so that a stiffness that is singular is noticed.
+  std::size_t at_rest() const { return !sorted_.empty() && frequencies_[sorted_[0]] == 0 ? 1 : 0; }
+  std::size_t begin_of(std::size_t window) const {
+    return at_rest() && window > 0 ? 1 + (window - 1) * first_window : window * first_window;
+  }
   bool proceeds() const { return !options_.stop || !*options_.stop; }
 
   // A window that was stopped is left out as a whole, so that those that are asked for later are the same.
@@ -135,11 +141,7 @@ class BandSolution {
   }
 
   void keep(std::size_t at, const Eigen::VectorXcd& amplitude, double residual, double error) {
-    if (std::isnan(error))
-      throw Error(
-          fmt::format("the response at {:g} Hz is infinite: an undamped mode has this frequency; add "
-                      "damping or take another frequency",
-                      frequencies_[at]));
+    if (std::isnan(error)) throw singular_at(frequencies_[at]);
     result_.responses[at] = {frequencies_[at], weighted_.amplitude(amplitude), residual, error};
     const std::lock_guard lock(mutex_);
     ++found_;

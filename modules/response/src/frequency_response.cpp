@@ -1,12 +1,12 @@
+#include "largest_amplification.hpp"
 #include "mass_weighted.hpp"
+#include "singular.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/SparseLU>
-#include <fmt/format.h>
 
-#include <scree/error.hpp>
 #include <scree/response/frequency_response.hpp>
 
 namespace scree::response {
@@ -32,12 +32,9 @@ std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& dri
     if (!analysed) factors.analyzePattern(matrix);
     analysed = true;
     factors.factorize(matrix);
-    if (factors.info() != Eigen::Success)
-      throw Error(
-          fmt::format("the response at {:g} Hz is infinite: an undamped mode has this frequency; add "
-                      "damping or take another frequency",
-                      frequency));
+    if (factors.info() != Eigen::Success) throw singular_at(frequency);
     Eigen::VectorXcd q = factors.solve(load);
+    if (!(q.norm() * matrix.norm() <= largest_amplification * load.norm())) throw singular_at(frequency);
     // One refinement, whose result is as exact as round-off of the matrix permits.
     q += factors.solve(load - matrix * q);
     const Eigen::VectorXcd residual = load - matrix * q, correction = factors.solve(residual);

@@ -116,6 +116,18 @@ void insert(const response::HarmonicResponse& response, Columns& columns, const 
   }
 }
 
+// The frequency with the largest error, if that is above the tolerance.
+void note_uncertain(const std::vector<response::HarmonicResponse>& responses, double tolerance,
+                    RoadSpectrum& road) {
+  const auto worst = std::max_element(responses.begin(), responses.end(),
+                                      [](const auto& a, const auto& b) { return a.error < b.error; });
+  if (worst == responses.end() || worst->error <= tolerance) return;
+  road.notes.push_back(fmt::format(
+      "linear: at {:g} Hz the solution has an error of about {:.2g} of itself, above tolerance = {:g}, since a mode without "
+      "damping is near, or bodies with too few contacts move freely; add damping, or give a larger fewest_contacts",
+      worst->frequency_hz, worst->error, tolerance));
+}
+
 }  // namespace
 
 bool add_linear(const Start& start, RoadSpectrum& road) {
@@ -141,6 +153,7 @@ bool add_linear(const Start& start, RoadSpectrum& road) {
   road.columns.resize(plan.observed.size());
   Columns columns(start, simulation, walls.motion(), motion);
   for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
+  note_uncertain(motion.responses, plan.tolerance, road);
   road.wall += std::chrono::duration<double>(Clock::now() - began).count();
   if (motion.responses.size() < left.size()) return false;
   for (std::size_t c = 0; c < road.columns.size(); ++c) {

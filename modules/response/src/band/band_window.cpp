@@ -1,3 +1,4 @@
+#include "../largest_amplification.hpp"
 #include "band_backend.hpp"
 #include "galerkin_basis.hpp"
 #include "symmetric_factors.hpp"
@@ -46,10 +47,14 @@ class WindowIteration {
   }
 
   template <class Inverse>
-  int run(const Inverse& inverse) {
+  // norm: of the factorised matrix.
+  int run(const Inverse& inverse, double norm) {
     if (!settle_unloaded()) return 0;
-    Matrix directions = unit(inverse(loads_));
+    Matrix directions = inverse(loads_);
     if (!directions.allFinite()) return 0;
+    // In single precision, and between frequencies, only iteration tells.
+    if (window_.count == 1 && directions.norm() * norm > largest_amplification) return 0;
+    directions = unit(std::move(directions));
     basis_.extend(directions);
     solve_open();
     for (int round = 0; round < most_rounds && !open_.empty() && proceeds(); ++round) {
@@ -190,13 +195,14 @@ class BandSolver : public BandBackend {
     const SymmetricFactors<T> factors(plan_, sum.template cast<T>(), window.stop);
     if (window.stop && *window.stop) return 0;
     WindowIteration iteration(window, stiffness_, damping_, mass_);
-    return iteration.run([&](const Matrix& b) -> Matrix {
+    const auto inverse = [&](const Matrix& b) -> Matrix {
       // Directions count, not lengths: scaled, since single precision has a small range.
       Matrix scaled = b;
       for (Eigen::Index c = 0; c < b.cols(); ++c)
         if (const double length = b.col(c).norm(); length > 0) scaled.col(c) /= length;
       return factors.solve(scaled.template cast<T>()).template cast<std::complex<double>>();
-    });
+    };
+    return iteration.run(inverse, sum.norm());
   }
 
   Sparse stiffness_, damping_;
