@@ -79,14 +79,19 @@ struct LockInProbe {
           harmonics, frequency, view.step_length);
     if (from >= view.end_time)
       return problem(
-          "from = %g s is not before the end of the run at %g s, so that there are no samples; give an "
-          "earlier time, or a longer run",
+          "from = %g s is not before %g s, when the run or the stages of the probe end, so that there are no samples; "
+          "give an earlier time, or a longer run",
           from, view.end_time);
     if (end() > view.end_time + 0.5 * view.step_length)
       return problem(
-          "the record from %g to %g s lasts beyond the end of the run at %g s; give fewer periods, an "
-          "earlier from, or a longer run",
+          "the record from %g to %g s lasts beyond %g s, when the run or the stages of the probe end; give fewer periods, "
+          "an earlier from, or a longer run",
           from, end(), view.end_time);
+    // Where the end is not known, this may be found in the middle of a run, which then goes on.
+    if (std::isfinite(view.end_time) && from < view.time - 0.5 * view.step_length)
+      return problem(
+          "the record begins at from = %g s, and the probe at %g s with its stages; give a later from, or other stages",
+          from, view.time);
     return "";
   }
 

@@ -106,3 +106,21 @@ TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
   CHECK(w.text("out/spectrum.csv") == table);
   CHECK(w.scree("spectrum scene.toml --by linear --out out --quiet --overwrite").status == 0);
 }
+
+TEST_CASE("a spectrum that does not meet an expectation says so and fails", "[tools]") {
+  const std::string expect =
+      "[[expect]]\nrequirement = \"The second mode\"\nquantity = \"peaks.linear.particles.z_8.peak_1.frequency\"\n"
+      "tolerance = 0.01\nreference = ";
+  const std::string linear = "spectrum scene.toml --by linear --out out " + peak;
+  const Workspace right(chain + expect + "87.11\n");
+  const Outcome met = right.scree(linear);
+  INFO(met.err << met.out);
+  CHECK(met.status == 0);
+  CHECK(met.out.find("met      The second mode (peaks.linear.particles.z_8.peak_1.frequency = 87.1") !=
+        std::string::npos);
+  const Workspace wrong(chain + expect + "88\n");
+  const Outcome unmet = wrong.scree(linear + "--quiet");
+  CHECK(unmet.status == 1);
+  CHECK(unmet.out.find("NOT MET  The second mode") != std::string::npos);
+  CHECK(nlohmann::json::parse(wrong.text("out/spectrum.json"))["expect"][0]["met"] == false);
+}

@@ -18,7 +18,7 @@ namespace {
 
 struct AccuracyArguments {
   std::string scenario, out;
-  std::vector<std::string> overrides, integrators;
+  std::vector<std::string> overrides, integrators, quantities;
   double tolerance = 1e-3, coarsest = 4;
   int count = 6;
   bool overwrite = false, quiet = false;
@@ -40,6 +40,7 @@ accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBa
     if (std::find(arguments.integrators.begin(), arguments.integrators.end(), traits.name) !=
         arguments.integrators.end())
       options.integrations.push_back(traits.integration);
+  options.quantities = arguments.quantities;
   options.stop = &watch_for_interrupt();
   const auto start = std::chrono::steady_clock::now();
   options.on_progress = [&bar, start](double share, const std::string& what) {
@@ -95,12 +96,19 @@ void add_accuracy_verb(CommandLine& line) {
   verb.option("--count", a->count, "Number of steps, each half of the previous (default 6)").between(2, 20);
   verb.option("--integrator", a->integrators, "Use only this one; repeatable; default all")
       .one_of(integrator_names());
+  verb.option(
+          "--quantity", a->quantities,
+          "Compare this one, as [[expect]] names it, in place of those of [[expect]]; repeatable. A peak, "
+          "peaks.pulse.strain.strain.3lambda/4, stands for its frequency and quality")
+      .shown_as("NAME");
   verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
   verb.flag("--overwrite", a->overwrite, "Replace an existing study in the directory");
   verb.flag("--quiet", a->quiet, "Print only the verdict");
   add_plugin_options(verb, a->plugins);
   verb.footer(
-      "Example: scree accuracy scenarios/david2005/quickstart.toml --tolerance 1e-3 --out runs/accuracy");
+      "Example: scree accuracy scenarios/david2005/quickstart.toml --tolerance 1e-3 --out runs/accuracy\n"
+      "         scree accuracy scenarios/sound/chain.toml --quantity peaks.pulse.particles.z_8.peak_2 --tolerance 1e-4 "
+      "--integrator velocity_verlet");
   verb.action([a] { return study_scenario(*a); });
 }
 

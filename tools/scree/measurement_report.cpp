@@ -2,6 +2,7 @@
 
 #include "progress_bar.hpp"
 #include "verbs.hpp"
+#include "verdict_report.hpp"
 
 #include <memory>
 
@@ -34,11 +35,13 @@ ExitStatus report_measurement(bool quiet,
                               const std::function<sound::Measurement(sound::MeasurementOptions)>& work) {
   const sound::Measurement measurement = with_progress(quiet, work);
   if (!quiet) fmt::print("{}", sound::text_report(measurement));
+  const bool met = report_verdicts(measurement.verdicts, quiet);
   if (measurement.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
                measurement.directory.string());
   fmt::print("results in {}: spectrum.csv, peaks.csv, roads.csv, charts/\n", measurement.directory.string());
-  return measurement.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+  if (measurement.interrupted) return ExitStatus::interrupted;
+  return met ? ExitStatus::success : ExitStatus::failure;
 }
 
 }  // namespace scree::tool

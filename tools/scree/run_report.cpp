@@ -2,8 +2,8 @@
 
 #include "progress_bar.hpp"
 #include "verbs.hpp"
+#include "verdict_report.hpp"
 
-#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -43,25 +43,6 @@ void print_result(const run::RunResult& r) {
       "radius\n",
       quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
   fmt::print("state hash {:016x}\n", r.state_hash);
-  for (const run::Verdict& v : r.verdicts)
-    if (v.met)
-      fmt::print("met      {} ({} = {:.6g})\n", files::escaped(v.expectation.requirement),
-                 v.expectation.quantity, v.value);
-}
-
-// What is not met is told even to those who asked for quiet.
-void print_unmet(const run::RunResult& r) {
-  for (const run::Verdict& v : r.verdicts) {
-    if (v.met) continue;
-    const scenario::Expectation& e = v.expectation;
-    std::string wanted;
-    if (e.reference)
-      wanted += fmt::format(", expected {} ± {:g}, off by {:.3g}", *e.reference, *e.tolerance,
-                            v.value - *e.reference);
-    if (e.at_most) wanted += fmt::format(", expected at most {}", *e.at_most);
-    if (e.at_least) wanted += fmt::format(", expected at least {}", *e.at_least);
-    fmt::print("NOT MET  {} ({} = {}{})\n", files::escaped(e.requirement), e.quantity, v.value, wanted);
-  }
 }
 
 // What a folder of results holds: "12 files"; empty if it is not there.
@@ -111,14 +92,12 @@ run::RunResult with_progress(bool quiet, const std::function<run::RunResult(run:
 
 ExitStatus report_run(const run::RunResult& result, bool quiet) {
   if (!quiet) print_result(result);
-  print_unmet(result);
+  const bool met = report_verdicts(result.verdicts, quiet);
   if (result.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
                result.directory.string());
   print_places(result.directory);
   if (result.interrupted) return ExitStatus::interrupted;
-  const bool met =
-      std::all_of(result.verdicts.begin(), result.verdicts.end(), [](const auto& v) { return v.met; });
   return met ? ExitStatus::success : ExitStatus::failure;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scree::accuracy {
 
@@ -19,21 +20,51 @@ bool same_method(const Setting& a, const Setting& b) {
   return a.integration == b.integration && a.precision == b.precision;
 }
 
+// The errors of a method from the coarsest step on: of a quantity, or the largest; `shown` of an outcome's error in a quantity.
+template <class Shown>
+std::vector<double> errors_of(const Study& study, const Setting& method, std::optional<std::size_t> quantity,
+                              std::vector<double>& steps, const Shown& shown) {
+  std::vector<double> errors;
+  steps.clear();
+  for (const Outcome& o : study.outcomes) {
+    if (!same_method(o.setting, method)) continue;
+    const double error = shown(o, quantity.value_or(o.problem.empty() ? o.worst_quantity() : 0));
+    if (std::isnan(error)) continue;
+    steps.push_back(o.setting.step);
+    errors.push_back(error);
+  }
+  return errors;
+}
+
 Order order_of(const Study& study, const Setting& method) {
   // Errors below the floor count as 0.
   const auto usable = [&](const Outcome& o, std::size_t k) {
+    if (!o.problem.empty()) return std::numeric_limits<double>::quiet_NaN();
     return o.errors[k] > floor_of(study.quantities[k], method.precision) ? o.errors[k] : 0;
   };
-  std::vector<double> steps, worst, positions;
-  for (const Outcome& o : study.outcomes) {
-    if (!same_method(o.setting, method) || !o.problem.empty()) continue;
-    steps.push_back(o.setting.step);
-    worst.push_back(usable(o, o.worst_quantity()));
-    positions.push_back(usable(o, study.quantities.size() - 1));
-  }
-  return {{method.integration, method.precision, 0},
-          fitted_order(steps, worst, ceiling),
-          fitted_order(steps, positions, ceiling)};
+  const auto of = [&](std::optional<std::size_t> quantity) {
+    std::vector<double> steps;
+    const std::vector<double> errors = errors_of(study, method, quantity, steps, usable);
+    return fitted_order(steps, errors, ceiling);
+  };
+  Order order = {{method.integration, method.precision, 0}, of(std::nullopt), {}};
+  for (std::size_t k = 0; k < study.quantities.size(); ++k) order.of_quantities.push_back(of(k));
+  return order;
+}
+
+LongestStep longest_step_of(const Study& study, const Setting& method) {
+  // A step without results is too long.
+  const auto error = [](const Outcome& o, std::size_t k) {
+    return o.problem.empty() ? o.errors[k] : std::numeric_limits<double>::infinity();
+  };
+  const auto of = [&](std::optional<std::size_t> quantity) {
+    std::vector<double> steps;
+    const std::vector<double> errors = errors_of(study, method, quantity, steps, error);
+    return longest_step(steps, errors, study.tolerance);
+  };
+  LongestStep longest = {{method.integration, method.precision, 0}, of(std::nullopt), {}};
+  for (std::size_t k = 0; k < study.quantities.size(); ++k) longest.of_quantities.push_back(of(k));
+  return longest;
 }
 
 // Halving the step must reduce the error by at least this factor; otherwise other errors dominate.
@@ -70,14 +101,25 @@ std::optional<double> fitted_order(const std::vector<double>& steps, const std::
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-std::vector<Order> fit_orders(const Study& study) {
-  std::vector<Order> orders;
+std::optional<double> longest_step(const std::vector<double>& steps, const std::vector<double>& errors,
+                                   double tolerance) {
+  std::size_t first = steps.size();
+  while (first > 0 && errors[first - 1] <= tolerance) --first;
+  if (first == steps.size()) return std::nullopt;
+  if (first == 0 || !std::isfinite(errors[first - 1]) || !(errors[first] > 0)) return steps[first];
+  const double order =
+      std::log(errors[first - 1] / errors[first]) / std::log(steps[first - 1] / steps[first]);
+  return steps[first] * std::pow(tolerance / errors[first], 1 / order);
+}
+
+void summarise_methods(Study& study) {
   for (const Outcome& o : study.outcomes) {
-    const bool known = std::any_of(orders.begin(), orders.end(),
-                                   [&](const Order& order) { return same_method(order.method, o.setting); });
-    if (!known) orders.push_back(order_of(study, o.setting));
+    if (std::any_of(study.orders.begin(), study.orders.end(),
+                    [&](const Order& order) { return same_method(order.method, o.setting); }))
+      continue;
+    study.orders.push_back(order_of(study, o.setting));
+    study.longest_steps.push_back(longest_step_of(study, o.setting));
   }
-  return orders;
 }
 
 }  // namespace scree::accuracy

@@ -59,8 +59,6 @@ std::vector<Quantity> reference_quantities(const scenario::Plan& plan, const std
   std::vector<Quantity> quantities;
   for (const std::size_t k : compared)
     quantities.push_back(quantity_of(plan.expectations[k], trials, k, cut));
-  const ReferencePositions positions = reference_positions(trials);
-  quantities.push_back({"positions", 0, positions.uncertainty / mean_radius(plan), 1, false});
   return quantities;
 }
 

@@ -21,7 +21,7 @@ std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
                                                std::vector<std::string>& without);
 
 // References from trials with the steps h, h/2, h/4: closed forms of expectations if valid for the whole run,
-// 0 for residuals, else the extrapolated limit. The last quantity is "positions".
+// 0 for residuals, else the extrapolated limit.
 std::vector<Quantity> reference_quantities(const scenario::Plan& plan, const std::vector<run::Trial>& trials,
                                            const std::vector<std::size_t>& compared, bool cut);
 // Extrapolated positions of the bodies and their root mean square uncertainty (m).

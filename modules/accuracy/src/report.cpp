@@ -33,32 +33,74 @@ void write_settings(const Study& study, Out out) {
   }
 }
 
-std::string order_text(const std::optional<double>& order) {
-  return order ? fmt::format("{:.2f}", *order) : std::string("-");
+std::string number_text(const std::optional<double>& number, const char* format) {
+  return number ? fmt::format(fmt::runtime(format), *number) : std::string("-");
 }
 
-void write_orders(const Study& study, Out out) {
-  fmt::format_to(out, "\nobserved order of {:>12} {:>12}\n", "the error", "positions");
-  bool missing = false;
-  for (const Order& order : study.orders) {
-    missing |= !order.of_worst || !order.of_positions;
-    fmt::format_to(out, "{:<29} {:>1} {:>12}\n", method_name(order.method), order_text(order.of_worst),
-                   order_text(order.of_positions));
+// Frequency and quality are worth reading at each step, the columns of a run are in accuracy.csv.
+void write_peaks(const Study& study, Out out) {
+  for (std::size_t k = 0; k < study.quantities.size(); ++k) {
+    fmt::format_to(out, "\n{}\n{:<29} {:>10} {:>14} {:>11}\n", study.quantities[k].name, "", "step (s)",
+                   "value", "error");
+    for (const Outcome& o : study.outcomes)
+      if (o.problem.empty())
+        fmt::format_to(out, "{:<29} {:>10.4g} {:>14.9g} {:>11.3g}\n", method_name(o.setting), o.setting.step,
+                       o.values[k], o.errors[k]);
   }
-  if (missing) fmt::format_to(out, "-: fewer than three steps with decreasing errors\n");
+}
+
+struct MethodRow {
+  std::string name;
+  std::optional<double> order, positions, longest;
+};
+
+bool write_method(const MethodRow& row, bool of_positions, Out out) {
+  fmt::format_to(out, "{:<29} {:>9}", row.name, number_text(row.order, "{:.2f}"));
+  if (of_positions) fmt::format_to(out, " {:>12}", number_text(row.positions, "{:.2f}"));
+  fmt::format_to(out, " {:>16}\n", number_text(row.longest, "{:.4g}"));
+  return row.order && (row.positions || !of_positions) && row.longest;
+}
+
+void write_methods(const Study& study, Out out) {
+  bool complete = true;
+  const auto head = [&](const std::string& of, bool of_positions) {
+    fmt::format_to(out, "\n{}: observed order{}, and longest step (s) within {:g}\n", of,
+                   of_positions ? " of it and of positions" : "", study.tolerance);
+  };
+  head("largest error", !study.of_peaks);
+  for (std::size_t m = 0; m < study.orders.size(); ++m)
+    complete &= write_method({method_name(study.orders[m].method), study.orders[m].of_worst,
+                              study.orders[m].of_quantities.back(), study.longest_steps[m].of_worst},
+                             !study.of_peaks, out);
+  for (std::size_t k = 0; study.of_peaks && k < study.quantities.size(); ++k) {
+    head(study.quantities[k].name, false);
+    for (std::size_t m = 0; m < study.orders.size(); ++m)
+      complete &= write_method({method_name(study.orders[m].method), study.orders[m].of_quantities[k],
+                                std::nullopt, study.longest_steps[m].of_quantities[k]},
+                               false, out);
+  }
+  if (!complete)
+    fmt::format_to(out,
+                   "-: fewer than three steps with decreasing errors; no step is within the tolerance\n");
 }
 
 void write_references(const Study& study, Out out) {
-  fmt::format_to(out, "\ncompared at t = {:.6g} s\n", study.duration);
+  if (study.of_peaks)
+    fmt::format_to(out, "\nreferences\n");
+  else
+    fmt::format_to(out, "\ncompared at t = {:.6g} s\n", study.duration);
   constexpr std::size_t many = 12;
   const bool brief = study.quantities.size() > many;
   if (brief) fmt::format_to(out, "  {} quantities; references: see accuracy.json\n", study.quantities.size());
+  const auto are_positions = [&](const Quantity& q) {
+    return !study.of_peaks && &q == &study.quantities.back();
+  };
   for (const Quantity& q : study.quantities)
-    if (brief && &q != &study.quantities.back())
+    if (brief && !are_positions(q))
       continue;
     else if (q.closed_form)
       fmt::format_to(out, "  {}: {:.9g}, closed form\n", q.name, q.reference);
-    else if (&q == &study.quantities.back())
+    else if (are_positions(q))
       fmt::format_to(out, "  {}: those of the extrapolated reference, uncertainty {:.2g} mean radii\n",
                      q.name, q.uncertainty);
     else
@@ -89,7 +131,8 @@ std::string text_report(const Study& study) {
   std::string text;
   const Out out(text);
   write_settings(study, out);
-  write_orders(study, out);
+  if (study.of_peaks) write_peaks(study, out);
+  write_methods(study, out);
   write_references(study, out);
   if (study.horizon)
     fmt::format_to(

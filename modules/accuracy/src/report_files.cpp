@@ -15,6 +15,21 @@ using Json = nlohmann::ordered_json;
 
 Json number_or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
+Json order_of(const Study& study, std::size_t method) {
+  const Order& order = study.orders[method];
+  const LongestStep& longest = study.longest_steps[method];
+  Json json = {{"integrator", traits_of(order.method.integration).name},
+               {"precision", precision_name(order.method.precision)},
+               {"order", number_or_null(order.of_worst)},
+               {"longest_step", number_or_null(longest.of_worst)}};
+  if (!study.of_peaks) json["order_of_positions"] = number_or_null(order.of_quantities.back());
+  for (std::size_t k = 0; k < study.quantities.size(); ++k)
+    json["quantities"].push_back({{"name", study.quantities[k].name},
+                                  {"order", number_or_null(order.of_quantities[k])},
+                                  {"longest_step", number_or_null(longest.of_quantities[k])}});
+  return json;
+}
+
 std::string json_report(const Study& study) {
   Json json = {{"verdict", verdict(study)},     {"tolerance", study.tolerance},
                {"compared_at", study.duration}, {"trustworthy_until", number_or_null(study.horizon)},
@@ -24,11 +39,7 @@ std::string json_report(const Study& study) {
                                   {"reference", q.reference},
                                   {"uncertainty", q.uncertainty},
                                   {"closed_form", q.closed_form}});
-  for (const Order& o : study.orders)
-    json["orders"].push_back({{"integrator", traits_of(o.method.integration).name},
-                              {"precision", precision_name(o.method.precision)},
-                              {"order", number_or_null(o.of_worst)},
-                              {"order_of_positions", number_or_null(o.of_positions)}});
+  for (std::size_t m = 0; m < study.orders.size(); ++m) json["orders"].push_back(order_of(study, m));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -74,8 +85,9 @@ snapshot::ChartSpec chart_of(const Study& study, const std::string& title, const
   return chart;
 }
 
-void draw(const snapshot::ChartSpec& chart, const std::string& name, const run::RunDirectory& files) {
+void draw(const snapshot::ChartSpec& chart, std::string name, const run::RunDirectory& files) {
   if (chart.series.size() < 2 || chart.series.back().x.empty()) return;  // all errors are 0
+  std::replace(name.begin(), name.end(), '/', '_');                      // of a peak 3λ/4
   snapshot::load_backend()->chart(chart, files.add("charts/" + name + ".png"));
 }
 

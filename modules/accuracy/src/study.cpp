@@ -1,3 +1,4 @@
+#include "comparison.hpp"
 #include "horizon.hpp"
 #include "orders.hpp"
 #include "reference.hpp"
@@ -10,7 +11,6 @@
 
 #include <scree/accuracy/study.hpp>
 #include <scree/error.hpp>
-#include <scree/run/set_up.hpp>
 #include <scree/run/trial.hpp>
 
 namespace scree::accuracy {
@@ -35,25 +35,26 @@ std::string problem_only(const std::string& message) {
 
 class StudyRunner {
  public:
-  StudyRunner(const Plan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
-    coarsest_ = fitting_step(plan, options.coarsest * plan.scene.step);
+  StudyRunner(const Plan& plan, const StudyOptions& options)
+      : comparison_(plan, options.quantities), plan_(comparison_.plan()), options_(options) {
+    coarsest_ = fitting_step(plan_, options.coarsest * plan_.scene.step);
     finest_ = std::ldexp(coarsest_, 1 - options.count);
     // Unit of work for the progress: a run with the finest step.
     all_work_ = 3 + 14 + 2 * evaluations_of_all();
   }
 
   Study execute() {
-    run::require_stages(plan_);
     study_.tolerance = options_.tolerance;
+    study_.of_peaks = comparison_.of_peaks();
     check_length();
-    find_horizon();
+    if (!study_.of_peaks) find_horizon();
     make_reference();
     note_ends();
     for (const Integration integration : chosen())
       for (const Precision precision : {Precision::double_precision, Precision::mixed})
         for (int k = 0; k < options_.count && !stopped(); ++k)
           run_setting({integration, precision, std::ldexp(coarsest_, -k)});
-    study_.orders = fit_orders(study_);
+    summarise_methods(study_);
     study_.interrupted = stopped();
     return std::move(study_);
   }
@@ -125,7 +126,7 @@ class StudyRunner {
       report_progress(0, "reference");
       const Setting setting = {Integration::velocity_verlet, Precision::double_precision,
                                std::ldexp(finest_, -k)};
-      trials.push_back(run::run_trial(with(plan_, setting), {1, until_, options_.stop}));
+      trials.push_back(comparison_.run(with(plan_, setting), until_, options_.stop));
       count(std::ldexp(1, k));
     }
     if (trials.size() < 3 || trials.back().stopped)
@@ -137,8 +138,17 @@ class StudyRunner {
           fmt::format("{} has no value{} and is excluded.", name, study_.horizon ? " before that time" : ""));
     study_.quantities = reference_quantities(plan_, trials, compared_, study_.horizon.has_value());
     exclude_uncertain();
-    reference_positions_ = reference_positions(trials).positions;
+    if (!study_.of_peaks) add_positions(trials);
+    if (study_.quantities.empty())
+      throw Error(fmt::format("nothing is left to compare ({}); choose other quantities",
+                              study_.notes.empty() ? "there are no quantities" : study_.notes.back()));
     study_.duration = trials.back().time;
+  }
+
+  void add_positions(const std::vector<Trial>& trials) {
+    ReferencePositions reference = reference_positions(trials);
+    study_.quantities.push_back({"positions", 0, reference.uncertainty / mean_radius(plan_), 1, false});
+    reference_positions_ = std::move(reference.positions);
   }
 
   // Excludes quantities whose reference is less accurate than its scale.
@@ -159,10 +169,10 @@ class StudyRunner {
   Trial timed(const Plan& plan) {
     constexpr int max_repeats = 5;
     constexpr double enough = 0.2;  // (s) of wall time
-    Trial best = run::run_trial(plan, {1, until_, options_.stop});
+    Trial best = comparison_.run(plan, until_, options_.stop);
     double spent = best.wall;
     for (int n = 1; n < max_repeats && spent < enough && !stopped(); ++n) {
-      const Trial again = run::run_trial(plan, {1, until_, options_.stop});
+      const Trial again = comparison_.run(plan, until_, options_.stop);
       if (again.stopped) break;
       spent += again.wall;
       best.wall = std::min(best.wall, again.wall);
@@ -189,7 +199,8 @@ class StudyRunner {
 
   void compare(const Trial& trial, Outcome& outcome) const {
     for (const std::size_t k : compared_) outcome.values.push_back(trial.quantities[k]);
-    outcome.values.push_back(distance_between(trial.positions, reference_positions_) / mean_radius(plan_));
+    if (!study_.of_peaks)
+      outcome.values.push_back(distance_between(trial.positions, reference_positions_) / mean_radius(plan_));
     for (std::size_t k = 0; k < study_.quantities.size(); ++k)
       outcome.errors.push_back(std::abs(outcome.values[k] - study_.quantities[k].reference) /
                                study_.quantities[k].scale());
@@ -197,6 +208,7 @@ class StudyRunner {
       if (!std::isfinite(outcome.errors[k])) outcome.problem = study_.quantities[k].name + " is not a number";
   }
 
+  const Comparison comparison_;
   const Plan& plan_;
   const StudyOptions& options_;
   Study study_;
@@ -209,49 +221,8 @@ class StudyRunner {
 
 }  // namespace
 
-const char* precision_name(Precision precision) { return precision == Precision::mixed ? "mixed" : "double"; }
-
-std::string method_name(const Setting& setting) {
-  return fmt::format("{}, {}", traits_of(setting.integration).name, precision_name(setting.precision));
-}
-
-double Quantity::scale() const {
-  if (chosen_scale > 0) return chosen_scale;
-  return reference != 0 ? std::abs(reference) : 1;
-}
-
-std::size_t Outcome::worst_quantity() const {
-  return std::size_t(std::max_element(errors.begin(), errors.end()) - errors.begin());
-}
-
-double Outcome::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }
-
 Study study(const scenario::Plan& plan, const StudyOptions& options) {
   return StudyRunner(plan, options).execute();
-}
-
-const Outcome* cheapest(const Study& study) {
-  const Outcome* best = nullptr;
-  for (const Outcome& o : study.outcomes)
-    if (o.problem.empty() && o.worst() <= study.tolerance && (!best || o.wall < best->wall)) best = &o;
-  return best;
-}
-
-std::vector<const Outcome*> pareto_front(const Study& study, std::optional<std::size_t> quantity) {
-  constexpr double gain = 1.05;
-  std::vector<const Outcome*> front;
-  for (const Outcome& o : study.outcomes)
-    if (o.problem.empty()) front.push_back(&o);
-  std::sort(front.begin(), front.end(), [&](const Outcome* a, const Outcome* b) {
-    return a->wall != b->wall ? a->wall < b->wall : a->error(quantity) < b->error(quantity);
-  });
-  double best = std::numeric_limits<double>::infinity();
-  std::erase_if(front, [&](const Outcome* o) {
-    if (o->error(quantity) * gain >= best) return true;
-    best = o->error(quantity);
-    return false;
-  });
-  return front;
 }
 
 }  // namespace scree::accuracy

@@ -1,5 +1,6 @@
 #include "band/band_backend.hpp"
 #include "mass_weighted.hpp"
+#include "singular.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -58,6 +59,7 @@ class BandSolution {
                const BandOptions& options)
       : weighted_(system),
         drive_(drive),
+        options_(options),
         tolerance_(options.tolerance),
         frequencies_(frequencies_hz),
         sorted_(frequencies_hz.size()),
@@ -75,10 +77,12 @@ class BandSolution {
   BandResponse run(unsigned threads) {
     const std::vector<std::size_t> ends = window_ends();
     const std::size_t windows = ends.size();
+    std::vector<char> finished(windows);
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
-      for (std::size_t w; (w = next++) < windows;) try {
+      for (std::size_t w; proceeds() && (w = next++) < windows;) try {
           solve(w == 0 ? 0 : ends[w - 1], ends[w]);
+          finished[w] = proceeds();
         } catch (...) {
           const std::lock_guard lock(mutex_);
           if (!failure_) failure_ = std::current_exception();
@@ -90,20 +94,32 @@ class BandSolution {
     work();
     for (std::thread& other : others) other.join();
     if (failure_) std::rethrow_exception(failure_);
+    leave_out_from(ends, finished);
+    std::erase_if(result_.responses, [](const HarmonicResponse& r) { return r.amplitude.size() == 0; });
     return std::move(result_);
   }
 
  private:
+  // 0 Hz has a window of its own, so that a stiffness that is singular is noticed.
   std::vector<std::size_t> window_ends() const {
     std::vector<std::size_t> ends;
     for (std::size_t from = 0, to = 0; from < sorted_.size(); from = to) {
-      const double highest = window_span * frequencies_[sorted_[from]];
+      const double lowest = frequencies_[sorted_[from]];
+      const std::size_t fewest = lowest > 0 ? narrowest_window : 1;
       while (to < sorted_.size() && to - from < widest_window &&
-             (to - from < narrowest_window || frequencies_[sorted_[to]] <= highest))
+             (to - from < fewest || frequencies_[sorted_[to]] <= window_span * lowest))
         ++to;
       ends.push_back(to);
     }
     return ends;
+  }
+  bool proceeds() const { return !options_.stop || !*options_.stop; }
+
+  // After a stop, all from the first window that is not finished: those asked for later form the same windows.
+  void leave_out_from(const std::vector<std::size_t>& ends, const std::vector<char>& finished) {
+    const auto first = std::size_t(std::find(finished.begin(), finished.end(), 0) - finished.begin());
+    for (std::size_t k = first == 0 ? 0 : ends[first - 1]; first < ends.size() && k < sorted_.size(); ++k)
+      result_.responses[sorted_[k]].amplitude.resize(0);
   }
 
   // Solves the sorted frequencies from `from` to `to`.
@@ -117,7 +133,8 @@ class BandSolution {
     }
     const bool single = tolerance_ >= single_precision_tolerance && count > 1;
     const int basis = backend_->solve({int(count), omega.data(), loads.data(), tolerance_, single,
-                                       amplitude.data(), residual.data(), error.data()});
+                                       amplitude.data(), residual.data(), error.data(), options_.stop});
+    if (!proceeds()) return;
     count_factorisation(basis);
     for (std::size_t k = 0; k < count;) {
       if (count == 1 || error[k] <= tolerance_) {
@@ -139,16 +156,16 @@ class BandSolution {
   }
 
   void keep(std::size_t at, const Eigen::VectorXcd& amplitude, double residual, double error) {
-    if (std::isnan(error))
-      throw Error(
-          fmt::format("the response at {:g} Hz is infinite: an undamped mode has this frequency; add "
-                      "damping or take another frequency",
-                      frequencies_[at]));
+    if (std::isnan(error)) throw singular_at(frequencies_[at]);
     result_.responses[at] = {frequencies_[at], weighted_.amplitude(amplitude), residual, error};
+    const std::lock_guard lock(mutex_);
+    ++found_;
+    if (options_.on_progress) options_.on_progress(double(found_) / double(frequencies_.size()));
   }
 
   const MassWeighted weighted_;
   const Drive& drive_;
+  const BandOptions& options_;
   double tolerance_;
   const std::vector<double>& frequencies_;
   std::vector<std::size_t> sorted_;
@@ -156,6 +173,7 @@ class BandSolution {
   std::unique_ptr<BandBackend> backend_;
   std::mutex mutex_;
   std::exception_ptr failure_;
+  std::size_t found_ = 0;
   BandResponse result_;
 };
 

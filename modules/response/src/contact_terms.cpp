@@ -2,6 +2,8 @@
 
 #include "contact_geometry.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <scree/contact_columns.hpp>
@@ -16,27 +18,37 @@ namespace {
 // allows; this makes them longer than the round-off of that length, so that the law finds them sliding.
 constexpr double slip = 1e-9;
 
+// Throws Error if a law has no linear response.
+ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
+  ConfiguredLaw configured(law.parameters, dimension, no_bounds, no_bounds);
+  if (!configured.instance().differentiate)
+    throw Error(fmt::format(
+        "contact law '{}' has no derivatives, from which a linear response follows; measure with a pulse or "
+        "a sweep, or build the law with SCREE_CONTACT_LAW_PLUGIN",
+        law.name));
+  const std::uint32_t orientation = 1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B;
+  if (configured.instance().reads & orientation)
+    throw Error(
+        fmt::format("contact law '{}' reads orientations, which a linear response does not follow; measure "
+                    "with a pulse or a sweep, or use a law with tangential springs",
+                    law.name));
+  return configured;
+}
+
 // Contacts of one law.
 class LawContacts {
  public:
   LawContacts(const Simulation& simulation, const ContactList& list, std::uint32_t law, int spins)
       : simulation_(simulation),
         list_(list),
-        law_(simulation.scene().laws[law].parameters, simulation.dimension(), no_bounds, no_bounds),
+        law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
         jacobian_(law_, simulation.dimension()),
         spins_(spins) {
     for (std::size_t c = 0; c < list.size(); ++c)
       if (list.law[c] == law) contacts_.push_back(c);
-    const std::uint32_t orientation = 1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B;
-    if (!contacts_.empty() && law_.instance().reads & orientation)
-      throw Error(
-          fmt::format("contact law '{}' reads orientations, which a linear response does not follow; "
-                      "use a law with tangential springs",
-                      simulation.scene().laws[law].name));
   }
 
   void append_terms(std::vector<ContactTerms>& terms) const {
-    if (contacts_.empty()) return;
     ContactColumns columns(contacts_.size());
     std::vector<double> inverse_distance((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -156,7 +168,8 @@ std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int s
   const ContactList list = simulation.contact_list();
   std::vector<ContactTerms> terms;
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
-    LawContacts(simulation, list, law, spins).append_terms(terms);
+    if (std::find(list.law.begin(), list.law.end(), law) != list.law.end())
+      LawContacts(simulation, list, law, spins).append_terms(terms);
   return terms;
 }
 

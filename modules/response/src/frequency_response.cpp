@@ -1,12 +1,12 @@
+#include "largest_amplification.hpp"
 #include "mass_weighted.hpp"
+#include "singular.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/SparseLU>
-#include <fmt/format.h>
 
-#include <scree/error.hpp>
 #include <scree/response/frequency_response.hpp>
 
 namespace scree::response {
@@ -18,24 +18,23 @@ double ratio(double numerator, double denominator) { return denominator > 0 ? nu
 }  // namespace
 
 std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& drive,
-                                    const std::vector<double>& frequencies_hz) {
+                                    const std::vector<double>& frequencies_hz,
+                                    const std::atomic<bool>* stop) {
   const MassWeighted weighted(system);
   Eigen::SparseLU<ComplexMatrix> factors;
   bool analysed = false;
   std::vector<HarmonicResponse> responses;
   for (const double frequency : frequencies_hz) {
+    if (stop && *stop) break;
     const double omega = 2 * std::numbers::pi * frequency;
     const ComplexMatrix matrix = weighted.dynamic_stiffness(omega);
     const Eigen::VectorXcd load = weighted.load(drive, omega);
     if (!analysed) factors.analyzePattern(matrix);
     analysed = true;
     factors.factorize(matrix);
-    if (factors.info() != Eigen::Success)
-      throw Error(
-          fmt::format("the response at {:g} Hz is infinite: an undamped mode has this frequency; add "
-                      "damping or take another frequency",
-                      frequency));
+    if (factors.info() != Eigen::Success) throw singular_at(frequency);
     Eigen::VectorXcd q = factors.solve(load);
+    if (!(q.norm() * matrix.norm() <= largest_amplification * load.norm())) throw singular_at(frequency);
     // One refinement, whose result is as exact as round-off of the matrix permits.
     q += factors.solve(load - matrix * q);
     const Eigen::VectorXcd residual = load - matrix * q, correction = factors.solve(residual);

@@ -1,7 +1,5 @@
 #include "expectations.hpp"
 
-#include <cmath>
-
 #include <scree/scenario/quantities.hpp>
 
 namespace scree::run {
@@ -21,13 +19,7 @@ double value_of(const std::string& quantity, const std::vector<std::pair<std::st
 Verdict judge_expectation(const scenario::Expectation& e,
                           const std::vector<std::pair<std::string, double>>& quantities,
                           const SeriesColumn& column) {
-  Verdict verdict{e, value_of(e.quantity, quantities, column), false};
-  const double x = verdict.value;
-  const bool near = !e.reference || std::abs(x - *e.reference) <= *e.tolerance;
-  const bool low = !e.at_most || x <= *e.at_most;
-  const bool high = !e.at_least || x >= *e.at_least;
-  verdict.met = near && low && high && !std::isnan(x);
-  return verdict;
+  return judged(e, value_of(e.quantity, quantities, column));
 }
 
 }  // namespace scree::run

@@ -88,6 +88,8 @@ class Run {
         pictures_.draw_charts(sampler_, [this](const std::string& line) { results_.warn(line); });
       });
       results_.judge(sampler_);
+      if (!results_.interrupted())
+        for (const std::string& warning : sampler_.unfilled()) results_.warn(warning);
       if (no_final_state_) std::rethrow_exception(no_final_state_);
     } catch (const Error& error) {
       fail(error.what());

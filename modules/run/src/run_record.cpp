@@ -6,6 +6,7 @@
 #include <scree/files/text_file.hpp>
 #include <scree/run/input_hashes_json.hpp>
 #include <scree/run/record_json.hpp>
+#include <scree/run/verdict_json.hpp>
 
 namespace scree::run {
 
@@ -20,21 +21,6 @@ Json footprint_of(const Simulation& s) {
           {"bytes_per_body", f.bytes_per_body},
           {"bytes_per_pair", f.bytes_per_pair},
           {"history_per_pair", f.history_width}};
-}
-
-Json verdict_of(const Verdict& v) {
-  Json json = {{"requirement", v.expectation.requirement},
-               {"quantity", v.expectation.quantity},
-               {"value", v.value},
-               {"met", v.met}};
-  const auto add = [&](const char* key, const std::optional<double>& number) {
-    if (number) json[key] = *number;
-  };
-  add("reference", v.expectation.reference);
-  add("tolerance", v.expectation.tolerance);
-  add("at_most", v.expectation.at_most);
-  add("at_least", v.expectation.at_least);
-  return json;
 }
 
 Json stages_of(const RunResult& result) {
@@ -71,8 +57,7 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
   json["footprint"] = footprint_of(s);
   json["warnings"] = result.warnings;
   json["stages"] = stages_of(result);
-  json["expect"] = Json::array();
-  for (const Verdict& verdict : result.verdicts) json["expect"].push_back(verdict_of(verdict));
+  json["expect"] = json_of(result.verdicts);
   json["inputs"] = json_of(result.inputs);
   json["scenario"] = plan.resolved_text;
   // replace: a path in an error message may not be valid UTF-8.

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include <fmt/format.h>
+
+#include <scree/document/message.hpp>
+
 namespace scree::run {
 
 bool is_due(std::uint64_t steps, double every, double step) {
@@ -112,7 +116,24 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
 void Sampler::sample(Active& p, const scree_view& view) {
   // The last row of a stage is also the first of the next stage.
   if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
-  p.series->add(view.time, row(p, view));
+  const std::vector<double>& values = row(p, view);
+  if (p.probe.observes()) p.last = values;
+  p.series->add(view.time, values);
+}
+
+std::vector<std::string> Sampler::unfilled() const {
+  std::vector<std::string> lines;
+  for (const Active& p : probes_) {
+    std::vector<std::string> names;
+    for (std::size_t c = 0; p.probe.observes() && c < p.last.size(); ++c)
+      if (std::isnan(p.last[c])) names.push_back(p.probe.names()[c]);
+    if (names.empty()) continue;
+    lines.push_back(fmt::format(
+        "{}: the record of '{}' was not filled while it recorded, so that {} has no value at the end; give it "
+        "an earlier or shorter record, or longer stages",
+        p.plan->place, p.plan->name, document::listed(names)));
+  }
+  return lines;
 }
 
 const std::vector<double>& Sampler::row(Active& p, const scree_view& view) {

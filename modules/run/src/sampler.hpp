@@ -51,6 +51,8 @@ class Sampler {
   void flush();
   // Closes the files and forgets the rows.
   void close();
+  // A line for each probe that observes the run and has columns without a value in its last row: "<what>; <cure>".
+  std::vector<std::string> unfilled() const;
   // Series of a probe, by name.
   const Series& series(const std::string& probe) const;
 
@@ -63,6 +65,7 @@ class Sampler {
     SeriesEnd end = {};              // behind which a series that is reopened goes on
     std::uint32_t needs = 0;         // of the probe and of those whose columns it reads
     std::vector<double> row = {};    // of the present time; empty if it was not computed
+    std::vector<double> last = {};   // row of the series, of probes that observe
 
     bool records_in(const std::string& stage) const;
     // At the start of a stage, after which the clock runs anew, it may have been observed already.

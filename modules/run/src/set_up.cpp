@@ -30,14 +30,52 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
   }
 }
 
+// When a probe records (s); NaN where a stage before the end has no duration.
+struct Span {
+  double begin = NAN, end = 0;
+};
+Span span_of(const scenario::ProbePlan& probe, const std::vector<Stage>& stages) {
+  if (probe.stages.empty() || stages.empty()) return {0, duration_of(stages)};
+  Span span;
+  double time = 0;
+  bool begun = false;
+  for (const Stage& stage : stages) {
+    const bool records =
+        std::find(probe.stages.begin(), probe.stages.end(), stage.name) != probe.stages.end();
+    if (records && !begun) span.begin = time, begun = true;
+    time += stage.duration.value_or(NAN);
+    if (records) span.end = time;
+  }
+  return span;
+}
+
+// Whether a probe starts in a scene as it is now, as if it were another time. Throws Error if not.
+void check_start(const scenario::ProbePlan& probe, const scenario::Plan& plan, const Simulation& simulation,
+                 double time, double end_time) {
+  const Probe configured(probe.parameters, plan.scene.dimension);
+  const SimulationView view(simulation, configured.needs(), end_time);
+  scree_view then = view.get();
+  then.time = time;
+  configured.check(then);
+}
+
+bool starts(const scenario::ProbePlan& probe, const scenario::Plan& plan, const Simulation& simulation) {
+  try {
+    check_start(probe, plan, simulation, simulation.time(), NAN);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
   for (const scenario::ProbePlan& probe : plan.probes) {
-    // A probe of later stages may read contacts or walls that do not exist yet.
-    const std::vector<std::string>& in = probe.stages;
-    if (!in.empty() && std::find(in.begin(), in.end(), plan.stages.front().name) == in.end()) continue;
+    const Span span = span_of(probe, plan.stages);
+    const bool later = span.begin != 0;
+    // A probe of later stages may read contacts or walls that do not exist yet; then nothing is known of its times either.
+    if (later && (!std::isfinite(span.begin) || !starts(probe, plan, simulation))) continue;
     try {
-      const Probe configured(probe.parameters, plan.scene.dimension);
-      configured.check(SimulationView(simulation, configured.needs(), duration_of(plan.stages)).get());
+      check_start(probe, plan, simulation, simulation.time() + span.begin, simulation.time() + span.end);
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", probe.place, error.what()));
     }

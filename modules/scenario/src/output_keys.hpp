@@ -66,8 +66,10 @@ struct ExpectKeys : TableKeys {
       : TableKeys("expect", "[[expect]]",
                   "a condition that the result must fulfil; reference and tolerance, at_most, or at_least") {}
   StringKey requirement = string("requirement", "a sentence for the report");
-  StringKey quantity =
-      string("quantity", "a number of run.json, or <probe>.<column>.<last, first, min, max or mean>");
+  StringKey quantity = string(
+      "quantity",
+      "a number of run.json, <probe>.<column>.<last, first, min, max or mean>, or of scree spectrum "
+      "peaks.<road>.<probe>.<column>.<peak_1, ... or 3lambda/4, ...>.<frequency, quality or amplitude>");
   NumberKey reference = number("reference", Range::any(), "expected value", "optional");
   NumberKey tolerance =
       number("tolerance", Range::non_negative(), "largest deviation from it", "required with reference");

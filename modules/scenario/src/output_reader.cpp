@@ -13,6 +13,7 @@
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/nearest.hpp>
+#include <scree/scenario/peak_quantity.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/snapshot/render_options.hpp>
 
@@ -77,12 +78,10 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& pro
   return chart;
 }
 
-Expectation read_expectation(const document::Table& t, const std::vector<std::string>& known) {
+Expectation read_expectation(const document::Table& t) {
   Expectation e;
   e.requirement = read(t, expect_keys.requirement);
   e.quantity = read(t, expect_keys.quantity);
-  if (const auto problem = quantity_problem(e.quantity, known))
-    throw Error(fmt::format("{}: {}", t.place("quantity"), *problem));
   e.reference = read_optional(t, expect_keys.reference);
   e.tolerance = read_optional(t, expect_keys.tolerance);
   e.at_most = read_optional(t, expect_keys.at_most);
@@ -109,8 +108,10 @@ std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, in
   return known;
 }
 
-std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known) {
+std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known,
+                                            const std::optional<SpectrumPlan>& spectrum) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
+  if (names_peak(name) && spectrum) return peak_quantity_problem(name, spectrum->observed);
   const auto near = nearest_word(name, known);
   const std::string cure =
       near ? fmt::format("did you mean '{}'?", *near)
@@ -152,12 +153,15 @@ std::vector<ChartPlan> read_charts(const document::Table& root, const std::vecto
   return charts;
 }
 
-std::vector<Expectation> read_expectations(const document::Table& root, const std::vector<ProbePlan>& probes,
-                                           int dimension) {
-  std::vector<Expectation> all;
-  const std::vector<std::string> known = quantity_names(probes, dimension);
-  for (const document::Table& t : root.tables("expect")) all.push_back(read_expectation(t, known));
-  return all;
+void read_expectations(const document::Table& root, Plan& plan) {
+  const std::vector<std::string> known = quantity_names(plan.probes, plan.scene.dimension);
+  for (const document::Table& t : root.tables("expect")) {
+    Expectation e = read_expectation(t);
+    if (const auto problem = quantity_problem(e.quantity, known, plan.spectrum))
+      throw Error(fmt::format("{}: {}", t.place("quantity"), *problem));
+    const bool of_peak = plan.spectrum && peak_quantity(e.quantity, plan.spectrum->observed);
+    (of_peak ? plan.peak_expectations : plan.expectations).push_back(std::move(e));
+  }
 }
 
 }  // namespace scree::scenario

@@ -11,7 +11,7 @@ namespace scree::scenario {
 SnapshotPlan read_snapshot(const document::Table& root, double step);
 std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbePlan>& probes,
                                    int dimension);
-std::vector<Expectation> read_expectations(const document::Table& root, const std::vector<ProbePlan>& probes,
-                                           int dimension);
+// Reads expectations of a run and of peaks; the plan has its probes and its spectrum already.
+void read_expectations(const document::Table& root, Plan& plan);
 
 }  // namespace scree::scenario

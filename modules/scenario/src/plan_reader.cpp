@@ -224,8 +224,8 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
   plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
-  plan.expectations = read_expectations(root, plan.probes, plan.scene.dimension);
   plan.spectrum = read_spectrum(root, plan);
+  read_expectations(root, plan);
   plan.scene.pair_forces = needs_pair_forces(plan);
   plan.scene.orientations =
       any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_later(plan, &reads_orientations);

@@ -133,11 +133,8 @@ void read_frequencies(const document::Table& t, double step, SpectrumPlan& plan)
     throw t.error(spectrum_keys.from_hz,
                   fmt::format("{:g} Hz is not below to_hz = {:g} Hz", plan.from_hz, plan.to_hz),
                   "give the lower frequency first; direction says how a sweep goes");
-  if (plan.to_hz * step >= 0.5)
-    throw t.error(spectrum_keys.to_hz,
-                  fmt::format("{:g} Hz is not below half the sampling rate of a sample per step, {:g} Hz",
-                              plan.to_hz, 0.5 / step),
-                  "give a lower to_hz, or a shorter time.step");
+  if (const auto problem = sampling_problem(plan.to_hz, step))
+    throw t.error(spectrum_keys.to_hz, *problem, "give a lower to_hz, or a shorter time.step");
   if ((plan.to_hz - plan.from_hz) / plan.step_hz > most_frequencies)
     throw t.error(spectrum_keys.step_hz,
                   fmt::format("{:g} frequencies are more than {:g}",
@@ -193,6 +190,12 @@ std::vector<double> SpectrumPlan::frequencies() const {
   const double steps = std::floor((to_hz - from_hz) / step_hz * (1 + 1e-12));
   for (double k = 0; k <= steps; ++k) all.push_back(from_hz + k * step_hz);
   return all;
+}
+
+std::optional<std::string> sampling_problem(double to_hz, double step) {
+  if (to_hz * step < 0.5) return std::nullopt;
+  return fmt::format("{:g} Hz is not below half the sampling rate of a sample per step, {:g} Hz", to_hz,
+                     0.5 / step);
 }
 
 std::optional<SpectrumPlan> read_spectrum(const document::Table& root, const Plan& plan) {

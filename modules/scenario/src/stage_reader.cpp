@@ -3,10 +3,13 @@
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <scree/plugin/program.hpp>
+#include <scree/scene_checks.hpp>
 
 namespace scree::scenario {
 
@@ -68,11 +71,11 @@ std::vector<std::string> kept_programs(const Stage::Change& instance, const docu
   return kept;
 }
 
-// The clock of a boundary starts again when any of its parameters is set.
-void warn_of_restart(const document::Table& set, const Stage::Change& instance,
-                     std::vector<std::string>& warnings) {
-  const std::vector<std::string> kept = kept_programs(instance, set.table(instance.name));
-  if (instance.kind != SCREE_BOUNDARY || kept.empty()) return;
+// The clock of a boundary starts again when any of its parameters is set; of walls that no longer move this says nothing.
+void warn_of_restart(const document::Table& set, const Stage::Change& before, const Stage::Change& instance,
+                     const Scene& scene, std::vector<std::string>& warnings) {
+  const std::vector<std::string> kept = kept_programs(before, set.table(instance.name));
+  if (instance.kind != SCREE_BOUNDARY || kept.empty() || is_still(scene, instance.parameters)) return;
   warnings.push_back(
       set.error(instance.name,
                 fmt::format("the stage sets other keys of '{}', so that its time, and with it {}, "
@@ -90,8 +93,8 @@ void read_changes(const document::Table& t, const Scene& scene, std::vector<Stag
   for (const Stage::Change& instance : instances) names.push_back(instance.name);
   for (const std::string& name : set->keys()) {
     Stage::Change& instance = instances[find_name(*set, name, "law, boundary or body force", name, names)];
-    warn_of_restart(*set, instance, warnings);
-    instance = changed_instance(set->table(name), instance, scene);
+    const Stage::Change before = std::exchange(instance, changed_instance(set->table(name), instance, scene));
+    warn_of_restart(*set, before, instance, scene, warnings);
     stage.changes.push_back(instance);
   }
 }

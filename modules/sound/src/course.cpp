@@ -5,6 +5,7 @@
 #include "pulse.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -117,13 +118,17 @@ bool Course::has(const std::string& road) const {
 
 void Course::take_roads() {
   if (!sweep_) {
-    take_short(Road::linear, linear_spectrum);
+    take_short(Road::linear, [this](const Start& start) {
+      if (!add_linear(start, unfinished_))
+        throw Error("interrupted in the linear response", ExitStatus::interrupted);
+      return std::exchange(unfinished_, {});
+    });
     take_short(Road::pulse, pulse_spectrum);
   }
   if (asks(Road::sweep) && proceeds()) take_sweep();
 }
 
-void Course::take_short(Road road, RoadSpectrum (*take)(const Start&)) {
+void Course::take_short(Road road, const std::function<RoadSpectrum(const Start&)>& take) {
   const char* const name = road_names[std::size_t(road)];
   if (!asks(road) || has(name) || !proceeds()) return;
   try {
@@ -186,6 +191,7 @@ void Course::transfer(const StateTransfer& state) {
   state.value("count", "1", count);
   result_.roads.resize(count);
   for (std::size_t k = 0; k < count; ++k) result_.roads[k].transfer(state.below("road_" + std::to_string(k)));
+  unfinished_.transfer(state.below("unfinished"));
 }
 
 void Course::warn(const std::string& line) {
@@ -199,12 +205,23 @@ Measurement Course::finish() {
   if (result_.interrupted && !sweep_) {
     transfer(StateTransfer::saving_to(start_->state).below("spectrum"));
     write_state(start_->state);
+    if (!unfinished_.frequencies.empty()) result_.roads.push_back(unfinished_);
   }
   result_.resonances = resonances_of(result_.roads, result_.observed);
+  judge();
   write_tables(result_, directory_);
   draw_charts(result_, directory_);
   write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
   return std::move(result_);
+}
+
+void Course::judge() {
+  if (result_.interrupted) return;
+  for (const scenario::Expectation& e : plan_.peak_expectations) {
+    const auto quantity = *scenario::peak_quantity(e.quantity, result_.observed);
+    if (!has(road_names[quantity.road])) continue;
+    result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.roads, result_.resonances)));
+  }
 }
 
 double Course::seconds() const {

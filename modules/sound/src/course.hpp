@@ -29,8 +29,9 @@ class Course {
   bool has(const std::string& road) const;
   bool proceeds() const { return !options_.stop || !*options_.stop; }
   void take_roads();
-  // A road that is repeated if it is interrupted. With others to take, one that cannot be taken is left out.
-  void take_short(Road road, RoadSpectrum (*take)(const Start&));
+  // A road that begins again, or with what is unfinished, if it is interrupted. With others to take, one that cannot be taken is
+  // left out.
+  void take_short(Road road, const std::function<RoadSpectrum(const Start&)>& take);
   void take_sweep();
   void save();
   void write_sweep_table();
@@ -39,6 +40,7 @@ class Course {
   void save_failed(const Error& failure);
   void transfer(const StateTransfer& state);
   void warn(const std::string& line);
+  void judge();
   Measurement finish();
   double seconds() const;  // of wall time so far
 
@@ -47,6 +49,7 @@ class Course {
   run::RunDirectory& directory_;
   std::vector<Road> asked_;
   Measurement result_;
+  RoadSpectrum unfinished_;  // linear road of a part of the frequencies
   std::optional<Start> start_;
   std::unique_ptr<Sweep> sweep_;
   std::optional<State> kept_;  // behind the last complete frequency, if it is not in the file

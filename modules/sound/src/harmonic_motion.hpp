@@ -12,7 +12,7 @@ namespace scree::sound {
 // The steady motion of a packing about its present state while its walls move.
 struct HarmonicMotion {
   response::DegreesOfFreedom freedom;
-  std::vector<response::HarmonicResponse> responses;  // for each frequency
+  std::vector<response::HarmonicResponse> responses;  // for each frequency, until band.stop said stop
 };
 
 // walls: displacement of each wall (m). The one place where the linear system is set up and solved; a small

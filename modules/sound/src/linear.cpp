@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -27,12 +28,7 @@ class Columns {
  public:
   Columns(const Start& start, Simulation& simulation, const std::vector<Vec3>& walls,
           const HarmonicMotion& motion)
-      : start_(start), observer_(start.plan), view_(simulation, walls, motion.freedom) {
-    if (observer_.needs() & (SCREE_NEEDS_CONTACTS | SCREE_NEEDS_ENERGY))
-      throw Error(fmt::format(
-          "{}: a column that reads contacts or energies has no linear response; observe positions, such as a strain, or leave the "
-          "road linear out",
-          start.spectrum().observed[0].place));
+      : observer_(start.plan), view_(simulation, walls, motion.freedom) {
     rest_ = observer_.values(view_.at_rest());
     for (std::size_t i = 0; i < simulation.particles().size(); ++i)
       smallest_ = i == 0 ? simulation.particles().radius()[i]
@@ -65,15 +61,22 @@ class Columns {
     return sum;
   }
 
-  const Start& start_;
   Observer observer_;
   DisplacedView view_;
   std::vector<double> rest_;
   double smallest_ = 0;  // (m) radius
 };
 
-void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::Column& column,
-                  const std::vector<double>& change) {
+// Before the solution, which takes longer.
+void check_needs(const Start& start) {
+  if (Observer(start.plan).needs() & (SCREE_NEEDS_CONTACTS | SCREE_NEEDS_ENERGY))
+    throw Error(fmt::format(
+        "{}: a column that reads contacts or energies has no linear response; observe positions, such as a strain, or leave the "
+        "road linear out",
+        start.spectrum().observed[0].place));
+}
+
+void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::Column& column) {
   double largest = 0;
   for (const Complex& h : column.response) largest = std::max(largest, std::abs(h));
   if (largest == 0)
@@ -81,7 +84,7 @@ void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::
         "{}: '{}' does not depend on positions and velocities of bodies, so that it has no linear response; "
         "observe another column, or leave the road linear out",
         observed.place, observed.name));
-  const double worst = *std::max_element(change.begin(), change.end());
+  const double worst = *std::max_element(column.linearity.begin(), column.linearity.end());
   if (!(worst <= largest_change * largest))
     throw Error(fmt::format(
         "{}: '{}' is not linear in small displacements (its derivative changes by {:.2g} of its largest value); observe another "
@@ -89,34 +92,81 @@ void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::
         observed.place, observed.name, worst / largest));
 }
 
+// The frequencies of the plan that a road lacks.
+std::vector<double> missing(const std::vector<double>& all, const std::vector<double>& found) {
+  std::vector<double> left;
+  std::set_difference(all.begin(), all.end(), found.begin(), found.end(), std::back_inserter(left));
+  return left;
+}
+
+// Inserts what the columns do at one frequency.
+void insert(const response::HarmonicResponse& response, Columns& columns, const scenario::SpectrumPlan& plan,
+            RoadSpectrum& road) {
+  const auto [derivatives, change] = columns.along(response);
+  const auto at = std::lower_bound(road.frequencies.begin(), road.frequencies.end(), response.frequency_hz) -
+                  road.frequencies.begin();
+  road.frequencies.insert(road.frequencies.begin() + at, response.frequency_hz);
+  for (std::size_t c = 0; c < derivatives.size(); ++c) {
+    const double scale = plan.observed[c].relative ? 1 / std::abs(columns.at_rest()[c]) : 1;
+    RoadSpectrum::Column& column = road.columns[c];
+    const double error = scale * (change[c] + response.error * std::abs(derivatives[c]));
+    column.response.insert(column.response.begin() + at, scale * derivatives[c]);
+    column.error.insert(column.error.begin() + at, error);
+    column.linearity.insert(column.linearity.begin() + at, scale * change[c]);
+  }
+}
+
+// The frequency with the largest error, if that is above the tolerance.
+void note_uncertain(const std::vector<response::HarmonicResponse>& responses, double tolerance,
+                    RoadSpectrum& road) {
+  const auto worst = std::max_element(responses.begin(), responses.end(),
+                                      [](const auto& a, const auto& b) { return a.error < b.error; });
+  if (worst == responses.end() || worst->error <= tolerance) return;
+  road.notes.push_back(fmt::format(
+      "linear: at {:g} Hz the solution has an error of about {:.2g} of itself, above tolerance = {:g}, since a mode without "
+      "damping is near, or bodies with too few contacts move freely; add damping, or give a larger fewest_contacts",
+      worst->frequency_hz, worst->error, tolerance));
+}
+
 }  // namespace
 
-RoadSpectrum linear_spectrum(const Start& start) {
+bool add_linear(const Start& start, RoadSpectrum& road) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const scenario::SpectrumPlan& plan = start.spectrum();
+  check_needs(start);
   Simulation simulation(start.scene, start.state);
   const DrivenWalls walls(start);
-  start.on_progress(0, "linear response");
-  const HarmonicMotion motion = harmonic_motion(
-      simulation, walls.motion(), plan.frequencies(), {.fewest_contacts = plan.fewest_contacts},
-      {.tolerance = plan.tolerance, .threads = start.scene.threads});
-  Columns columns(start, simulation, walls.motion(), motion);
-  RoadSpectrum road{.road = "linear", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
+  const std::vector<double> left = missing(plan.frequencies(), road.frequencies);
+  const double found = double(road.frequencies.size()), all = found + double(left.size());
+  const auto on_progress = [&](double share) {
+    start.on_progress((found + share * double(left.size())) / all, "linear response");
+  };
+  on_progress(0);
+  const HarmonicMotion motion =
+      harmonic_motion(simulation, walls.motion(), left, {.fewest_contacts = plan.fewest_contacts},
+                      {.tolerance = plan.tolerance,
+                       .threads = start.scene.threads,
+                       .on_progress = on_progress,
+                       .stop = start.stop});
+  road.road = "linear";
   road.columns.resize(plan.observed.size());
-  std::vector<std::vector<double>> changes(plan.observed.size());
-  for (const response::HarmonicResponse& response : motion.responses) {
-    const auto [derivatives, change] = columns.along(response);
-    for (std::size_t c = 0; c < derivatives.size(); ++c) {
-      const double scale = plan.observed[c].relative ? 1 / std::abs(columns.at_rest()[c]) : 1;
-      road.columns[c].response.push_back(scale * derivatives[c]);
-      road.columns[c].error.push_back(scale * (change[c] + response.error * std::abs(derivatives[c])));
-      changes[c].push_back(scale * change[c]);
-    }
+  Columns columns(start, simulation, walls.motion(), motion);
+  for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
+  note_uncertain(motion.responses, plan.tolerance, road);
+  road.wall += std::chrono::duration<double>(Clock::now() - began).count();
+  if (motion.responses.size() < left.size()) return false;
+  for (std::size_t c = 0; c < road.columns.size(); ++c) {
+    if (!plan.observed[c].of_shape) check_column(plan.observed[c], road.columns[c]);
+    road.columns[c].linearity.clear();
   }
-  for (std::size_t c = 0; c < responding(plan.observed); ++c)
-    check_column(plan.observed[c], road.columns[c], changes[c]);
-  road.wall = std::chrono::duration<double>(Clock::now() - began).count();
+  return true;
+}
+
+RoadSpectrum linear_spectrum(const Start& start) {
+  RoadSpectrum road;
+  if (!add_linear(start, road))
+    throw Error("interrupted while the linear response was solved", ExitStatus::interrupted);
   return road;
 }
 

@@ -6,8 +6,13 @@
 
 namespace scree::sound {
 
-// The response of the contact network as it is, by linear algebra; columns are linearised by central differences along the
-// motion. Throws Error if a column does not depend on positions and velocities alone.
+// The linear response about the start: stiffness, damping and masses of the present contacts, solved at each frequency
+// that `road` lacks; columns are linearised by central differences along the motion. Returns false if it was stopped: then the road
+// has the frequencies found so far, in `linearity` the change of the columns with the size of the difference, and is to be given
+// again. Throws Error if nothing is held, a law has no derivatives, or a column does not depend on positions and velocities alone.
+bool add_linear(const Start& start, RoadSpectrum& road);
+
+// The whole road. Throws Error (interrupted) if it was stopped.
 RoadSpectrum linear_spectrum(const Start& start);
 
 }  // namespace scree::sound

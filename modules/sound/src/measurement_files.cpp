@@ -9,6 +9,7 @@
 
 #include <scree/files/csv_line.hpp>
 #include <scree/run/input_hashes_json.hpp>
+#include <scree/run/verdict_json.hpp>
 #include <scree/snapshot/load_backend.hpp>
 
 namespace scree::sound {
@@ -65,13 +66,11 @@ std::string peak_table(const Measurement& m) {
 Json peaks_of(const Measurement& m) {
   Json peaks = Json::object();
   for (const Resonance& r : m.resonances) {
-    const spectrum::Mode& mode = r.mode;
     Json& of_column = peaks[m.roads[r.road].road][m.observed[r.column].name];
-    of_column[fmt::format("peak_{}", of_column.size() + 1)] = {
-        {"frequency", mode.frequency}, {"frequency_error", mode.frequency_error},
-        {"quality", mode.quality},     {"quality_error", mode.quality_error},
-        {"amplitude", mode.amplitude}, {"amplitude_error", mode.amplitude_error}};
-    if (!r.shape.empty()) of_column.back()["wavelengths"] = r.wavelengths;
+    Json& peak = of_column[fmt::format("peak_{}", of_column.size() + 1)];
+    for (std::size_t k = 0; k < scenario::peak_numbers.size(); ++k)
+      if (const double x = number_of(r, k); !std::isnan(x)) peak[scenario::peak_numbers[k]] = x;
+    if (!r.shape.empty()) peak["name"] = name_of(r);
   }
   return peaks;
 }
@@ -136,7 +135,7 @@ void write_record(const std::string& status, const Measurement& m, const run::Ru
                              {"notes", road.notes}});
   json["peaks"] = peaks_of(m);
   json["warnings"] = m.warnings;
-  json["expect"] = Json::array();
+  json["expect"] = run::json_of(m.verdicts);
   json["inputs"] = run::json_of(m.inputs);
   json["scenario"] = m.scenario;
   directory.write_file("spectrum.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -60,6 +60,27 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
   return all;
 }
 
+double number_of(const Resonance& resonance, std::size_t number) {
+  const spectrum::Mode& mode = resonance.mode;
+  const double numbers[] = {mode.frequency, mode.frequency_error, mode.quality,         mode.quality_error,
+                            mode.amplitude, mode.amplitude_error, resonance.wavelengths};
+  static_assert(std::size(numbers) == scenario::peak_numbers.size());
+  return numbers[number];
+}
+
+double value_of(const scenario::PeakQuantity& quantity, const std::vector<RoadSpectrum>& roads,
+                const std::vector<Resonance>& resonances) {
+  const Resonance* found = nullptr;
+  int rank = 0;  // by frequency, in which they are sorted
+  for (const Resonance& r : resonances) {
+    if (roads[r.road].road != road_names[quantity.road] || r.column != quantity.column) continue;
+    ++rank;
+    const bool named = quantity.peak == "peak_" + std::to_string(rank) || quantity.peak == name_of(r);
+    if (named && (!found || r.mode.amplitude > found->mode.amplitude)) found = &r;
+  }
+  return found ? number_of(*found, quantity.number) : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string name_of(const Resonance& resonance) {
   if (resonance.shape.empty()) return "";
   int count = int(std::lround(4 * resonance.wavelengths)), of = 4;

@@ -266,3 +266,25 @@ TEST_CASE(
   CHECK(std::abs(height() - (0.05 - 2 * 0.02)) <= 70 * 2.3e-16 * 0.4);
   CHECK(s.particles().force()[1][0] >= 0);  // the wall still pushes, or not, but no force acts downwards
 }
+
+TEST_CASE("a wall that a stage fixes stays where its motion has brought it") {
+  const auto ground = [](double control) {
+    return scree::test::parameters("plane", SCREE_BOUNDARY,
+                                   {{"point", {0, 0, 0}},
+                                    {"normal", {0, 1, 0}},
+                                    {"control", {control}},
+                                    {"displacement", {3, 0, 0.1, 0.1}}});  // 1 m/s for 0.1 s
+  };
+  constexpr double fixed = 0, displaced = 1;
+  Scene scene = disc(0, 0);
+  scene.boundaries[0].parameters = ground(displaced);
+  Simulation s(scene);
+  StageRunner runner(
+      s, {lasting("up", 0.05), lasting("still", 0.02, {{SCREE_BOUNDARY, "ground", ground(fixed)}})});
+  while (runner.current() == 0) runner.step();
+  const double height = s.planes()[0].point[1];
+  CHECK(height == Approx(0.05));
+  while (!runner.finished()) runner.step();
+  CHECK(s.planes()[0].point[1] == height);
+  CHECK(s.planes()[0].velocity[1] == 0);
+}

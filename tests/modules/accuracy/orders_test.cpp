@@ -72,3 +72,14 @@ TEST_CASE("steps are adjusted to divide the durations of all stages", "[accuracy
   CHECK(fitting_step(plan_with_durations({}), 0.3) == 0.3);
   CHECK(fitting_step(plan_with_durations({1}), 3) == 1);
 }
+
+TEST_CASE("the longest step within a tolerance lies between those tried, as their errors have it",
+          "[accuracy]") {
+  const std::vector<double> steps = {4, 2, 1};
+  CHECK(*longest_step(steps, {0.16, 0.04, 0.01}, 0.09) == Approx(3));
+  CHECK(*longest_step(steps, {0.16, 0.04, 0.01}, 0.2) == 4);
+  CHECK(!longest_step(steps, {0.16, 0.04, 0.01}, 0.005));
+  CHECK(*longest_step(steps, {INFINITY, 0.04, 0.01}, 0.09) == 2);
+  // An error that happens to be small counts only if those of shorter steps are small too.
+  CHECK(*longest_step(steps, {0.01, 0.04, 0.01}, 0.02) == Approx(std::sqrt(2)));
+}

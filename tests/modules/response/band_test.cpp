@@ -107,3 +107,36 @@ TEST_CASE("errors of a band are seldom above their estimates", "[.estimates]") {
   WARN(above << " of " << all << " errors are above their estimates, the worst by a factor " << worst);
   CHECK(above < 0.01 * all);
 }
+
+TEST_CASE("a band that was stopped goes on to the same bits", "[response]") {
+  const LinearSystem system = lattice(5);
+  const Drive drive = {.walls = Eigen::VectorXcd::Unit(3, 2)};
+  const std::vector<double> frequencies = grid(0.25, 12, 45);
+  const BandResponse whole = solve_band(system, drive, frequencies, {.threads = 1});
+  for (const unsigned threads : {1u, 2u}) {
+    std::atomic<bool> stop = false;
+    double last = 0;
+    const auto on_progress = [&](double share) {
+      CHECK(share > last);
+      last = share;
+      if (share > 0.4) stop = true;
+    };
+    BandResponse parts = solve_band(system, drive, frequencies,
+                                    {.threads = threads, .on_progress = on_progress, .stop = &stop});
+    CAPTURE(threads, parts.responses.size());
+    REQUIRE(parts.responses.size() < frequencies.size());
+    if (threads == 1)
+      CHECK(parts.responses.size() == 18);  // windows of six; the one that was stopped is left out
+    std::vector<double> left;
+    for (const double f : frequencies)
+      if (std::none_of(parts.responses.begin(), parts.responses.end(),
+                       [f](const HarmonicResponse& r) { return r.frequency_hz == f; }))
+        left.push_back(f);
+    for (HarmonicResponse& r : solve_band(system, drive, left, {.threads = threads}).responses)
+      parts.responses.push_back(std::move(r));
+    REQUIRE(parts.responses.size() == frequencies.size());
+    for (const HarmonicResponse& r : parts.responses)
+      for (const HarmonicResponse& exact : whole.responses)
+        if (exact.frequency_hz == r.frequency_hz) CHECK(exact.amplitude == r.amplitude);
+  }
+}

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/response/band_response.hpp>
 #include <scree/response/frequency_response.hpp>
 #include <scree/response/modes.hpp>
 
@@ -131,6 +132,29 @@ TEST_CASE("a chain that nothing holds has no static response", "[response]") {
   const LinearSystem system = assemble(Simulation(scene), {.fewest_contacts = 1});
   const Drive drive = {.force = Eigen::VectorXcd::Unit(system.freedom.size(), 0)};
   // Its stiffness has an exact zero pivot: all its numbers are multiples of k/m.
-  CHECK_THROWS_WITH(solve(system, drive, {0.0}), Catch::Contains("the response at 0 Hz is infinite"));
+  const auto refused = Catch::Contains(
+      "the response at 0 Hz is infinite: no contact resists some motion, such as that of bodies with too few contacts; compress");
+  CHECK_THROWS_WITH(solve(system, drive, {0.0}), refused);
+  CHECK_THROWS_WITH(solve_band(system, drive, {1.0, 0.0, 2.0, 3.0}), refused);
   CHECK(solve(system, drive, {1.0})[0].error < 1e-10);
+}
+
+TEST_CASE("a stiffness that is singular but for round-off is noticed, and so is a mode at the frequency",
+          "[response]") {
+  // Beads whose distances are no multiples of anything: no pivot is exactly 0.
+  std::vector<Body> bodies = row(0);
+  for (std::size_t n = 0; n < bodies.size(); ++n) bodies[n].position[0] += 1e-4 * std::sin(1.3 * double(n));
+  const Scene scene =
+      test::scene(2, 1e-4, std::move(bodies), {{"normal_stiffness", {k / 3}}, {"normal_damping", {0}}});
+  const LinearSystem free = assemble(Simulation(scene), {.fewest_contacts = 1});
+  const Drive drive = {.force = Eigen::VectorXcd::Unit(free.freedom.size(), 0)};
+  CHECK_THROWS_WITH(solve(free, drive, {0.0}), Catch::Contains("the response at 0 Hz is infinite"));
+  CHECK_THROWS_WITH(solve_band(free, drive, {0.0}), Catch::Contains("the response at 0 Hz is infinite"));
+  CHECK(solve_band(free, drive, {1.0}, {.tolerance = 1e-6}).responses[0].error < 1e-6);
+
+  const LinearSystem held = fixed_free_chain(0);
+  const double mode = longitudinal(held)[3] / (2 * pi);
+  CHECK_THROWS_WITH(
+      solve(held, {.walls = Eigen::VectorXcd::Unit(2, 0)}, {mode}),
+      Catch::Contains("an undamped mode has this frequency") && Catch::Contains("; add damping"));
 }

@@ -167,6 +167,52 @@ TEST_CASE("a record beyond the end of the run is refused where its probe stands"
   const std::string line = message([&] { run_trial(plan, {}); });
   INFO(line);
   CHECK(line.find("scene.toml:") != std::string::npos);
-  CHECK(line.find("probe lock_in: from = 4 s is not before the end of the run at 3.5 s") !=
-        std::string::npos);
+  CHECK(line.find("probe lock_in: from = 4 s is not before 3.5 s, when the run") != std::string::npos);
+}
+
+TEST_CASE("a record that does not lie within the stages of its probe is refused at the start", "[run]") {
+  const std::string stages =
+      with(oscillator, "duration = 3.5\n", "") +
+      "[[stage]]\nname = 'one'\nduration = 1\n[[stage]]\nname = 'two'\nduration = 2\n[[stage]]\nname = 'three'\nduration = 1\n";
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& of_stages, const std::string& from) {
+    const std::string text = with(with(stages, "from = 2.5\n", "from = " + from + "\n"),
+                                  "name = 'response'\n", "name = 'response'\nstages = " + of_stages + "\n");
+    RunOptions options;
+    options.out = folder / "out";
+    const std::string line = message([&] {
+      run_plan(scenario::read_plan(folder.write("s.toml", text), {"expect=[]"}, host_with_outside()),
+               options);
+    });
+    CHECK(!std::filesystem::exists(options.out));
+    return line;
+  };
+  // It is 1 s long; stage two is from 1 to 3 s.
+  CHECK(refused("['two']", "2.5")
+            .find("the record from 2.5 to 3.5 s lasts beyond 3 s, when the run or the stages of "
+                  "the probe end; give fewer periods") != std::string::npos);
+  CHECK(refused("['two']", "0.5")
+            .find("the record begins at from = 0.5 s, and the probe at 1 s with its stages; give a "
+                  "later from") != std::string::npos);
+  CHECK(refused("['one']", "0.5").find("lasts beyond 1 s") != std::string::npos);
+  CHECK(refused("['one', 'two']", "3").find("from = 3 s is not before 3 s") != std::string::npos);
+}
+
+TEST_CASE("a record that a stage of unknown length does not fill is told at the end", "[run]") {
+  // The stage ends as soon as it may, before the record begins.
+  const std::string text =
+      with(with(oscillator, "duration = 3.5\n", ""), "at_least = 1\n", "at_least = 0\n") +
+      "[[stage]]\nname = 'rest'\nuntil = {kinetic_over_elastic = 1e9, at_least = 0.1, at_most = 5}\n";
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.out = folder / "out";
+  const RunResult result = run_plan(
+      scenario::read_plan(folder.write("s.toml", text), {"expect=[]"}, host_with_outside()), options);
+  const auto told = std::find_if(result.warnings.begin(), result.warnings.end(), [](const std::string& line) {
+    return line.find("the record of 'response' was not filled while it recorded, so that amplitude, phase") !=
+           std::string::npos;
+  });
+  REQUIRE(told != result.warnings.end());
+  CHECK(told->find("s.toml:") != std::string::npos);
+  CHECK(told->find("; give it an earlier or shorter record, or longer stages") != std::string::npos);
 }

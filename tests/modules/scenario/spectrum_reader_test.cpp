@@ -83,3 +83,16 @@ TEST_CASE("a column that depends on all steps is not observed", "[scenario]") {
   INFO(line);
   CHECK(line.find("'path.total' depends on all steps") != std::string::npos);
 }
+
+TEST_CASE("expectations of peaks belong to the spectrum, and misspelt ones are refused", "[scenario]") {
+  const auto with_quantity = [](const std::string& quantity) {
+    return driven + "[[expect]]\nrequirement = 'r'\nat_most = 1\nquantity = '" + quantity + "'\n";
+  };
+  const scenario::Plan plan = plan_of(with_quantity("peaks.linear.particles.z_1.peak_1.frequency"));
+  CHECK(plan.expectations.empty());
+  CHECK(plan.peak_expectations.size() == 1);
+  const std::string line = refusal(with_quantity("peaks.linear.particles.z_1.peak_1.frequncy"));
+  INFO(line);
+  CHECK(line.starts_with("scene.toml:31:"));
+  CHECK(line.find("did you mean 'peaks.linear.particles.z_1.peak_1.frequency'?") != std::string::npos);
+}

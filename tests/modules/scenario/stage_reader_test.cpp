@@ -102,6 +102,8 @@ TEST_CASE("a stage that restarts functions of time of a boundary which it does n
   const auto warnings = [&](const std::string& set) { return plan_of(box + first + second + set).warnings; };
   CHECK(warnings("").empty());
   CHECK(warnings("set.cell = { stress_y = 15 }\n").empty());
+  // Walls that stand still have no use for it.
+  CHECK(warnings("set.cell = { y = 'fixed' }\n").empty());
   const std::vector<std::string> found = warnings("set.cell = { viscosity = 1 }\n");
   REQUIRE(found.size() == 1);
   CHECK_THAT(found[0],

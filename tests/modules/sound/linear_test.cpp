@@ -25,3 +25,64 @@ TEST_CASE("the linear road gives the response of the discrete chain", "[sound]")
       CHECK(std::abs(road.columns[c].response[k] - exact) < 1e-10 * std::abs(exact) + 1e-11);
     }
 }
+
+TEST_CASE("a linear road that was stopped goes on with the frequencies that it lacks", "[sound]") {
+  const Chain chain;
+  const scenario::Plan plan =
+      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nfewest_contacts = 1\n"));
+  std::atomic<bool> stop = true;
+  const Start start{plan, plan.scene, run::set_up(plan)->state(), &stop};
+  RoadSpectrum road;
+  CHECK(!add_linear(start, road));
+  CHECK(road.frequencies.empty());
+  stop = false;
+  const RoadSpectrum whole = linear_spectrum(start);
+  // As if it had been stopped behind the frequencies in the middle.
+  road = whole;
+  road.frequencies.erase(road.frequencies.begin() + 40, road.frequencies.begin() + 99);
+  for (RoadSpectrum::Column& column : road.columns) {
+    column.response.erase(column.response.begin() + 40, column.response.begin() + 99);
+    column.error.erase(column.error.begin() + 40, column.error.begin() + 99);
+    column.linearity.assign(column.response.size(), 0);
+  }
+  CHECK(add_linear(start, road));
+  CHECK(road.frequencies == whole.frequencies);
+  for (const std::size_t c : {0u, 1u}) {
+    CHECK(road.columns[c].response == whole.columns[c].response);
+    CHECK(road.columns[c].error == whole.columns[c].error);
+    CHECK(road.columns[c].linearity.empty());
+  }
+}
+
+TEST_CASE("a linear road at an undamped mode says at which frequency and what to do", "[sound]") {
+  const Chain chain = {.damping = 0, .drag = 0};
+  // Within round-off of the second mode.
+  const scenario::Plan plan = plan_of(chain.text(
+      fmt::format("from_hz = {:.17g}\nto_hz = 160\nstep_hz = 7\nfewest_contacts = 1\n", Chain::mode_hz(2))));
+  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  CHECK_THROWS_WITH(linear_spectrum(start), Catch::Contains("the response at 87.1096 Hz is infinite") &&
+                                                Catch::Contains("; add damping"));
+}
+
+TEST_CASE("a law from outside without derivatives, or that reads orientations, is named with what to do",
+          "[sound]") {
+  PluginHost both({SCREE_TEST_PLUGINS, SCREE_TEST_OUTSIDE});
+  const TemporaryFolder folder;
+  const auto refused = [&](const char* aligns) {
+    const std::string text =
+        with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nfewest_contacts = 1\n"),
+             "plugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n",
+             fmt::format("plugin = 'aligner'\nstiffness = 1000\naligns = '{}'\n", aligns));
+    const scenario::Plan plan =
+        scenario::read_plan(folder.write("s.toml", text), {"time.step_guard=false"}, both);
+    return message([&] { linear_spectrum({plan, plan.scene, run::set_up(plan)->state()}); });
+  };
+  CHECK(
+      refused("no") ==
+      "contact law 'aligner' has no derivatives, from which a linear response follows; measure with a pulse or a "
+      "sweep, or build the law with SCREE_CONTACT_LAW_PLUGIN");
+  CHECK(
+      refused("yes") ==
+      "contact law 'aligner' reads orientations, which a linear response does not follow; measure with a pulse or "
+      "a sweep, or use a law with tangential springs");
+}

@@ -100,6 +100,44 @@ TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[soun
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }
 
+TEST_CASE("a linear road that is interrupted keeps what it has and goes on to the same table", "[sound]") {
+  // Beads on a cubic lattice, whose 384 motions take the road of large packings.
+  std::string text =
+      "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"
+      "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n"
+      "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
+      "[[probe]]\nplugin = 'particles'\nids = [128]\n"
+      "[spectrum]\ndrive = 'floor.displacement'\namplitude = 1e-8\nobserve = ['particles.z_128']\n"
+      "from_hz = 20\nto_hz = 160\nstep_hz = 4\nfewest_contacts = 1\n";
+  for (int n = 0; n < 128; ++n)
+    text += fmt::format("[[particle]]\nid = {}\nradius = 0.005\nposition = [{}, {}, {}]\n", n + 1,
+                        0.00995 * (n % 4), 0.00995 * (n / 4 % 4), 0.00495 + 0.00995 * (n / 16));
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::linear};
+  CHECK(measure(whole.plan, whole.options).roads.at(0).frequencies.size() == 36);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  std::vector<double> shares;
+  parted.options.on_progress = [&](double share, double, const std::string& what) {
+    CHECK(what == "linear response");
+    shares.push_back(share);
+    stop = share > 0.4;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  CHECK(first.roads.at(0).frequencies.size() == 12);  // two windows of six; the third was stopped
+  const std::string part = parted.text("spectrum.csv");
+  CHECK(std::count(part.begin(), part.end(), '\n') == 13);
+  stop = false;
+  shares.clear();
+  parted.options.on_progress = [&](double share, double, const std::string&) { shares.push_back(share); };
+  CHECK(!resume_measurement(parted.options, host()).interrupted);
+  CHECK(shares.front() == Approx(12.0 / 36));
+  CHECK(shares.back() == 1);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
 TEST_CASE("a column relative to its mean is divided by it on every road", "[sound]") {
   const std::string few =
       "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n";
@@ -228,4 +266,30 @@ TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
   CHECK(std::abs(peak.layers[7] - bead) < 1e-8 * std::abs(bead));
   // Layers are in the shapes, not in the tables.
   CHECK(bench.text("spectrum.csv").find("displacement") == std::string::npos);
+}
+
+TEST_CASE("expectations of peaks are judged on the roads that are taken", "[sound]") {
+  const auto expect = [](const char* quantity, const char* bounds) {
+    return fmt::format("[[expect]]\nrequirement = 'r'\nquantity = '{}'\n{}\n", quantity, bounds);
+  };
+  // The second mode, 87.11 Hz; the fit of a peak leaves 1e-5 of the other modes.
+  Bench bench(
+      Chain().text(
+          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nfewest_contacts = 1\nshape_from = 'profile'\n") +
+      Chain::layers +
+      expect("peaks.linear.particles.z_8.3lambda/4.frequency", "reference = 87.11\ntolerance = 0.01") +
+      expect("peaks.linear.particles.z_1.peak_1.frequency", "at_least = 30") +
+      expect("peaks.linear.particles.z_8.peak_9.frequency", "at_most = 1e9") +
+      expect("peaks.pulse.particles.z_8.peak_1.frequency", "at_most = 1"));
+  bench.options.roads = {Road::linear};
+  const Measurement m = measure(bench.plan, bench.options);
+  REQUIRE(m.verdicts.size() == 3);  // there is no pulse
+  CHECK(m.verdicts[0].met);
+  CHECK(!m.verdicts[1].met);
+  CHECK(std::abs(m.verdicts[1].value - Chain::mode_hz(1)) < 0.01);
+  CHECK(!m.verdicts[2].met);  // there is no such peak
+  CHECK(std::isnan(m.verdicts[2].value));
+  const std::string record = bench.text("spectrum.json");
+  CHECK(record.find("\"name\": \"3λ/4\"") != std::string::npos);
+  CHECK(record.find("\"met\": true") != std::string::npos);
 }

@@ -183,9 +183,10 @@ TEST_CASE("a lock-in refuses what cannot give an amplitude, with the cure", "[lo
   CHECK(refused({{"frequency_hz", {200}}, {"periods", {8}}, {"harmonics", {2}}}) == "no error");
   CHECK(
       refused(eight_periods, 0.25) ==
-      "probe lock_in: from = 0.25 s is not before the end of the run at 0.25 s, so that there are no samples; "
+      "probe lock_in: from = 0.25 s is not before 0.25 s, when the run or the stages of the probe end, so that there are no samples; "
       "give an earlier time, or a longer run");
-  CHECK(refused(eight_periods, 2.2).find("lasts beyond the end of the run at 2.2 s; give fewer periods") !=
+  CHECK(refused(eight_periods, 2.2)
+            .find("lasts beyond 2.2 s, when the run or the stages of the probe end; give fewer periods") !=
         std::string::npos);
   CHECK(refused(eight_periods, 2.25) == "no error");
   CHECK(refused(with(eight_periods, {{"samples_per_period", {6}}})).find("not above twice the harmonics") !=

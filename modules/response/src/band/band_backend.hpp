@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <complex>
 #include <memory>
 
@@ -23,17 +24,18 @@ struct BandWindow {
   std::complex<double>* amplitude;  // (size, count)
   double* residual;                 // (count)
   double* error;                    // (count) NaN if the factorised matrix is singular
+  const std::atomic<bool>* stop;    // null, or set by others to end early
 };
 
 // Solves a window (K + iωC − ω²M) q = f; `solve` may be called by several threads at once.
 class BandBackend {
  public:
   virtual ~BandBackend() = default;
-  // Returns the number of basis vectors.
+  // Returns the number of basis vectors. Nothing that it found is of use if it was stopped.
   virtual int solve(const BandWindow& window) const = 0;
 };
 
-constexpr int band_backend_version = 1;
+constexpr int band_backend_version = 2;
 
 // Made by the library, compiled for several instruction levels: dense products take nearly all of its time.
 class BandBackendFactory {

@@ -1,3 +1,4 @@
+#include "../largest_amplification.hpp"
 #include "band_backend.hpp"
 #include "galerkin_basis.hpp"
 #include "symmetric_factors.hpp"
@@ -49,14 +50,18 @@ class WindowIteration {
     std::fill_n(window.error, window.count, std::numeric_limits<double>::quiet_NaN());
   }
 
+  // norm: of the factorised matrix.
   template <class Inverse>
-  int run(const Inverse& inverse) {
+  int run(const Inverse& inverse, double norm) {
     if (!settle_unloaded()) return 0;
-    Matrix directions = unit(inverse(loads_of(frequencies(few_of(all_open())))));
+    Matrix directions = inverse(loads_of(frequencies(few_of(all_open()))));
     if (!directions.allFinite()) return 0;
+    // In single precision, and between frequencies, only iteration tells.
+    if (window_.count == 1 && directions.norm() * norm > largest_amplification) return 0;
+    directions = unit(std::move(directions));
     basis_.extend(directions);
     solve_open();
-    for (int round = 0; round < most_rounds && !open_.empty(); ++round) {
+    for (int round = 0; round < most_rounds && !open_.empty() && proceeds(); ++round) {
       const Eigen::Index before = basis_.size();
       const Places far = far_open();
       directions = unit(inverse(residuals(far.empty() ? all_open() : few_of(far))));
@@ -112,6 +117,8 @@ class WindowIteration {
     for (std::size_t k = 0; k < chosen.size(); ++k) omega[Eigen::Index(k)] = window_.omega[chosen[k]];
     return basis_.residuals(omega, loads_of(chosen), coefficients_(Eigen::all, places));
   }
+
+  bool proceeds() const { return !window_.stop || !*window_.stop; }
 
   // Without a load the solution is 0. Returns whether a frequency is left.
   bool settle_unloaded() {
@@ -216,15 +223,17 @@ class BandSolver : public BandBackend {
     const Sparse elastic = symmetric_stiffness_ - inertia;
     Eigen::SparseMatrix<std::complex<double>> sum = elastic.cast<std::complex<double>>();
     sum += std::complex<double>(0, omega) * symmetric_damping_.cast<std::complex<double>>();
-    const SymmetricFactors<T> factors(plan_, sum.template cast<T>());
+    const SymmetricFactors<T> factors(plan_, sum.template cast<T>(), window.stop);
+    if (window.stop && *window.stop) return 0;
     WindowIteration iteration(window, stiffness_, damping_, mass_);
-    return iteration.run([&](const Matrix& b) -> Matrix {
+    const auto inverse = [&](const Matrix& b) -> Matrix {
       // Directions count, not lengths: scaled, since single precision has a small range.
       Matrix scaled = b;
       for (Eigen::Index c = 0; c < b.cols(); ++c)
         if (const double length = b.col(c).norm(); length > 0) scaled.col(c) /= length;
       return factors.solve(scaled.template cast<T>()).template cast<std::complex<double>>();
-    });
+    };
+    return iteration.run(inverse, sum.norm());
   }
 
   Sparse stiffness_, damping_;

@@ -3,6 +3,7 @@
 #include "elimination.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -16,14 +17,16 @@ class SymmetricFactors {
  public:
   using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-  // Entries of A below the diagonal in the order of elimination are read.
-  SymmetricFactors(const Elimination& plan, const Eigen::SparseMatrix<T>& a) : plan_(plan) {
+  // Entries of A below the diagonal in the order of elimination are read. Incomplete, and not to be used, once `stop`, which
+  // may be null, says stop.
+  SymmetricFactors(const Elimination& plan, const Eigen::SparseMatrix<T>& a, const std::atomic<bool>* stop)
+      : plan_(plan) {
     const std::size_t count = plan.nodes.size();
     pivots_.resize(count), couplings_.resize(count), updates_.resize(count), at_.resize(plan.order.size());
     std::vector<std::vector<int>> children(count);
     for (std::size_t k = 0; k < count; ++k)
       if (plan.nodes[k].parent >= 0) children[std::size_t(plan.nodes[k].parent)].push_back(int(k));
-    for (std::size_t k = 0; k < count; ++k) eliminate(k, a, children[k]);
+    for (std::size_t k = 0; k < count && !(stop && *stop); ++k) eliminate(k, a, children[k]);
     updates_.clear();
   }
 

@@ -22,7 +22,7 @@ const char* precision_name(Precision precision);
 // "velocity_verlet, double".
 std::string method_name(const Setting& setting);
 
-// A compared quantity. The last one of a study, "positions", is the root mean square distance of the bodies
+// A compared quantity. The last one of a study of a run, "positions", is the root mean square distance of the bodies
 // from their positions in the reference, in mean radii.
 struct Quantity {
   std::string name;
@@ -51,8 +51,17 @@ struct Outcome {
 // Slope of log(error) over log(step), fitted where errors decrease with the step: not saturated, and above
 // the uncertainty of the reference, round-off and errors that do not depend on the step.
 struct Order {
-  Setting method;                                // with step 0
-  std::optional<double> of_worst, of_positions;  // absent with fewer than 3 points to fit
+  Setting method;                  // with step 0
+  std::optional<double> of_worst;  // absent with fewer than 3 points to fit
+  std::vector<std::optional<double>> of_quantities;
+};
+
+// The longest step (s) with which an error stays within the tolerance, between two tried ones from their errors; no longer than
+// the longest tried one, and absent if the error of the shortest is larger.
+struct LongestStep {
+  Setting method;                  // with step 0
+  std::optional<double> of_worst;  // for all quantities
+  std::vector<std::optional<double>> of_quantities;
 };
 
 struct Study {
@@ -63,6 +72,8 @@ struct Study {
   std::vector<std::string> notes;  // remarks: excluded quantities, ends of stages that depend on the step
   std::vector<Outcome> outcomes;
   std::vector<Order> orders;
+  std::vector<LongestStep> longest_steps;
+  bool of_peaks = false;
   double tolerance = 0;
   bool interrupted = false;
 };
@@ -72,6 +83,8 @@ struct StudyOptions {
   int count = 6;        // number of steps, each half of the previous; at least 2
   double tolerance = 1e-3;
   std::vector<Integration> integrations;  // all if empty
+  // Compared ones; those of [[expect]] if empty. A peak, "peaks.pulse.strain.strain.peak_2", stands for its frequency and quality.
+  std::vector<std::string> quantities;
   std::function<void(double share, const std::string& what)> on_progress;
   const std::atomic<bool>* stop = nullptr;
 };
@@ -80,7 +93,9 @@ struct StudyOptions {
 // [[expect]] if there is one, 0 for residuals, else the Richardson extrapolation of velocity Verlet in double
 // precision with 1/2, 1/4 and 1/8 of the finest step. Steps divide the durations of the stages. If runs
 // diverge under refinement, as in chaotic scenes, all are compared at the time until which they agree to a
-// tenth of the tolerance (at least 1e-5) in mean radii. Throws Error if the scenario cannot run.
+// tenth of the tolerance (at least 1e-5) in mean radii. Quantities of peaks are compared if `quantities` names some, or if the
+// plan has no stages or no [[expect]] of a run; then a setting takes the roads of these peaks. Throws Error if the scenario cannot
+// run, or if quantities are unknown or of both kinds.
 Study study(const scenario::Plan& plan, const StudyOptions& options);
 
 // The cheapest outcome whose worst error is within the tolerance; null if none is.

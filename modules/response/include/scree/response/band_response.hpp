@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <vector>
 
 #include <scree/response/frequency_response.hpp>
@@ -9,6 +11,10 @@ namespace scree::response {
 struct BandOptions {
   double tolerance = 1e-2;  // largest estimated relative error of an amplitude, above 0
   unsigned threads = 0;     // 0: as many as the machine has; results do not depend on it
+  // Called by any of the threads, one at a time, with the share of the frequencies that are found.
+  std::function<void(double share)> on_progress = {};
+  // Set by others: frequencies not found by then are left out. When these are asked for later, they get the same bits.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct BandStatistics {
@@ -18,7 +24,7 @@ struct BandStatistics {
 };
 
 struct BandResponse {
-  std::vector<HarmonicResponse> responses;  // in the order of the frequencies
+  std::vector<HarmonicResponse> responses;  // of the frequencies that were found, in their order
   BandStatistics statistics;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <scree/run/input_hashes.hpp>
+#include <scree/run/verdict.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
@@ -32,13 +33,6 @@ struct RunOptions {
   std::function<void(const Progress&)> on_progress;    // called about five times per second
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
   const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: the run saves its results and ends
-};
-
-// Result of an expectation.
-struct Verdict {
-  scenario::Expectation expectation;
-  double value = 0;
-  bool met = false;
 };
 
 // A stage of a run that has begun.

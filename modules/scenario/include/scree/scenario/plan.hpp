@@ -71,10 +71,11 @@ struct ChartPlan {
   bool log_x = false, log_y = false;
 };
 
-// A required result of a run.
+// A required result of a run or a spectrum.
 struct Expectation {
   std::string requirement;  // text for people
-  std::string quantity;     // "energy_residual" or "<probe>.<column>.<last|first|min|max|mean>"
+  std::string
+      quantity;  // "energy_residual", "<probe>.<column>.<last|first|min|max|mean>", or as in peak_quantity.hpp
   std::optional<double> reference, tolerance;
   std::optional<double> at_most, at_least;
   bool of_step = false;         // the reference is valid only for the time step in the file
@@ -96,9 +97,10 @@ struct Plan {
   SnapshotPlan snapshot;
   CheckpointPlan checkpoint;
   std::vector<ChartPlan> charts;
-  std::vector<Expectation> expectations;
-  std::optional<SpectrumPlan> spectrum;  // for scree spectrum; then there may be no stages
-  std::string resolved_text;             // TOML with overrides
+  std::vector<Expectation> expectations;       // of a run
+  std::vector<Expectation> peak_expectations;  // of a spectrum
+  std::optional<SpectrumPlan> spectrum;        // for scree spectrum; then there may be no stages
+  std::string resolved_text;                   // TOML with overrides
   std::string
       text_for_any_folder;   // the same with the path of a packing made absolute; empty if not to be written
   std::string bodies_place;  // file:line:column, for messages
@@ -110,8 +112,9 @@ struct Plan {
 
 // Names of all quantities for expectations: the numbers of run.json, and "<probe>.<column>.<statistic>".
 std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, int dimension);
-// Returns "no quantity '<name>'; <cure>" unless the name is among `known`.
-std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known);
+// Returns "no quantity '<name>'; <cure>" unless the name is among `known` or, with a spectrum, that of a number of a peak.
+std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known,
+                                            const std::optional<SpectrumPlan>& spectrum = std::nullopt);
 
 // Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any error in it.
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,8 @@ struct SpectrumPlan {
   // from_hz, from_hz + step_hz, ... up to to_hz.
   std::vector<double> frequencies() const;
 };
+
+// What is wrong with a highest frequency (Hz) and a time step (s); nothing if a sample per step tells its sine.
+std::optional<std::string> sampling_problem(double to_hz, double step);
 
 }  // namespace scree::scenario

@@ -8,6 +8,7 @@
 
 #include <scree/plugin_host.hpp>
 #include <scree/run/input_hashes.hpp>
+#include <scree/run/verdict.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/sound/resonance.hpp>
 #include <scree/sound/road_spectrum.hpp>
@@ -34,8 +35,9 @@ struct Measurement {
   bool interrupted = false;
   std::string scenario;  // as resolved
   run::InputHashes inputs;
-  std::vector<std::string> warnings;  // "<what>; <cure>"
-  std::string error;                  // one line, if it failed
+  std::vector<std::string> warnings;   // "<what>; <cure>"
+  std::string error;                   // one line, if it failed
+  std::vector<run::Verdict> verdicts;  // of the expectations of peaks on the roads that were taken
 };
 
 // Runs the stages of a plan with a [spectrum], then takes the roads, and writes their directory: sweep.csv while a sweep goes on;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <scree/scenario/spectrum_plan.hpp>
+#include <scree/scenario/peak_quantity.hpp>
 #include <scree/sound/road_spectrum.hpp>
 #include <scree/spectrum/peaks.hpp>
 
@@ -29,5 +29,10 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed);
 // "λ/4", "3λ/4", "λ", ...; "" without a shape.
 std::string name_of(const Resonance& resonance);
+// A number of a peak, by its place in scenario::peak_numbers; wavelengths are NaN without a shape.
+double number_of(const Resonance& resonance, std::size_t number);
+// The same of the peak that a quantity names: of several with the same name, the highest. NaN if there is none.
+double value_of(const scenario::PeakQuantity& quantity, const std::vector<RoadSpectrum>& roads,
+                const std::vector<Resonance>& resonances);
 
 }  // namespace scree::sound

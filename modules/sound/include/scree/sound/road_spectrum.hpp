@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include <scree/scenario/peak_quantity.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree::sound {
 
-// A road to the response of a packing to a driven wall.
+// A road to the response of a packing to a driven wall, by its place in scenario::road_names.
 enum class Road { linear, pulse, sweep };
-
-inline constexpr const char* road_names[] = {"linear", "pulse", "sweep"};
+using scenario::road_names;
 
 // What a road found: response over drive at each frequency.
 struct RoadSpectrum {

@@ -1,0 +1,52 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <scree/accuracy/study.hpp>
+
+namespace scree::accuracy {
+
+const char* precision_name(Precision precision) { return precision == Precision::mixed ? "mixed" : "double"; }
+
+std::string method_name(const Setting& setting) {
+  return fmt::format("{}, {}", traits_of(setting.integration).name, precision_name(setting.precision));
+}
+
+double Quantity::scale() const {
+  if (chosen_scale > 0) return chosen_scale;
+  return reference != 0 ? std::abs(reference) : 1;
+}
+
+std::size_t Outcome::worst_quantity() const {
+  return std::size_t(std::max_element(errors.begin(), errors.end()) - errors.begin());
+}
+
+double Outcome::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }
+
+const Outcome* cheapest(const Study& study) {
+  const Outcome* best = nullptr;
+  for (const Outcome& o : study.outcomes)
+    if (o.problem.empty() && o.worst() <= study.tolerance && (!best || o.wall < best->wall)) best = &o;
+  return best;
+}
+
+std::vector<const Outcome*> pareto_front(const Study& study, std::optional<std::size_t> quantity) {
+  constexpr double gain = 1.05;
+  std::vector<const Outcome*> front;
+  for (const Outcome& o : study.outcomes)
+    if (o.problem.empty()) front.push_back(&o);
+  std::sort(front.begin(), front.end(), [&](const Outcome* a, const Outcome* b) {
+    return a->wall != b->wall ? a->wall < b->wall : a->error(quantity) < b->error(quantity);
+  });
+  double best = std::numeric_limits<double>::infinity();
+  std::erase_if(front, [&](const Outcome* o) {
+    if (o->error(quantity) * gain >= best) return true;
+    best = o->error(quantity);
+    return false;
+  });
+  return front;
+}
+
+}  // namespace scree::accuracy

@@ -1,0 +1,33 @@
+#include <cmath>
+
+#include <scree/run/verdict_json.hpp>
+
+namespace scree::run {
+
+Verdict judged(const scenario::Expectation& e, double value) {
+  const bool near = !e.reference || std::abs(value - *e.reference) <= *e.tolerance;
+  const bool low = !e.at_most || value <= *e.at_most;
+  const bool high = !e.at_least || value >= *e.at_least;
+  return {e, value, near && low && high && !std::isnan(value)};
+}
+
+nlohmann::ordered_json json_of(const std::vector<Verdict>& verdicts) {
+  auto all = nlohmann::ordered_json::array();
+  for (const Verdict& v : verdicts) {
+    nlohmann::ordered_json json = {{"requirement", v.expectation.requirement},
+                                   {"quantity", v.expectation.quantity},
+                                   {"value", v.value},
+                                   {"met", v.met}};
+    const auto add = [&](const char* key, const std::optional<double>& number) {
+      if (number) json[key] = *number;
+    };
+    add("reference", v.expectation.reference);
+    add("tolerance", v.expectation.tolerance);
+    add("at_most", v.expectation.at_most);
+    add("at_least", v.expectation.at_least);
+    all.push_back(std::move(json));
+  }
+  return all;
+}
+
+}  // namespace scree::run
