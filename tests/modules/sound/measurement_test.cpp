@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/files/directory_lock.hpp>
 #include <scree/sound/measurement.hpp>
 
 using namespace scree;
@@ -98,6 +99,21 @@ TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[soun
   parted.options.roads = {Road::sweep};
   CHECK(resume_measurement(parted.options, host()).roads.size() == 3);
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
+TEST_CASE("a spectrum that goes on in its directory is not told to take another", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nfewest_contacts = 1\n"));
+  bench.options.roads = {Road::linear};
+  measure(bench.plan, bench.options);
+  const auto lock = files::DirectoryLock::take(bench.options.out);
+  CHECK(message([&] {
+          resume_measurement(bench.options, host());
+        }).ends_with("out: another spectrum is running there; wait for it"));
+  // The same directory for a new one.
+  bench.options.overwrite = true;
+  CHECK(message([&] {
+          measure(bench.plan, bench.options);
+        }).ends_with("another spectrum is running there; wait for it, or give another --out"));
 }
 
 TEST_CASE("a linear road that is interrupted keeps what it has and goes on to the same table", "[sound]") {
