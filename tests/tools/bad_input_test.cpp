@@ -161,7 +161,7 @@ TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]")
   const Workspace w;
   const Outcome full = w.shell("ulimit -f 2; scree run scene.toml --out out/deep");
   CHECK(full.status == 1);
-  CHECK(full.err == "scree: out/deep/run.json: cannot be written; free disk space or give another --out\n");
+  CHECK(full.err == "scree: out/deep/run.json: cannot be written; free disk space, or give another --out\n");
   CHECK_FALSE(w.has("out"));
 }
 
@@ -200,7 +200,7 @@ TEST_CASE("a full disk leaves a run that is told to have failed, and whole files
   if (full.status == 77) return;
   CHECK(full.status == 1);
   CHECK(full.err ==
-        "scree: disk/run/series/energy.csv: cannot be written; free disk space or give another --out\n");
+        "scree: disk/run/series/energy.csv: cannot be written; free disk space, or give another --out\n");
   CHECK(w.record("out/run")["status"] == "failed");
   CHECK(w.record("out/run")["error"] == full.err.substr(7, full.err.size() - 8));
   CHECK(w.record("out/run")["steps"] > 10);
@@ -210,7 +210,7 @@ TEST_CASE("a full disk leaves a run that is told to have failed, and whole files
   fs::remove_all(w / "out");
   const Outcome tiny = run_on_disk("40k", "");
   CHECK(tiny.status == 1);
-  CHECK(tiny.err == "scree: disk/run/.room: cannot be written; free disk space or give another --out\n");
+  CHECK(tiny.err == "scree: disk/run/.room: cannot be written; free disk space, or give another --out\n");
   CHECK(fs::is_empty(w / "out"));
 }
 

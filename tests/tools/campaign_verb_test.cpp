@@ -127,7 +127,7 @@ TEST_CASE("after Ctrl-C runs are saved, the table is written, and the same comma
   CHECK(outcome.status == 130);
   CHECK(contains(outcome.out, "running      duration=5000\nmissing      duration=6000\n"));
   CHECK(contains(outcome.out, "second 2\n"));
-  CHECK(outcome.err == "scree: out: another campaign is running there; wait for it or give another --out\n");
+  CHECK(outcome.err == "scree: out: another campaign is running there; wait for it, or give another --out\n");
   CHECK(contains(outcome.out, "\n1 finished, 2 to do\n"));
   CHECK(contains(outcome.out, "interrupted; run the same command again to continue\n"));
   CHECK(w.record("out/duration=5000")["status"] == "interrupted");

@@ -183,7 +183,7 @@ TEST_CASE("the directory of a run that is going on is refused, and nothing in it
                                   "kill -INT $run; wait $run");
   CHECK(outcome.status == 130);
   CHECK(outcome.out.starts_with("second 2\n"));
-  CHECK(outcome.err == "scree: out: another run is running there; wait for it or give another --out\n");
+  CHECK(outcome.err == "scree: out: another run is running there; wait for it, or give another --out\n");
   CHECK(w.record()["status"] == "interrupted");
 }
 

@@ -93,7 +93,7 @@ void ProcessPool::start(std::size_t id, const std::vector<std::string>& command,
   const bool append = existing == Log::append &&
                       std::filesystem::is_regular_file(std::filesystem::symlink_status(log, failed));
   const Descriptor output = append ? files::append_file(log.c_str()) : files::create_file(log.c_str());
-  if (!output.is_open()) throw run::unwritable(log);
+  if (!output.is_open()) run::throw_unwritable(log);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw no_process(errno);
   Descriptor alive(ends[0]);

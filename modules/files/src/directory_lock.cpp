@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <scree/error.hpp>
 #include <scree/files/directory_lock.hpp>
+#include <scree/files/place_error.hpp>
 
 namespace scree::files {
 
@@ -16,9 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error unusable(const fs::path& path, const char* what, int code) {
-  return Error(
-      fmt::format("{}: cannot be {} ({}); give another --out", path.string(), what, std::strerror(code)));
+PlaceError unusable(const fs::path& path, const char* what, int code) {
+  return PlaceError(fmt::format("{}: cannot be {} ({})", path.string(), what, std::strerror(code)));
 }
 
 fs::path lock_in(const fs::path& directory) { return directory / DirectoryLock::file_name; }

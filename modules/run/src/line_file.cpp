@@ -28,7 +28,7 @@ LineFile::LineFile(const std::filesystem::path& path) : path_(path) {
   std::error_code failed;  // a failure is reported when the file is opened
   std::filesystem::create_directories(path.parent_path(), failed);
   file_ = files::create_file(path.c_str());
-  if (!file_.is_open()) throw unwritable(path, errno);
+  if (!file_.is_open()) throw_unwritable(path, errno);
 }
 
 LineFile::LineFile(const std::filesystem::path& path, std::uint64_t bytes)
@@ -45,7 +45,7 @@ LineFile::LineFile(const std::filesystem::path& path, std::uint64_t bytes)
 }
 
 void LineFile::cut() {
-  if (ftruncate(file_.get(), off_t(bytes_)) != 0) throw unwritable(path_, errno);
+  if (ftruncate(file_.get(), off_t(bytes_)) != 0) throw_unwritable(path_, errno);
 }
 
 void LineFile::add(std::string_view line) {
@@ -64,7 +64,7 @@ void LineFile::flush() {
   const std::size_t written = end < off_t(bytes_) ? 0 : std::size_t(end) - bytes_;
   bytes_ += lines.substr(0, written).rfind('\n') + 1;
   if (ftruncate(file_.get(), off_t(bytes_)) == 0) lseek(file_.get(), off_t(bytes_), SEEK_SET);
-  throw unwritable(path_, code);
+  throw_unwritable(path_, code);
 }
 
 }  // namespace scree::run

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/document/document.hpp>
-#include <scree/error.hpp>
+#include <scree/files/place_error.hpp>
 #include <scree/scene_record.hpp>
 
 namespace scree::run {
@@ -81,18 +81,6 @@ void check_unfinished(const State& state, const scenario::Plan& plan, const fs::
                             directory.string(), time_of(state)));
 }
 
-// The run stays in its directory, so that no cure is to give another.
-std::string cured_in_place(std::string line) {
-  const std::string elsewhere = "give another --out";
-  const auto replace = [&](const std::string& part, const char* other) {
-    if (const std::size_t at = line.rfind(part); at != line.npos) line.replace(at, part.size(), other);
-  };
-  replace(", or " + elsewhere, "");
-  replace(" or " + elsewhere, "");
-  replace(elsewhere, "check its permissions");
-  return line;
-}
-
 RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
   check_overrides(changes.overrides);
   RunDirectory directory = directory_of(options.out);
@@ -112,11 +100,7 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
 }  // namespace
 
 RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
-  try {
-    return go_on(options, changes, host);
-  } catch (const Error& error) {
-    throw Error(cured_in_place(error.what()), error.status());
-  }
+  return files::in_place([&] { return go_on(options, changes, host); });
 }
 
 }  // namespace scree::run

@@ -16,6 +16,7 @@
 
 #include <scree/branching.hpp>
 #include <scree/error.hpp>
+#include <scree/files/place_error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
@@ -60,6 +61,14 @@ std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& sta
   return std::make_unique<Simulation>(scene, state);
 }
 
+// The status bad_input is reserved for errors before anything is written. To be called where the error is caught.
+[[noreturn]] void rethrow_as_failure(const Error& error) {
+  if (error.status() != ExitStatus::bad_input) throw;
+  if (const auto* place = dynamic_cast<const files::PlaceError*>(&error))
+    throw place->with_status(ExitStatus::failure);
+  throw Error(error.what(), ExitStatus::failure);
+}
+
 class Run {
  public:
   // state: that from which the run in the directory goes on; null for a new run.
@@ -93,8 +102,7 @@ class Run {
       if (no_final_state_) std::rethrow_exception(no_final_state_);
     } catch (const Error& error) {
       fail(error.what());
-      // The status bad_input is reserved for errors before anything is written.
-      throw error.status() == ExitStatus::bad_input ? Error(error.what(), ExitStatus::failure) : error;
+      rethrow_as_failure(error);
     } catch (const std::exception& error) {
       fail(error.what());
       throw;

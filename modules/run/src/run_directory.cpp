@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/place_error.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/run_directory.hpp>
 
@@ -61,8 +62,9 @@ bool is_unused(const fs::path& path, const Layout& layout) {
   return !failed && !is_foreign_list(path, layout);
 }
 
-Error refusal(const fs::path& path, const std::string& problem, const char* cure = "give another --out") {
-  return Error(fmt::format("{}: {}; {}", path.string(), problem, cure));
+files::PlaceError refusal(const fs::path& path, const std::string& problem, const char* cure = "") {
+  return files::PlaceError(fmt::format("{}: {}", path.string(), problem), cure, ExitStatus::bad_input,
+                           "give the directory of one that was interrupted");
 }
 
 std::string with_article(const Layout& layout, const char* article = "a") {
@@ -74,8 +76,7 @@ void check_list(const fs::path& path, const Layout& layout) {
   std::error_code failed;
   for (const char* folder : layout.folders)
     if (fs::is_symlink(fs::symlink_status(path / folder, failed)))
-      throw refusal(path / folder, "is a symbolic link, which is not followed",
-                    "remove it, or give another --out");
+      throw refusal(path / folder, "is a symbolic link, which is not followed", "remove it");
   if (WrittenFiles(path).contains(layout.record)) return;
   if (fs::exists(path / layout.record, failed))
     throw refusal(
@@ -83,7 +84,7 @@ void check_list(const fs::path& path, const Layout& layout) {
         fmt::format(
             "contains {} without {}, the list of its files, so that it can be neither replaced nor resumed",
             with_article(layout), WrittenFiles::file_name),
-        "move it elsewhere, or give another --out");
+        "move it elsewhere");
   throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
 }
 
@@ -92,16 +93,15 @@ void check_present(const fs::path& path, RunDirectory::Kind kind, RunDirectory::
   std::error_code failed;
   if (!fs::is_directory(path, failed)) throw refusal(path, "exists and is not a directory");
   if (fs::directory_iterator(path, failed); failed)
-    throw refusal(path, fmt::format("cannot be read ({})", failed.message()),
-                  "check its permissions, or give another --out");
+    throw refusal(path, fmt::format("cannot be read ({})", failed.message()), "check its permissions");
   if (is_unused(path, layout)) return;
   if (kind != RunDirectory::Kind::campaign)
     check_list(path, layout);
   else if (!fs::exists(path / layout.record, failed))
     throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
   if (existing == RunDirectory::Existing::refuse)
-    throw refusal(path, fmt::format("already contains {}", with_article(layout)),
-                  "give another --out, or --overwrite to replace it");
+    throw Error(fmt::format("{}: already contains {}; give another --out, or --overwrite to replace it",
+                            path.string(), with_article(layout)));
 }
 
 }  // namespace
@@ -137,8 +137,8 @@ void RunDirectory::check() const {
   if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, kind_, existing_);
   const fs::path existing = existing_part(path_);
   if (!fs::is_directory(existing, failed) || access(existing.c_str(), W_OK | X_OK) != 0)
-    throw Error(fmt::format("{}: cannot be written ({} is not a writable directory); give another --out",
-                            path_.string(), existing.string()));
+    throw files::PlaceError(fmt::format("{}: cannot be written ({} is not a writable directory)",
+                                        path_.string(), existing.string()));
 }
 
 void RunDirectory::take() {
@@ -147,7 +147,7 @@ void RunDirectory::take() {
   auto lock = files::DirectoryLock::take(path_, kind_ == Kind::campaign ? Children::inherit : Children::none);
   if (!lock)
     throw refusal(path_, fmt::format("{} is running there", with_article(layout_of(kind_), "another")),
-                  "wait for it or give another --out");
+                  "wait for it");
   lock_.emplace(std::move(*lock));
   check();  // another process may have written there before it was locked
 }
@@ -163,7 +163,7 @@ void RunDirectory::protect(const std::vector<fs::path>& inputs) const {
           input,
           fmt::format("is read by this scene and a file of the {} in {}, which would be removed first",
                       layout_of(kind_).name, path_.string()),
-          "copy it elsewhere, or give another --out");
+          "copy it elsewhere");
 }
 
 void RunDirectory::create() {
@@ -187,15 +187,20 @@ void RunDirectory::write_file(const std::string& name, const std::string& text) 
   try {
     files::write_atomically(path, text);
   } catch (const Error&) {
-    throw unwritable(path);
+    throw_unwritable(path);
   }
 }
 
-Error unwritable(const fs::path& path, int code) {
-  std::string cure = "; free disk space or give another --out";
-  if (code == EMFILE) cure = " (too many files are open); use fewer probes, or raise the limit (ulimit -n)";
-  if (code == EFBIG) cure = " (it would be too large); raise the limit (ulimit -f) or sample less often";
-  return Error(fmt::format("{}: cannot be written{}", path.string(), cure), ExitStatus::failure);
+void throw_unwritable(const fs::path& path, int code) {
+  const std::string problem = fmt::format("{}: cannot be written", path.string());
+  const auto failure = ExitStatus::failure;
+  if (code == EMFILE)
+    throw Error(problem + " (too many files are open); use fewer probes, or raise the limit (ulimit -n)",
+                failure);
+  if (code == EFBIG)
+    throw Error(problem + " (it would be too large); raise the limit (ulimit -f) or sample less often",
+                failure);
+  throw files::PlaceError(problem, "free disk space", failure);
 }
 
 fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {

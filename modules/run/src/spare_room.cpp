@@ -11,10 +11,10 @@ namespace scree::run {
 
 void SpareRoom::reserve(const std::filesystem::path& file, std::size_t bytes) {
   const files::Descriptor open_file = files::create_file(file.c_str());
-  if (!open_file.is_open()) throw unwritable(file, errno);
+  if (!open_file.is_open()) throw_unwritable(file, errno);
   file_ = file;
   const int code = posix_fallocate(open_file.get(), 0, off_t(bytes));
-  if (code == ENOSPC || code == EDQUOT) throw unwritable(file, code);
+  if (code == ENOSPC || code == EDQUOT) throw_unwritable(file, code);
 }
 
 void SpareRoom::release() {

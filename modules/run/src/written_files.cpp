@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/files/descriptor.hpp>
+#include <scree/files/place_error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/run_directory.hpp>
@@ -51,17 +52,17 @@ void check_lines(const fs::path& directory, const std::vector<std::string>& line
     const std::string folder = fs::path(lines[k]).parent_path().string();
     if (stays_below(lines[k]) && (!checked.insert(folder).second || !leads_through_link(directory, folder)))
       continue;
-    throw Error(fmt::format(
-        "{}:{}: '{}' leads out of the directory; remove the line or the link, or give another --out",
-        (directory / WrittenFiles::file_name).string(), k + 1, files::one_line(lines[k])));
+    throw files::PlaceError(
+        fmt::format("{}:{}: '{}' leads out of the directory", (directory / WrittenFiles::file_name).string(),
+                    k + 1, files::one_line(lines[k])),
+        "remove the line or the link");
   }
 }
 
 void remove_file(const fs::path& path) {
   if (unlink(path.c_str()) == 0 || errno == ENOENT || errno == ENOTDIR) return;
-  throw Error(fmt::format("{}: cannot be removed ({}); check its permissions, or give another --out",
-                          path.string(), std::strerror(errno)),
-              ExitStatus::failure);
+  throw files::PlaceError(fmt::format("{}: cannot be removed ({})", path.string(), std::strerror(errno)),
+                          "check its permissions", ExitStatus::failure);
 }
 
 void remove_empty_folders(const fs::path& directory, const fs::path& file) {
@@ -90,7 +91,7 @@ std::string WrittenFiles::text() const {
   const fs::file_status status = fs::symlink_status(path, failed);
   if (status.type() == fs::file_type::not_found) return "";
   if (!fs::is_regular_file(status))
-    throw Error(fmt::format("{}: is not a file; remove it, or give another --out", path.string()));
+    throw files::PlaceError(fmt::format("{}: is not a file", path.string()), "remove it");
   std::string text = files::read_text(path);
   text.resize(text.rfind('\n') + 1);
   return text;
@@ -103,21 +104,17 @@ fs::path WrittenFiles::add(const std::string& file) {
   // `scree render` may have added lines meanwhile, or a run that was killed half of one.
   if (fs::file_size(list, failed) != size_ && !failed) read();
   if (!stays_below(file) || fs::exists(fs::symlink_status(path, failed)))
-    throw Error(
-        fmt::format("{}: is there and was not written by a run; move it elsewhere, or give another --out",
-                    path.string()),
-        ExitStatus::failure);
+    throw files::PlaceError(fmt::format("{}: is there and was not written by a run", path.string()),
+                            "move it elsewhere", ExitStatus::failure);
   if (leads_through_link(directory_, fs::path(file).parent_path()))
-    throw Error(
-        fmt::format(
-            "{}: its folder is a symbolic link, which is not followed; remove it, or give another --out",
-            path.string()),
+    throw files::PlaceError(
+        fmt::format("{}: its folder is a symbolic link, which is not followed", path.string()), "remove it",
         ExitStatus::failure);
   const files::Descriptor descriptor = files::append_file(list.c_str());
-  if (!descriptor.is_open()) throw unwritable(list, errno);
+  if (!descriptor.is_open()) throw_unwritable(list, errno);
   int code = ftruncate(descriptor.get(), off_t(size_)) == 0 ? 0 : errno;
   if (!code) code = files::write_all(descriptor, file + '\n');
-  if (code) throw unwritable(list, code);
+  if (code) throw_unwritable(list, code);
   size_ += file.size() + 1;
   steady_size_ += is_state(file) ? 0 : file.size() + 1;
   listed_.insert(file);
@@ -156,7 +153,7 @@ void WrittenFiles::return_to(std::uint64_t size) {
   if (size == 0)
     remove_file(list);
   else if (truncate(list.c_str(), off_t(end)) != 0)
-    throw unwritable(list, errno);
+    throw_unwritable(list, errno);
   size_ = end;
   steady_size_ = size;
   listed_ = std::move(remaining);

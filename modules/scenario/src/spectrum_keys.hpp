@@ -39,8 +39,12 @@ struct SpectrumKeys : TableKeys {
   NumberKey tolerance = number(
       "tolerance", Range::between(1e-9, 0.1), 1e-3,
       "relative error of the linear response of more than 300 degrees of freedom, and of the response that an adaptive sweep takes to be steady");
-  ChoiceKey pulse =
-      choice_or_first("pulse", {"gaussian", "ricker"}, "wave of a pulse, as wide as to_hz needs");
+  ChoiceKey pulse = choice_or_first(
+      "pulse", {"gaussian", "ricker", "chirp"},
+      "wave of a pulse, as wide as to_hz needs; a chirp goes from from_hz to to_hz, with more of the drive at each "
+      "frequency for its amplitude");
+  NumberKey chirp_duration = number("chirp_duration", Range::positive("s"),
+                                    "of a chirp, in which its frequency rises", "default 10 / from_hz");
   NumberKey decay =
       number("decay", Range::between(1e-12, 0.5), 1e-4,
              "integral of the response to a pulse behind its record, over that before: below it the "

@@ -175,10 +175,18 @@ void read_adaptive(const document::Table& t, SpectrumPlan& plan) {
 }
 
 void read_pulse(const document::Table& t, SpectrumPlan& plan) {
-  plan.pulse =
-      read(t, spectrum_keys.pulse) == "ricker" ? SpectrumPlan::Pulse::ricker : SpectrumPlan::Pulse::gaussian;
+  const std::string pulse = read(t, spectrum_keys.pulse);
+  plan.pulse = pulse == "ricker"  ? SpectrumPlan::Pulse::ricker
+               : pulse == "chirp" ? SpectrumPlan::Pulse::chirp
+                                  : SpectrumPlan::Pulse::gaussian;
+  plan.chirp_duration = read_optional(t, spectrum_keys.chirp_duration).value_or(10 / plan.from_hz);
   plan.decay = read(t, spectrum_keys.decay);
   plan.longest_pulse = read_optional(t, spectrum_keys.longest_pulse).value_or(30 / plan.step_hz);
+  if (plan.pulse == SpectrumPlan::Pulse::chirp && plan.longest_pulse <= plan.chirp_duration)
+    throw t.error(t.has(spectrum_keys.longest_pulse) ? spectrum_keys.longest_pulse : spectrum_keys.step_hz,
+                  fmt::format("the record of {:g} s ends before the chirp of {:g} s", plan.longest_pulse,
+                              plan.chirp_duration),
+                  "give a longer longest_pulse, or a shorter chirp_duration");
   plan.fewest_contacts =
       int(t.optional_integer(spectrum_keys.fewest_contacts, spectrum_keys.fewest_contacts.range).value_or(0));
 }

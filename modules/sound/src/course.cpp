@@ -139,6 +139,7 @@ void Course::take_short(Road road, const std::function<RoadSpectrum(const Start&
     if (asked_.size() == 1) throw;
     warn(fmt::format("{} (the road {} is left out)", error.what(), name));
     asked_.erase(std::find(asked_.begin(), asked_.end(), road));
+    left_out_.push_back(name);
   }
 }
 
@@ -183,6 +184,7 @@ void Course::transfer(const StateTransfer& state) {
   std::vector<std::string> asked;
   for (const Road road : asked_) asked.push_back(road_names[std::size_t(road)]);
   state.rows("asked", "", asked);
+  state.rows("left_out", "", left_out_);
   asked_.clear();
   for (const Road road : {Road::linear, Road::pulse, Road::sweep})
     if (std::find(asked.begin(), asked.end(), road_names[std::size_t(road)]) != asked.end())
@@ -219,7 +221,9 @@ void Course::judge() {
   if (result_.interrupted) return;
   for (const scenario::Expectation& e : plan_.peak_expectations) {
     const auto quantity = *scenario::peak_quantity(e.quantity, result_.observed);
-    if (!has(road_names[quantity.road])) continue;
+    const std::string road = road_names[quantity.road];
+    const bool left_out = std::find(left_out_.begin(), left_out_.end(), road) != left_out_.end();
+    if (!has(road) && !left_out) continue;  // not asked for
     result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.roads, result_.resonances)));
   }
 }

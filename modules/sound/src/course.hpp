@@ -48,6 +48,7 @@ class Course {
   const MeasurementOptions& options_;
   run::RunDirectory& directory_;
   std::vector<Road> asked_;
+  std::vector<std::string> left_out_;  // asked for, but could not be taken
   Measurement result_;
   RoadSpectrum unfinished_;  // linear road of a part of the frequencies
   std::optional<Start> start_;

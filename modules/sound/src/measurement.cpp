@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/error.hpp>
+#include <scree/files/place_error.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/sound/measurement.hpp>
@@ -38,7 +39,9 @@ bool is_measurement(const fs::path& directory) {
   return fs::exists(directory / "spectrum.json", failed);
 }
 
-Measurement resume_measurement(const MeasurementOptions& options, PluginHost& host) {
+namespace {
+
+Measurement go_on(const MeasurementOptions& options, PluginHost& host) {
   if (!is_measurement(options.out))
     throw Error(fmt::format("{}: contains no spectrum; give the directory of one", options.out.string()));
   RunDirectory directory(options.out, RunDirectory::Existing::keep, RunDirectory::Kind::spectrum);
@@ -57,6 +60,12 @@ Measurement resume_measurement(const MeasurementOptions& options, PluginHost& ho
   const scenario::Plan plan =
       scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
   return Course(plan, options, directory).resume(state);
+}
+
+}  // namespace
+
+Measurement resume_measurement(const MeasurementOptions& options, PluginHost& host) {
+  return files::in_place([&] { return go_on(options, host); });
 }
 
 }  // namespace scree::sound

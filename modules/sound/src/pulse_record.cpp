@@ -19,8 +19,17 @@ constexpr double ricker_lead = 2.2;  // periods
 // Of the run without a pulse and the first with one, in the steps of all three.
 constexpr double share_of_driven = 2.0 / 3;
 
+// The frequencies of a chirp begin and end beside the band by this share of its lowest frequency; it rises and falls there.
+constexpr double chirp_margin = 0.5;
+
 double gaussian_width(const SpectrumPlan& plan) { return 0.25 / plan.to_hz; }
 double ricker_frequency(const SpectrumPlan& plan) { return 0.5 * (plan.from_hz + plan.to_hz); }
+
+Wave chirp(const SpectrumPlan& plan, double amplitude) {
+  const double margin = chirp_margin * plan.from_hz, low = plan.from_hz - margin, high = plan.to_hz + margin;
+  const double rise = margin / (high - low) * plan.chirp_duration;
+  return {Program::chirp, 0, amplitude, rise, low, high, plan.chirp_duration, 0};
+}
 
 }  // namespace
 
@@ -44,12 +53,16 @@ PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double am
 
 Wave PulseRecord::wave(double amplitude) const {
   const SpectrumPlan& plan = start_.spectrum();
+  if (plan.pulse == SpectrumPlan::Pulse::chirp) return chirp(plan, amplitude);
   if (plan.pulse == SpectrumPlan::Pulse::gaussian)
     return {Program::gaussian, 0, amplitude, gaussian_lead * gaussian_width(plan), gaussian_width(plan)};
   return {Program::ricker, 0, amplitude, ricker_lead / ricker_frequency(plan), ricker_frequency(plan)};
 }
 
-double PulseRecord::end_of_pulse() const { return 2 * wave_[3]; }
+double PulseRecord::end_of_pulse() const {
+  const SpectrumPlan& plan = start_.spectrum();
+  return plan.pulse == SpectrumPlan::Pulse::chirp ? plan.chirp_duration : 2 * wave_[3];
+}
 
 double PulseRecord::length() const { return double(samples() * stride_) * start_.scene.step; }
 

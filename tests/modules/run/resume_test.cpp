@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/error.hpp>
+#include <scree/files/directory_lock.hpp>
 #include <scree/run/run_directory.hpp>
 
 using namespace scree;
@@ -237,4 +238,13 @@ TEST_CASE("messages about the directory of a run that goes on ask for no other",
     std::filesystem::create_directory(bench.options.out / "written.txt");
     CHECK(refused(bench, {}, 2e-4).ends_with("written.txt: is not a file; remove it"));
   }
+}
+
+TEST_CASE("a run that goes on in its directory is not told to take another", "[run]") {
+  const Bench bench(stages);
+  bench.run();
+  const auto lock = files::DirectoryLock::take(bench.options.out);
+  const std::string line = refused(bench, {}, 2e-4);
+  INFO(line);
+  CHECK(line.ends_with("out: another run is running there; wait for it"));
 }

@@ -88,7 +88,7 @@ TEST_CASE("a directory that a run has taken is refused to others, and is gone if
       RunDirectory second(folder / "a/run", existing);
       CHECK(message([&] {
               second.take();
-            }).ends_with("a/run: another run is running there; wait for it or give another --out"));
+            }).ends_with("a/run: another run is running there; wait for it, or give another --out"));
     }
   }
   CHECK(fs::is_empty(folder.path()));

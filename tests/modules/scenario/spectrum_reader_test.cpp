@@ -71,6 +71,9 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
           "fewer analysed_periods");
   refuses({"spectrum.rise_periods=41"}, "a rise of 41 periods reaches into the analysed ones",
           "fewer rise_periods");
+  refuses({"spectrum.pulse='chirp'", "spectrum.chirp_duration=4"},
+          "the record of 3 s ends before the chirp of 4 s", "a longer longest_pulse");
+  refuses({"spectrum.pulse='noise'"}, "noise", "gaussian");
   refuses({"spectrum.direction='left'"}, "direction", "up");
   refuses({"spectrum.adaptive=true", "spectrum.direction='both'"}, "takes each frequency once", "direction");
   refuses({"spectrum.zzz=1"}, "zzz", "known keys");

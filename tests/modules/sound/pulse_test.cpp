@@ -1,10 +1,12 @@
 #include "pulse.hpp"
 
 #include "chain.hpp"
+#include "pulse_record.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
+#include <scree/sound/trial.hpp>
 
 using namespace scree;
 using namespace scree::sound;
@@ -12,7 +14,7 @@ using namespace scree::test;
 
 TEST_CASE("a pulse measures the response of the discrete chain", "[sound]") {
   const Chain chain;
-  const auto pulse = GENERATE("gaussian", "ricker");
+  const auto pulse = GENERATE("gaussian", "ricker", "chirp");
   const scenario::Plan plan = plan_of(chain.text(
       "from_hz = 20\nto_hz = 160\nstep_hz = 2\ndecay = 1e-6\npulse = '" + std::string(pulse) + "'\n"));
   const Start start{plan, plan.scene, run::set_up(plan)->state()};
@@ -30,6 +32,30 @@ TEST_CASE("a pulse measures the response of the discrete chain", "[sound]") {
     // A linear chain: what is left is round-off of a height of 0.07 m.
     CHECK(road.columns[1].linearity[k] < 1e-4 * largest);
   }
+}
+
+TEST_CASE("a chirp finds the modes of the discrete chain", "[sound]") {
+  const Chain chain = {.damping = 0.02};
+  const scenario::Plan plan = plan_of(chain.text(
+      "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\ndecay = 1e-6\npulse = 'chirp'\nchirp_duration = 0.5\n"));
+  const SpectrumTrial trial = try_roads(plan, {Road::pulse}, nullptr);
+  CHECK(trial.roads[0].notes.empty());
+  std::vector<double> found;
+  for (const Resonance& r : trial.resonances)
+    if (r.column == 1) found.push_back(r.mode.frequency);
+  REQUIRE(found.size() == 3);
+  for (int j = 1; j <= 3; ++j) {
+    const double exact = Chain::with_step(Chain::mode_hz(j));
+    CAPTURE(j, found[std::size_t(j - 1)], exact);
+    // The fit of a peak leaves 1e-5 of the other modes.
+    CHECK(std::abs(found[std::size_t(j - 1)] / exact - 1) < 1e-4);
+  }
+  // Stationary phase: the sum of a linear chirp is A sqrt(T/(4 (f1 - f0))) within its band, with ripples of the edges.
+  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  const DrivenWalls walls(start);
+  PulseRecord undriven(start, walls, 0, nullptr), driven(start, walls, 1e-8, &undriven);
+  REQUIRE(driven.until_samples(std::size_t(0.6 * 160 * 50)));
+  CHECK(std::abs(driven.drive_at(90)) / 1e-8 == Approx(std::sqrt(0.5 / (4 * 160))).epsilon(0.2));
 }
 
 TEST_CASE("a packing that is not at rest answers a pulse as one at rest", "[sound]") {

@@ -72,7 +72,7 @@ class RunDirectory {
   std::unique_ptr<WrittenFiles> written_;  // from create() on, but of a campaign
 };
 
-// Error for a file of a run that cannot be written; code: as errno, 0 if unknown.
-Error unwritable(const std::filesystem::path& path, int code = 0);
+// Throws the Error (failure) of a file of a run that cannot be written; code: as errno, 0 if unknown.
+[[noreturn]] void throw_unwritable(const std::filesystem::path& path, int code = 0);
 
 }  // namespace scree::run

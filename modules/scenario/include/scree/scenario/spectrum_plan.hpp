@@ -26,7 +26,7 @@ inline std::size_t responding(const std::vector<ObservedColumn>& observed) {
 struct SpectrumPlan {
   enum class Direction { up, down, both };
   enum class Detrending { period_average, polynomial };
-  enum class Pulse { gaussian, ricker };
+  enum class Pulse { gaussian, ricker, chirp };
 
   std::string boundary, key;  // of the displacement that takes the wave
   std::string drive_place;    // file:line:column, for messages
@@ -39,9 +39,10 @@ struct SpectrumPlan {
   bool adaptive = false;
   double tolerance = 0;  // relative error of an adaptive sweep
   Pulse pulse = Pulse::gaussian;
-  double decay = 0;          // integral of |response| behind the record of a pulse over that before
-  double longest_pulse = 0;  // (s)
-  int fewest_contacts = 0;   // see response::AssemblyOptions
+  double chirp_duration = 0;  // (s)
+  double decay = 0;           // integral of |response| behind the record of a pulse over that before
+  double longest_pulse = 0;   // (s)
+  int fewest_contacts = 0;    // see response::AssemblyOptions
 
   // from_hz, from_hz + step_hz, ... up to to_hz.
   std::vector<double> frequencies() const;

@@ -37,7 +37,7 @@ struct Measurement {
   run::InputHashes inputs;
   std::vector<std::string> warnings;   // "<what>; <cure>"
   std::string error;                   // one line, if it failed
-  std::vector<run::Verdict> verdicts;  // of the expectations of peaks on the roads that were taken
+  std::vector<run::Verdict> verdicts;  // of the expectations of peaks on the roads that were asked for
 };
 
 // Runs the stages of a plan with a [spectrum], then takes the roads, and writes their directory: sweep.csv while a sweep goes on;

@@ -1,0 +1,32 @@
+#include <catch2/catch.hpp>
+
+#include <scree/files/place_error.hpp>
+
+using namespace scree;
+using namespace scree::files;
+
+TEST_CASE("an error of a place has one cure for those who can leave it and one for those who cannot",
+          "[files]") {
+  const PlaceError curable("out: is not a file", "remove it");
+  CHECK(curable.what() == std::string("out: is not a file; remove it, or give another --out"));
+  CHECK(curable.in_place() == "out: is not a file; remove it");
+  const PlaceError hopeless("out: cannot be written");
+  CHECK(hopeless.what() == std::string("out: cannot be written; give another --out"));
+  CHECK(hopeless.in_place() == "out: cannot be written; check its permissions");
+  const PlaceError failure = hopeless.with_status(ExitStatus::failure);
+  CHECK(failure.status() == ExitStatus::failure);
+  CHECK(failure.in_place() == hopeless.in_place());
+}
+
+TEST_CASE("work in a place that stays reports the cure for the place, with the status of the error",
+          "[files]") {
+  CHECK(in_place([] { return 3; }) == 3);
+  try {
+    in_place([]() -> int { throw PlaceError("x: is full", "free disk space", ExitStatus::failure); });
+    FAIL("no error");
+  } catch (const Error& error) {
+    CHECK(error.what() == std::string("x: is full; free disk space"));
+    CHECK(error.status() == ExitStatus::failure);
+  }
+  CHECK_THROWS_WITH(in_place([]() -> int { throw Error("other; cure"); }), "other; cure");
+}

@@ -1,0 +1,111 @@
+#include "bench.hpp"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include <scree/files/directory_lock.hpp>
+
+using namespace scree;
+using namespace scree::sound;
+using namespace scree::test;
+
+TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
+  const std::string text =
+      Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n");
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::sweep};
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  int reports = 0;
+  parted.options.on_progress = [&](double share, double, const std::string&) {
+    stop = share > 0 && ++reports >= 1;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(first.roads.at(0).frequencies.size() < 6);
+  stop = false;
+  parted.options.on_progress = {};
+  const Measurement second = resume_measurement(parted.options, host());
+  CHECK(!second.interrupted);
+  CHECK(parted.text("sweep.csv") == whole.text("sweep.csv"));
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+  CHECK(message([&] { resume_measurement(parted.options, host()); }).find("the spectrum is finished") !=
+        std::string::npos);
+}
+
+TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[sound]") {
+  const std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+  Bench whole(text), parted(text);
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  parted.options.on_progress = [&](double, double, const std::string& what) {
+    stop = what.starts_with("pulse");
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(first.roads.size() == 1);
+  stop = false;
+  parted.options.on_progress = {};
+  parted.options.roads = {Road::sweep};
+  CHECK(resume_measurement(parted.options, host()).roads.size() == 3);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
+TEST_CASE("a spectrum that goes on in its directory is not told to take another", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nfewest_contacts = 1\n"));
+  bench.options.roads = {Road::linear};
+  measure(bench.plan, bench.options);
+  const auto lock = files::DirectoryLock::take(bench.options.out);
+  CHECK(message([&] {
+          resume_measurement(bench.options, host());
+        }).ends_with("out: another spectrum is running there; wait for it"));
+  // The same directory for a new one.
+  bench.options.overwrite = true;
+  CHECK(message([&] {
+          measure(bench.plan, bench.options);
+        }).ends_with("another spectrum is running there; wait for it, or give another --out"));
+}
+
+TEST_CASE("a linear road that is interrupted keeps what it has and goes on to the same table", "[sound]") {
+  // Beads on a cubic lattice, whose 384 motions take the road of large packings.
+  std::string text =
+      "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"
+      "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n"
+      "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
+      "[[probe]]\nplugin = 'particles'\nids = [128]\n"
+      "[spectrum]\ndrive = 'floor.displacement'\namplitude = 1e-8\nobserve = ['particles.z_128']\n"
+      "from_hz = 20\nto_hz = 160\nstep_hz = 4\nfewest_contacts = 1\n";
+  for (int n = 0; n < 128; ++n)
+    text += fmt::format("[[particle]]\nid = {}\nradius = 0.005\nposition = [{}, {}, {}]\n", n + 1,
+                        0.00995 * (n % 4), 0.00995 * (n / 4 % 4), 0.00495 + 0.00995 * (n / 16));
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::linear};
+  CHECK(measure(whole.plan, whole.options).roads.at(0).frequencies.size() == 36);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  std::vector<double> shares;
+  parted.options.on_progress = [&](double share, double, const std::string& what) {
+    CHECK(what == "linear response");
+    shares.push_back(share);
+    stop = share > 0.4;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  CHECK(first.roads.at(0).frequencies.size() == 12);  // two windows of six; the third was stopped
+  const std::string part = parted.text("spectrum.csv");
+  CHECK(std::count(part.begin(), part.end(), '\n') == 13);
+  stop = false;
+  shares.clear();
+  parted.options.on_progress = [&](double share, double, const std::string&) { shares.push_back(share); };
+  CHECK(!resume_measurement(parted.options, host()).interrupted);
+  CHECK(shares.front() == Approx(12.0 / 36));
+  CHECK(shares.back() == 1);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
