@@ -35,7 +35,7 @@ struct SpectrumKeys : TableKeys {
       choice_or_first("detrend", {"period_average", "polynomial"}, "what is done against drift in a sweep");
   BooleanKey adaptive = boolean(
       "adaptive", false,
-      "a sweep stays at each frequency until the response is steady, and takes the grid in full only where it varies");
+      "a sweep stays at each frequency until the response is steady, and takes the grid in full only where it varies; the linear road adds frequencies about maxima narrower than six steps of the grid");
   NumberKey tolerance = number(
       "tolerance", Range::between(1e-9, 0.1), 1e-3,
       "relative error of the linear response of more than 300 degrees of freedom, and of the response that an adaptive sweep takes to be steady");

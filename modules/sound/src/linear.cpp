@@ -2,6 +2,7 @@
 
 #include "displaced_view.hpp"
 #include "driven_walls.hpp"
+#include "linear_grid.hpp"
 #include "observer.hpp"
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
+// Times that narrow maxima get more frequencies.
+constexpr int most_refinements = 4;
 // Largest displacement of a difference over the smallest radius: far above round-off of positions, far below contact sizes.
 constexpr double largest_share = 1e-3;
 // Change of a derivative with the size of the difference, over its largest value, from which a column is refused.
@@ -128,17 +131,25 @@ void note_uncertain(const std::vector<response::HarmonicResponse>& responses, do
       worst->frequency_hz, worst->error, tolerance));
 }
 
-}  // namespace
+// The road at some of its frequencies.
+RoadSpectrum part_of(const RoadSpectrum& road, const std::vector<double>& frequencies) {
+  RoadSpectrum part{.road = road.road, .frequencies = frequencies, .columns = {}, .notes = {}};
+  part.columns.resize(road.columns.size());
+  for (const double f : frequencies) {
+    const auto at =
+        std::lower_bound(road.frequencies.begin(), road.frequencies.end(), f) - road.frequencies.begin();
+    for (std::size_t c = 0; c < road.columns.size(); ++c)
+      part.columns[c].response.push_back(road.columns[c].response[std::size_t(at)]);
+  }
+  return part;
+}
 
-bool add_linear(const Start& start, RoadSpectrum& road) {
-  using Clock = std::chrono::steady_clock;
-  const auto began = Clock::now();
+// Adds those of `wanted` that the road lacks. Returns false after a stop.
+bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
+                     const std::vector<double>& wanted, RoadSpectrum& road) {
   const scenario::SpectrumPlan& plan = start.spectrum();
-  check_needs(start);
-  Simulation simulation(start.scene, start.state);
-  const DrivenWalls walls(start);
-  const std::vector<double> left = missing(plan.frequencies(), road.frequencies);
-  const double found = double(road.frequencies.size()), all = found + double(left.size());
+  const std::vector<double> left = missing(wanted, road.frequencies);
+  const double all = double(wanted.size()), found = all - double(left.size());
   const auto on_progress = [&](double share) {
     start.on_progress((found + share * double(left.size())) / all, "linear response");
   };
@@ -149,13 +160,41 @@ bool add_linear(const Start& start, RoadSpectrum& road) {
                        .threads = start.scene.threads,
                        .on_progress = on_progress,
                        .stop = start.stop});
-  road.road = "linear";
-  road.columns.resize(plan.observed.size());
   Columns columns(start, simulation, walls.motion(), motion);
   for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
   note_uncertain(motion.responses, plan.tolerance, road);
+  return motion.responses.size() == left.size();
+}
+
+// Narrow maxima get more frequencies from what is known at those before, so that a road that was stopped goes on with the same.
+bool add_all_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
+                         RoadSpectrum& road) {
+  std::vector<double> wanted = start.spectrum().frequencies();
+  for (int refinement = 0;; ++refinement) {
+    if (!add_frequencies(start, simulation, walls, wanted, road)) return false;
+    if (!start.spectrum().adaptive || refinement == most_refinements) return true;
+    const std::vector<double> further = further_frequencies(start.spectrum(), part_of(road, wanted));
+    if (further.empty()) return true;
+    std::vector<double> more;
+    std::set_union(wanted.begin(), wanted.end(), further.begin(), further.end(), std::back_inserter(more));
+    wanted = std::move(more);
+  }
+}
+
+}  // namespace
+
+bool add_linear(const Start& start, RoadSpectrum& road) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  const scenario::SpectrumPlan& plan = start.spectrum();
+  check_needs(start);
+  Simulation simulation(start.scene, start.state);
+  const DrivenWalls walls(start);
+  road.road = "linear";
+  road.columns.resize(plan.observed.size());
+  const bool complete = add_all_frequencies(start, simulation, walls, road);
   road.wall += std::chrono::duration<double>(Clock::now() - began).count();
-  if (motion.responses.size() < left.size()) return false;
+  if (!complete) return false;
   for (std::size_t c = 0; c < road.columns.size(); ++c) {
     if (!plan.observed[c].of_shape) check_column(plan.observed[c], road.columns[c]);
     road.columns[c].linearity.clear();

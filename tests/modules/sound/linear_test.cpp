@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
+#include <scree/sound/resonance.hpp>
 
 using namespace scree;
 using namespace scree::sound;
@@ -52,6 +53,25 @@ TEST_CASE("a linear road that was stopped goes on with the frequencies that it l
     CHECK(road.columns[c].error == whole.columns[c].error);
     CHECK(road.columns[c].linearity.empty());
   }
+}
+
+TEST_CASE("an adaptive linear road resolves maxima that are narrower than its grid", "[sound]") {
+  const auto modes_with = [](const char* grid) {
+    const scenario::Plan plan = plan_of(
+        Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nfewest_contacts = 1\n{}\n", grid)));
+    const Start start{plan, plan.scene, run::set_up(plan)->state()};
+    std::vector<spectrum::Mode> modes;
+    for (const Resonance& r : resonances_of({linear_spectrum(start)}, plan.observed))
+      if (plan.observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
+    return modes;
+  };
+  const std::vector<spectrum::Mode> fine = modes_with("step_hz = 0.25");
+  const std::vector<spectrum::Mode> refined = modes_with("step_hz = 7\nadaptive = true");
+  CHECK(modes_with("step_hz = 7").size() < fine.size());
+  REQUIRE(refined.size() == fine.size());
+  // The same modes through fewer points; of what is no sum of modes, the fit leaves 1e-3 of a width.
+  for (std::size_t k = 0; k < fine.size(); ++k)
+    CHECK(std::abs(refined[k].frequency - fine[k].frequency) < 1e-2 * fine[k].width);
 }
 
 TEST_CASE("a linear road at an undamped mode says at which frequency and what to do", "[sound]") {

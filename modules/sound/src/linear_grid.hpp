@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include <scree/scenario/spectrum_plan.hpp>
+#include <scree/sound/road_spectrum.hpp>
+
+namespace scree::sound {
+
+// Frequencies about maxima that are too narrow for the frequencies of a road to give their widths: with them, a width has eight. Of the
+// columns that respond; empty where all maxima are wide enough. Increasing, without those of the road.
+std::vector<double> further_frequencies(const scenario::SpectrumPlan& plan, const RoadSpectrum& road);
+
+}  // namespace scree::sound
