@@ -91,7 +91,7 @@ class StrainedPacking {
         // A wall is flat: the branch vector along it stays 0.
         const bool along_wall = c.b >= bodies && k != walls_.axis;
         const double stretch = along_wall ? 0 : component(c.a, k) - component(c.b, k);
-        const double force = list_.force[3 * c.contact + std::size_t(k)];
+        const double force = c.force[k];
         virial[std::size_t(k)] += change[k] * branch(c, k) + force * stretch;
         before[std::size_t(k)] += force * branch(c, k);
       }
