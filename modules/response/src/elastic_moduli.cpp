@@ -1,7 +1,9 @@
 #include "contact_terms.hpp"
 #include "static_solution.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -110,18 +112,26 @@ class StrainedPacking {
             .residual = residual};
   }
 
-  // Slope of the displacement along an axis over the height, by least squares, in the middle half.
+  // Slope of the displacement along an axis over the height in the middle half: from the medians in its outer quarters,
+  // since bodies that are held loosely move by any amount.
   double middle_slope(int axis) const {
     const Particles& p = simulation_.particles();
     const double start = simulation_.planes()[walls_.low].point[walls_.axis];
-    double count = 0, height = 0, displacement = 0, squares = 0, products = 0;
+    std::vector<double> height[2], displacement[2];
     for (std::uint32_t i = 0; i < p.size(); ++i) {
       const double y = (p.position()[walls_.axis][i] - start) / walls_.distance - 0.5;
-      if (!is_held(i) || std::abs(y) > 0.25) continue;
-      const double u = component(i, axis);
-      count += 1, height += y, displacement += u, squares += y * y, products += y * u;
+      if (!is_held(i) || std::abs(y) > 0.25 || std::abs(y) < 0.125) continue;
+      height[y > 0].push_back(y * walls_.distance);
+      displacement[y > 0].push_back(component(i, axis));
     }
-    return (products - height * displacement / count) / (squares - height * height / count) / walls_.distance;
+    if (height[0].empty() || height[1].empty()) return std::numeric_limits<double>::quiet_NaN();
+    return (median(displacement[1]) - median(displacement[0])) / (median(height[1]) - median(height[0]));
+  }
+
+  static double median(std::vector<double>& values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
   }
 
   const Simulation& simulation_;

@@ -26,6 +26,7 @@ constexpr Index narrow_block = 8, widest_block = 100, spare = 2;
 // Steps between neighbouring ω², relative to them, at which modes can be counted.
 constexpr double smallest_gap = 1e-7;
 constexpr int most_rounds = 6;
+constexpr double round_off = 1e-13;  // of the asymmetry
 
 // Modes in the coordinates √M q of all degrees of freedom, as they are found.
 class Search {
@@ -42,6 +43,7 @@ class Search {
     find(*below, Index(result_.floppy), true);
     find_unstable();
     held_ = modes_.cols();
+    if (search_.proceed() && held_ == Index(result_.floppy + result_.unstable)) apply_asymmetry(*below);
     if (search_.near_hz > 0)
       find_near();
     else
@@ -130,15 +132,63 @@ class Search {
     find(*factors, Index(result_.unstable), true);
   }
 
+  // Those of the symmetric part with ω² <= 0 are turned into modes of the full K: bodies that turn freely between two
+  // contacts are floppy with it, but have an ω² below 0, of the second order in the asymmetry, without it. With R: found
+  // modes, solves K (R + D) = (R + D) H for D across R, H = Rᵀ K (R + D).
+  void apply_asymmetry(const ShiftedFactors& below) {
+    if (held_ == 0 || system_.asymmetry() < round_off) return;
+    const Eigen::VectorXd mass = (system_.system().mass.array() > 0).cast<double>();
+    const Eigen::SparseMatrix<double>& stiffness = system_.weighted().stiffness();
+    Matrix full = modes_, h;
+    for (int round = 0; round < most_rounds; ++round) {
+      const Matrix elastic = stiffness * full;
+      h = modes_.transpose() * elastic;
+      const Matrix rest = elastic - mass.asDiagonal() * (full * h);
+      Matrix correction = across_found(rest);
+      below.solve(correction.data(), int(correction.cols()));
+      full -= across_found(correction);
+    }
+    const Matrix elastic = stiffness * full;
+    h = modes_.transpose() * elastic;
+    // Where it does not converge, a mode that vibrates is as slow as the asymmetry is large.
+    if (!((elastic - mass.asDiagonal() * (full * h)).norm() <= system_.rounding())) return;
+    take_over(full, h);
+  }
+
+  Matrix across_found(const Matrix& all) const {
+    const Matrix shares = modes_.transpose() * all;
+    return all - modes_ * shares;
+  }
+
+  void take_over(const Matrix& full, const Matrix& h) {
+    Matrix shares = Matrix::Identity(held_, held_);
+    Eigen::VectorXcd squares = Eigen::VectorXcd::Zero(held_);
+    if (h.norm() > system_.rounding()) {
+      const Eigen::EigenSolver<Matrix> solver(h);
+      shares = solver.pseudoEigenvectors(), squares = solver.eigenvalues();
+    }
+    result_.unstable = result_.floppy = 0;
+    replacement_ = full * shares;
+    for (Index k = 0; k < held_; ++k) {
+      replacement_.col(k) /= heavy_part(replacement_.col(k)).norm();
+      const bool grows =
+          squares[k].real() < -system_.rounding() || std::abs(squares[k].imag()) > system_.rounding();
+      // One that grows while it oscillates has complex squares.
+      squares_[std::size_t(k)] = grows ? -std::abs(squares[k]) : squares[k].real();
+      if (grows) ++result_.unstable;
+      if (std::abs(squares[k]) <= system_.rounding()) ++result_.floppy;
+    }
+  }
+
   void find_lowest(const ShiftedFactors& below) {
-    const std::size_t under = result_.unstable + result_.floppy;
+    const std::size_t under = std::size_t(held_);
     find_counted(below, 0, [&](double distance) { return system_.count_below(distance) - under; });
   }
 
   void find_near() {
     const double omega = 2 * std::numbers::pi * search_.near_hz, shift = omega * omega;
     const std::unique_ptr<ShiftedFactors> factors = system_.factorise(shift);
-    const std::size_t under = result_.unstable + result_.floppy;
+    const std::size_t under = std::size_t(held_);
     find_counted(*factors, shift, [&](double distance) {
       const std::size_t first =
           shift - distance > system_.rounding() ? system_.count_below(shift - distance) : under;
@@ -171,7 +221,7 @@ class Search {
     for (std::size_t k = std::size_t(held_); k < squares_.size(); ++k)
       distances.push_back(std::abs(squares_[k] - shift));
     std::sort(distances.begin(), distances.end());
-    const std::size_t all = system_.modes() - result_.unstable - result_.floppy;
+    const std::size_t all = system_.modes() - std::size_t(held_);
     if (distances.size() == all) return {2 * std::max(system_.largest(), shift), Index(all)};
     for (std::size_t k = std::min(distances.size() - 1, search_.count); k > 0; --k)
       if (const double gap = distances[k] - distances[k - 1]; gap > smallest_gap * (shift + distances[k]))
@@ -202,6 +252,7 @@ class Search {
   }
 
   FoundModes write() {
+    if (replacement_.cols() > 0) modes_.leftCols(held_) = replacement_;
     const std::vector<Index> order = chosen();
     const Matrix weighted = modes_(Eigen::all, order);
     const Index count = weighted.cols();
@@ -223,6 +274,7 @@ class Search {
   const UndampedSystem& system_;
   const ModeSearch& search_;
   Matrix modes_;                 // one column each
+  Matrix replacement_;           // the first of them, with the full K
   std::vector<double> squares_;  // ω² of each
   Index held_ = 0;               // floppy and unstable ones, which come first
   FoundModes result_;

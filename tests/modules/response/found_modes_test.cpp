@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
 #include <scree/response/found_modes.hpp>
@@ -127,6 +128,43 @@ TEST_CASE("unstable and floppy modes are found and counted", "[response]") {
   REQUIRE(found.square_frequency.size() == Eigen::Index(found.first_vibrating + 4));
   for (Eigen::Index m = 0; m < found.square_frequency.size(); ++m)
     CHECK(std::abs(found.square_frequency[m] - squares[m]) < 1e-13 * undamped.largest());
+}
+
+// A column of zeros beside a force on the first body by the motion of the second. Bodies that turn freely between two loaded
+// contacts have such a K.
+TEST_CASE("a mode is floppy where it is with all of K, also if its symmetric part is below 0", "[response]") {
+  Eigen::Matrix4d stiffness;
+  stiffness << 0, 3, 0, 0,  //
+      0, 1000, 20, 0,       //
+      0, 20, 400, 10,       //
+      0, 0, 10, 90;
+  for (const double last : {90.0, -5.0}) {
+    CAPTURE(last);
+    stiffness(3, 3) = last;
+    const Eigen::SparseMatrix<double> k = stiffness.sparseView(), none(4, 4), walls(4, 0);
+    const LinearSystem system = {.freedom = DegreesOfFreedom(2, 0, {true, true}, {false, false}),
+                                 .stiffness = k,
+                                 .damping = none,
+                                 .mass = Eigen::Vector4d(1, 2, 1, 3),
+                                 .wall_stiffness = walls,
+                                 .wall_damping = walls,
+                                 .wall_mass = walls,
+                                 .rattlers = {}};
+    const UndampedSystem undamped(system);
+    CHECK(undamped.count_below(-undamped.rounding()) == (last < 0 ? 2 : 1));
+    const FoundModes found = find_modes(undamped, {.count = 3});
+    CHECK(found.unstable == (last < 0 ? 1 : 0));
+    CHECK(found.floppy == 1);
+    CHECK(found.complete);
+    const Eigen::Index floppy = Eigen::Index(found.first_floppy);
+    CHECK(found.residual[floppy] < 1);
+    CHECK(std::abs(found.shape(0, floppy)) == Approx(1));
+    CHECK(found.shape.col(floppy).tail(3).norm() < 1e-10);
+    if (last < 0) {
+      const Eigen::Matrix4d weighted = system.mass.cwiseInverse().asDiagonal() * stiffness;
+      CHECK(found.square_frequency[0] == Approx(weighted.eigenvalues().real().minCoeff()).epsilon(1e-10));
+    }
+  }
 }
 
 // ω_m = 2 √(k/m) sin((2m − 1) π/(2 (2N + 1))) along a row of beads between a wall and nothing, which turns over

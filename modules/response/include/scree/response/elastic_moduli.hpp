@@ -24,7 +24,8 @@ WallPair wall_pair(const Simulation& simulation);
 struct StrainResponse {
   int axis;        // along which the wall moves
   double modulus;  // stress on that wall along the axis
-  // The same with the strain of the middle half of the packing, a straight line through the displacements of its bodies.
+  // The same with the strain of the middle half of the packing, between the medians of its outer quarters; NaN without
+  // bodies there.
   double middle_modulus;
   std::vector<double>
       virial;       // normal stress along each axis, mean over the packing, from forces and branch vectors

@@ -17,10 +17,10 @@ struct ModeSearch {
   std::function<void(double share, const std::string& what)> on_progress = [](double, const std::string&) {};
 };
 
-// Some modes of a system without damping, by the symmetric part of K, in ascending order: unstable ones (ω² < 0), floppy
-// ones (ω² = 0 within round-off), then those that vibrate.
+// Some modes of a system without damping, in ascending order: unstable ones (ω² < 0), floppy ones (ω² = 0 within
+// round-off), then those that vibrate. The latter are modes of the symmetric part of K, the others of all of K.
 struct FoundModes {
-  std::size_t unstable = 0, floppy = 0;  // of the system, by the inertia of K
+  std::size_t unstable = 0, floppy = 0;  // of the system: by the inertia of K, then with its asymmetry
   std::size_t first_floppy = 0,
               first_vibrating = 0;   // among the columns; all unstable ones are found up to 200
   Eigen::VectorXd square_frequency;  // ω² (1/s²)
