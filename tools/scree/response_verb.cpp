@@ -2,10 +2,12 @@
 #include "verbs.hpp"
 
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
 
+#include <scree/snapshot/render_options.hpp>
 #include <scree/vibration/vibration.hpp>
 
 namespace scree::tool {
@@ -14,13 +16,29 @@ namespace {
 
 struct ResponseArguments {
   std::string scenario, out;
-  std::vector<std::string> overrides, pictures;
+  std::string pictures, view;
+  std::vector<std::string> overrides;
   unsigned threads = 1, modes = 20, density = 0;
   double near_hz = 0, residual_limit = 0.01;
   int fewest_contacts = 0;
   bool elastic = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
+
+// "1,4,7".
+std::vector<unsigned> numbers_of(const std::string& text) {
+  std::vector<unsigned> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const bool digits = !part.empty() && part.size() < 7 && part.find_first_not_of("0123456789") == part.npos;
+    const unsigned number = digits ? unsigned(std::stoul(part)) : 0;
+    if (number == 0)
+      throw Error(fmt::format("--picture {}: '{}' is not the number of a mode; give numbers from 1 as 1,4,7",
+                              text, part));
+    numbers.push_back(number);
+  }
+  return numbers;
+}
 
 vibration::VibrationOptions options_of(const ResponseArguments& a) {
   vibration::VibrationOptions options;
@@ -33,6 +51,8 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
   options.density = a.density;
   options.fewest_contacts = a.fewest_contacts;
   options.residual_limit = a.residual_limit;
+  options.pictures = numbers_of(a.pictures);
+  options.view = a.view;
   return options;
 }
 
@@ -67,6 +87,7 @@ void add_response_verb(CommandLine& line) {
   Verb verb =
       line.verb("response", "Vibrational modes, floppy modes and elastic constants of a packing at rest");
   auto a = std::make_shared<ResponseArguments>();
+  const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
   verb.option("scenario", a->scenario,
               "Scenario file (TOML), which begins from a state, or comes to rest in its stages")
       .required();
@@ -79,6 +100,9 @@ void add_response_verb(CommandLine& line) {
   verb.option("--density", a->density,
               "Count the modes at this number of frequencies too, for the density of states")
       .between(2, 100000);
+  verb.option("--picture", a->pictures, "Draw these modes as arrows: 1,4,7").shown_as("K,K,...");
+  verb.option("--view", a->view, "View direction of the pictures (default iso; always z in 2D)")
+      .one_of(views);
   verb.option("--fewest-contacts", a->fewest_contacts,
               "Bodies with fewer are left out (default: 2 with friction, else dimension + 1)")
       .between(1, 100);

@@ -1,3 +1,4 @@
+#include "mode_picture.hpp"
 #include "mode_properties.hpp"
 #include "vibration_files.hpp"
 
@@ -10,6 +11,7 @@
 #include <scree/error.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/snapshot/load_backend.hpp>
 #include <scree/vibration/vibration.hpp>
 
 namespace scree::vibration {
@@ -40,6 +42,9 @@ class Course {
     began_ = Clock::now();
     // What cannot be done is refused before anything is written.
     if (options_.elastic) response::wall_pair(*simulation);
+    if (!options_.pictures.empty() && !snapshot::has_pictures())
+      throw Error(
+          fmt::format("{}; {}, or leave --picture out", snapshot::no_pictures, snapshot::no_pictures_cure));
     system_.emplace(response::assemble(*simulation, {.fewest_contacts = options_.fewest_contacts}));
     describe(*simulation);
     directory_.create();
@@ -90,12 +95,12 @@ class Course {
   void take_parts(const Simulation& simulation) {
     const response::UndampedSystem undamped(*system_);
     result_.asymmetry = undamped.asymmetry();
-    take("modes", cost_of_modes + cost_of_a_mode * options_.modes, [&] { take_modes(undamped); });
+    take("modes", cost_of_modes + cost_of_a_mode * options_.modes, [&] { take_modes(undamped, simulation); });
     if (options_.elastic) take("elastic", cost_of_constants, [&] { take_constants(simulation); });
     if (options_.density > 0) take("density", options_.density, [&] { take_density(undamped); });
   }
 
-  void take_modes(const response::UndampedSystem& undamped) {
+  void take_modes(const response::UndampedSystem& undamped, const Simulation& simulation) {
     const response::FoundModes found = find_modes(
         undamped, {.count = options_.modes,
                    .near_hz = options_.near_hz,
@@ -105,6 +110,22 @@ class Course {
     result_.modes = properties_of(found, *system_);
     result_.floppy_bodies = floppy_bodies(found, *system_);
     if (proceeds()) warn_of_modes();
+    for (const unsigned number : options_.pictures) draw(simulation, found, number);
+  }
+
+  void draw(const Simulation& simulation, const response::FoundModes& found, unsigned number) {
+    const std::size_t m = found.first_vibrating + number - 1;
+    if (m >= result_.modes.size()) {
+      if (proceeds())
+        warn(fmt::format("there is no mode {}, of which a picture was asked for; ask for more --modes",
+                         number));
+      return;
+    }
+    const std::string name = fmt::format("images/mode_{}.png", number);
+    draw_mode(simulation, system_->freedom, found.shape.col(Eigen::Index(m)),
+              fmt::format("{}: mode {}, {:.6g} Hz", result_.title, number, result_.modes[m].frequency_hz),
+              options_.view, directory_.add(name));
+    result_.pictures.push_back(name);
   }
 
   void warn_of_modes() {

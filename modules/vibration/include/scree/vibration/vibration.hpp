@@ -23,6 +23,7 @@ struct VibrationOptions {
   double near_hz = 0;              // above 0: those nearest to this frequency, else the lowest
   bool elastic = false;            // elastic constants too
   unsigned density = 0;            // frequencies at which modes are counted; 0: none
+  std::string view;                // of pictures, one of snapshot::view_names; empty: iso
   std::vector<unsigned> pictures;  // numbers of modes that vibrate, from 1
   int fewest_contacts = 0;         // response::AssemblyOptions
   double residual_limit = 0.01;    // above which modes are named
