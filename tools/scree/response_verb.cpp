@@ -19,7 +19,7 @@ struct ResponseArguments {
   std::string pictures, view;
   std::vector<std::string> overrides;
   unsigned threads = 1, modes = 20, density = 0;
-  double near_hz = 0, residual_limit = 0.01;
+  double near_hz = 0, density_to_hz = 0, residual_limit = 0.01;
   int fewest_contacts = 0;
   bool elastic = false, overwrite = false, quiet = false;
   PluginOptions plugins;
@@ -49,6 +49,7 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
   options.near_hz = a.near_hz;
   options.elastic = a.elastic;
   options.density = a.density;
+  options.density_to_hz = a.density_to_hz;
   options.fewest_contacts = a.fewest_contacts;
   options.residual_limit = a.residual_limit;
   options.pictures = numbers_of(a.pictures);
@@ -100,6 +101,9 @@ void add_response_verb(CommandLine& line) {
   verb.option("--density", a->density,
               "Count the modes at this number of frequencies too, for the density of states")
       .between(2, 100000);
+  verb.option("--density-to", a->density_to_hz, "Highest of these frequencies; default: above all modes")
+      .above_zero()
+      .shown_as("HZ");
   verb.option("--picture", a->pictures, "Draw these modes as arrows: 1,4,7").shown_as("K,K,...");
   verb.option("--view", a->view, "View direction of the pictures (default iso; always z in 2D)")
       .one_of(views);

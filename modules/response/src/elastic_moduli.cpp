@@ -10,6 +10,7 @@
 
 #include <scree/error.hpp>
 #include <scree/response/elastic_moduli.hpp>
+#include <scree/response/found_modes.hpp>
 
 namespace scree::response {
 
@@ -31,7 +32,11 @@ class StrainedPacking {
         undamped_(system_),
         inverse_(undamped_.factorise(-undamped_.rounding())),
         list_(simulation.contact_list()),
-        terms_(linearise_contacts(simulation, system_.freedom.spins())) {}
+        terms_(linearise_contacts(simulation, system_.freedom.spins())) {
+    const FoundModes found = find_modes(undamped_, {.count = 0});
+    floppy_ = found.shape.middleCols(Eigen::Index(found.first_floppy),
+                                     Eigen::Index(found.first_vibrating - found.first_floppy));
+  }
 
   const WallPair& walls() const { return walls_; }
   std::size_t rattlers() const { return system_.rattlers.size(); }
@@ -42,7 +47,7 @@ class StrainedPacking {
     walls_moved_ = Vector::Zero(system_.wall_stiffness.cols());
     walls_moved_[Eigen::Index(walls_.high) * dimension_ + axis] = sign;
     const Vector force = -(system_.wall_stiffness * walls_moved_);
-    const StaticSolution solution = solve_static(undamped_, *inverse_, force);
+    const StaticSolution solution = solve_static(undamped_, *inverse_, floppy_, force);
     if (!(solution.residual <= largest_residual))
       throw Error(fmt::format(
           "the strain along {} drives a floppy mode, so that there is no static response (residual {:.1g}); "
@@ -142,6 +147,7 @@ class StrainedPacking {
   std::unique_ptr<ShiftedFactors> inverse_;
   ContactList list_;
   std::vector<ContactTerms> terms_;
+  Eigen::MatrixXd floppy_;
   Vector walls_moved_, motion_;
 };
 

@@ -38,15 +38,16 @@ class Search {
     const double rounding = system_.rounding();
     search_.on_progress(0, "counting floppy modes");
     const std::unique_ptr<ShiftedFactors> below = system_.factorise(-rounding);
-    result_.unstable = system_.count_below(-rounding);
+    result_.unstable = system_.count_below(*below);
     if (search_.proceed()) result_.floppy = system_.count_below(rounding) - result_.unstable;
+    resting_ = result_.unstable + result_.floppy;
     find(*below, Index(result_.floppy), true);
     find_unstable();
     held_ = modes_.cols();
-    if (search_.proceed() && held_ == Index(result_.floppy + result_.unstable)) apply_asymmetry(*below);
-    if (search_.near_hz > 0)
+    if (search_.proceed() && system_.asymmetry() > round_off && resting_ > 0) apply_asymmetry(*below);
+    if (search_.count > 0 && search_.near_hz > 0)
       find_near();
-    else
+    else if (search_.count > 0)
       find_lowest(*below);
     return write();
   }
@@ -128,7 +129,7 @@ class Search {
       search_.on_progress(0, "unstable modes");
       shift *= 10;
       factors = system_.factorise(shift);
-    } while (search_.proceed() && system_.count_below(shift) > 0);
+    } while (search_.proceed() && system_.count_below(*factors) > 0);
     find(*factors, Index(result_.unstable), true);
   }
 
@@ -136,7 +137,8 @@ class Search {
   // contacts are floppy with it, but have an ω² below 0, of the second order in the asymmetry, without it. With R: found
   // modes, solves K (R + D) = (R + D) H for D across R, H = Rᵀ K (R + D).
   void apply_asymmetry(const ShiftedFactors& below) {
-    if (held_ == 0 || system_.asymmetry() < round_off) return;
+    result_.of_full_stiffness = false;
+    if (held_ != Index(resting_)) return;
     const Eigen::VectorXd mass = (system_.system().mass.array() > 0).cast<double>();
     const Eigen::SparseMatrix<double>& stiffness = system_.weighted().stiffness();
     Matrix full = modes_, h;
@@ -152,6 +154,7 @@ class Search {
     h = modes_.transpose() * elastic;
     // Where it does not converge, a mode that vibrates is as slow as the asymmetry is large.
     if (!((elastic - mass.asDiagonal() * (full * h)).norm() <= system_.rounding())) return;
+    result_.of_full_stiffness = true;
     take_over(full, h);
   }
 
@@ -181,14 +184,14 @@ class Search {
   }
 
   void find_lowest(const ShiftedFactors& below) {
-    const std::size_t under = std::size_t(held_);
+    const std::size_t under = resting_;
     find_counted(below, 0, [&](double distance) { return system_.count_below(distance) - under; });
   }
 
   void find_near() {
     const double omega = 2 * std::numbers::pi * search_.near_hz, shift = omega * omega;
     const std::unique_ptr<ShiftedFactors> factors = system_.factorise(shift);
-    const std::size_t under = std::size_t(held_);
+    const std::size_t under = resting_;
     find_counted(*factors, shift, [&](double distance) {
       const std::size_t first =
           shift - distance > system_.rounding() ? system_.count_below(shift - distance) : under;
@@ -221,7 +224,7 @@ class Search {
     for (std::size_t k = std::size_t(held_); k < squares_.size(); ++k)
       distances.push_back(std::abs(squares_[k] - shift));
     std::sort(distances.begin(), distances.end());
-    const std::size_t all = system_.modes() - std::size_t(held_);
+    const std::size_t all = system_.modes() - resting_;
     if (distances.size() == all) return {2 * std::max(system_.largest(), shift), Index(all)};
     for (std::size_t k = std::min(distances.size() - 1, search_.count); k > 0; --k)
       if (const double gap = distances[k] - distances[k - 1]; gap > smallest_gap * (shift + distances[k]))
@@ -276,6 +279,7 @@ class Search {
   Matrix modes_;                 // one column each
   Matrix replacement_;           // the first of them, with the full K
   std::vector<double> squares_;  // ω² of each
+  std::size_t resting_ = 0;      // unstable and floppy ones, by the inertia of K_s
   Index held_ = 0;               // floppy and unstable ones, which come first
   FoundModes result_;
 };

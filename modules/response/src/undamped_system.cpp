@@ -52,7 +52,11 @@ std::unique_ptr<ShiftedFactors> UndampedSystem::factorise(double square_frequenc
 }
 
 std::size_t UndampedSystem::count_below(double square_frequency) const {
-  return std::size_t(factorise(square_frequency)->negative()) - negative_massless_;
+  return count_below(*factorise(square_frequency));
+}
+
+std::size_t UndampedSystem::count_below(const ShiftedFactors& factors) const {
+  return std::size_t(factors.negative()) - negative_massless_;
 }
 
 }  // namespace scree::response

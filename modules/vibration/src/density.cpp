@@ -65,7 +65,8 @@ std::vector<DensityPoint> density_of_states(const response::UndampedSystem& syst
                                             const DensityOptions& options) {
   const int dimension = system.system().freedom.dimension();
   const std::size_t resting = system.count_below(system.rounding());
-  const double step = highest_frequency(system, options) / options.points;
+  const double highest = options.to_hz > 0 ? options.to_hz : highest_frequency(system, options);
+  const double step = highest / options.points;
   std::vector<double> frequencies;
   for (unsigned k = 1; k <= options.points; ++k) frequencies.push_back(k * step);
   const auto counts = counts_below(system, frequencies, options);

@@ -27,6 +27,9 @@ class Course {
  public:
   Course(const scenario::Plan& plan, const VibrationOptions& options, RunDirectory& directory)
       : plan_(plan), options_(options), directory_(directory) {
+    assembly_.fewest_contacts = options.fewest_contacts;
+    if (options.fewest_contacts == 0 && plan.spectrum)
+      assembly_.fewest_contacts = plan.spectrum->fewest_contacts;
     result_.title = plan.title.empty() ? plan.source.stem().string() : plan.title;
     result_.directory = directory.path();
     result_.dimension = plan.scene.dimension;
@@ -40,12 +43,7 @@ class Course {
         *simulation, plan_.stages, [this] { return proceeds(); },
         [this](double share, const std::string& stage) { report(share, stage); });
     began_ = Clock::now();
-    // What cannot be done is refused before anything is written.
-    if (options_.elastic) response::wall_pair(*simulation);
-    if (!options_.pictures.empty() && !snapshot::has_pictures())
-      throw Error(
-          fmt::format("{}; {}, or leave --picture out", snapshot::no_pictures, snapshot::no_pictures_cure));
-    system_.emplace(response::assemble(*simulation, {.fewest_contacts = options_.fewest_contacts}));
+    check(*simulation);
     describe(*simulation);
     directory_.create();
     try {
@@ -64,6 +62,19 @@ class Course {
 
   bool proceeds() const { return !options_.stop || !*options_.stop; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+
+  // What cannot be done is refused before anything is written.
+  void check(const Simulation& simulation) {
+    if (!options_.pictures.empty() && !snapshot::has_pictures())
+      throw Error(
+          fmt::format("{}; {}, or leave --picture out", snapshot::no_pictures, snapshot::no_pictures_cure));
+    try {
+      if (options_.elastic) response::wall_pair(simulation);
+      system_.emplace(response::assemble(simulation, assembly_));
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+    }
+  }
 
   void describe(const Simulation& simulation) {
     const Particles& p = simulation.particles();
@@ -109,7 +120,7 @@ class Course {
     result_.unstable = found.unstable, result_.floppy = found.floppy, result_.complete = found.complete;
     result_.modes = properties_of(found, *system_);
     result_.floppy_bodies = floppy_bodies(found, *system_);
-    if (proceeds()) warn_of_modes();
+    if (proceeds()) warn_of_modes(found.of_full_stiffness);
     for (const unsigned number : options_.pictures) draw(simulation, found, number);
   }
 
@@ -128,11 +139,14 @@ class Course {
     result_.pictures.push_back(name);
   }
 
-  void warn_of_modes() {
+  void warn_of_modes(bool of_full_stiffness) {
+    if (!of_full_stiffness)
+      warn(
+          "unstable and floppy modes are those of the symmetric part of K, and with all of it some may be neither: its "
+          "asymmetry, by sliding contacts, is large; let the packing come to rest with less sliding");
     if (result_.unstable > 0)
       warn(fmt::format(
-          "the packing is unstable: {} modes of the symmetric part of K grow; let it come to rest, or look at "
-          "modes.csv",
+          "the packing is unstable: {} modes grow (modes.csv); let it come to rest, or hold what is loose",
           result_.unstable));
     if (result_.floppy > 0)
       warn(fmt::format(
@@ -155,8 +169,7 @@ class Course {
   void take_constants(const Simulation& simulation) {
     report(0, "elastic constants");
     try {
-      result_.elastic = response::elastic_moduli(simulation, {.fewest_contacts = options_.fewest_contacts},
-                                                 [this] { return proceeds(); });
+      result_.elastic = response::elastic_moduli(simulation, assembly_, [this] { return proceeds(); });
     } catch (const Error& error) {
       if (error.status() == ExitStatus::interrupted) return;
       warn(error.what());
@@ -167,6 +180,7 @@ class Course {
     result_.density = density_of_states(
         undamped, result_.bodies,
         {.points = options_.density,
+         .to_hz = options_.density_to_hz,
          .threads = options_.threads,
          .proceed = [this] { return proceeds(); },
          .on_progress = [this](double share, const std::string& what) { report(share, what); }});
@@ -188,6 +202,7 @@ class Course {
   const scenario::Plan& plan_;
   const VibrationOptions& options_;
   RunDirectory& directory_;
+  response::AssemblyOptions assembly_;
   std::optional<response::LinearSystem> system_;
   Vibration result_;
   double done_ = 0, part_ = 0;  // in factorisations

@@ -11,7 +11,7 @@
 namespace scree::response {
 
 struct ModeSearch {
-  std::size_t count = 20;  // of modes above those that are floppy
+  std::size_t count = 20;  // of modes above those that are floppy; 0: only these and unstable ones
   double near_hz = 0;      // above 0: those nearest to this frequency, else the lowest
   std::function<bool()> proceed = [] { return true; };
   std::function<void(double share, const std::string& what)> on_progress = [](double, const std::string&) {};
@@ -29,6 +29,9 @@ struct FoundModes {
   Eigen::VectorXd residual;
   // Whether the inertia confirms that among the vibrating modes none is left out; false too where all found are equal.
   bool complete = false;
+  // Whether unstable and floppy modes are those of all of K; where its asymmetry is too large (sliding contacts), or there are too
+  // many, they are those of its symmetric part, of which some may be neither.
+  bool of_full_stiffness = true;
 };
 
 // By shift and invert with block Lanczos iteration. Fewer modes than asked for where `proceed` ends the search, or

@@ -38,6 +38,7 @@ class UndampedSystem {
   const Eigen::SparseMatrix<double>& symmetric_stiffness() const { return symmetric_; }
   const std::vector<Eigen::Index>& heavy() const { return heavy_; }
   std::unique_ptr<ShiftedFactors> factorise(double square_frequency) const;
+  std::size_t count_below(const ShiftedFactors& factors) const;  // below the ω² of a factorisation
 
  private:
   const LinearSystem& system_;

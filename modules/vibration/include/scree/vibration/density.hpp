@@ -19,12 +19,13 @@ struct DensityPoint {
 
 struct DensityOptions {
   unsigned points = 50;
+  double to_hz = 0;  // 0: above all modes
   unsigned threads = 1;
   std::function<bool()> proceed = [] { return true; };
   std::function<void(double share, const std::string& what)> on_progress = [](double, const std::string&) {};
 };
 
-// The density of states at equal steps up to the highest frequency, by the inertia of K − ω²M. Up to where `proceed` ends it.
+// The density of states at equal steps, by the inertia of K − ω²M. Up to where `proceed` ends it.
 std::vector<DensityPoint> density_of_states(const response::UndampedSystem& system, std::size_t bodies,
                                             const DensityOptions& options);
 

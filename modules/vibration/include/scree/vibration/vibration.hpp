@@ -23,9 +23,10 @@ struct VibrationOptions {
   double near_hz = 0;              // above 0: those nearest to this frequency, else the lowest
   bool elastic = false;            // elastic constants too
   unsigned density = 0;            // frequencies at which modes are counted; 0: none
+  double density_to_hz = 0;        // up to here; 0: all modes
   std::string view;                // of pictures, one of snapshot::view_names; empty: iso
   std::vector<unsigned> pictures;  // numbers of modes that vibrate, from 1
-  int fewest_contacts = 0;         // response::AssemblyOptions
+  int fewest_contacts = 0;         // response::AssemblyOptions; 0: as [spectrum] says, if there is one
   double residual_limit = 0.01;    // above which modes are named
   std::function<void(double share, double wall, const std::string& what)> on_progress;
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
