@@ -17,6 +17,13 @@ bool counts(const ContactTerms& c, const std::vector<bool>& held) {
   return held[c.a] && (c.b >= held.size() || held[c.b]);
 }
 
+WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOptions& options) {
+  WallEquations equations = simulation.linear_walls();
+  if (options.hold_walls)
+    for (scree_linear_plane& wall : equations.walls) wall.free = 0;
+  return equations;
+}
+
 // Bodies rotate if a contact between held bodies can turn them, and walls move if a held body touches them.
 DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const std::vector<bool>& held,
                                 const WallEquations& equations, int dimension, int spins) {
@@ -65,7 +72,7 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
   const std::vector<ContactTerms> contacts = linearise_contacts(simulation, spins);
   const std::vector<bool> held =
       held_bodies(contacts, p.size(), simulation.dimension(), options.fewest_contacts);
-  const WallEquations equations = simulation.linear_walls();
+  const WallEquations equations = equations_of_walls(simulation, options);
   const DegreesOfFreedom freedom = number_motions(contacts, held, equations, simulation.dimension(), spins);
   if (freedom.size() == 0)
     throw Error(fmt::format("no body is held at t = {:g} s, of {} with {} contacts; compress the packing",

@@ -1,4 +1,4 @@
-#include "band/band_backend.hpp"
+#include "band_library.hpp"
 #include "mass_weighted.hpp"
 #include "singular.hpp"
 
@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
-#include <scree/files/companion_library.hpp>
 #include <scree/response/band_response.hpp>
 
 namespace scree::response {
@@ -27,31 +26,6 @@ constexpr std::size_t narrowest_window = 24, widest_window = 48;
 constexpr double window_span = 1.5;
 // Single precision of a factorisation makes iterations converge as fast down to such tolerances.
 constexpr double single_precision_tolerance = 1e-5;
-
-const BandBackendFactory& band_library() {
-  const auto load = [](const char* target) {
-    return files::load_companion<BandBackendFactory>(
-        files::CompanionLibrary{.target = target,
-                                .factory = "scree_create_band_backend",
-                                .purpose = "spectra by linear response",
-                                .without = "choose another way to a spectrum",
-                                .needs = "the METIS run-time library"},
-        band_backend_version);
-  };
-#if defined(SCREE_BAND_LEVELS)
-  static const BandBackendFactory* const library =
-      load(__builtin_cpu_supports("x86-64-v4")   ? "scree_response_band_x86-64-v4"
-           : __builtin_cpu_supports("x86-64-v3") ? "scree_response_band_x86-64-v3"
-                                                 : "scree_response_band");
-#else
-  static const BandBackendFactory* const library = load("scree_response_band");
-#endif
-  return *library;
-}
-
-SparseView view_of(const Eigen::SparseMatrix<double>& a) {
-  return {int(a.rows()), a.outerIndexPtr(), a.innerIndexPtr(), a.valuePtr()};
-}
 
 class BandSolution {
  public:

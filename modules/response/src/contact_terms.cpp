@@ -68,8 +68,8 @@ class LawContacts {
       const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
       const Eigen::Vector3d f(force[0], force[1], simulation_.dimension() == 2 ? 0 : force[2]);
       const ContactGeometry contact = geometry(c);
-      terms.push_back({list_.a[c], list_.b[c],
-                       law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
+      terms.push_back({list_.a[c], list_.b[c], c,
+                       law_.instance().tangential != 0 || law_.instance().writes_couple != 0, f,
                        contact.of_bodies(displacements(turning, straight, i, contact), f),
                        contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
     }

@@ -15,8 +15,10 @@ using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMa
 // A contact, linearised: negative derivatives of forces and torques with the displacements and velocities of
 // its two bodies. Rows and columns: translations and rotations of a, then those of b.
 struct ContactTerms {
-  std::uint32_t a, b;  // as in ContactList
-  bool tangential;     // the law exerts tangential forces or couples
+  std::uint32_t a, b;     // as in ContactList
+  std::size_t contact;    // index into it
+  bool tangential;        // the law exerts tangential forces or couples
+  Eigen::Vector3d force;  // on a (N), with both at rest
   Block stiffness, damping;
 };
 

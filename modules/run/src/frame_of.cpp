@@ -1,9 +1,8 @@
-#include "frame_of.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <scree/body_bounds.hpp>
+#include <scree/run/frame_of.hpp>
 
 namespace scree::run {
 

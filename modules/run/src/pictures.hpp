@@ -1,12 +1,12 @@
 #pragma once
 
-#include "frame_of.hpp"
 #include "sampler.hpp"
 
 #include <functional>
 #include <memory>
 #include <string>
 
+#include <scree/run/frame_of.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>

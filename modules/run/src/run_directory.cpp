@@ -25,6 +25,7 @@ const Layout& layout_of(RunDirectory::Kind kind) {
   static const Layout study = {"accuracy study", "accuracy.json", {"charts"}, {}};
   static const Layout campaign = {"campaign", "campaign.json", {}, {"table.csv", "means.csv"}};
   static const Layout spectrum = {"spectrum", "spectrum.json", {"charts"}, {}};
+  static const Layout response = {"response", "response.json", {"charts", "images"}, {}};
   switch (kind) {
     case RunDirectory::Kind::run:
       return run;
@@ -32,6 +33,8 @@ const Layout& layout_of(RunDirectory::Kind kind) {
       return study;
     case RunDirectory::Kind::campaign:
       return campaign;
+    case RunDirectory::Kind::response:
+      return response;
     default:
       return spectrum;
   }
@@ -211,6 +214,7 @@ fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
   fs::path path = "runs" / name;
   if (kind == Kind::study) path += "-accuracy";
   if (kind == Kind::spectrum) path += "-spectrum";
+  if (kind == Kind::response) path += "-response";
   return path;
 }
 

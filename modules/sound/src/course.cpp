@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/state_file/state_file.hpp>
 
@@ -98,14 +99,11 @@ void Course::set_start(State state) {
 }
 
 void Course::run_stages(Simulation& simulation) {
-  constexpr std::uint64_t steps_between_reports = 1000;
-  StageRunner runner(simulation, plan_.stages);
-  while (!runner.finished()) {
-    if (!proceeds()) throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
-    runner.run(steps_between_reports, [this] { return proceeds(); });
-    if (options_.on_progress && !runner.finished())
-      options_.on_progress(runner.progress().value_or(0), seconds(), runner.stages()[runner.current()].name);
-  }
+  run::run_stages(
+      simulation, plan_.stages, [this] { return proceeds(); },
+      [this](double share, const std::string& stage) {
+        if (options_.on_progress) options_.on_progress(share, seconds(), stage);
+      });
   set_start(simulation.state());
 }
 

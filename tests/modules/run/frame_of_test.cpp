@@ -1,6 +1,6 @@
-#include "frame_of.hpp"
-
 #include <catch2/catch.hpp>
+
+#include <scree/run/frame_of.hpp>
 
 using scree::run::next_view;
 using scree::run::SceneBox;

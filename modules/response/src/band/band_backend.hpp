@@ -1,8 +1,12 @@
 #pragma once
 
+#include "shift_backend.hpp"
+
 #include <atomic>
 #include <complex>
 #include <memory>
+
+#include <Eigen/SparseCore>
 
 namespace scree::response {
 
@@ -13,6 +17,14 @@ struct SparseView {
   const int* inner;
   const double* values;
 };
+
+inline SparseView view_of(const Eigen::SparseMatrix<double>& a) {
+  return {int(a.rows()), a.outerIndexPtr(), a.innerIndexPtr(), a.valuePtr()};
+}
+inline Eigen::SparseMatrix<double> copy_of(const SparseView& view) {
+  return Eigen::Map<const Eigen::SparseMatrix<double>>(view.size, view.size, view.outer[view.size],
+                                                       view.outer, view.inner, view.values);
+}
 
 // Neighbouring frequencies, the loads and what is found. Arrays of vectors are columns one behind another.
 struct BandWindow {
@@ -35,7 +47,7 @@ class BandBackend {
   virtual int solve(const BandWindow& window) const = 0;
 };
 
-constexpr int band_backend_version = 2;
+constexpr int band_backend_version = 3;
 
 // Made by the library, compiled for several instruction levels: dense products take nearly all of its time.
 class BandBackendFactory {
@@ -44,6 +56,9 @@ class BandBackendFactory {
   // The views must outlive the backend. mass: diagonal.
   virtual std::unique_ptr<BandBackend> create(const SparseView& stiffness, const SparseView& damping,
                                               const double* mass) const = 0;
+  // stiffness: symmetric; mass: diagonal. Both are copied.
+  virtual std::unique_ptr<ShiftBackend> create_shifts(const SparseView& stiffness,
+                                                      const double* mass) const = 0;
 };
 
 }  // namespace scree::response

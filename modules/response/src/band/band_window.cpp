@@ -1,6 +1,7 @@
 #include "../largest_amplification.hpp"
 #include "band_backend.hpp"
 #include "galerkin_basis.hpp"
+#include "shifted_factors.hpp"
 #include "symmetric_factors.hpp"
 
 #include <cmath>
@@ -25,11 +26,6 @@ constexpr double slowest_decay = 0.9;
 constexpr double caution = 3;
 // Before the first change, the whole amplitude is unknown.
 constexpr double slowest_start = 1;
-
-Sparse copy_of(const SparseView& view) {
-  return Eigen::Map<const Sparse>(view.size, view.size, view.outer[view.size], view.outer, view.inner,
-                                  view.values);
-}
 
 // Iteration at the frequencies of a window. In each round, residuals are multiplied by the approximate inverse, and the directions
 // found added to the basis; the change of a solution by them is the error of the one before, which is stated for the newer one too.
@@ -246,6 +242,10 @@ class Factory : public BandBackendFactory {
   std::unique_ptr<BandBackend> create(const SparseView& stiffness, const SparseView& damping,
                                       const double* mass) const override {
     return std::make_unique<BandSolver>(stiffness, damping, mass);
+  }
+  std::unique_ptr<ShiftBackend> create_shifts(const SparseView& stiffness,
+                                              const double* mass) const override {
+    return make_shifts(stiffness, mass);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -17,18 +18,22 @@ class SymmetricFactors {
  public:
   using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-  // Entries of A below the diagonal in the order of elimination are read. Incomplete, and not to be used, once `stop`, which
-  // may be null, says stop.
-  SymmetricFactors(const Elimination& plan, const Eigen::SparseMatrix<T>& a, const std::atomic<bool>* stop)
+  // Entries of A below the diagonal in the order of elimination are read. on_pivot is called with each block of D. Incomplete, and
+  // not to be used, once `stop`, which may be null, says stop.
+  SymmetricFactors(const Elimination& plan, const Eigen::SparseMatrix<T>& a,
+                   const std::atomic<bool>* stop = nullptr,
+                   const std::function<void(const Matrix&)>& on_pivot = {})
       : plan_(plan) {
     const std::size_t count = plan.nodes.size();
     pivots_.resize(count), couplings_.resize(count), updates_.resize(count), at_.resize(plan.order.size());
     std::vector<std::vector<int>> children(count);
     for (std::size_t k = 0; k < count; ++k)
       if (plan.nodes[k].parent >= 0) children[std::size_t(plan.nodes[k].parent)].push_back(int(k));
-    for (std::size_t k = 0; k < count && !(stop && *stop); ++k) eliminate(k, a, children[k]);
+    for (std::size_t k = 0; k < count && !(stop && *stop); ++k) eliminate(k, a, children[k], on_pivot);
     updates_.clear();
   }
+
+  Eigen::Index size() const { return Eigen::Index(plan_.order.size()); }
 
   // Solves A x = b for each column of b.
   Matrix solve(const Matrix& b) const {
@@ -60,7 +65,8 @@ class SymmetricFactors {
   static constexpr Eigen::Index stripe = 128;  // columns of an update at once: its upper half is not computed
 
   // Rows of the front of supernode k, its columns and what it leaves for later ones: lower halves.
-  void eliminate(std::size_t k, const Eigen::SparseMatrix<T>& a, const std::vector<int>& children) {
+  void eliminate(std::size_t k, const Eigen::SparseMatrix<T>& a, const std::vector<int>& children,
+                 const std::function<void(const Matrix&)>& on_pivot) {
     const Supernode& node = plan_.nodes[k];
     const Eigen::Index width = node.width, rest = Eigen::Index(node.rows.size());
     for (int j = 0; j < node.width; ++j) at_[std::size_t(node.first + j)] = j;
@@ -76,6 +82,7 @@ class SymmetricFactors {
 
     Matrix pivot = front.topRows(width);
     pivot.template triangularView<Eigen::StrictlyUpper>() = front.topRows(width).transpose();
+    if (on_pivot) on_pivot(pivot);
     pivots_[k].compute(pivot);
     couplings_[k] = pivots_[k].solve(front.bottomRows(rest).transpose());
     for (Eigen::Index c = 0; c < rest; c += stripe) {

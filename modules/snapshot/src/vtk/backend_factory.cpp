@@ -39,6 +39,11 @@ class VtkBackend final : public SnapshotBackend {
     write_png(scene_picture(context_, frame, options), png_file);
   }
 
+  void render_arrows(const Frame& frame, const ArrowField& arrows, const RenderOptions& options,
+                     const std::filesystem::path& png_file) override {
+    write_png(arrow_picture(context_, frame, arrows, options), png_file);
+  }
+
   void chart(const ChartSpec& spec, const std::filesystem::path& png_file) override {
     write_png(chart_picture(context_, spec), png_file);
   }

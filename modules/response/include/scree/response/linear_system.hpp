@@ -28,6 +28,8 @@ struct AssemblyOptions {
   // Fewest contacts with other held bodies or walls that hold a body; 0: D + 1 where none of its contacts can
   // exert a tangential force, else 2.
   int fewest_contacts = 0;
+  // Walls that forces move stay where they are, and are displaced by w alone.
+  bool hold_walls = false;
 };
 
 // Linearises all contacts, body forces and walls at the present positions, orientations and springs, with bodies

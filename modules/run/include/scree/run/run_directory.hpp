@@ -12,12 +12,12 @@
 
 namespace scree::run {
 
-// The directory of one run, study, spectrum or campaign, used by one process at a time. That of a run has series/, snapshots/,
+// The directory of one run, study, spectrum, response or campaign, used by one process at a time. That of a run has series/, snapshots/,
 // images/, charts/, scenario.toml, run.json, final_packing.csv. What a run or study writes is listed in written.txt, and
 // nothing else is ever removed; a campaign removes nothing.
 class RunDirectory {
  public:
-  enum class Kind { run, study, campaign, spectrum };
+  enum class Kind { run, study, campaign, spectrum, response };
   // What becomes of a run, study or campaign that is in the directory already.
   enum class Existing { refuse, replace, keep };
   // File for the terminal output of a run, written by its caller; not counted as foreign, and not removed.
@@ -58,7 +58,7 @@ class RunDirectory {
   // see an incomplete file.
   void write_file(const std::string& name, const std::string& text) const;
 
-  // runs/<stem of the scenario>, runs/<stem>-accuracy, runs/<stem>-spectrum, campaigns/<stem>.
+  // runs/<stem of the scenario>, runs/<stem>-accuracy, runs/<stem>-spectrum, runs/<stem>-response, campaigns/<stem>.
   static std::filesystem::path default_for(const std::filesystem::path& scenario, Kind kind = Kind::run);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include <scree/snapshot/arrow_field.hpp>
 #include <scree/snapshot/chart_spec.hpp>
 #include <scree/snapshot/frame.hpp>
 #include <scree/snapshot/picture.hpp>
@@ -10,7 +11,7 @@
 namespace scree::snapshot {
 
 // Incremented when this interface or a struct in it changes; loader and library must have the same version.
-inline constexpr int backend_version = 1;
+inline constexpr int backend_version = 2;
 
 // Reads and writes frames and draws pictures. Not thread-safe. Missing directories are created; a file gets
 // its final name only when it is complete. Every function throws scree::Error with path and cure.
@@ -29,6 +30,10 @@ class SnapshotBackend {
   // Draws the frame to a PNG file. Orthographic: the box of the scene fits the panel left of the colour bar.
   virtual void render(const Frame& frame, const RenderOptions& options,
                       const std::filesystem::path& png_file) = 0;
+
+  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and pale.
+  virtual void render_arrows(const Frame& frame, const ArrowField& arrows, const RenderOptions& options,
+                             const std::filesystem::path& png_file) = 0;
 
   // Draws a chart to a PNG file.
   virtual void chart(const ChartSpec& spec, const std::filesystem::path& png_file) = 0;

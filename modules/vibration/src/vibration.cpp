@@ -1,0 +1,220 @@
+#include "mode_picture.hpp"
+#include "mode_properties.hpp"
+#include "vibration_files.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/run/run_stages.hpp>
+#include <scree/run/set_up.hpp>
+#include <scree/snapshot/load_backend.hpp>
+#include <scree/vibration/vibration.hpp>
+
+namespace scree::vibration {
+
+namespace {
+
+using run::RunDirectory;
+
+// Seconds of each part over those of a factorisation, for the time left.
+constexpr double cost_of_modes = 12, cost_of_a_mode = 0.6, cost_of_constants = 8;
+
+class Course {
+ public:
+  Course(const scenario::Plan& plan, const VibrationOptions& options, RunDirectory& directory)
+      : plan_(plan), options_(options), directory_(directory) {
+    assembly_.fewest_contacts = options.fewest_contacts;
+    if (options.fewest_contacts == 0 && plan.spectrum)
+      assembly_.fewest_contacts = plan.spectrum->fewest_contacts;
+    result_.title = plan.title.empty() ? plan.source.stem().string() : plan.title;
+    result_.directory = directory.path();
+    result_.dimension = plan.scene.dimension;
+    result_.scenario = plan.resolved_text;
+    result_.inputs = run::hashes_of(plan.files);
+  }
+
+  Vibration begin() {
+    const auto simulation = run::set_up(plan_, options_.threads);
+    run::run_stages(
+        *simulation, plan_.stages, [this] { return proceeds(); },
+        [this](double share, const std::string& stage) { report(share, stage); });
+    began_ = Clock::now();
+    check(*simulation);
+    describe(*simulation);
+    directory_.create();
+    try {
+      write_record("running", result_, directory_);
+      directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      take_parts(*simulation);
+    } catch (const Error& error) {
+      if (error.status() == ExitStatus::bad_input) directory_.discard();
+      throw;
+    }
+    return finish();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool proceeds() const { return !options_.stop || !*options_.stop; }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+
+  // What cannot be done is refused before anything is written.
+  void check(const Simulation& simulation) {
+    if (!options_.pictures.empty() && !snapshot::has_pictures())
+      throw Error(
+          fmt::format("{}; {}, or leave --picture out", snapshot::no_pictures, snapshot::no_pictures_cure));
+    try {
+      if (options_.elastic) response::wall_pair(simulation);
+      system_.emplace(response::assemble(simulation, assembly_));
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+    }
+  }
+
+  void describe(const Simulation& simulation) {
+    const Particles& p = simulation.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) result_.names.push_back(p.id[i]);
+    for (const std::uint32_t i : system_->rattlers) result_.rattlers.push_back(result_.names[i]);
+    result_.bodies = p.size() - system_->rattlers.size();
+    result_.contacts = simulation.contact_list().size();
+    result_.degrees_of_freedom = std::size_t(system_->freedom.size());
+  }
+
+  // Share of all parts.
+  void report(double share, const std::string& what) {
+    if (!options_.on_progress) return;
+    const double all = cost_of_modes + cost_of_a_mode * options_.modes +
+                       (options_.elastic ? cost_of_constants : 0) + options_.density;
+    options_.on_progress(std::min(1.0, (done_ + share * part_) / all), seconds(), what);
+  }
+
+  template <class Work>
+  void take(const char* name, double cost, const Work& work) {
+    if (!proceeds()) return;
+    part_ = cost;
+    const double start = seconds();
+    work();
+    result_.seconds.emplace_back(name, seconds() - start);
+    done_ += cost;
+  }
+
+  void take_parts(const Simulation& simulation) {
+    const response::UndampedSystem undamped(*system_);
+    result_.asymmetry = undamped.asymmetry();
+    take("modes", cost_of_modes + cost_of_a_mode * options_.modes, [&] { take_modes(undamped, simulation); });
+    if (options_.elastic) take("elastic", cost_of_constants, [&] { take_constants(simulation); });
+    if (options_.density > 0) take("density", options_.density, [&] { take_density(undamped); });
+  }
+
+  void take_modes(const response::UndampedSystem& undamped, const Simulation& simulation) {
+    const response::FoundModes found = find_modes(
+        undamped, {.count = options_.modes,
+                   .near_hz = options_.near_hz,
+                   .proceed = [this] { return proceeds(); },
+                   .on_progress = [this](double share, const std::string& what) { report(share, what); }});
+    result_.unstable = found.unstable, result_.floppy = found.floppy, result_.complete = found.complete;
+    result_.modes = properties_of(found, *system_);
+    result_.floppy_bodies = floppy_bodies(found, *system_);
+    if (proceeds()) warn_of_modes(found.of_full_stiffness);
+    for (const unsigned number : options_.pictures) draw(simulation, found, number);
+  }
+
+  void draw(const Simulation& simulation, const response::FoundModes& found, unsigned number) {
+    const std::size_t m = found.first_vibrating + number - 1;
+    if (m >= result_.modes.size()) {
+      if (proceeds())
+        warn(fmt::format("there is no mode {}, of which a picture was asked for; ask for more --modes",
+                         number));
+      return;
+    }
+    const std::string name = fmt::format("images/mode_{}.png", number);
+    draw_mode(simulation, system_->freedom, found.shape.col(Eigen::Index(m)),
+              fmt::format("{}: mode {}, {:.6g} Hz", result_.title, number, result_.modes[m].frequency_hz),
+              options_.view, directory_.add(name));
+    result_.pictures.push_back(name);
+  }
+
+  void warn_of_modes(bool of_full_stiffness) {
+    if (!of_full_stiffness)
+      warn(
+          "unstable and floppy modes are those of the symmetric part of K, and with all of it some may be neither: its "
+          "asymmetry, by sliding contacts, is large; let the packing come to rest with less sliding");
+    if (result_.unstable > 0)
+      warn(fmt::format(
+          "the packing is unstable: {} modes grow (modes.csv); let it come to rest, or hold what is loose",
+          result_.unstable));
+    if (result_.floppy > 0)
+      warn(fmt::format(
+          "K is singular at 0 Hz: {} modes are floppy; see floppy.csv, or leave their bodies out by "
+          "--fewest-contacts",
+          result_.floppy));
+    std::string numbers;
+    for (const Mode& m : result_.modes)
+      if (m.kind == ModeKind::vibrating && m.residual > options_.residual_limit)
+        numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", m.number);
+    if (!numbers.empty())
+      warn(fmt::format(
+          "with the full, asymmetric K the residuals of the modes {} are above {:g}; take their frequencies as "
+          "approximate",
+          numbers, options_.residual_limit));
+    if (!result_.complete && !result_.modes.empty())
+      warn("the count of modes does not confirm that none is left out; ask for more with --modes");
+  }
+
+  void take_constants(const Simulation& simulation) {
+    report(0, "elastic constants");
+    try {
+      result_.elastic = response::elastic_moduli(simulation, assembly_, [this] { return proceeds(); });
+    } catch (const Error& error) {
+      if (error.status() == ExitStatus::interrupted) return;
+      warn(error.what());
+    }
+  }
+
+  void take_density(const response::UndampedSystem& undamped) {
+    result_.density = density_of_states(
+        undamped, result_.bodies,
+        {.points = options_.density,
+         .to_hz = options_.density_to_hz,
+         .threads = options_.threads,
+         .proceed = [this] { return proceeds(); },
+         .on_progress = [this](double share, const std::string& what) { report(share, what); }});
+  }
+
+  void warn(const std::string& line) {
+    result_.warnings.push_back(line);
+    if (options_.on_warning) options_.on_warning(line);
+  }
+
+  Vibration finish() {
+    result_.interrupted = !proceeds();
+    write_tables(result_, directory_);
+    draw_charts(result_, directory_);
+    write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
+    return std::move(result_);
+  }
+
+  const scenario::Plan& plan_;
+  const VibrationOptions& options_;
+  RunDirectory& directory_;
+  response::AssemblyOptions assembly_;
+  std::optional<response::LinearSystem> system_;
+  Vibration result_;
+  double done_ = 0, part_ = 0;  // in factorisations
+  Clock::time_point began_ = Clock::now();
+};
+
+}  // namespace
+
+Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options) {
+  RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs,
+                                                    RunDirectory::Kind::response);
+  return Course(plan, options, directory).begin();
+}
+
+}  // namespace scree::vibration

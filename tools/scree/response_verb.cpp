@@ -1,0 +1,130 @@
+#include "progress_bar.hpp"
+#include "verbs.hpp"
+
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <scree/snapshot/render_options.hpp>
+#include <scree/vibration/vibration.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+struct ResponseArguments {
+  std::string scenario, out;
+  std::string pictures, view;
+  std::vector<std::string> overrides;
+  unsigned threads = 1, modes = 20, density = 0;
+  double near_hz = 0, density_to_hz = 0, residual_limit = 0.01;
+  int fewest_contacts = 0;
+  bool elastic = false, overwrite = false, quiet = false;
+  PluginOptions plugins;
+};
+
+// "1,4,7".
+std::vector<unsigned> numbers_of(const std::string& text) {
+  std::vector<unsigned> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const bool digits = !part.empty() && part.size() < 7 && part.find_first_not_of("0123456789") == part.npos;
+    const unsigned number = digits ? unsigned(std::stoul(part)) : 0;
+    if (number == 0)
+      throw Error(fmt::format("--picture {}: '{}' is not the number of a mode; give numbers from 1 as 1,4,7",
+                              text, part));
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+vibration::VibrationOptions options_of(const ResponseArguments& a) {
+  vibration::VibrationOptions options;
+  options.out = a.out;
+  options.overwrite = a.overwrite;
+  options.threads = a.threads;
+  options.modes = a.modes;
+  options.near_hz = a.near_hz;
+  options.elastic = a.elastic;
+  options.density = a.density;
+  options.density_to_hz = a.density_to_hz;
+  options.fewest_contacts = a.fewest_contacts;
+  options.residual_limit = a.residual_limit;
+  options.pictures = numbers_of(a.pictures);
+  options.view = a.view;
+  return options;
+}
+
+vibration::Vibration with_progress(const ResponseArguments& arguments) {
+  ProgressBar bar(arguments.quiet);
+  // Cleared also where an error leaves, so that its line stands alone.
+  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
+  vibration::VibrationOptions options = options_of(arguments);
+  options.stop = &watch_for_interrupt();
+  options.on_progress = [&bar](double share, double wall, const std::string& what) {
+    bar.show(share, wall, what);
+  };
+  options.on_warning = [&bar](const std::string& line) {
+    bar.clear();
+    report_warning(line);
+  };
+  PluginHost host = make_host(arguments.plugins);
+  return vibration::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+}
+
+ExitStatus respond(const ResponseArguments& arguments) {
+  const vibration::Vibration vibration = with_progress(arguments);
+  if (!arguments.quiet) fmt::print("{}", vibration::text_report(vibration));
+  if (vibration.interrupted) fmt::print("interrupted; what was complete is saved\n");
+  fmt::print("results in {}\n", vibration.directory.string());
+  return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+}
+
+}  // namespace
+
+void add_response_verb(CommandLine& line) {
+  Verb verb =
+      line.verb("response", "Vibrational modes, floppy modes and elastic constants of a packing at rest");
+  auto a = std::make_shared<ResponseArguments>();
+  const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
+  verb.option("scenario", a->scenario,
+              "Scenario file (TOML), which begins from a state, or comes to rest in its stages")
+      .required();
+  verb.option("--modes", a->modes, "Number of modes (default 20)").between(1, 100000);
+  verb.option("--near", a->near_hz, "Modes nearest to this frequency; default: the lowest")
+      .above_zero()
+      .shown_as("HZ");
+  verb.flag("--elastic", a->elastic,
+            "Elastic constants too, of a packing between two walls that is periodic otherwise");
+  verb.option("--density", a->density,
+              "Count the modes at this number of frequencies too, for the density of states")
+      .between(2, 100000);
+  verb.option("--density-to", a->density_to_hz, "Highest of these frequencies; default: above all modes")
+      .above_zero()
+      .shown_as("HZ");
+  verb.option("--picture", a->pictures, "Draw these modes as arrows: 1,4,7").shown_as("K,K,...");
+  verb.option("--view", a->view, "View direction of the pictures (default iso; always z in 2D)")
+      .one_of(views);
+  verb.option("--fewest-contacts", a->fewest_contacts,
+              "Bodies with fewer are left out (default: 2 with friction, else dimension + 1)")
+      .between(1, 100);
+  verb.option("--residual", a->residual_limit,
+              "Modes with a residual above are named: |K q - w^2 M q| over w^2 M q (default 0.01)")
+      .above_zero();
+  verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
+  verb.option("--threads", a->threads, "Number of threads, for stages and counts (default 1)")
+      .between(1, 1024);
+  verb.option("--out", a->out, "Directory of the results; default runs/<scenario>-response").shown_as("DIR");
+  verb.flag("--overwrite", a->overwrite, "Replace an existing response in the directory");
+  verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
+  add_plugin_options(verb, a->plugins);
+  verb.footer(
+      "The packing is taken as it is at the end of the stages, with its contacts sticking or sliding as they do. Modes are those\n"
+      "of the symmetric part of its stiffness; residuals are those with all of it.\n"
+      "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40");
+  verb.action([a] { return respond(*a); });
+}
+
+}  // namespace scree::tool
