@@ -21,6 +21,7 @@ struct ResponseArguments {
   unsigned threads = 1, modes = 20, density = 0;
   double near_hz = 0, density_to_hz = 0, residual_limit = 0.01;
   int fewest_contacts = 0;
+  bool contacts_slide = false;
   bool elastic = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
@@ -51,6 +52,7 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
   options.density = a.density;
   options.density_to_hz = a.density_to_hz;
   options.fewest_contacts = a.fewest_contacts;
+  options.contacts_slide = a.contacts_slide;
   options.residual_limit = a.residual_limit;
   options.pictures = numbers_of(a.pictures);
   options.view = a.view;
@@ -110,6 +112,9 @@ void add_response_verb(CommandLine& line) {
   verb.option("--fewest-contacts", a->fewest_contacts,
               "Bodies with fewer are left out (default: 2 with friction, else dimension + 1)")
       .between(1, 100);
+  verb.flag(
+      "--sliding", a->contacts_slide,
+      "Contacts at the limit of friction slide on, one way; default: they stick, as small oscillations make them");
   verb.option("--residual", a->residual_limit,
               "Modes with a residual above are named: |K q - w^2 M q| over w^2 M q (default 0.01)")
       .above_zero();
@@ -121,7 +126,7 @@ void add_response_verb(CommandLine& line) {
   verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
   add_plugin_options(verb, a->plugins);
   verb.footer(
-      "The packing is taken as it is at the end of the stages, with its contacts sticking or sliding as they do. Modes are those\n"
+      "The packing is taken as it is at the end of the stages, with its contacts sticking. Modes are those\n"
       "of the symmetric part of its stiffness; residuals are those with all of it.\n"
       "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40");
   verb.action([a] { return respond(*a); });

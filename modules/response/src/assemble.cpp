@@ -69,7 +69,7 @@ void add_walls(const WallEquations& equations, const DegreesOfFreedom& freedom, 
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options) {
   const Particles& p = simulation.particles();
   const int spins = p.spin_axes().last - p.spin_axes().first;
-  const std::vector<ContactTerms> contacts = linearise_contacts(simulation, spins);
+  const std::vector<ContactTerms> contacts = linearise_contacts(simulation, spins, options.at_limit);
   const std::vector<bool> held =
       held_bodies(contacts, p.size(), simulation.dimension(), options.fewest_contacts);
   const WallEquations equations = equations_of_walls(simulation, options);
@@ -79,8 +79,10 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
                             simulation.time(), p.size(), contacts.size()));
 
   Entries stiffness(freedom, equations), damping(freedom, equations), mass(freedom, equations);
+  std::size_t sliding_contacts = 0;
   for (const ContactTerms& contact : contacts) {
     if (!counts(contact, held)) continue;
+    sliding_contacts += contact.sliding;
     stiffness.add({contact.a, contact.b}, contact.stiffness);
     damping.add({contact.a, contact.b}, contact.damping);
   }
@@ -101,7 +103,8 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
           .wall_stiffness = stiffness.of_walls(),
           .wall_damping = damping.of_walls(),
           .wall_mass = mass.of_walls(),
-          .rattlers = rattlers};
+          .rattlers = rattlers,
+          .sliding_contacts = sliding_contacts};
 }
 
 }  // namespace scree::response

@@ -14,8 +14,8 @@ namespace scree::response {
 
 namespace {
 
-// Displacement of sliding contacts along their slip, over the overlap. Their springs are as long as friction
-// allows; this makes them longer than the round-off of that length, so that the law finds them sliding.
+// Displacement along the slip, over the overlap. Springs at the limit of friction are as long as it allows; this makes them longer,
+// or shorter, by more than the round-off of that length, so that the law finds them sliding, or sticking.
 constexpr double slip = 1e-9;
 
 // Throws Error if a law has no linear response.
@@ -38,12 +38,14 @@ ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
 // Contacts of one law.
 class LawContacts {
  public:
-  LawContacts(const Simulation& simulation, const ContactList& list, std::uint32_t law, int spins)
+  LawContacts(const Simulation& simulation, const ContactList& list, std::uint32_t law, int spins,
+              AtLimit at_limit)
       : simulation_(simulation),
         list_(list),
         law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
         jacobian_(law_, simulation.dimension()),
-        spins_(spins) {
+        spins_(spins),
+        at_limit_(at_limit) {
     for (std::size_t c = 0; c < list.size(); ++c)
       if (list.law[c] == law) contacts_.push_back(c);
   }
@@ -57,7 +59,11 @@ class LawContacts {
     }
     ContactColumns at_rest = columns;
     at_rest.evaluate(law_, simulation_.step_length());
-    let_slide(columns, at_rest);
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      if (at_limit_ == AtLimit::stick)
+        move_along_slip(columns, at_rest, i, -slip);
+      else if (list_.sliding[contacts_[i]])
+        move_along_slip(columns, at_rest, i, slip);
 
     std::vector<double> turning, straight;
     const scree_contact_batch batch = columns.batch(simulation_.step_length());
@@ -68,10 +74,10 @@ class LawContacts {
       const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
       const Eigen::Vector3d f(force[0], force[1], simulation_.dimension() == 2 ? 0 : force[2]);
       const ContactGeometry contact = geometry(c);
-      terms.push_back({list_.a[c], list_.b[c], c,
-                       law_.instance().tangential != 0 || law_.instance().writes_couple != 0, f,
-                       contact.of_bodies(displacements(turning, straight, i, contact), f),
-                       contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
+      terms.push_back(
+          {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
+           bool(list_.sliding[c]), f, contact.of_bodies(displacements(turning, straight, i, contact), f),
+           contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
     }
   }
 
@@ -107,18 +113,20 @@ class LawContacts {
       columns.history(k, i) = simulation_.contact_history(list_.pair[c], k);
   }
 
-  // The tangential force on a is opposite to its slip.
-  void let_slide(ContactColumns& columns, const ContactColumns& at_rest) const {
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const std::size_t c = contacts_[i];
-      if (!list_.sliding[c]) continue;
-      const Vec3 normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
-      Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
-      if (simulation_.dimension() == 2) force[2] = 0;
-      const Vec3 along = force - dot(force, normal) * normal;
-      const double length = norm(along);
-      if (length > 0) columns.set(SCREE_TANGENTIAL_INCREMENT, -slip * list_.overlap[c] / length * along, i);
-    }
+  // The tangential force on a is opposite to its slip. share: of the overlap. The velocity keeps a dashpot on the same side of the
+  // limit as the spring.
+  void move_along_slip(ContactColumns& columns, const ContactColumns& at_rest, std::size_t i,
+                       double share) const {
+    const std::size_t c = contacts_[i];
+    const Vec3 normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
+    Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
+    if (simulation_.dimension() == 2) force[2] = 0;
+    const Vec3 along = force - dot(force, normal) * normal;
+    const double length = norm(along);
+    if (!(length > 0)) return;
+    const Vec3 moved = -share * list_.overlap[c] / length * along;
+    columns.set(SCREE_TANGENTIAL_INCREMENT, moved, i);
+    columns.set(SCREE_RELATIVE_VELOCITY, 1 / simulation_.step_length() * moved, i);
   }
 
   // Part of the Jacobian of contact i: `count` columns from `first`, forces and couples.
@@ -159,17 +167,18 @@ class LawContacts {
   ConfiguredLaw law_;
   ContactJacobian jacobian_;
   int spins_;
+  AtLimit at_limit_;
   std::vector<std::size_t> contacts_;  // indices into the list
 };
 
 }  // namespace
 
-std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins) {
+std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit) {
   const ContactList list = simulation.contact_list();
   std::vector<ContactTerms> terms;
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
     if (std::find(list.law.begin(), list.law.end(), law) != list.law.end())
-      LawContacts(simulation, list, law, spins).append_terms(terms);
+      LawContacts(simulation, list, law, spins, at_limit).append_terms(terms);
   return terms;
 }
 

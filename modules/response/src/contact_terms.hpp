@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <scree/response/linear_system.hpp>
 #include <scree/simulation.hpp>
 
 namespace scree::response {
@@ -18,11 +19,12 @@ struct ContactTerms {
   std::uint32_t a, b;     // as in ContactList
   std::size_t contact;    // index into it
   bool tangential;        // the law exerts tangential forces or couples
+  bool sliding;           // in the last step
   Eigen::Vector3d force;  // on a (N), with both at rest
   Block stiffness, damping;
 };
 
 // spins: rotations of a body that count, 0, 1 or 3. Throws Error as `assemble` does.
-std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins);
+std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit);
 
 }  // namespace scree::response

@@ -28,11 +28,11 @@ class StrainedPacking {
       : simulation_(simulation),
         walls_(wall_pair(simulation)),
         dimension_(simulation.dimension()),
-        system_(assemble(simulation, {options.fewest_contacts, true})),
+        system_(assemble(simulation, {options.fewest_contacts, true, options.at_limit})),
         undamped_(system_),
         inverse_(undamped_.factorise(-undamped_.rounding())),
         list_(simulation.contact_list()),
-        terms_(linearise_contacts(simulation, system_.freedom.spins())) {
+        terms_(linearise_contacts(simulation, system_.freedom.spins(), options.at_limit)) {
     const FoundModes found = find_modes(undamped_, {.count = 0});
     floppy_ = found.shape.middleCols(Eigen::Index(found.first_floppy),
                                      Eigen::Index(found.first_vibrating - found.first_floppy));

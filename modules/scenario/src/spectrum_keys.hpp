@@ -54,6 +54,9 @@ struct SpectrumKeys : TableKeys {
   IntegerKey fewest_contacts =
       integer("fewest_contacts", Range::at_least(1), "that hold a body in the linear response",
               "default 2, and one more than dimensions without tangential forces");
+  ChoiceKey sliding_contacts = choice_or_first(
+      "sliding_contacts", {"stick", "slide"},
+      "what contacts at the limit of friction do in the linear response: stick, as small oscillations make them, or slide on, one way");
 };
 
 inline const SpectrumKeys spectrum_keys;

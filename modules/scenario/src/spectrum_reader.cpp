@@ -189,6 +189,7 @@ void read_pulse(const document::Table& t, SpectrumPlan& plan) {
                   "give a longer longest_pulse, or a shorter chirp_duration");
   plan.fewest_contacts =
       int(t.optional_integer(spectrum_keys.fewest_contacts, spectrum_keys.fewest_contacts.range).value_or(0));
+  plan.contacts_slide = read(t, spectrum_keys.sliding_contacts) == "slide";
 }
 
 }  // namespace

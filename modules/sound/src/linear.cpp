@@ -131,6 +131,16 @@ void note_uncertain(const std::vector<response::HarmonicResponse>& responses, do
       worst->frequency_hz, worst->error, tolerance));
 }
 
+void note_sliding(const HarmonicMotion& motion, const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
+  if (motion.sliding_contacts == 0 || !road.frequencies.empty()) return;
+  road.notes.push_back(fmt::format(
+      "linear: {} contacts are at the limit of friction; they {}", motion.sliding_contacts,
+      plan.contacts_slide
+          ? "slide on, one way, which small oscillations do not; sliding_contacts = \"stick\" holds them"
+          : "are taken to stick, as small oscillations make them within some periods; "
+            "sliding_contacts = \"slide\" lets them slide on"));
+}
+
 // The road at some of its frequencies.
 RoadSpectrum part_of(const RoadSpectrum& road, const std::vector<double>& frequencies) {
   RoadSpectrum part{.road = road.road, .frequencies = frequencies, .columns = {}, .notes = {}};
@@ -155,12 +165,15 @@ bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWal
   };
   on_progress(0);
   const HarmonicMotion motion =
-      harmonic_motion(simulation, walls.motion(), left, {.fewest_contacts = plan.fewest_contacts},
+      harmonic_motion(simulation, walls.motion(), left,
+                      {.fewest_contacts = plan.fewest_contacts,
+                       .at_limit = plan.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick},
                       {.tolerance = plan.tolerance,
                        .threads = start.scene.threads,
                        .on_progress = on_progress,
                        .stop = start.stop});
   Columns columns(start, simulation, walls.motion(), motion);
+  note_sliding(motion, plan, road);
   for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
   note_uncertain(motion.responses, plan.tolerance, road);
   return motion.responses.size() == left.size();

@@ -1,6 +1,6 @@
 #include "packings.hpp"
 
-#include <cmath>
+#include <memory>
 
 #include <catch2/catch.hpp>
 
@@ -165,17 +165,42 @@ TEST_CASE("bodies with too few contacts, and those that they held, are left out"
                     Catch::Contains("no body is held") && Catch::Contains("; compress the packing"));
 }
 
-TEST_CASE("a contact that slides goes on sliding", "[response]") {
-  // A disc that has moved by 0.2 to the right on a floor, with k_t ξ = 0.2 k_t above μ k δ = 0.05 k.
-  const double k = 1000, friction = 0.5;
-  Scene scene = test::heap(2, {{"normal_stiffness", {k}},
+namespace {
+
+constexpr double slider_stiffness = 1000, slider_friction = 0.5, slider_damping = 3;
+
+// A disc that has moved by 0.2 to the right on a floor, with k_t ξ = 0.2 k_t above μ k δ = 0.05 k.
+std::unique_ptr<Simulation> slider() {
+  Scene scene = test::heap(2, {{"normal_stiffness", {slider_stiffness}},
                                {"normal_damping", {0}},
-                               {"tangential_stiffness", {k}},
-                               {"static_friction", {friction}}});
+                               {"tangential_stiffness", {slider_stiffness}},
+                               {"tangential_damping", {slider_damping}},
+                               {"static_friction", {slider_friction}}});
   scene.bodies = {test::body(0, 1, test::heavy, {{0, 0.9, 0}}, {{200, 0, 0}}, {}, 2)};
-  Simulation sliding(scene);
-  sliding.step();
-  const Matrix stiffness(system_of(sliding).stiffness);
+  auto sliding = std::make_unique<Simulation>(scene);
+  sliding->step();
+  return sliding;
+}
+
+}  // namespace
+
+TEST_CASE("contacts at the limit of friction stick where they are to", "[response]") {
+  const LinearSystem system = assemble(*slider(), {.fewest_contacts = 1, .at_limit = AtLimit::stick});
+  const Matrix stiffness(system.stiffness), damping(system.damping);
+  const double k = slider_stiffness, tolerance = 1e-8 * k;
+  CHECK(system.sliding_contacts == 1);
+  CHECK(std::abs(stiffness(0, 0) - k) < tolerance);
+  CHECK(std::abs(stiffness(0, 1)) < tolerance);
+  CHECK(std::abs(stiffness(0, 2) - 0.95 * k) < tolerance);
+  CHECK(std::abs(damping(0, 0) - slider_damping) < 1e-8 * slider_damping);
+}
+
+TEST_CASE("a contact that slides goes on sliding", "[response]") {
+  const double k = slider_stiffness, friction = slider_friction;
+  const LinearSystem system = system_of(*slider());
+  // Nor does its dashpot resist along the slip.
+  CHECK(std::abs(Matrix(system.damping)(0, 0)) < 1e-8 * slider_damping);
+  const Matrix stiffness(system.stiffness);
   // f_x = −μ k (1 − y), f_y = k (1 − y), torque y' f_x with the arm y' = (1 + y)/2. Slip is prolonged by 1e-9
   // of the overlap, and round-off is smaller.
   const double force = friction * k * 0.1, tolerance = 1e-8 * k;

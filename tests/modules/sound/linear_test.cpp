@@ -57,12 +57,12 @@ TEST_CASE("a linear road that was stopped goes on with the frequencies that it l
 
 TEST_CASE("an adaptive linear road resolves maxima that are narrower than its grid", "[sound]") {
   const auto modes_with = [](const char* grid) {
-    const scenario::Plan plan = plan_of(
-        Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nfewest_contacts = 1\n{}\n", grid)));
+    const scenario::Plan plan =
+        plan_of(Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nfewest_contacts = 1\n{}\n", grid)));
     const Start start{plan, plan.scene, run::set_up(plan)->state()};
     std::vector<spectrum::Mode> modes;
-    for (const Resonance& r : resonances_of({linear_spectrum(start)}, plan.observed))
-      if (plan.observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
+    for (const Resonance& r : resonances_of({linear_spectrum(start)}, plan.spectrum->observed))
+      if (plan.spectrum->observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
     return modes;
   };
   const std::vector<spectrum::Mode> fine = modes_with("step_hz = 0.25");

@@ -80,13 +80,13 @@ TEST_CASE("a linear road that is interrupted keeps what it has and goes on to th
       "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
       "[[probe]]\nplugin = 'particles'\nids = [128]\n"
       "[spectrum]\ndrive = 'floor.displacement'\namplitude = 1e-8\nobserve = ['particles.z_128']\n"
-      "from_hz = 20\nto_hz = 160\nstep_hz = 4\nfewest_contacts = 1\n";
+      "from_hz = 20\nto_hz = 160\nstep_hz = 2\nfewest_contacts = 1\n";
   for (int n = 0; n < 128; ++n)
     text += fmt::format("[[particle]]\nid = {}\nradius = 0.005\nposition = [{}, {}, {}]\n", n + 1,
                         0.00995 * (n % 4), 0.00995 * (n / 4 % 4), 0.00495 + 0.00995 * (n / 16));
   Bench whole(text), parted(text);
   whole.options.roads = parted.options.roads = {Road::linear};
-  CHECK(measure(whole.plan, whole.options).roads.at(0).frequencies.size() == 36);
+  CHECK(measure(whole.plan, whole.options).roads.at(0).frequencies.size() == 71);
 
   std::atomic<bool> stop = false;
   parted.options.stop = &stop;
@@ -98,14 +98,14 @@ TEST_CASE("a linear road that is interrupted keeps what it has and goes on to th
   };
   const Measurement first = measure(parted.plan, parted.options);
   REQUIRE(first.interrupted);
-  CHECK(first.roads.at(0).frequencies.size() == 12);  // two windows of six; the third was stopped
+  CHECK(first.roads.at(0).frequencies.size() == 24);  // one window; the second was stopped
   const std::string part = parted.text("spectrum.csv");
-  CHECK(std::count(part.begin(), part.end(), '\n') == 13);
+  CHECK(std::count(part.begin(), part.end(), '\n') == 25);
   stop = false;
   shares.clear();
   parted.options.on_progress = [&](double share, double, const std::string&) { shares.push_back(share); };
   CHECK(!resume_measurement(parted.options, host()).interrupted);
-  CHECK(shares.front() == Approx(12.0 / 36));
+  CHECK(shares.front() == Approx(24.0 / 71));
   CHECK(shares.back() == 1);
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }

@@ -15,7 +15,8 @@ struct RollingResistance {
   void declare(Declaration& d) {
     d.number("rolling_friction", friction, "", non_negative, "μ_r; 0: no rolling resistance");
     d.number("rolling_time", time, "s", non_negative,
-             "time constant in which rolling resistance calms a small relative spin; at least 16 steps");
+             "time constant of a small spin of a sphere with the pair's reduced mass and effective radius "
+             "(two equal spheres: 4 times as long); at least 16 steps");
   }
 };
 

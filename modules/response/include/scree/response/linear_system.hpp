@@ -22,6 +22,13 @@ struct LinearSystem {
   // K_w, C_w, M_w: (q, walls × dimension)
   Eigen::SparseMatrix<double> wall_stiffness, wall_damping, wall_mass;
   std::vector<std::uint32_t> rattlers;  // bodies that are left out, in ascending order
+  std::size_t sliding_contacts = 0;     // of held bodies, as the laws found them in the last step
+};
+
+// What contacts do whose tangential force is at the limit of friction.
+enum class AtLimit {
+  slide,  // on along their slip, one way: the tangential force follows the normal force, and K is not symmetric
+  stick  // as in small oscillations, in which slip stops within a few periods
 };
 
 struct AssemblyOptions {
@@ -30,10 +37,11 @@ struct AssemblyOptions {
   int fewest_contacts = 0;
   // Walls that forces move stay where they are, and are displaced by w alone.
   bool hold_walls = false;
+  AtLimit at_limit = AtLimit::slide;
 };
 
 // Linearises all contacts, body forces and walls at the present positions, orientations and springs, with bodies
-// and walls at rest. Contacts that slide go on sliding, the others go on sticking. Throws Error if a law reads
+// and walls at rest. Contacts within the limit of friction stick. Throws Error if a law reads
 // orientations or has no derivatives, or if no body is held.
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
 

@@ -39,10 +39,11 @@ struct SpectrumPlan {
   bool adaptive = false;
   double tolerance = 0;  // relative error of an adaptive sweep
   Pulse pulse = Pulse::gaussian;
-  double chirp_duration = 0;  // (s)
-  double decay = 0;           // integral of |response| behind the record of a pulse over that before
-  double longest_pulse = 0;   // (s)
-  int fewest_contacts = 0;    // see response::AssemblyOptions
+  double chirp_duration = 0;    // (s)
+  double decay = 0;             // integral of |response| behind the record of a pulse over that before
+  double longest_pulse = 0;     // (s)
+  int fewest_contacts = 0;      // see response::AssemblyOptions
+  bool contacts_slide = false;  // those at the limit of friction, in the linear response
 
   // from_hz, from_hz + step_hz, ... up to to_hz.
   std::vector<double> frequencies() const;
