@@ -1,0 +1,70 @@
+"""Prints the peaks of the packings of spectra.toml and the exponent of their frequencies in the stress, with its error from the seeds.
+
+Usage: python3 scenarios/lemrich2017/exponent.py campaigns/spectra"""
+import csv
+import math
+import os
+import statistics
+import sys
+
+NAMES = {0.25: "λ/4", 0.75: "3λ/4", 1.25: "5λ/4"}
+
+
+def read(path):
+    with open(path, encoding="utf-8") as lines:
+        return list(csv.DictReader(lines))
+
+
+def largest_peaks(path):
+    """Of each number of wavelengths the peak with the largest amplitude."""
+    largest = {}
+    for peak in read(path):
+        wavelengths = float(peak["wavelengths"])
+        if wavelengths not in largest or float(peak["amplitude"]) > float(largest[wavelengths]["amplitude"]):
+            largest[wavelengths] = peak
+    return {w: (float(p["frequency [Hz]"]), float(p["frequency_error [Hz]"]), float(p["quality"])) for w, p in largest.items()}
+
+
+def slope(points):
+    """Of a straight line through (x, y), by least squares."""
+    x_mean, y_mean = (statistics.fmean(p[k] for p in points) for k in (0, 1))
+    return sum((x - x_mean) * (y - y_mean) for x, y in points) / sum((x - x_mean) ** 2 for x, _ in points)
+
+
+def print_peaks(packings):
+    print("stress [kPa] seed  " + "  ".join(f"{name + ' [Hz]':>16} {'Q':>5}" for name in NAMES.values()) + "   ratios")
+    for (stress, seed), peaks in packings.items():
+        first = peaks[0.25][0]
+        columns = "  ".join(f"{peaks[w][0]:8.0f} ± {peaks[w][1]:5.1f} {peaks[w][2]:5.1f}" for w in NAMES)
+        print(f"{stress / 1e3:12g} {seed:>4}  {columns}   1 : {peaks[0.75][0] / first:.3f} : {peaks[1.25][0] / first:.3f}")
+
+
+def print_exponents(packings):
+    seeds = sorted({seed for _, seed in packings})
+    for wavelengths, name in NAMES.items():
+        slopes = [slope([(math.log(stress), math.log(peaks[wavelengths][0])) for (stress, s), peaks in packings.items() if s == seed])
+                  for seed in seeds]
+        error = statistics.stdev(slopes) / math.sqrt(len(slopes)) if len(slopes) > 1 else math.nan
+        print(f"{name:>5}: f ∝ σ^n, n = {statistics.fmean(slopes):.4f} ± {error:.4f} (seeds: {', '.join(f'{n:.4f}' for n in slopes)})")
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 0 if len(sys.argv) == 2 else 2
+    folder, packings = sys.argv[1], {}
+    for row in read(os.path.join(folder, "table.csv")):
+        if row["status"] == "finished":
+            packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(os.path.join(folder, row["run"], "peaks.csv"))
+    lacking = [f"{stress:g} Pa, seed {seed}" for (stress, seed), peaks in packings.items() if any(w not in peaks for w in NAMES)]
+    if lacking or not packings:
+        print(f"exponent.py: {folder}: {'no peak of some name: ' + '; '.join(lacking) if lacking else 'no finished run'};"
+              " run scree campaign scenarios/lemrich2017/spectra.toml", file=sys.stderr)
+        return 1
+    print_peaks(packings)
+    print_exponents(packings)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
