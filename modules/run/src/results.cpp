@@ -34,20 +34,6 @@ void transfer_stages(const StateTransfer& state, std::vector<StageResult>& stage
     stages[k] = {names[k], start[k], end[k], first[k], steps[k], ended[k]};
 }
 
-// A run from an earlier version of the program does not know what it read.
-InputHashes transfer_inputs(const StateTransfer& state, const InputHashes& now) {
-  InputHashes inputs = state.restoring() ? InputHashes() : now;
-  std::vector<std::string> names, hashes;
-  for (const auto& [name, hash] : inputs.plugins) names.push_back(name), hashes.push_back(hash);
-  if (!state.has("names")) return inputs;
-  state.value("bodies", "", inputs.bodies);
-  state.rows("names", "", names);
-  hashes.resize(names.size());
-  state.sized_rows("hashes", "", hashes);
-  for (std::size_t k = 0; k < names.size(); ++k) inputs.plugins[names[k]] = hashes[k];
-  return inputs;
-}
-
 }  // namespace
 
 Results::Results(const scenario::Plan& plan, const RunOptions& options, const RunDirectory& directory,
@@ -76,20 +62,9 @@ void Results::go_on_with_times() {
   result_.states = before.states;
 }
 
-// A plug-in that was built again may give other results, so that the run is that of neither library.
 void Results::go_on_from(const InputHashes& before) {
-  InputHashes inputs = before;
-  for (const auto& [name, hash] : result_.inputs.plugins) {
-    const auto found = before.plugins.find(name);
-    if (found == before.plugins.end() || found->second == hash) continue;
-    inputs.plugins[name] = "several";
-    if (found->second != "several")
-      warn(fmt::format(
-          "the library of the plug-in {} is not that with which the run began; run the scenario again "
-          "if its results may differ",
-          name));
-  }
-  result_.inputs = inputs;
+  result_.inputs =
+      inputs_after(before, result_.inputs, [this](const std::string& warning) { warn(warning); });
 }
 
 void Results::begin_stage(const std::string& name) {

@@ -192,6 +192,10 @@ void Course::transfer(const StateTransfer& state) {
   result_.roads.resize(count);
   for (std::size_t k = 0; k < count; ++k) result_.roads[k].transfer(state.below("road_" + std::to_string(k)));
   unfinished_.transfer(state.below("unfinished"));
+  const run::InputHashes inputs = run::transfer_inputs(state.below("inputs"), result_.inputs);
+  if (state.restoring())
+    result_.inputs =
+        run::inputs_after(inputs, result_.inputs, [this](const std::string& line) { warn(line); });
 }
 
 void Course::warn(const std::string& line) {

@@ -36,6 +36,24 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
         std::string::npos);
 }
 
+TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "[sound]") {
+  const TemporaryFolder folder;
+  folder.write("bead.csv", "id,material,x,y,z,radius\n9,sphere,0.1,0,0.1,0.005\n");
+  std::string text =
+      Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n");
+  Bench bench(text + "[particles]\nfile = '" + (folder / "bead.csv").string() + "'\n");
+  bench.options.roads = {Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
+  const Measurement first = measure(bench.plan, bench.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(!first.inputs.bodies.empty());
+  stop = false;
+  bench.options.on_progress = {};
+  CHECK(resume_measurement(bench.options, host()).inputs == first.inputs);
+}
+
 TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[sound]") {
   const std::string text = Chain().text(
       "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
 #include <scree/scenario/input_files.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree::run {
 
@@ -16,5 +18,11 @@ struct InputHashes {
 };
 
 InputHashes hashes_of(const scenario::InputFiles& files);
+// Saves them; or restores those that a state knows, empty from an earlier version of the program.
+InputHashes transfer_inputs(const StateTransfer& state, const InputHashes& now);
+// Of results that began with `before` and go on with `now`. A plug-in that was built again may give other results, so that they are
+// those of neither library: its hash becomes "several", with a warning.
+InputHashes inputs_after(const InputHashes& before, const InputHashes& now,
+                         const std::function<void(const std::string& warning)>& warn);
 
 }  // namespace scree::run
