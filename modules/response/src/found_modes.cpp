@@ -129,7 +129,7 @@ class Search {
       search_.on_progress(0, "unstable modes");
       shift *= 10;
       factors = system_.factorise(shift);
-    } while (search_.proceed() && system_.count_below(*factors) > 0);
+    } while (search_.proceed() && shift > -system_.largest() && system_.count_below(*factors) > 0);
     find(*factors, Index(result_.unstable), true);
   }
 
