@@ -11,12 +11,13 @@ import sys
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
+from matplotlib import pyplot, ticker  # noqa: E402 (the choice of the backend comes first)
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
-COLOURS = ["#1b3a6b", "#2a7ab0", "#49a078", "#d98e04", "#c0392b"]
+COLOURS = ["#1b3a6b", "#2a7ab0", "#49a078", "#d98e04", "#c0392b", "#7d3c98"]
 LAYERS_APART = 3  # of 14: the 0.214 of the height in figure 4
+LEAST_QUALITY = 2  # below it, a maximum is no resonance: the packing is shaken loose
 
 
 def read(path):
@@ -62,6 +63,10 @@ class Sweep:
         return float(self.peak["quality"]) if self.peak else math.nan
 
 
+    def resonates(self):
+        return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
+
+
 def sweeps_of(folder):
     rows = [r for r in read(os.path.join(folder, "table.csv")) if r["status"] == "finished"]
     return sorted((Sweep(folder, row) for row in rows), key=lambda s: (s.stress, s.amplitude))
@@ -75,7 +80,8 @@ def draw_sweeps(sweeps, height, path):
                   label=f"{sweep.amplitude / height:.1e}")
     axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
     axes.set_title(f"Sweeps about 3λ/4 at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
-    axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False)
+    axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False, loc="lower left", ncols=2)
+    axes.set_ylim(bottom=min(min(s.response) for s in sweeps) * height / 5)
     axes.grid(color="#eeeeee")
     figure.tight_layout()
     figure.savefig(path, dpi=120)
@@ -84,7 +90,7 @@ def draw_sweeps(sweeps, height, path):
 def draw_collapse(sweeps, path):
     figure, (plain, scaled) = pyplot.subplots(1, 2, figsize=(11, 5))
     for case, colour in zip(dict.fromkeys(s.case for s in sweeps), COLOURS):
-        chosen = [s for s in sweeps if s.case == case]
+        chosen = [s for s in sweeps if s.case == case and s.resonates()]
         style = {"color": colour, "marker": "o", "linewidth": 1.2, "label": case}
         plain.plot([s.local_strain() for s in chosen], [s.top()[0] / 1e3 for s in chosen], **style)
         scaled.plot([s.local_strain() * (s.stress / MODULUS) ** (-2 / 3) for s in chosen],
@@ -93,7 +99,9 @@ def draw_collapse(sweeps, path):
     scaled.set(xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)")
     plain.set_title("Peaks 3λ/4 under four stresses (figure 3)", loc="left", fontsize=11)
     scaled.set_title("the same, scaled after Hertz", loc="left", fontsize=11)
-    for axes in (plain, scaled):
+    for axes, ticks in ((plain, (2e-5, 5e-5, 1e-4, 2e-4)), (scaled, (0.3, 0.5, 1, 2, 4))):
+        axes.set_xticks(ticks, [f"{t:g}" for t in ticks])
+        axes.xaxis.set_minor_formatter(ticker.NullFormatter())
         axes.grid(color="#eeeeee")
     plain.legend(frameon=False, fontsize=9)
     figure.tight_layout()
