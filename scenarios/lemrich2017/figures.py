@@ -14,6 +14,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402 (the choice of the backend comes first)
 
 MODULUS = 65e9  # Pa, of the beads
+HEIGHT = 12.26e-3  # m, of the packing under 10 kPa, seed 1
 COLUMN = "strain.distance"
 COLOURS = ["#1b3a6b", "#2a7ab0", "#49a078", "#d98e04", "#c0392b", "#7d3c98"]
 LAYERS_APART = 3  # of 14: the 0.214 of the height in figure 4
@@ -162,7 +163,7 @@ def main():
         return 1
     print_table(sweeps)
     lowest = [s for s in sweeps if s.stress == sweeps[0].stress]
-    draw_sweeps(lowest, 12.26e-3, os.path.join(out, "sweeps.png"))
+    draw_sweeps(lowest, HEIGHT, os.path.join(out, "sweeps.png"))
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
     shaped = [s for s in lowest if s.layers]
     if shaped:

@@ -61,10 +61,8 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
     report(
         fmt::format("{}, so the study has no charts; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
         ExitStatus::success);
-  ProgressBar bar(arguments.quiet);
   const accuracy::Study study = [&] {
-    // Cleared also where an error leaves, so that its line stands alone.
-    const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
+    ProgressBar bar(arguments.quiet);
     return accuracy::study(plan, options_of(arguments, bar));
   }();
   if (arguments.quiet)

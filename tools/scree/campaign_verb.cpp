@@ -54,8 +54,6 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
 campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::CampaignDirectory& directory,
                                      const CampaignArguments& a, PluginHost& host) {
   ProgressBar bar(a.quiet);
-  // Cleared also where an error leaves, so that its line stands alone.
-  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
   return campaign::execute(c, directory, options_of(a, bar), host);
 }
 

@@ -1,10 +1,7 @@
 #include "measurement_report.hpp"
 
-#include "progress_bar.hpp"
-#include "verbs.hpp"
 #include "verdict_report.hpp"
-
-#include <memory>
+#include "watched_work.hpp"
 
 #include <fmt/format.h>
 
@@ -15,18 +12,7 @@ namespace {
 sound::Measurement with_progress(bool quiet,
                                  const std::function<sound::Measurement(sound::MeasurementOptions)>& work) {
   ProgressBar bar(quiet);
-  // Cleared also where an error leaves, so that its line stands alone.
-  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
-  sound::MeasurementOptions options;
-  options.stop = &watch_for_interrupt();
-  options.on_progress = [&bar](double share, double wall, const std::string& what) {
-    bar.show(share, wall, what);
-  };
-  options.on_warning = [&bar](const std::string& line) {
-    bar.clear();
-    report_warning(line);
-  };
-  return work(options);
+  return work(watched(sound::MeasurementOptions(), bar));
 }
 
 }  // namespace

@@ -12,6 +12,10 @@ namespace scree::tool {
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
+  // Cleared also where an error leaves, so that its line stands alone.
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
   // Without a share: what the end of the stage waits for, and its value so far.
   void show(const run::Progress& progress);
   // A share from 0 to 1, seconds since the start, and what is going on.

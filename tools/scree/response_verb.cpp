@@ -1,5 +1,5 @@
-#include "progress_bar.hpp"
 #include "verbs.hpp"
+#include "watched_work.hpp"
 
 #include <memory>
 #include <sstream>
@@ -61,19 +61,9 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
 
 vibration::Vibration with_progress(const ResponseArguments& arguments) {
   ProgressBar bar(arguments.quiet);
-  // Cleared also where an error leaves, so that its line stands alone.
-  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
-  vibration::VibrationOptions options = options_of(arguments);
-  options.stop = &watch_for_interrupt();
-  options.on_progress = [&bar](double share, double wall, const std::string& what) {
-    bar.show(share, wall, what);
-  };
-  options.on_warning = [&bar](const std::string& line) {
-    bar.clear();
-    report_warning(line);
-  };
   PluginHost host = make_host(arguments.plugins);
-  return vibration::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+  return vibration::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host),
+                            watched(options_of(arguments), bar));
 }
 
 ExitStatus respond(const ResponseArguments& arguments) {

@@ -4,8 +4,6 @@
 #include "verbs.hpp"
 #include "verdict_report.hpp"
 
-#include <memory>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -85,8 +83,6 @@ run::RunOptions reporting_options(ProgressBar& bar, bool quiet) {
 
 run::RunResult with_progress(bool quiet, const std::function<run::RunResult(run::RunOptions)>& work) {
   ProgressBar bar(quiet);
-  // Cleared also where an error leaves, so that its line stands alone.
-  const std::shared_ptr<void> clearing(nullptr, [&bar](void*) { bar.clear(); });
   return work(reporting_options(bar, quiet));
 }
 

@@ -186,7 +186,7 @@ bool add_all_frequencies(const Start& start, Simulation& simulation, const Drive
   for (int refinement = 0;; ++refinement) {
     if (!add_frequencies(start, simulation, walls, wanted, road)) return false;
     if (!start.spectrum().adaptive || refinement == most_refinements) return true;
-    const std::vector<double> further = further_frequencies(start.spectrum(), part_of(road, wanted));
+    const std::vector<double> further = frequencies_about_maxima(start.spectrum(), part_of(road, wanted));
     if (further.empty()) return true;
     std::vector<double> more;
     std::set_union(wanted.begin(), wanted.end(), further.begin(), further.end(), std::back_inserter(more));

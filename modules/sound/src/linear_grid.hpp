@@ -9,6 +9,6 @@ namespace scree::sound {
 
 // Frequencies about maxima that are too narrow for the frequencies of a road to give their widths: with them, a width has eight. Of the
 // columns that respond; empty where all maxima are wide enough. Increasing, without those of the road.
-std::vector<double> further_frequencies(const scenario::SpectrumPlan& plan, const RoadSpectrum& road);
+std::vector<double> frequencies_about_maxima(const scenario::SpectrumPlan& plan, const RoadSpectrum& road);
 
 }  // namespace scree::sound

@@ -29,23 +29,11 @@ struct Range {
   std::vector<Pole> poles;
 };
 
-// Distance from a maximum to where |H| has fallen to its root half, on one side; infinite if it does not.
-double half_width(const Response& response, std::size_t top, int direction) {
-  const double level = std::abs(response.values[top]) * std::numbers::sqrt2 / 2;
-  for (std::size_t k = top; k > 0 && k + 1 < response.values.size(); k += std::size_t(direction)) {
-    const std::size_t next = k + std::size_t(direction);
-    const double here = std::abs(response.values[k]), there = std::abs(response.values[next]);
-    if (there > level) continue;
-    const double share = (here - level) / (here - there);
-    const double at =
-        response.frequencies[k] + share * (response.frequencies[next] - response.frequencies[k]);
-    return std::abs(at - response.frequencies[top]);
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 Pole first_guess(const Response& response, std::size_t top) {
-  const double narrower = std::min(half_width(response, top, 1), half_width(response, top, -1));
+  const auto side = [&](int direction) {
+    return half_width(response.frequencies, response.values, top, direction);
+  };
+  const double narrower = std::min(side(1), side(-1));
   const double band = response.frequencies.back() - response.frequencies.front();
   return {response.frequencies[top], 2 * std::min(narrower, 0.25 * band)};
 }
@@ -240,6 +228,20 @@ std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<cons
   const Response data{{frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true};
   check(data, amplitudes.size());
   return modes_of(data);
+}
+
+double half_width(std::span<const double> frequencies, std::span<const std::complex<double>> response,
+                  std::size_t top, int direction) {
+  const double level = std::abs(response[top]) * std::numbers::sqrt2 / 2;
+  for (std::size_t k = top; k > 0 && k + 1 < response.size(); k += std::size_t(direction)) {
+    const std::size_t next = k + std::size_t(direction);
+    const double here = std::abs(response[k]), there = std::abs(response[next]);
+    if (there > level) continue;
+    const double share = (here - level) / (here - there);
+    const double at = frequencies[k] + share * (frequencies[next] - frequencies[k]);
+    return std::abs(at - frequencies[top]);
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace scree::spectrum

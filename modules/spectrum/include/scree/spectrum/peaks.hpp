@@ -40,4 +40,9 @@ std::vector<Mode> find_modes(std::span<const double> frequencies,
 // |H| raises amplitudes.
 std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes);
 
+// Distance (Hz) from a maximum of |H|, at the index `top`, to where it has fallen to its root half, on the side of lower (direction -1) or
+// higher (1) frequencies; infinite if it does not within the band.
+double half_width(std::span<const double> frequencies, std::span<const std::complex<double>> response,
+                  std::size_t top, int direction);
+
 }  // namespace scree::spectrum

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "progress_bar.hpp"
+#include "verbs.hpp"
+
+#include <string>
+
+namespace scree::tool {
+
+// Options of a work that shows its progress on a bar and ends at Ctrl-C: of sound, vibration. The bar must outlive them.
+template <class Options>
+Options watched(Options options, ProgressBar& bar) {
+  options.stop = &watch_for_interrupt();
+  options.on_progress = [&bar](double share, double wall, const std::string& what) {
+    bar.show(share, wall, what);
+  };
+  options.on_warning = [&bar](const std::string& line) {
+    bar.clear();
+    report_warning(line);
+  };
+  return options;
+}
+
+}  // namespace scree::tool
