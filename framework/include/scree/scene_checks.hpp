@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <scree/domain.hpp>
 #include <scree/scene.hpp>
 
@@ -12,8 +14,8 @@ std::size_t plane_count(const Scene& scene);
 // The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define
 // the same axis.
 Domain periodic_domain(const Scene& scene);
-// Whether no wall of a boundary of a scene moves with these parameters, so that its functions of time have no effect.
-bool is_still(const Scene& scene, const Parameters& boundary);
+// Whether the walls of a boundary of a scene follow one of its functions of time: with another control it has no effect.
+bool has_effect(const Scene& scene, const Parameters& boundary, const std::string& program);
 // Configures the body force and discards it.
 void check_body_force(const Scene::BodyForce& force, const Scene& scene);
 

@@ -1,6 +1,8 @@
 #include "plugins/body_forces.hpp"
 #include "plugins/boundaries.hpp"
 
+#include <scree/error.hpp>
+#include <scree/plugin/program.hpp>
 #include <scree/scene_checks.hpp>
 
 namespace scree {
@@ -9,11 +11,37 @@ std::size_t plane_count(const Scene& scene) { return boundaries_of(scene).planes
 
 Domain periodic_domain(const Scene& scene) { return boundaries_of(scene).domain(); }
 
-bool is_still(const Scene& scene, const Parameters& boundary) {
-  const BodyBounds bodies = bounds_of(scene.bodies, scene.dimension);
-  return ConfiguredBoundary(boundary, scene.dimension, bodies.lower.component, bodies.upper.component)
-      .instance()
-      .still;
+namespace {
+
+// Points and velocities of the walls of a boundary after the first step, in which they meet a spring where they try displacements.
+std::vector<double> after_step(const Scene& scene, const Parameters& boundary) {
+  Boundaries alone({{"alone", 0, boundary}}, scene.dimension, bounds_of(scene.bodies, scene.dimension));
+  const double length = alone.trial_speed() * scene.step;
+  alone.begin_step(0, scene.step, [length](std::size_t, const double* displacement) {
+    scree_load load = {};
+    for (int k = 0; k < 3; ++k) load.force[k] = -displacement[k] / length;  // 1 N at the largest displacement
+    return load;
+  });
+  alone.finish_step(0, scene.step);
+  std::vector<double> all;
+  for (const scree_plane& plane : alone.planes()) {
+    all.insert(all.end(), plane.point, plane.point + 3);
+    all.insert(all.end(), plane.velocity, plane.velocity + 3);
+  }
+  return all;
+}
+
+}  // namespace
+
+bool has_effect(const Scene& scene, const Parameters& boundary, const std::string& program) {
+  try {
+    Parameters constant = boundary, rising = boundary;
+    constant.set(program, {Program::constant, 0});
+    rising.set(program, {Program::ramp, 0, 1, scene.step});
+    return after_step(scene, constant) != after_step(scene, rising);
+  } catch (const Error&) {
+    return true;  // one that takes no such values may have one
+  }
 }
 
 void check_body_force(const Scene::BodyForce& force, const Scene& scene) {

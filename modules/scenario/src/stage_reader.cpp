@@ -71,11 +71,14 @@ std::vector<std::string> kept_programs(const Stage::Change& instance, const docu
   return kept;
 }
 
-// The clock of a boundary starts again when any of its parameters is set; of walls that no longer move this says nothing.
+// The clock of a boundary starts again when any of its parameters is set; of functions that its walls no longer follow this says
+// nothing.
 void warn_of_restart(const document::Table& set, const Stage::Change& before, const Stage::Change& instance,
                      const Scene& scene, std::vector<std::string>& warnings) {
-  const std::vector<std::string> kept = kept_programs(before, set.table(instance.name));
-  if (instance.kind != SCREE_BOUNDARY || kept.empty() || is_still(scene, instance.parameters)) return;
+  if (instance.kind != SCREE_BOUNDARY) return;
+  std::vector<std::string> kept = kept_programs(before, set.table(instance.name));
+  std::erase_if(kept, [&](const std::string& key) { return !has_effect(scene, instance.parameters, key); });
+  if (kept.empty()) return;
   warnings.push_back(
       set.error(instance.name,
                 fmt::format("the stage sets other keys of '{}', so that its time, and with it {}, "

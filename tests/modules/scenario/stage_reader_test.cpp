@@ -1,6 +1,7 @@
 #include "plan_support.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 using namespace scree;
 using namespace scree::scenario;
@@ -104,6 +105,28 @@ TEST_CASE("a stage that restarts functions of time of a boundary which it does n
   CHECK(warnings("set.cell = { stress_y = 15 }\n").empty());
   // Walls that stand still have no use for it.
   CHECK(warnings("set.cell = { y = 'fixed' }\n").empty());
+  // Nor have walls that follow something else, where others move.
+  const std::string other = with(box, "x = 'fixed'", "x = 'stress'\nstress_x = 10");
+  CHECK(plan_of(other + first + second + "set.cell = { y = 'fixed' }\n").warnings.empty());
+  CHECK(plan_of(other + first + second + "set.cell = { stress_x = 11 }\n").warnings.size() == 1);
+  const std::string plane = with(discs, "duration = 1e-4\n", "") +
+                            "[[boundary]]\nplugin = 'plane'\nname = 'lid'\npoint = [0, 9]\nnormal = [0, -1]\n"
+                            "displacement = { from = 0, to = 1, duration = 1 }\nmass = 1\n";
+  for (const char* control :
+       {"control = 'force', force = 1", "control = 'massless', force = 1, speed_limit = 1",
+        "control = 'velocity', velocity = 1"}) {
+    CAPTURE(control);
+    CHECK(plan_of(plane + first + second + "set.lid = { " + control + " }\n").warnings.empty());
+  }
+  for (const char* control : {"force", "massless", "servo"}) {
+    CAPTURE(control);
+    const std::string pressed =
+        with(plane, "displacement = { from = 0, to = 1, duration = 1 }",
+             fmt::format("control = '{}'\nforce = {{ from = 0, to = 1, duration = 1 }}\n"
+                         "speed_limit = 1\ntries = 8",
+                         control));
+    CHECK(plan_of(pressed + first + second + "set.lid.viscosity = 1\n").warnings.size() == 1);
+  }
   const std::vector<std::string> found = warnings("set.cell = { viscosity = 1 }\n");
   REQUIRE(found.size() == 1);
   CHECK_THAT(found[0],
