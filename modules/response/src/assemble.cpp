@@ -79,10 +79,10 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
                             simulation.time(), p.size(), contacts.size()));
 
   Entries stiffness(freedom, equations), damping(freedom, equations), mass(freedom, equations);
-  std::size_t sliding_contacts = 0;
+  std::size_t sliding_contacts = 0, one_way_contacts = 0;
   for (const ContactTerms& contact : contacts) {
     if (!counts(contact, held)) continue;
-    sliding_contacts += contact.sliding;
+    sliding_contacts += contact.sliding, one_way_contacts += contact.one_way;
     stiffness.add({contact.a, contact.b}, contact.stiffness);
     damping.add({contact.a, contact.b}, contact.damping);
   }
@@ -104,7 +104,15 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
           .wall_damping = damping.of_walls(),
           .wall_mass = mass.of_walls(),
           .rattlers = rattlers,
-          .sliding_contacts = sliding_contacts};
+          .sliding_contacts = sliding_contacts,
+          .one_way_contacts = one_way_contacts};
+}
+
+std::string one_way_warning(std::size_t contacts) {
+  return fmt::format(
+      "{} contacts that bear a tangential load have different stiffnesses in loading and unloading, so that small motions are "
+      "not linear: their mean is taken; set history = \"potential\" (hertz_mindlin), or a law whose forces have a derivative",
+      contacts);
 }
 
 }  // namespace scree::response

@@ -17,6 +17,10 @@ namespace {
 // Displacement along the slip, over the overlap. Springs at the limit of friction are as long as it allows; this makes them longer,
 // or shorter, by more than the round-off of that length, so that the law finds them sliding, or sticking.
 constexpr double slip = 1e-9;
+// Depth over the overlap by which loading and unloading are told apart: above round-off, and too little to change who slips.
+constexpr double depth = 1e-11;
+// Difference of their stiffnesses, over the largest, from which a contact has two.
+constexpr double least_difference = 1e-6;
 
 // Throws Error if a law has no linear response.
 ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
@@ -65,23 +69,61 @@ class LawContacts {
       else if (list_.sliding[contacts_[i]])
         move_along_slip(columns, at_rest, i, slip);
 
-    std::vector<double> turning, straight;
-    const scree_contact_batch batch = columns.batch(simulation_.step_length());
-    jacobian_.evaluate(batch, inverse_distance.data(), turning);
-    jacobian_.evaluate(batch, std::vector<double>(inverse_distance.size(), 0.0).data(), straight);
+    Jacobians all = jacobians(columns, inverse_distance, 0);
+    const std::vector<bool> one_way = take_means(columns, inverse_distance, all);
+    const auto& [turning, straight] = all;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const std::size_t c = contacts_[i];
       const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
       const Eigen::Vector3d f(force[0], force[1], simulation_.dimension() == 2 ? 0 : force[2]);
       const ContactGeometry contact = geometry(c);
-      terms.push_back(
-          {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           bool(list_.sliding[c]), f, contact.of_bodies(displacements(turning, straight, i, contact), f),
-           contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
+      terms.push_back({list_.a[c], list_.b[c], c,
+                       law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
+                       bool(list_.sliding[c]), one_way[i], f,
+                       contact.of_bodies(displacements(turning, straight, i, contact), f),
+                       contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
     }
   }
 
  private:
+  struct Jacobians {
+    std::vector<double> turning, straight;  // with and without the turn of the normal
+  };
+
+  // With all contacts deeper by a share of the overlap.
+  Jacobians jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
+                      double share) const {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) columns.input(SCREE_OVERLAP, 0, i) *= 1 + share;
+    const scree_contact_batch batch = columns.batch(simulation_.step_length());
+    Jacobians all;
+    jacobian_.evaluate(batch, inverse_distance.data(), all.turning);
+    jacobian_.evaluate(batch, std::vector<double>(inverse_distance.size(), 0.0).data(), all.straight);
+    return all;
+  }
+
+  // Laws that remember how deep a contact was may have two derivatives there, one of loading and one of unloading. Where they
+  // differ, replaces the one that round-off has chosen by the mean of both, and returns true for the contact.
+  std::vector<bool> take_means(const ContactColumns& columns, const std::vector<double>& inverse_distance,
+                               Jacobians& all) const {
+    std::vector<bool> differ(contacts_.size(), false);
+    if (law_.instance().history_width == 0) return differ;
+    const Jacobians loading = jacobians(columns, inverse_distance, depth),
+                    unloading = jacobians(columns, inverse_distance, -depth);
+    const Eigen::Index size = jacobian_.rows() * jacobian_.columns();
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      for (const auto part : {&Jacobians::turning, &Jacobians::straight}) {
+        const auto of = [&](auto& jacobians) {
+          return Eigen::Map<const Eigen::ArrayXd>((jacobians.*part).data() + Eigen::Index(i) * size, size);
+        };
+        const Eigen::ArrayXd up = of(loading), down = of(unloading);
+        if (!((up - down).abs().maxCoeff() > least_difference * up.abs().maxCoeff())) continue;
+        differ[i] = true;
+        const Eigen::ArrayXd mean = 0.5 * (up + down);
+        std::copy_n(mean.data(), size, (all.*part).begin() + Eigen::Index(i) * size);
+      }
+    return differ;
+  }
+
   bool is_wall(std::size_t c) const { return list_.b[c] >= simulation_.particles().size(); }
 
   ContactGeometry geometry(std::size_t c) const {

@@ -20,6 +20,7 @@ struct ContactTerms {
   std::size_t contact;    // index into it
   bool tangential;        // the law exerts tangential forces or couples
   bool sliding;           // in the last step
+  bool one_way;           // the stiffness differs in loading and unloading; that below is the mean
   Eigen::Vector3d force;  // on a (N), with both at rest
   Block stiffness, damping;
 };

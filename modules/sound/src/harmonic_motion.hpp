@@ -12,7 +12,7 @@ namespace scree::sound {
 // The steady motion of a packing about its present state while its walls move.
 struct HarmonicMotion {
   response::DegreesOfFreedom freedom;
-  std::size_t sliding_contacts;
+  std::size_t sliding_contacts, one_way_contacts;     // as in response::LinearSystem
   std::vector<response::HarmonicResponse> responses;  // for each frequency, until band.stop said stop
 };
 

@@ -1,9 +1,9 @@
 #include "linear.hpp"
 
-#include "displaced_view.hpp"
 #include "driven_walls.hpp"
+#include "harmonic_motion.hpp"
+#include "linear_columns.hpp"
 #include "linear_grid.hpp"
-#include "observer.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/error.hpp>
 
@@ -22,71 +23,18 @@ using Complex = std::complex<double>;
 
 // Times that narrow maxima get more frequencies.
 constexpr int most_refinements = 4;
-// Largest displacement of a difference over the smallest radius: far above round-off of positions, far below contact sizes.
-constexpr double largest_share = 1e-3;
 // Change of a derivative with the size of the difference, over its largest value, from which a column is refused.
 constexpr double largest_change = 0.05;
 
-class Columns {
- public:
-  Columns(const Start& start, Simulation& simulation, const std::vector<Vec3>& walls,
-          const HarmonicMotion& motion)
-      : observer_(start.plan), view_(simulation, walls, motion.freedom) {
-    rest_ = observer_.values(view_.at_rest());
-    for (std::size_t i = 0; i < simulation.particles().size(); ++i)
-      smallest_ = i == 0 ? simulation.particles().radius()[i]
-                         : std::min(smallest_, simulation.particles().radius()[i]);
-  }
-
-  const std::vector<double>& at_rest() const { return rest_; }
-
-  // Derivatives along a motion, and how much they change if the difference has half the size.
-  std::pair<std::vector<Complex>, std::vector<double>> along(const response::HarmonicResponse& motion) {
-    // The wall moves by 1 m.
-    const double share = largest_share * smallest_ / std::max(1.0, motion.amplitude.cwiseAbs().maxCoeff());
-    const std::vector<Complex> whole = difference(motion, share);
-    std::vector<Complex> half = difference(motion, 0.5 * share);
-    std::vector<double> change;
-    for (std::size_t c = 0; c < whole.size(); ++c) change.push_back(std::abs(whole[c] - half[c]));
-    return {whole, std::move(change)};
-  }
-
- private:
-  std::vector<Complex> difference(const response::HarmonicResponse& motion, double share) {
-    using Part = DisplacedView::Part;
-    std::vector<Complex> sum(rest_.size());
-    for (const auto& [part, factor] :
-         {std::pair{Part::real, Complex(1, 0)}, {Part::imaginary, Complex(0, 1)}})
-      for (const double sign : {1.0, -1.0}) {
-        const std::vector<double>& values = observer_.values(view_.displaced(motion, part, sign * share));
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += sign / (2 * share) * factor * values[c];
-      }
-    return sum;
-  }
-
-  Observer observer_;
-  DisplacedView view_;
-  std::vector<double> rest_;
-  double smallest_ = 0;  // (m) radius
-};
-
-// Before the solution, which takes longer.
-void check_needs(const Start& start) {
-  if (Observer(start.plan).needs() & (SCREE_NEEDS_CONTACTS | SCREE_NEEDS_ENERGY))
-    throw Error(fmt::format(
-        "{}: a column that reads contacts or energies has no linear response; observe positions, such as a strain, or leave the "
-        "road linear out",
-        start.spectrum().observed[0].place));
-}
-
-void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::Column& column) {
+void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::Column& column,
+                  const std::function<std::string()>& cure) {
   double largest = 0;
   for (const Complex& h : column.response) largest = std::max(largest, std::abs(h));
   if (largest == 0)
     throw Error(fmt::format(
-        "{}: '{}' does not depend on positions and velocities of bodies, so that it has no linear response; "
-        "observe another column, or leave the road linear out",
-        observed.place, observed.name));
+        "{}: '{}' does not respond: small displacements and velocities of bodies and walls leave it "
+        "as it is; {}, or leave the road linear out",
+        observed.place, observed.name, cure()));
   const double worst = *std::max_element(column.linearity.begin(), column.linearity.end());
   if (!(worst <= largest_change * largest))
     throw Error(fmt::format(
@@ -103,8 +51,8 @@ std::vector<double> missing(const std::vector<double>& all, const std::vector<do
 }
 
 // Inserts what the columns do at one frequency.
-void insert(const response::HarmonicResponse& response, Columns& columns, const scenario::SpectrumPlan& plan,
-            RoadSpectrum& road) {
+void insert(const response::HarmonicResponse& response, LinearColumns& columns,
+            const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
   const auto [derivatives, change] = columns.along(response);
   const auto at = std::lower_bound(road.frequencies.begin(), road.frequencies.end(), response.frequency_hz) -
                   road.frequencies.begin();
@@ -141,6 +89,16 @@ void note_sliding(const HarmonicMotion& motion, const scenario::SpectrumPlan& pl
             "sliding_contacts = \"slide\" lets them slide on"));
 }
 
+void note_one_way(const HarmonicMotion& motion, RoadSpectrum& road) {
+  if (motion.one_way_contacts == 0 || !road.frequencies.empty()) return;
+  road.notes.push_back("linear: " + response::one_way_warning(motion.one_way_contacts));
+}
+
+response::AssemblyOptions assembly_of(const scenario::SpectrumPlan& plan) {
+  return {.fewest_contacts = plan.fewest_contacts,
+          .at_limit = plan.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick};
+}
+
 // The road at some of its frequencies.
 RoadSpectrum part_of(const RoadSpectrum& road, const std::vector<double>& frequencies) {
   RoadSpectrum part{.road = road.road, .frequencies = frequencies, .columns = {}, .notes = {}};
@@ -164,16 +122,14 @@ bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWal
     start.on_progress((found + share * double(left.size())) / all, "linear response");
   };
   on_progress(0);
-  const HarmonicMotion motion =
-      harmonic_motion(simulation, walls.motion(), left,
-                      {.fewest_contacts = plan.fewest_contacts,
-                       .at_limit = plan.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick},
-                      {.tolerance = plan.tolerance,
-                       .threads = start.scene.threads,
-                       .on_progress = on_progress,
-                       .stop = start.stop});
-  Columns columns(start, simulation, walls.motion(), motion);
+  const HarmonicMotion motion = harmonic_motion(simulation, walls.motion(), left, assembly_of(plan),
+                                                {.tolerance = plan.tolerance,
+                                                 .threads = start.scene.threads,
+                                                 .on_progress = on_progress,
+                                                 .stop = start.stop});
+  LinearColumns columns(start.plan, simulation, walls.motion(), motion.freedom);
   note_sliding(motion, plan, road);
+  note_one_way(motion, road);
   for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
   note_uncertain(motion.responses, plan.tolerance, road);
   return motion.responses.size() == left.size();
@@ -194,13 +150,40 @@ bool add_all_frequencies(const Start& start, Simulation& simulation, const Drive
   }
 }
 
+// What to observe instead of a column that does not respond.
+std::string observe_cure(const Start& start, Simulation& simulation, const DrivenWalls& walls,
+                         double frequency_hz) {
+  const HarmonicMotion motion =
+      harmonic_motion(simulation, walls.motion(), {frequency_hz}, assembly_of(start.spectrum()),
+                      {.tolerance = start.spectrum().tolerance, .stop = start.stop});
+  if (motion.responses.empty()) return "observe another column";
+  constexpr std::size_t most_named = 8;
+  std::vector<std::string> names =
+      responding_columns(start.plan, simulation, walls.motion(), motion.freedom, motion.responses[0]);
+  if (names.empty()) return "observe another column";
+  const std::size_t others = names.size() - std::min(names.size(), most_named);
+  names.resize(names.size() - others);
+  return fmt::format("observe one that does: {}{}", fmt::join(names, ", "),
+                     others ? fmt::format(" and {} more", others) : "");
+}
+
 }  // namespace
+
+void check_linear(const Start& start) {
+  const scenario::Plan& plan = start.plan;
+  for (const scenario::ObservedColumn& column : plan.spectrum->observed)
+    if (!is_of_motion(plan.probes[column.probe], plan.scene.dimension))
+      throw Error(fmt::format(
+          "{}: '{}' is of a probe that reads contacts or energies, which has no linear response; observe positions, "
+          "such as a strain, or leave the road linear out",
+          column.place, column.name));
+}
 
 bool add_linear(const Start& start, RoadSpectrum& road) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const scenario::SpectrumPlan& plan = start.spectrum();
-  check_needs(start);
+  check_linear(start);
   Simulation simulation(start.scene, start.state);
   const DrivenWalls walls(start);
   road.road = "linear";
@@ -209,7 +192,9 @@ bool add_linear(const Start& start, RoadSpectrum& road) {
   road.wall += std::chrono::duration<double>(Clock::now() - began).count();
   if (!complete) return false;
   for (std::size_t c = 0; c < road.columns.size(); ++c) {
-    if (!plan.observed[c].of_shape) check_column(plan.observed[c], road.columns[c]);
+    if (!plan.observed[c].of_shape)
+      check_column(plan.observed[c], road.columns[c],
+                   [&] { return observe_cure(start, simulation, walls, road.frequencies.back()); });
     road.columns[c].linearity.clear();
   }
   return true;

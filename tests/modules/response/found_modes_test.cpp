@@ -167,6 +167,35 @@ TEST_CASE("a mode is floppy where it is with all of K, also if its symmetric par
   }
 }
 
+// A wall without mass or stiffness of its own follows the bodies as far down as one looks, so that its mode has no lower bound.
+TEST_CASE("the search for unstable modes ends where no ω² can be", "[response]") {
+  Eigen::Matrix4d stiffness;
+  stiffness << 1000, 0, 0, 30,  //
+      0, 700, 0, 20,            //
+      0, 0, 400, 10,            //
+      30, 20, 10, 0;
+  const Eigen::SparseMatrix<double> k = stiffness.sparseView(), none(4, 4), walls(4, 0);
+  const LinearSystem system = {.freedom = DegreesOfFreedom(2, 0, {true, true}, {false, false}),
+                               .stiffness = k,
+                               .damping = none,
+                               .mass = Eigen::Vector4d(1, 2, 1, 0),
+                               .wall_stiffness = walls,
+                               .wall_damping = walls,
+                               .wall_mass = walls,
+                               .rattlers = {}};
+  const UndampedSystem undamped(system);
+  REQUIRE(undamped.count_below(-1e6 * undamped.largest()) == 1);
+  int looks = 0;
+  constexpr int many = 100;
+  find_modes(undamped,
+             {.count = 2,
+              .proceed = [&] { return looks < many; },
+              .on_progress = [&](double, const std::string& what) { looks += what == "unstable modes"; }});
+  // From 1e-11 of the largest ω² to it, by factors of 10; round-off may add one.
+  CHECK(looks >= 1);
+  CHECK(looks <= 12);
+}
+
 // ω_m = 2 √(k/m) sin((2m − 1) π/(2 (2N + 1))) along a row of beads between a wall and nothing, which turns over
 // sideways.
 TEST_CASE("a long chain has the lowest frequencies of a discrete chain", "[response]") {

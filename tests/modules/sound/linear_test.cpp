@@ -84,6 +84,24 @@ TEST_CASE("a linear road at an undamped mode says at which frequency and what to
                                                 Catch::Contains("; add damping"));
 }
 
+TEST_CASE("a column that does not respond is refused with those that do", "[sound]") {
+  const auto refused = [](const char* observed) {
+    std::string text = Chain().text("from_hz = 20\nto_hz = 60\nstep_hz = 20\nfewest_contacts = 1\n");
+    text = with(text, "observe = ['particles.z_1', 'particles.z_8']",
+                fmt::format("observe = ['particles.z_1', '{}']", observed));
+    const scenario::Plan plan = plan_of(text + "[[probe]]\nplugin = 'energy'\nevery = 1\n");
+    return message([&] { linear_spectrum({plan, plan.scene, run::set_up(plan)->state()}); });
+  };
+  // A chain along z; spins do not follow, as no contact turns bodies.
+  for (const char* column : {"particles.x_8", "particles.spin_x_8"})
+    CHECK_THAT(refused(column),
+               Catch::Contains(fmt::format("'{}' does not respond", column)) &&
+                   Catch::EndsWith("; observe one that does: particles.z_1, particles.vz_1, particles.z_8, "
+                                   "particles.vz_8, or leave the road linear out"));
+  CHECK_THAT(refused("energy.kinetic_translation"),
+             Catch::Contains("'energy.kinetic_translation' is of a probe that reads contacts or energies"));
+}
+
 TEST_CASE("a law from outside without derivatives, or that reads orientations, is named with what to do",
           "[sound]") {
   PluginHost both({SCREE_TEST_PLUGINS, SCREE_TEST_OUTSIDE});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -23,6 +24,8 @@ struct LinearSystem {
   Eigen::SparseMatrix<double> wall_stiffness, wall_damping, wall_mass;
   std::vector<std::uint32_t> rattlers;  // bodies that are left out, in ascending order
   std::size_t sliding_contacts = 0;     // of held bodies, as the laws found them in the last step
+  // Contacts of held bodies whose stiffness differs in loading and unloading: K has the mean, and small motions are not linear.
+  std::size_t one_way_contacts = 0;
 };
 
 // What contacts do whose tangential force is at the limit of friction.
@@ -44,5 +47,8 @@ struct AssemblyOptions {
 // and walls at rest. Contacts within the limit of friction stick. Throws Error if a law reads
 // orientations or has no derivatives, or if no body is held.
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
+
+// "<what>; <cure>" of so many LinearSystem::one_way_contacts.
+std::string one_way_warning(std::size_t contacts);
 
 }  // namespace scree::response
