@@ -74,8 +74,15 @@ void CsvRows::read_header() {
 
 std::size_t CsvRows::column(std::string_view wanted) const {
   const Column sought = column_of(wanted);
-  for (std::size_t k = 0; k < columns_.size(); ++k)
-    if (columns_[k].name == sought.name && (sought.unit.empty() || columns_[k].unit == sought.unit)) return k;
+  const auto fits = [&](const Column& column) {
+    return column.name == sought.name && (sought.unit.empty() || column.unit == sought.unit);
+  };
+  if (const auto found = std::find_if(columns_.begin(), columns_.end(), fits); found != columns_.end()) {
+    if (std::count_if(found, columns_.end(), fits) > 1)
+      fail(1, fmt::format("there is more than one column {}", quote_token(wanted)),
+           "rename all but one, or give its unit too");
+    return std::size_t(found - columns_.begin());
+  }
   std::vector<std::string> shown;
   for (const Column& column : columns_)
     shown.push_back(

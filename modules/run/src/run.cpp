@@ -18,6 +18,7 @@
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
 #include <scree/files/text.hpp>
+#include <scree/files/try_each.hpp>
 #include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
@@ -26,18 +27,6 @@
 namespace scree::run {
 
 namespace {
-
-// Calls every function, even if others throw; exceptions are discarded.
-template <class... Work>
-void try_each(const Work&... work) {
-  const auto attempt = [](const auto& one) {
-    try {
-      one();
-    } catch (const std::exception&) {
-    }
-  };
-  (attempt(work), ...);
-}
 
 constexpr const char* final_packing = "final_packing.csv";
 
@@ -61,14 +50,6 @@ std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& sta
   return std::make_unique<Simulation>(scene, state);
 }
 
-// The status bad_input is reserved for errors before anything is written. To be called where the error is caught.
-[[noreturn]] void rethrow_as_failure(const Error& error) {
-  if (error.status() != ExitStatus::bad_input) throw;
-  if (const auto* place = dynamic_cast<const files::PlaceError*>(&error))
-    throw place->with_status(ExitStatus::failure);
-  throw Error(error.what(), ExitStatus::failure);
-}
-
 class Run {
  public:
   // state: that from which the run in the directory goes on; null for a new run.
@@ -76,6 +57,7 @@ class Run {
       : plan_(plan),
         options_(options),
         directory_(directory),
+        went_on_(state != nullptr),
         simulation_(state ? resumed(plan, *state, options.threads) : set_up(plan, options.threads)),
         sampler_(plan),
         pictures_(plan, directory_),
@@ -101,8 +83,8 @@ class Run {
         for (const std::string& warning : sampler_.unfilled()) results_.warn(warning);
       if (no_final_state_) std::rethrow_exception(no_final_state_);
     } catch (const Error& error) {
-      fail(error.what());
-      rethrow_as_failure(error);
+      fail(files::record_line(error, went_on_));
+      files::rethrow_as_failure(error);
     } catch (const std::exception& error) {
       fail(error.what());
       throw;
@@ -268,15 +250,16 @@ class Run {
   void fail(const std::string& reason) {
     results_.end_stage("failed");
     room_.release();
-    try_each([&] { results_.record("failed", files::one_line(reason, 2000), watch_); },
-             [&] { sampler_.flush(); },
-             [&] { write_final_packing(*simulation_, directory_.path() / final_packing); },
-             [&] { pictures_.take_last(*simulation_); });
+    files::try_each([&] { results_.record("failed", files::one_line(reason, 2000), watch_); },
+                    [&] { sampler_.flush(); },
+                    [&] { write_final_packing(*simulation_, directory_.path() / final_packing); },
+                    [&] { pictures_.take_last(*simulation_); });
   }
 
   const scenario::Plan& plan_;
   const RunOptions& options_;
   RunDirectory& directory_;
+  const bool went_on_;
   std::unique_ptr<Simulation> simulation_;
   SpareRoom room_;
   Sampler sampler_;

@@ -47,6 +47,8 @@ TEST_CASE("a table that cannot be read is refused with line, column and cure", "
   CHECK(refusal("time,a [m],b\n0,1,2\n") == ":1:1: there is no column 'strain'; there are: time, a [m], b");
   CHECK(refusal("time,strain [m]\n0,1\n", "strain [1]") ==
         ":1:1: there is no column 'strain [1]'; did you mean 'strain [m]'?");
+  CHECK(refusal("time,strain [m],strain [1]\n0,1,2\n") ==
+        ":1:1: there is more than one column 'strain'; rename all but one, or give its unit too");
   CHECK(refusal("# a\ntime,strain\n0,1\n1,x\n") ==
         ":4:3: strain 'x' is not a number; write a number such as 1.5e-3");
   CHECK(refusal("time,str\x01in\n0,x\n", "str\x01in").starts_with(":2:3: str\\x01in 'x' is not a number; "));

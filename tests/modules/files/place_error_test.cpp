@@ -30,3 +30,29 @@ TEST_CASE("work in a place that stays reports the cure for the place, with the s
   }
   CHECK_THROWS_WITH(in_place([]() -> int { throw Error("other; cure"); }), "other; cure");
 }
+
+TEST_CASE("the record of work that went on in its place names the cure for the place", "[files]") {
+  const PlaceError full("x: is full", "free disk space");
+  CHECK(record_line(full, true) == "x: is full; free disk space");
+  CHECK(record_line(full, false) == "x: is full; free disk space, or give another --out");
+  CHECK(record_line(Error("other; cure"), true) == "other; cure");
+}
+
+TEST_CASE("an error behind what is written is no bad input, and keeps its cures", "[files]") {
+  const auto rethrown = [](const auto& error) {
+    try {
+      try {
+        throw error;
+      } catch (const Error& caught) {
+        rethrow_as_failure(caught);
+      }
+    } catch (const PlaceError& place) {
+      return std::pair(place.status(), place.in_place());
+    } catch (const Error& other) {
+      return std::pair(other.status(), std::string(other.what()));
+    }
+  };
+  CHECK(rethrown(Error("a; b")) == std::pair(ExitStatus::failure, std::string("a; b")));
+  CHECK(rethrown(Error("a; b", ExitStatus::blow_up)) == std::pair(ExitStatus::blow_up, std::string("a; b")));
+  CHECK(rethrown(PlaceError("a", "b")) == std::pair(ExitStatus::failure, std::string("a; b")));
+}

@@ -40,4 +40,19 @@ auto in_place(const Work& work) {
   }
 }
 
+// The line of an error for the record of results; of those that went on in their place, with the cure for the place itself.
+inline std::string record_line(const Error& error, bool went_on) {
+  const auto* place = dynamic_cast<const PlaceError*>(&error);
+  return place && went_on ? place->in_place() : error.what();
+}
+
+// Throws the error that is being caught again, with the status failure for bad_input, which is reserved for errors before
+// anything is written.
+[[noreturn]] inline void rethrow_as_failure(const Error& error) {
+  if (error.status() != ExitStatus::bad_input) throw;
+  if (const auto* place = dynamic_cast<const PlaceError*>(&error))
+    throw place->with_status(ExitStatus::failure);
+  throw Error(error.what(), ExitStatus::failure);
+}
+
 }  // namespace scree::files

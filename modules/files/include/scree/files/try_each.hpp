@@ -1,0 +1,19 @@
+#pragma once
+
+#include <exception>
+
+namespace scree::files {
+
+// Calls every function, even if others throw; exceptions are discarded. For what is saved behind an error, which is the one to tell.
+template <class... Work>
+void try_each(const Work&... work) {
+  const auto attempt = [](const auto& one) {
+    try {
+      one();
+    } catch (const std::exception&) {
+    }
+  };
+  (attempt(work), ...);
+}
+
+}  // namespace scree::files
