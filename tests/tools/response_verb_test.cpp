@@ -66,3 +66,60 @@ TEST_CASE("response refuses what it cannot do in one line and writes nothing", "
   refused("scene.toml --out out --picture 1,x", "--picture 1,x: 'x' is not the number of a mode", "as 1,4,7");
   refused("scene.toml --out out --near -3", "--near:", "see scree response --help");
 }
+
+TEST_CASE("Ctrl-C in response saves what is complete and gives status 130", "[tools]") {
+  const Workspace w(chain);
+  const Outcome outcome =
+      w.shell("'" SCREE_TEST_PROGRAM
+              "' response scene.toml --modes 3 --density 100000 --quiet --out out &\nrun=$!\n"
+              "(sleep 30; kill -KILL $run) > /dev/null 2>&1 &\ntrap \"kill $!\" EXIT\n"
+              "until grep -q running out/response.json 2> /dev/null; do sleep 0.01; done; sleep 0.3\n"
+              "kill -INT $run; wait $run");
+  INFO(outcome.err << outcome.out);
+  CHECK(outcome.status == 130);
+  CHECK(outcome.out == "interrupted; what was complete is saved\nresults in out\n");
+  const nlohmann::json record = w.record("out", "response.json");
+  CHECK(record["status"] == "interrupted");
+  CHECK(record["modes"].size() == 3);
+  CHECK(lines_of(w.text("out/modes.csv")) > 3);
+  // What was counted before; all counts would take seconds.
+  CHECK(lines_of(w.text("out/density.csv")) < 100001);
+  CHECK(w.scree("response scene.toml --modes 3 --quiet --out out --overwrite").status == 0);
+  CHECK(w.record("out", "response.json")["status"] == "finished");
+}
+
+TEST_CASE("response refuses frequencies at which there is no mode to find", "[tools]") {
+  const Workspace w(chain);
+  const auto refused = [&](const std::string& arguments, const std::string& problem,
+                           const std::string& cure) {
+    const Outcome outcome = w.scree("response scene.toml --quiet --out out " + arguments);
+    check_refused(w, outcome, "scene.toml: " + problem, cure);
+  };
+  refused("--near 1e300", "all modes are below ", "give a lower --near");
+  refused("--density 5 --density-to 1e-300", "no mode below ", "give a higher --density-to");
+}
+
+// A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a load.
+TEST_CASE("response and the linear road warn of laws without a derivative at rest", "[tools]") {
+  const std::string inclined =
+      "[time]\nstep = 1e-6\n[[material]]\nname = 'glass'\ndensity = 2500\n"
+      "[[contact]]\nplugin = 'hertz_mindlin'\nyoungs_modulus = 1e9\npoissons_ratio = 0.25\nrestitution = 0.5\n"
+      "friction = 0.5\n[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+      "displacement = 0\n[[boundary]]\nplugin = 'plane'\nname = 'side'\npoint = [0.002, 0, 0]\n"
+      "normal = [-1, 0, 0]\n[[body_force]]\nplugin = 'gravity'\nacceleration = [3, 0, -10]\n"
+      "[[particle]]\nid = 1\nposition = [0, 0, 0.0019999]\nradius = 0.002\n[[stage]]\nduration = 2e-3\n"
+      "[[probe]]\nplugin = 'particles'\nevery = 1\nids = [1]\n[spectrum]\ndrive = 'floor.displacement'\n"
+      "amplitude = 1e-9\nobserve = ['particles.z_1']\nfrom_hz = 100\nto_hz = 200\nstep_hz = 50\n"
+      "fewest_contacts = 1\n";
+  const Workspace w(inclined);
+  for (const char* verb : {"response scene.toml --modes 1", "spectrum scene.toml --by linear"}) {
+    CAPTURE(verb);
+    const std::string call = std::string(verb) + " --quiet --overwrite --out ";
+    const Outcome rescaled = w.scree(call + verb[0]);
+    INFO(rescaled.err);
+    CHECK(rescaled.status == 0);
+    CHECK(rescaled.err.find("have different stiffnesses in loading and unloading") != std::string::npos);
+    CHECK(w.scree(call + verb[0] + " --set contact.history=\\'potential\\'").err.find("unloading") ==
+          std::string::npos);
+  }
+}

@@ -63,6 +63,9 @@ TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothin
   };
   refused("--out out", "neither a scenario nor --csv", "or --csv FILE --column NAME");
   refused("scene.toml --csv x.csv --column y", "--csv analyses a file, not a scenario", "give one of them");
+  refused("--csv x.csv --column y --set a=1", "--csv analyses a file, which has no --set", "leave them out");
+  refused("scene.toml --frequency 50", "--column and --frequency are of a file",
+          "[spectrum] of the scenario");
   refused("--csv x.csv", "--csv without --column", "give --column NAME");
   refused("--resume", "--resume without --out", "with the directory of the spectrum");
   refused("--resume --out out", "out: contains no spectrum", "give the directory of one");

@@ -155,6 +155,10 @@ ExitStatus spectrum_of(const SpectrumArguments& arguments) {
   const bool of_file = !arguments.csv.empty();
   if (of_file && (!arguments.scenario.empty() || arguments.resume))
     throw Error("--csv analyses a file, not a scenario; give one of them");
+  if (of_file && (!arguments.overrides.empty() || arguments.overwrite))
+    throw Error("--csv analyses a file, which has no --set and --overwrite; leave them out");
+  if (!of_file && (!arguments.column.empty() || arguments.frequency > 0))
+    throw Error("--column and --frequency are of a file; give --csv FILE, or [spectrum] of the scenario");
   if (of_file && arguments.column.empty()) throw Error("--csv without --column; give --column NAME");
   if (of_file) return analyse(arguments);
   if (arguments.resume && arguments.out.empty())

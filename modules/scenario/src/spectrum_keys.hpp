@@ -19,7 +19,7 @@ struct SpectrumKeys : TableKeys {
   StringKey shape_from =
       string("shape_from",
              "probe whose columns displacement_1, ... give the shapes and names of peaks, such as a profile",
-             "default none");
+             "default none, also \"\" and []");
   NumberKey from_hz = number("from_hz", Range::positive("Hz"), "lowest frequency");
   NumberKey to_hz = number("to_hz", Range::positive("Hz"), "highest frequency");
   NumberKey step_hz = number("step_hz", Range::positive("Hz"), "distance of frequencies");

@@ -18,6 +18,8 @@ namespace scree::scenario {
 namespace {
 
 constexpr double most_frequencies = 100000;
+// Of a frequency, as of a stage.
+constexpr double max_steps = 1e12;
 
 // The keys of a boundary that are functions of time in m.
 std::vector<std::string> displacements_of(const Parameters& boundary) {
@@ -74,9 +76,14 @@ std::vector<ObservedColumn> all_columns(const Plan& plan) {
   return all;
 }
 
+// Whether an override has emptied a key, so that it holds nothing: "" or [].
+bool is_empty(const document::Table& t, std::string_view key) {
+  return t.is_array(key) ? t.toml_elements(key).empty() : t.is_string(key) && t.string(key).empty();
+}
+
 // Columns displacement_1, displacement_2, ... of a probe, in their order.
 void read_shape(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {
-  if (!t.optional(spectrum_keys.shape_from)) return;
+  if (!t.optional(spectrum_keys.shape_from) || is_empty(t, spectrum_keys.shape_from)) return;
   const std::string probe = read(t, spectrum_keys.shape_from);
   constexpr std::size_t fewest_layers = 3;
   std::vector<std::string> names;
@@ -142,13 +149,18 @@ void read_frequencies(const document::Table& t, double step, SpectrumPlan& plan)
                   "give a larger step_hz");
 }
 
-void read_sweep(const document::Table& t, SpectrumPlan& plan) {
+void read_sweep(const document::Table& t, double step, SpectrumPlan& plan) {
   const std::string direction = read(t, spectrum_keys.direction);
   plan.direction = direction == "up"     ? SpectrumPlan::Direction::up
                    : direction == "down" ? SpectrumPlan::Direction::down
                                          : SpectrumPlan::Direction::both;
   plan.periods = read(t, spectrum_keys.periods);
   plan.analysed_periods = read(t, spectrum_keys.analysed_periods);
+  if (const double steps = plan.periods / (plan.from_hz * step); !(steps <= max_steps))
+    throw t.error(
+        spectrum_keys.from_hz,
+        fmt::format("{:g} periods of {:g} Hz take {:.3g} time steps", plan.periods, plan.from_hz, steps),
+        fmt::format("give a higher from_hz, or fewer periods, for at most {:g} steps", max_steps));
   if (plan.analysed_periods > plan.periods)
     throw t.error(
         t.has(spectrum_keys.analysed_periods) ? spectrum_keys.analysed_periods : spectrum_keys.periods,
@@ -180,6 +192,11 @@ void read_pulse(const document::Table& t, SpectrumPlan& plan) {
                : pulse == "chirp" ? SpectrumPlan::Pulse::chirp
                                   : SpectrumPlan::Pulse::gaussian;
   plan.chirp_duration = read_optional(t, spectrum_keys.chirp_duration).value_or(10 / plan.from_hz);
+  if (plan.pulse == SpectrumPlan::Pulse::chirp && plan.chirp_duration * plan.to_hz < 1)
+    throw t.error(
+        spectrum_keys.chirp_duration,
+        fmt::format("a chirp of {:g} s has no period of to_hz = {:g} Hz", plan.chirp_duration, plan.to_hz),
+        "give a longer chirp_duration, such as 10 / from_hz");
   plan.decay = read(t, spectrum_keys.decay);
   plan.longest_pulse = read_optional(t, spectrum_keys.longest_pulse).value_or(30 / plan.step_hz);
   if (plan.pulse == SpectrumPlan::Pulse::chirp && plan.longest_pulse <= plan.chirp_duration)
@@ -216,7 +233,7 @@ std::optional<SpectrumPlan> read_spectrum(const document::Table& root, const Pla
   read_observed(*t, plan, spectrum);
   read_shape(*t, plan, spectrum);
   read_frequencies(*t, plan.scene.step, spectrum);
-  read_sweep(*t, spectrum);
+  read_sweep(*t, plan.scene.step, spectrum);
   read_adaptive(*t, spectrum);
   read_pulse(*t, spectrum);
   return spectrum;

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/place_error.hpp>
+#include <scree/files/try_each.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/state_file/state_file.hpp>
@@ -44,8 +46,7 @@ Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, ru
 Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
   if (plan_.stages.empty()) set_start(simulation->state());
-  if (start_) const DrivenWalls checked(*start_);
-  if (start_) check_observed(plan_, *simulation);
+  if (start_) check_start(*simulation);
   directory_.create();
   try {
     write_record("running", result_, directory_);
@@ -53,14 +54,15 @@ Measurement Course::begin() {
     if (!start_) run_stages(*simulation);
     simulation.reset();
     take_roads();
+    return finish();
   } catch (const Error& error) {
-    if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_)
+    if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_) {
       directory_.discard();
-    else
-      save_failed(error);
-    throw;
+      throw;
+    }
+    save_failed(error, false);
+    files::rethrow_as_failure(error);
   }
-  return finish();
 }
 
 Measurement Course::resume(const State& state) {
@@ -69,26 +71,27 @@ Measurement Course::resume(const State& state) {
   set_start(state);
   if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
   directory_.create();
-  write_record("running", result_, directory_);
   try {
+    write_record("running", result_, directory_);
     take_roads();
+    return finish();
   } catch (const Error& error) {
-    save_failed(error);
-    throw;
+    save_failed(error, true);
+    files::rethrow_as_failure(error);
   }
-  return finish();
 }
 
-void Course::save_failed(const Error& failure) {
+void Course::save_failed(const Error& failure, bool went_on) {
   if (failure.status() == ExitStatus::interrupted) return;
-  result_.error = failure.what();
-  try {
-    if (sweep_) write_sweep_table();
-    if (kept_) write_state(*kept_);
-    write_record("failed", result_, directory_);
-  } catch (const Error&) {
-    // The error for which it failed is the one to report.
-  }
+  result_.error = files::record_line(failure, went_on);
+  files::try_each(
+      [&] {
+        if (sweep_) write_sweep_table();
+      },
+      [&] {
+        if (kept_) write_state(*kept_);
+      },
+      [&] { write_record("failed", result_, directory_); });
 }
 
 void Course::set_start(State state) {
@@ -96,6 +99,14 @@ void Course::set_start(State state) {
                        [this](double share, const std::string& what) {
                          if (options_.on_progress) options_.on_progress(share, seconds(), what);
                        }});
+}
+
+// What can be told before anything is written; with several roads, one that cannot be taken is left out later.
+void Course::check_start(const Simulation& simulation) const {
+  const DrivenWalls checked(*start_);
+  check_observed(plan_, simulation);
+  if (asked_.size() > 1) return;
+  asks(Road::linear) ? check_linear(*start_) : check_amplitude(*start_);
 }
 
 void Course::run_stages(Simulation& simulation) {

@@ -24,6 +24,7 @@ class Course {
 
  private:
   void set_start(State state);
+  void check_start(const Simulation& simulation) const;
   void run_stages(Simulation& simulation);
   bool asks(Road road) const;
   bool has(const std::string& road) const;
@@ -36,8 +37,8 @@ class Course {
   void save();
   void write_sweep_table();
   void write_state(const State& state);
-  // What is complete stays.
-  void save_failed(const Error& failure);
+  // What is complete stays. went_on: in a directory that has to stay the same.
+  void save_failed(const Error& failure, bool went_on);
   void transfer(const StateTransfer& state);
   void warn(const std::string& line);
   void judge();

@@ -2,6 +2,10 @@
 
 #include "wave.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -35,7 +39,14 @@ DrivenWalls::DrivenWalls(const Start& start) {
   for (std::size_t w = 0; w < still.size(); ++w) {
     motion_.push_back((1 / speed) * (moving[w] - still[w]));
     square_ += dot(motion_[w], motion_[w]);
-    prescribed_ &= dot(motion_[w], motion_[w]) == 0 || !equations.walls[w].free;
+    const bool driven = dot(motion_[w], motion_[w]) > 0;
+    const scree_linear_plane& equation = equations.walls[w];
+    prescribed_ &= !driven || !equation.free;
+    if (driven && equation.free && equation.mass == 0 && equation.viscosity == 0)
+      throw Error(fmt::format(
+          "{}: a servo or massless wall keeps its load, so that '{}' of '{}' drives nothing; give the wall control = "
+          "\"force\" or \"stress\" with a mass, or drive the opposite wall",
+          plan.drive_place, plan.key, plan.boundary));
   }
   if (square_ == 0)
     throw Error(
@@ -48,6 +59,25 @@ double DrivenWalls::drive_of(const std::vector<scree_plane>& planes) const {
   for (std::size_t w = 0; w < planes.size(); ++w)
     sum += dot(motion_[w], vector(planes[w].point) - at_rest_[w]);
   return sum / square_;
+}
+
+void check_amplitude(const Start& start) {
+  // Displacements in a step are smaller than the amplitude by the steps in a radian.
+  constexpr double least_share = 1000;
+  const Simulation simulation(start.scene, start.state);
+  double largest = 0;
+  for (const scree_plane& plane : simulation.planes())
+    for (const double x : plane.point) largest = std::max(largest, std::abs(x));
+  const Particles& p = simulation.particles();
+  for (int k = 0; k < simulation.dimension(); ++k)
+    for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, std::abs(p.position()[k][i]));
+  const double rounding = std::numeric_limits<double>::epsilon() * largest,
+               amplitude = start.spectrum().amplitude;
+  if (amplitude < least_share * rounding)
+    throw Error(fmt::format(
+        "{}: an amplitude of {:g} m is lost in the round-off of positions, {:.2g} m; give {:.2g} m or more, or "
+        "take the road linear",
+        start.spectrum().drive_place, amplitude, rounding, least_share * rounding));
 }
 
 void DrivenWalls::transfer(const StateTransfer& state) {

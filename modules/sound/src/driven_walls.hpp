@@ -27,4 +27,7 @@ class DrivenWalls {
   bool prescribed_ = true;
 };
 
+// Throws Error if the amplitude of the wave is lost in the round-off of positions, so that a run cannot follow it.
+void check_amplitude(const Start& start);
+
 }  // namespace scree::sound

@@ -46,10 +46,17 @@ const std::vector<double>& Observer::values(const Simulation& simulation) {
 void check_observed(const scenario::Plan& plan, const Simulation& simulation) {
   Observer observer(plan);
   const std::vector<double>& values = observer.values(simulation);
-  for (std::size_t c = 0; c < values.size(); ++c)
-    if (const scenario::ObservedColumn& column = plan.spectrum->observed[c]; !std::isfinite(values[c]))
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    const scenario::ObservedColumn& column = plan.spectrum->observed[c];
+    if (!std::isfinite(values[c]))
       throw Error(fmt::format("{}: '{}' has no value at the start; observe a column that has one",
                               column.place, column.name));
+    if (column.relative && values[c] == 0)
+      throw Error(
+          fmt::format("{}: '{}' is 0 at the start, so that nothing is relative to it; leave it out of "
+                      "relative_to_mean",
+                      column.place, column.name));
+  }
 }
 
 void Observer::transfer(const StateTransfer& state) {

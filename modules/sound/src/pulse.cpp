@@ -37,15 +37,25 @@ void note_tail(const PulseRecord& record, std::size_t c, const scenario::Spectru
                                     : "an unknown amount"));
 }
 
+// A record that ends before its pulse has no spectrum.
+void check_length(const PulseRecord& record, const scenario::SpectrumPlan& plan) {
+  if (plan.longest_pulse > record.end_of_pulse()) return;
+  throw Error(fmt::format(
+      "{}: the record of {:g} s ends before the pulse of {:g} s; give a longer longest_pulse, or a smaller step_hz",
+      plan.drive_place, plan.longest_pulse, record.end_of_pulse()));
+}
+
 }  // namespace
 
 RoadSpectrum pulse_spectrum(const Start& start) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const scenario::SpectrumPlan& plan = start.spectrum();
+  check_amplitude(start);
   const DrivenWalls walls(start);
   PulseRecord undriven(start, walls, 0, nullptr), full(start, walls, plan.amplitude, &undriven),
       half(start, walls, 0.5 * plan.amplitude, &undriven);
+  check_length(full, plan);
   if (!full.until_decay() || !half.until_samples(full.samples()))
     throw Error("interrupted while the response to the pulse was recorded", ExitStatus::interrupted);
   RoadSpectrum road{.road = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};

@@ -83,9 +83,10 @@ bool PulseRecord::sample_next() {
   return true;
 }
 
-// Samples of one period of the lowest frequency.
+// Samples of one period of the lowest frequency, or of the longest record.
 std::size_t PulseRecord::block() const {
-  return std::size_t(1 / (start_.spectrum().from_hz * double(stride_) * start_.scene.step)) + 1;
+  const double seconds = std::min(1 / start_.spectrum().from_hz, start_.spectrum().longest_pulse);
+  return std::size_t(seconds / (double(stride_) * start_.scene.step)) + 1;
 }
 
 bool PulseRecord::until_decay() {

@@ -26,7 +26,8 @@ class PulseRecord {
 
   std::size_t samples() const { return drive_.size(); }
   std::uint64_t steps() const { return simulation_->steps() - first_; }
-  double length() const;  // (s)
+  double length() const;        // (s)
+  double end_of_pulse() const;  // (s)
   // Integrals of drive and columns times e^(−iωt) over the record.
   std::complex<double> drive_at(double frequency) const { return integral(drive_, frequency); }
   std::complex<double> column_at(std::size_t column, double frequency) const {
@@ -42,7 +43,6 @@ class PulseRecord {
 
  private:
   Wave wave(double amplitude) const;
-  double end_of_pulse() const;  // (s)
   bool sample_next();
   std::complex<double> integral(const std::vector<double>& values, double frequency) const;
   double largest(std::size_t column, std::size_t first, std::size_t last) const;

@@ -35,6 +35,7 @@ Sweep::Sweep(const Start& start)
       walls_(start),
       observer_(start.plan),
       simulation_(std::make_unique<Simulation>(start.scene, start.state)) {
+  check_amplitude(start);
   observer_.values(*simulation_);
 }
 

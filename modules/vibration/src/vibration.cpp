@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/place_error.hpp>
+#include <scree/files/try_each.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/snapshot/load_backend.hpp>
@@ -53,11 +56,15 @@ class Course {
       write_record("running", result_, directory_);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
       take_parts(*simulation);
+      return finish();
     } catch (const Error& error) {
-      if (error.status() == ExitStatus::bad_input) directory_.discard();
-      throw;
+      if (error.status() == ExitStatus::bad_input && result_.modes.empty()) {
+        directory_.discard();
+        throw;
+      }
+      save_failed(error);
+      files::rethrow_as_failure(error);
     }
-    return finish();
   }
 
  private:
@@ -86,6 +93,7 @@ class Course {
     result_.bodies = p.size() - system_->rattlers.size();
     result_.contacts = simulation.contact_list().size();
     result_.degrees_of_freedom = std::size_t(system_->freedom.size());
+    if (system_->one_way_contacts > 0) warn(response::one_way_warning(system_->one_way_contacts));
   }
 
   // Share of all parts.
@@ -109,9 +117,22 @@ class Course {
   void take_parts(const Simulation& simulation) {
     const response::UndampedSystem undamped(*system_);
     result_.asymmetry = undamped.asymmetry();
+    check_frequencies(undamped);
     take("modes", cost_of_modes + cost_of_a_mode * options_.modes, [&] { take_modes(undamped, simulation); });
     if (options_.elastic) take("elastic", cost_of_constants, [&] { take_constants(simulation); });
     if (options_.density > 0) take("density", options_.density, [&] { take_density(undamped); });
+  }
+
+  void check_frequencies(const response::UndampedSystem& undamped) const {
+    const double highest = std::sqrt(undamped.largest()) / (2 * std::numbers::pi);
+    if (options_.near_hz > highest)
+      throw Error(fmt::format("{}: all modes are below {:g} Hz; give a lower --near", plan_.source.string(),
+                              highest));
+    const double floppy = std::sqrt(undamped.rounding()) / (2 * std::numbers::pi);
+    if (options_.density == 0 || options_.density_to_hz == 0 || options_.density_to_hz > floppy) return;
+    throw Error(
+        fmt::format("{}: no mode below {:g} Hz can be told from a floppy one; give a higher --density-to",
+                    plan_.source.string(), floppy));
   }
 
   void take_modes(const response::UndampedSystem& undamped, const Simulation& simulation) {
@@ -192,6 +213,12 @@ class Course {
   void warn(const std::string& line) {
     result_.warnings.push_back(line);
     if (options_.on_warning) options_.on_warning(line);
+  }
+
+  void save_failed(const Error& failure) {
+    result_.error = failure.what();
+    files::try_each([&] { write_tables(result_, directory_); },
+                    [&] { write_record("failed", result_, directory_); });
   }
 
   Vibration finish() {

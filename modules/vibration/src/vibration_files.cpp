@@ -130,6 +130,7 @@ const char* unit_of_moduli(const response::ElasticModuli& moduli) {
 
 void write_record(const std::string& status, const Vibration& v, const run::RunDirectory& directory) {
   Json json = {{"version", SCREE_VERSION}, {"status", status}, {"title", v.title}};
+  if (!v.error.empty()) json["error"] = v.error;
   json["bodies"] = v.bodies;
   json["rattlers"] = v.rattlers;
   json["contacts"] = v.contacts;

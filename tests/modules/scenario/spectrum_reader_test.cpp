@@ -73,6 +73,10 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
           "fewer rise_periods");
   refuses({"spectrum.pulse='chirp'", "spectrum.chirp_duration=4"},
           "the record of 3 s ends before the chirp of 4 s", "a longer longest_pulse");
+  refuses({"spectrum.pulse='chirp'", "spectrum.chirp_duration=1e-3"},
+          "a chirp of 0.001 s has no period of to_hz = 50 Hz", "such as 10 / from_hz");
+  refuses({"spectrum.from_hz=1e-300"}, "100 periods of 1e-300 Hz take", "for at most 1e+12 steps");
+  refuses({"spectrum.periods=1e300"}, "1e+300 periods of", "or fewer periods, for at most 1e+12 steps");
   refuses({"spectrum.pulse='noise'"}, "noise", "gaussian");
   refuses({"spectrum.direction='left'"}, "direction", "up");
   refuses({"spectrum.adaptive=true", "spectrum.direction='both'"}, "takes each frequency once", "direction");

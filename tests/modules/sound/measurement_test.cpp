@@ -200,3 +200,49 @@ TEST_CASE("expectations of peaks are judged on the roads that are taken", "[soun
   CHECK(record.find("\"name\": \"3λ/4\"") != std::string::npos);
   CHECK(record.find("\"met\": true") != std::string::npos);
 }
+
+TEST_CASE("a spectrum that would be noise or empty is refused before anything is written", "[sound]") {
+  const auto refused = [](const std::string& keys, Road road, const std::string& from = "",
+                          const std::string& to = "") {
+    const std::string text = Chain().text(
+        "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\n"
+        "analysed_periods = 6\nfewest_contacts = 1\n" +
+        keys);
+    Bench bench(from.empty() ? text : with(text, from, to));
+    bench.options.roads = {road};
+    const std::string line = message([&] { measure(bench.plan, bench.options); });
+    CHECK(!bench.has("spectrum.json"));
+    return line;
+  };
+  // Positions of up to 0.08 m are rounded to 1e-17 m.
+  for (const Road road : {Road::pulse, Road::sweep})
+    CHECK_THAT(refused("", road, "amplitude = 1e-8", "amplitude = 1e-16"),
+               Catch::Contains("an amplitude of 1e-16 m is lost in the round-off of positions"));
+  CHECK_THAT(refused("longest_pulse = 0.01\n", Road::pulse),
+             Catch::Contains("the record of 0.01 s ends before the pulse of 0.0363636 s; give a longer"));
+  CHECK_THAT(refused("relative_to_mean = ['particles.x_1']\n", Road::sweep, "observe = ['particles.z_1'",
+                     "observe = ['particles.x_1'"),
+             Catch::Contains("'particles.x_1' is 0 at the start"));
+}
+
+TEST_CASE("a wall that keeps its load cannot be driven", "[sound]") {
+  std::string text = Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nfewest_contacts = 1\n");
+  text = with(text, "displacement = 0", "control = 'massless'\nforce = 0.08\nspeed_limit = 1");
+  Bench bench(with(text, "drive = 'floor.displacement'", "drive = 'floor.superposed'"));
+  CHECK_THAT(message([&] { measure(bench.plan, bench.options); }),
+             Catch::Contains(
+                 "a servo or massless wall keeps its load, so that 'superposed' of 'floor' drives nothing"));
+}
+
+TEST_CASE("an overriding empty text or list leaves the shapes out", "[sound]") {
+  const std::string text =
+      with(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nshape_from = 'profile'\n"), "[spectrum]",
+           Chain::layers + std::string("[spectrum]"));
+  const TemporaryFolder folder;
+  const auto path = folder.write("s.toml", text);
+  CHECK(scenario::read_plan(path, {}, host()).spectrum->observed.size() == 2 + 8);
+  for (const char* empty : {"spectrum.shape_from=[]", "spectrum.shape_from=\"\""}) {
+    CAPTURE(empty);
+    CHECK(scenario::read_plan(path, {empty}, host()).spectrum->observed.size() == 2);
+  }
+}

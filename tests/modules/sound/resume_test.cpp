@@ -127,3 +127,33 @@ TEST_CASE("a linear road that is interrupted keeps what it has and goes on to th
   CHECK(shares.back() == 1);
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }
+
+TEST_CASE("a measurement that goes on and cannot write records the cure for its place", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n"));
+  bench.options.roads = {Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
+  REQUIRE(measure(bench.plan, bench.options).interrupted);
+  stop = false;
+  // A table cannot replace a directory.
+  std::filesystem::remove(bench.options.out / "peaks.csv");
+  std::filesystem::create_directories(bench.options.out / "peaks.csv");
+  const auto status_of = [](const auto& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      return std::pair(error.status(), std::string(error.what()));
+    }
+    return std::pair(ExitStatus::success, std::string());
+  };
+  bench.options.on_progress = {};
+  const auto [status, line] = status_of([&] { resume_measurement(bench.options, host()); });
+  CHECK(status == ExitStatus::failure);
+  CHECK_THAT(line, Catch::Contains("peaks.csv: cannot be written; free disk space"));
+  const std::string record = bench.text("spectrum.json");
+  CHECK_THAT(record, Catch::Contains("\"status\": \"failed\"") &&
+                         Catch::Contains("peaks.csv: cannot be written; free disk space\""));
+  std::filesystem::remove(bench.options.out / "peaks.csv");
+  CHECK(!resume_measurement(bench.options, host()).interrupted);
+}

@@ -55,6 +55,7 @@ struct Vibration {
   std::string scenario;  // as resolved
   run::InputHashes inputs;
   std::vector<std::string> warnings;                    // "<what>; <cure>"
+  std::string error;                                    // one line, if it failed
   std::vector<std::pair<std::string, double>> seconds;  // wall time of each part
 };
 
