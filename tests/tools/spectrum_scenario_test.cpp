@@ -63,11 +63,16 @@ TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothin
   };
   refused("--out out", "neither a scenario nor --csv", "or --csv FILE --column NAME");
   refused("scene.toml --csv x.csv --column y", "--csv analyses a file, not a scenario", "give one of them");
-  refused("--csv x.csv --column y --set a=1", "--csv analyses a file, which has no --set", "leave them out");
+  refused("--csv x.csv --column y --set a=1", "--csv analyses a file, which has no --by, --set",
+          "leave them out");
   refused("scene.toml --frequency 50", "--column and --frequency are of a file",
           "[spectrum] of the scenario");
   refused("--csv x.csv", "--csv without --column", "give --column NAME");
   refused("--resume", "--resume without --out", "with the directory of the spectrum");
+  refused("scene.toml --resume --out out", "--resume goes on with what the spectrum began",
+          "--by and --set out");
+  refused("--resume --out out --set a=1", "--resume goes on with what the spectrum began",
+          "--by and --set out");
   refused("--resume --out out", "out: contains no spectrum", "give the directory of one");
   const std::string scene = "scene.toml --out out --set ";
   refused(scene + "spectrum.drive=\\'lid.displacement\\'", "--set spectrum.drive=", "there are: floor");
@@ -107,7 +112,13 @@ TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
   refused("resume out", "out: the spectrum is finished; give --overwrite");
   refused("spectrum scene.toml --out out", "out: already contains a spectrum; give another --out");
   CHECK(w.text("out/spectrum.csv") == table);
-  CHECK(w.scree("spectrum scene.toml --by linear --out out --quiet --overwrite").status == 0);
+  // Nor does an overwriting spectrum that is refused.
+  const std::string over = "spectrum scene.toml --by linear --out out --quiet --overwrite";
+  refused(over + " --set spectrum.observe=[\\'particles.x_1\\']", "'particles.x_1' does not respond");
+  CHECK(w.text("out/spectrum.csv") == table);
+  CHECK(w.scree(over).status == 0);
+  w.write("out/spectrum.json", "{\"status\": 5}");
+  refused("resume out", "out: there is no state yet; measure the scenario again with --overwrite");
 }
 
 TEST_CASE("a spectrum that does not meet an expectation says so and fails", "[tools]") {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 struct SpectrumArguments {
   std::string csv, column, out, detrend = "linear";
   double frequency = 0;  // 0: not given
-  std::string scenario, by = "sweep";
+  std::string scenario, by;
   std::vector<std::string> overrides;
   unsigned threads = 1;
   bool overwrite = false, resume = false, quiet = false;
@@ -136,7 +136,7 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
 std::vector<sound::Road> roads_of(const std::string& by) {
   using enum sound::Road;
   if (by == "all") return {linear, pulse, sweep};
-  return {by == "linear" ? linear : by == "pulse" ? pulse : sweep};
+  return {by == "linear" ? linear : by == "pulse" ? pulse : sweep};  // the default
 }
 
 ExitStatus measure(const SpectrumArguments& arguments) {
@@ -155,12 +155,16 @@ ExitStatus spectrum_of(const SpectrumArguments& arguments) {
   const bool of_file = !arguments.csv.empty();
   if (of_file && (!arguments.scenario.empty() || arguments.resume))
     throw Error("--csv analyses a file, not a scenario; give one of them");
-  if (of_file && (!arguments.overrides.empty() || arguments.overwrite))
-    throw Error("--csv analyses a file, which has no --set and --overwrite; leave them out");
+  if (of_file && (!arguments.by.empty() || !arguments.overrides.empty() || arguments.overwrite))
+    throw Error("--csv analyses a file, which has no --by, --set and --overwrite; leave them out");
   if (!of_file && (!arguments.column.empty() || arguments.frequency > 0))
     throw Error("--column and --frequency are of a file; give --csv FILE, or [spectrum] of the scenario");
   if (of_file && arguments.column.empty()) throw Error("--csv without --column; give --column NAME");
   if (of_file) return analyse(arguments);
+  const bool began_otherwise =
+      !arguments.scenario.empty() || !arguments.by.empty() || !arguments.overrides.empty();
+  if (arguments.resume && began_otherwise)
+    throw Error("--resume goes on with what the spectrum began with; leave the scenario, --by and --set out");
   if (arguments.resume && arguments.out.empty())
     throw Error("--resume without --out; give --out with the directory of the spectrum");
   if (!arguments.resume && arguments.scenario.empty())

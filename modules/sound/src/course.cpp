@@ -107,6 +107,7 @@ void Course::check_start(const Simulation& simulation) const {
   check_observed(plan_, simulation);
   if (asked_.size() > 1) return;
   asks(Road::linear) ? check_linear(*start_) : check_amplitude(*start_);
+  if (asks(Road::linear) && options_.overwrite) check_response(*start_);
 }
 
 void Course::run_stages(Simulation& simulation) {

@@ -112,17 +112,12 @@ RoadSpectrum part_of(const RoadSpectrum& road, const std::vector<double>& freque
   return part;
 }
 
-// Adds those of `wanted` that the road lacks. Returns false after a stop.
-bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
-                     const std::vector<double>& wanted, RoadSpectrum& road) {
+// Adds a batch of `wanted` that the road lacks. Returns false after a stop.
+bool add_batch(const Start& start, Simulation& simulation, const DrivenWalls& walls,
+               const std::vector<double>& batch, const std::function<void(double)>& on_progress,
+               RoadSpectrum& road) {
   const scenario::SpectrumPlan& plan = start.spectrum();
-  const std::vector<double> left = missing(wanted, road.frequencies);
-  const double all = double(wanted.size()), found = all - double(left.size());
-  const auto on_progress = [&](double share) {
-    start.on_progress((found + share * double(left.size())) / all, "linear response");
-  };
-  on_progress(0);
-  const HarmonicMotion motion = harmonic_motion(simulation, walls.motion(), left, assembly_of(plan),
+  const HarmonicMotion motion = harmonic_motion(simulation, walls.motion(), batch, assembly_of(plan),
                                                 {.tolerance = plan.tolerance,
                                                  .threads = start.scene.threads,
                                                  .on_progress = on_progress,
@@ -132,7 +127,23 @@ bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWal
   note_one_way(motion, road);
   for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
   note_uncertain(motion.responses, plan.tolerance, road);
-  return motion.responses.size() == left.size();
+  return motion.responses.size() == batch.size();
+}
+
+// Adds those of `wanted` that the road lacks. Returns false after a stop.
+bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
+                     const std::vector<double>& wanted, RoadSpectrum& road) {
+  while (true) {
+    const std::vector<double> left = missing(wanted, road.frequencies),
+                              batch = first_batch(left, simulation.particles().size());
+    const double all = double(wanted.size()), found = all - double(left.size());
+    const auto on_progress = [&](double share) {
+      start.on_progress((found + share * double(batch.size())) / all, "linear response");
+    };
+    on_progress(0);
+    if (!add_batch(start, simulation, walls, batch, on_progress, road)) return false;
+    if (batch.size() == left.size()) return true;
+  }
 }
 
 // Narrow maxima get more frequencies from what is known at those before, so that a road that was stopped goes on with the same.
@@ -167,7 +178,26 @@ std::string observe_cure(const Start& start, Simulation& simulation, const Drive
                      others ? fmt::format(" and {} more", others) : "");
 }
 
+void check_columns(const Start& start, Simulation& simulation, const DrivenWalls& walls,
+                   const RoadSpectrum& road) {
+  const std::vector<scenario::ObservedColumn>& observed = start.spectrum().observed;
+  for (std::size_t c = 0; c < responding(observed); ++c)
+    check_column(observed[c], road.columns[c],
+                 [&] { return observe_cure(start, simulation, walls, road.frequencies.back()); });
+}
+
 }  // namespace
+
+void check_response(const Start& start) {
+  Simulation simulation(start.scene, start.state);
+  const DrivenWalls walls(start);
+  RoadSpectrum road;
+  const double lowest = start.spectrum().from_hz;
+  road.columns.resize(start.spectrum().observed.size());
+  if (add_batch(
+          start, simulation, walls, {lowest}, [](double) {}, road))
+    check_columns(start, simulation, walls, road);
+}
 
 void check_linear(const Start& start) {
   const scenario::Plan& plan = start.plan;
@@ -191,12 +221,8 @@ bool add_linear(const Start& start, RoadSpectrum& road) {
   const bool complete = add_all_frequencies(start, simulation, walls, road);
   road.wall += std::chrono::duration<double>(Clock::now() - began).count();
   if (!complete) return false;
-  for (std::size_t c = 0; c < road.columns.size(); ++c) {
-    if (!plan.observed[c].of_shape)
-      check_column(plan.observed[c], road.columns[c],
-                   [&] { return observe_cure(start, simulation, walls, road.frequencies.back()); });
-    road.columns[c].linearity.clear();
-  }
+  check_columns(start, simulation, walls, road);
+  for (RoadSpectrum::Column& column : road.columns) column.linearity.clear();
   return true;
 }
 

@@ -9,6 +9,9 @@ namespace scree::sound {
 // Throws Error at a column that cannot have a linear response, before anything is solved.
 void check_linear(const Start& start);
 
+// The same by its solution at the lowest frequency, for results that would be lost. Throws Error as add_linear() does.
+void check_response(const Start& start);
+
 // The linear response about the start: stiffness, damping and masses of the present contacts, solved at each frequency
 // that `road` lacks; columns are linearised by central differences along the motion. Returns false if it was stopped: then the road
 // has the frequencies found so far, in `linearity` the change of the columns with the size of the difference, and is to be given

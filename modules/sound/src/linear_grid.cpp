@@ -48,4 +48,13 @@ std::vector<double> frequencies_about_maxima(const scenario::SpectrumPlan& plan,
   return further;
 }
 
+std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies) {
+  // Translations and rotations are complex numbers.
+  constexpr double most_bytes = 2e9, bytes_per_body = 6 * 16;
+  constexpr std::size_t fewest = 48;  // which share a factorisation
+  const auto most = std::size_t(most_bytes / (bytes_per_body * double(std::max<std::size_t>(bodies, 1))));
+  frequencies.resize(std::min(frequencies.size(), std::max(most, fewest)));
+  return frequencies;
+}
+
 }  // namespace scree::sound

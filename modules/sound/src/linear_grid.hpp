@@ -11,4 +11,7 @@ namespace scree::sound {
 // columns that respond; empty where all maxima are wide enough. Increasing, without those of the road.
 std::vector<double> frequencies_about_maxima(const scenario::SpectrumPlan& plan, const RoadSpectrum& road);
 
+// The first of these frequencies, as many as can be solved at once for so many bodies within 2 GB of motions.
+std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies);
+
 }  // namespace scree::sound

@@ -19,7 +19,9 @@ using run::RunDirectory;
 
 std::string status_in(const fs::path& directory) {
   const auto json = nlohmann::json::parse(files::read_text(directory / "spectrum.json"), nullptr, false);
-  return json.is_object() && json.contains("status") ? json.value("status", "") : "";
+  return json.is_object() && json.contains("status") && json["status"].is_string()
+             ? json["status"].get<std::string>()
+             : "";
 }
 
 }  // namespace

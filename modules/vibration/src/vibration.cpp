@@ -1,11 +1,11 @@
 #include "mode_picture.hpp"
 #include "mode_properties.hpp"
+#include "search_checks.hpp"
 #include "vibration_files.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -117,22 +117,14 @@ class Course {
   void take_parts(const Simulation& simulation) {
     const response::UndampedSystem undamped(*system_);
     result_.asymmetry = undamped.asymmetry();
-    check_frequencies(undamped);
+    try {
+      check_search(undamped, options_);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()));
+    }
     take("modes", cost_of_modes + cost_of_a_mode * options_.modes, [&] { take_modes(undamped, simulation); });
     if (options_.elastic) take("elastic", cost_of_constants, [&] { take_constants(simulation); });
     if (options_.density > 0) take("density", options_.density, [&] { take_density(undamped); });
-  }
-
-  void check_frequencies(const response::UndampedSystem& undamped) const {
-    const double highest = std::sqrt(undamped.largest()) / (2 * std::numbers::pi);
-    if (options_.near_hz > highest)
-      throw Error(fmt::format("{}: all modes are below {:g} Hz; give a lower --near", plan_.source.string(),
-                              highest));
-    const double floppy = std::sqrt(undamped.rounding()) / (2 * std::numbers::pi);
-    if (options_.density == 0 || options_.density_to_hz == 0 || options_.density_to_hz > floppy) return;
-    throw Error(
-        fmt::format("{}: no mode below {:g} Hz can be told from a floppy one; give a higher --density-to",
-                    plan_.source.string(), floppy));
   }
 
   void take_modes(const response::UndampedSystem& undamped, const Simulation& simulation) {

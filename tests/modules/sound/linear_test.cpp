@@ -1,6 +1,7 @@
 #include "linear.hpp"
 
 #include "chain.hpp"
+#include "linear_grid.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -123,4 +124,15 @@ TEST_CASE("a law from outside without derivatives, or that reads orientations, i
       refused("yes") ==
       "contact law 'aligner' reads orientations, which a linear response does not follow; measure with a pulse or "
       "a sweep, or use a law with tangential springs");
+}
+
+TEST_CASE("frequencies are solved in batches that fit into memory", "[sound]") {
+  std::vector<double> all(100000);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = double(k);
+  CHECK(first_batch(all, 8) == all);
+  const std::vector<double> some = first_batch(all, 4032);
+  CHECK(some.size() == 5166);  // 2e9/(96 · 4032)
+  CHECK(std::equal(some.begin(), some.end(), all.begin()));
+  CHECK(first_batch(all, 100000000).size() == 48);
+  CHECK(first_batch({}, 8).empty());
 }

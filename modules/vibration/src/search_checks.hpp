@@ -1,0 +1,12 @@
+#pragma once
+
+#include <scree/response/undamped_system.hpp>
+#include <scree/vibration/vibration.hpp>
+
+namespace scree::vibration {
+
+// Throws Error "<what>; <cure>" if there are no modes at the frequencies at which they are to be looked for, or too many for the
+// memory of the computer.
+void check_search(const response::UndampedSystem& system, const VibrationOptions& options);
+
+}  // namespace scree::vibration
