@@ -2,6 +2,7 @@
 
 #include "maxima.hpp"
 #include "mode_fit.hpp"
+#include "mode_of_pole.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,34 +74,6 @@ Response part(const Response& response, const Range& range) {
                                               all.begin() + std::ptrdiff_t(range.end));
   };
   return {cut(response.frequencies), cut(response.values), response.only_amplitudes};
-}
-
-Mode mode_of(const ModeFit& fit, std::size_t number, const Response& response) {
-  const bool only_amplitudes = response.only_amplitudes;
-  const Pole& pole = fit.poles[number];
-  const auto first = Eigen::Index(4 * number);
-  const Eigen::Matrix4d covariance = fit.covariance.block<4, 4>(first, first);
-  const auto error = [&](double f, double w, double re, double im) {
-    const Eigen::Vector4d by(f, w, re, im);
-    return std::sqrt(by.dot(covariance * by));
-  };
-  Mode mode;
-  mode.frequency = pole.frequency, mode.frequency_error = error(1, 0, 0, 0);
-  mode.width = pole.width, mode.width_error = error(0, 1, 0, 0);
-  mode.quality = pole.frequency / pole.width;
-  mode.quality_error = error(1 / pole.width, -mode.quality / pole.width, 0, 0);
-  const double area = pole.frequency * pole.width;
-  const double size =
-      only_amplitudes ? std::sqrt(std::max(pole.strength.real(), 0.0)) : std::abs(pole.strength);
-  mode.amplitude = size / area;
-  const std::complex<double> by_strength =
-      only_amplitudes ? 0.5 / (size * area) : pole.strength / (size * area);
-  mode.amplitude_error = error(-mode.amplitude / pole.frequency, -mode.amplitude / pole.width,
-                               by_strength.real(), by_strength.imag());
-  mode.phase = only_amplitudes ? 0 : std::arg(pole.strength);
-  mode.together = fit.poles.size();
-  mode.points = response.values.size();
-  return mode;
 }
 
 bool is_within(const Pole& pole, const Response& response) {
@@ -207,7 +180,8 @@ std::vector<Mode> modes_of(const Response& response) {
   for (const Group& group : fitted(response, std::move(groups))) {
     const Response inside = part(response, group.range);
     for (std::size_t k = 0; k < group.fit.poles.size(); ++k)
-      if (group.fit.converged && is_within(group.fit.poles[k], inside))
+      if (group.fit.converged && is_within(group.fit.poles[k], inside) &&
+          stands_out(group.fit, k, inside.only_amplitudes))
         modes.push_back(mode_of(group.fit, k, inside));
   }
   std::sort(modes.begin(), modes.end(),

@@ -126,6 +126,30 @@ TEST_CASE("two modes half a width apart are told apart", "[peaks]") {
   }
 }
 
+// λ/4 of a packing with what transverse modes add to it, a broad mode far away, and a background that is no line.
+TEST_CASE("without noise, poles that only bend the background of a mode are not listed", "[peaks]") {
+  const Truth main{6449, 179, 2125, 0};
+  const auto f = band(5000, 7900, 146);
+  auto h = response(f, {main, {6272, 565, 6.5, 1}, {6580, 568, 15, -2}, {19180, 1870, 1234, 3}});
+  for (std::size_t k = 0; k < f.size(); ++k) h[k] += 3.0 * std::pow((f[k] - 6000) / 1000, 3);
+  for (const auto& found : {find_modes(f, h), find_modes(f, sizes(h))}) {
+    REQUIRE(found.size() == 1);
+    // The broad poles together have 1 % of its height, and may be taken for a part of it.
+    CHECK(found[0].frequency == Approx(main.frequency).margin(0.01 * main.width));
+    CHECK(found[0].width == Approx(main.width).epsilon(0.01));
+    CHECK(found[0].amplitude == Approx(main.amplitude).epsilon(0.02));
+  }
+  CHECK(find_modes(f, h)[0].together > 1);
+}
+
+TEST_CASE("a weak mode that is narrow is listed on the flank of a strong one", "[peaks]") {
+  const auto f = band(70, 130, 601);
+  const auto found = find_modes(f, response(f, {{100, 10, 1, 0}, {108, 0.6, 0.02, 1}}));
+  REQUIRE(found.size() == 2);
+  CHECK(found[1].frequency == Approx(108).epsilon(1e-6));
+  CHECK(found[1].amplitude == Approx(0.02).epsilon(1e-4));
+}
+
 TEST_CASE("modes apart, and modes whose flanks overlap, are found by frequency", "[peaks]") {
   const std::vector<Truth> truth = {{80, 2, 1, 0}, {100, 3, 0.3, 1}, {107, 3, 0.5, -2}, {130, 4, 2, 3}};
   const auto f = band(60, 160, 1001);

@@ -15,7 +15,7 @@ struct Mode {
   double quality = 0, quality_error = 0;      // Q = f0 / w
   double amplitude = 0, amplitude_error = 0;  // |R| / (f0 w) (unit of H): height of this mode alone at f0
   double phase = 0;  // (rad) of R, in (-pi, pi]: 0 if the response follows a slow drive; 0 from amplitudes
-  std::size_t together = 1;  // modes that were fitted with this one
+  std::size_t together = 1;  // poles of the fit, this one and those of the background included
   std::size_t points = 0;    // frequencies of the fit
 };
 
@@ -28,7 +28,10 @@ struct Mode {
 // lowers Akaike's criterion (corrected for few points) by more than 10, is within the range and is above five of its
 // standard errors: two modes half a width apart are told apart where noise allows. What is no sum of modes, for example a response
 // through a window, can need a pole more than there are modes: choose a resolution of a tenth of the width or better.
-// A mode with fewer than 4 frequencies in its width is not reported.
+// A mode with fewer than 4 frequencies in its width is not reported. Neither is a pole that the others of its fit hide: over its width
+// w, it changes the response by its height A, they by about w |dH_others/df|; below a quarter of that it only bends their background, as
+// transverse modes do that disorder couples to a longitudinal drive, or flanks beyond the fit. Such poles are kept in the fit. Of two
+// modes alike, half a width apart, the ratio is 1; of two poles at least one is reported.
 //
 // frequencies: (Hz) increasing, above 0, at about equal distances. Throws Error for arrays of different length, numbers
 // that are not finite and fewer than 16 frequencies.
