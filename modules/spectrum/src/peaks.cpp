@@ -18,11 +18,11 @@ namespace scree::spectrum {
 
 namespace {
 
-constexpr double reach = 3;             // widths on each side of a mode that its fit takes
-constexpr std::size_t most_poles = 6;   // of one fit
-constexpr double least_gain = 10;       // of Akaike's criterion, for another pole
-constexpr double least_over_error = 5;  // amplitude of another pole
-constexpr double least_points = 4;      // in the width of a mode
+constexpr double reach = 3;              // widths on each side of a mode that its fit takes
+constexpr std::size_t most_poles = 6;    // of one fit
+constexpr double least_gain = 10;        // of Akaike's criterion, for another pole
+constexpr double least_over_error = 5;   // amplitude of another pole
+constexpr std::size_t least_points = 4;  // in the width of a mode
 
 // Indices [begin, end) that are fitted together, and where to start.
 struct Range {
@@ -76,11 +76,12 @@ Response part(const Response& response, const Range& range) {
   return {cut(response.frequencies), cut(response.values), response.only_amplitudes};
 }
 
+// Whether a pole is within a range of frequencies that resolves it; these may be denser about it than elsewhere.
 bool is_within(const Pole& pole, const Response& response) {
   const double low = response.frequencies.front(), high = response.frequencies.back();
-  const double distance = (high - low) / double(response.frequencies.size() - 1);
-  return pole.frequency > low && pole.frequency < high && pole.width >= least_points * distance &&
-         pole.width < high - low;
+  const std::size_t within = index_of(response, pole.frequency + 0.5 * pole.width) -
+                             index_of(response, pole.frequency - 0.5 * pole.width);
+  return pole.frequency > low && pole.frequency < high && within >= least_points && pole.width < high - low;
 }
 
 // Whether each pole is within the range and known well.
