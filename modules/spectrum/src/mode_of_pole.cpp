@@ -36,14 +36,15 @@ Mode mode_of(const ModeFit& fit, std::size_t number, const Response& response) {
   mode.width = pole.width, mode.width_error = error(0, 1, 0, 0);
   mode.quality = pole.frequency / pole.width;
   mode.quality_error = error(1 / pole.width, -mode.quality / pole.width, 0, 0);
-  const double area = pole.frequency * pole.width;
+  const std::complex<double> factor = response.factor(pole.frequency);
+  const double area = pole.frequency * pole.width / std::abs(factor);
   const double size = std::abs(strength_of(pole, only_amplitudes));
   mode.amplitude = size / area;
   const std::complex<double> by_strength =
       only_amplitudes ? 0.5 / (size * area) : pole.strength / (size * area);
-  mode.amplitude_error = error(-mode.amplitude / pole.frequency, -mode.amplitude / pole.width,
-                               by_strength.real(), by_strength.imag());
-  mode.phase = only_amplitudes ? 0 : std::arg(pole.strength);
+  mode.amplitude_error = error((response.derivative - 1) * mode.amplitude / pole.frequency,
+                               -mode.amplitude / pole.width, by_strength.real(), by_strength.imag());
+  mode.phase = only_amplitudes ? 0 : std::arg(pole.strength * factor);
   mode.together = fit.poles.size();
   mode.points = response.values.size();
   return mode;

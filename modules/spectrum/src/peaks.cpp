@@ -73,7 +73,7 @@ Response part(const Response& response, const Range& range) {
     return std::remove_cvref_t<decltype(all)>(all.begin() + std::ptrdiff_t(range.begin),
                                               all.begin() + std::ptrdiff_t(range.end));
   };
-  return {cut(response.frequencies), cut(response.values), response.only_amplitudes};
+  return {cut(response.frequencies), cut(response.values), response.only_amplitudes, response.derivative};
 }
 
 // Whether a pole is within a range of frequencies that resolves it; these may be denser about it than elsewhere.
@@ -123,8 +123,8 @@ Response alone(const Response& whole, const std::vector<Group>& groups, std::siz
     for (const Pole& pole : groups[g].fit.poles)
       for (std::size_t k = 0; k < response.values.size(); ++k) {
         const double f = response.frequencies[k];
-        response.values[k] -=
-            pole.strength / std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
+        response.values[k] -= response.factor(f) * pole.strength /
+                              std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
       }
   }
   return response;
@@ -193,14 +193,17 @@ std::vector<Mode> modes_of(const Response& response) {
 }  // namespace
 
 std::vector<Mode> find_modes(std::span<const double> frequencies,
-                             std::span<const std::complex<double>> response) {
-  const Response data{{frequencies.begin(), frequencies.end()}, {response.begin(), response.end()}, false};
+                             std::span<const std::complex<double>> response, int derivative) {
+  const Response data{
+      {frequencies.begin(), frequencies.end()}, {response.begin(), response.end()}, false, derivative};
   check(data, response.size());
   return modes_of(data);
 }
 
-std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes) {
-  const Response data{{frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true};
+std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes,
+                             int derivative) {
+  const Response data{
+      {frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true, derivative};
   check(data, amplitudes.size());
   return modes_of(data);
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -123,6 +124,37 @@ TEST_CASE("two modes half a width apart are told apart", "[peaks]") {
     CHECK(std::abs(found[0].frequency - 100) < 4.5 * found[0].frequency_error);
     CHECK(std::abs(found[1].frequency - 102) < 4.5 * found[1].frequency_error);
     CHECK(found[0].frequency_error < 0.2);
+  }
+}
+
+TEST_CASE("modes of velocities and accelerations are those of the displacement", "[peaks]") {
+  const Truth broad{100, 20, 2e-3, 0.6};  // Q = 5
+  const auto f = band(40, 170, 261);
+  const auto displacement = response(f, {broad});
+  for (const int derivative : {1, 2}) {
+    std::vector<Complex> h;
+    for (std::size_t k = 0; k < f.size(); ++k)
+      h.push_back(std::pow(2 * std::numbers::pi * f[k] * i, derivative) * displacement[k]);
+    for (const auto& found : {find_modes(f, h, derivative), find_modes(f, sizes(h), derivative)}) {
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].frequency == Approx(100).epsilon(1e-8));
+      CHECK(found[0].quality == Approx(5).epsilon(1e-8));
+      CHECK(found[0].amplitude == Approx(2e-3 * std::pow(200 * std::numbers::pi, derivative)).epsilon(1e-8));
+    }
+    const double phase = find_modes(f, h, derivative)[0].phase,
+                 expected = 0.6 + derivative * std::numbers::pi / 2;
+    CHECK(std::abs(std::remainder(phase - expected, 2 * std::numbers::pi)) < 1e-8);
+    const double noise = 1e-2 * 2e-3 * std::pow(200 * std::numbers::pi, derivative);
+    Coverage frequency, amplitude;
+    Noise added(noise, 3);
+    for (int k = 0; k < 400; ++k) {
+      const auto found = find_modes(f, added.added(h), derivative);
+      REQUIRE(found.size() == 1);
+      frequency.add(found[0].frequency, 100, found[0].frequency_error);
+      amplitude.add(found[0].amplitude, noise / 1e-2, found[0].amplitude_error);
+    }
+    CHECK(frequency.share() == Approx(0.68).margin(0.07));  // three times what 400 cases tell
+    CHECK(amplitude.share() == Approx(0.68).margin(0.07));
   }
 }
 
