@@ -245,6 +245,15 @@ TEST_CASE("a peak of a few frequencies is no mode", "[peaks]") {
   CHECK(find_modes(f, response(f, {{100.3, 2, 1, 0}})).empty());
 }
 
+TEST_CASE("a mode is found where frequencies are dense about it and sparse elsewhere", "[peaks]") {
+  // As an adaptive sweep leaves them: 20 frequencies, those near the mode a ninth of its width apart.
+  std::vector<double> f = {6400, 6480, 6560, 6640, 6680, 6720, 6760, 6800, 6820, 6840,
+                           6860, 6880, 6900, 6920, 6960, 7000, 7040, 7120, 7200, 7300};
+  const auto found = find_modes(f, response(f, {{6854.77, 178, 3105, 0}}));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].frequency == Approx(6854.77).epsilon(1e-9));
+}
+
 TEST_CASE("modes of what is no spectrum are refused", "[peaks]") {
   const auto f = band(60, 140, 81);
   CHECK_THROWS_WITH(find_modes(f, std::vector<double>(80)),

@@ -38,7 +38,7 @@ struct Mode {
 // transverse modes do that disorder couples to a longitudinal drive, or flanks beyond the fit. Such poles are kept in the fit. Of two
 // modes alike, half a width apart, the ratio is 1; of two poles at least one is reported.
 //
-// frequencies: (Hz) increasing, above 0, at about equal distances. Throws Error for arrays of different length, numbers
+// frequencies: (Hz) increasing, above 0, where the response is flat with distances as large as elsewhere or larger. Throws Error for arrays of different length, numbers
 // that are not finite and fewer than 16 frequencies.
 std::vector<Mode> find_modes(std::span<const double> frequencies,
                              std::span<const std::complex<double>> response, int derivative = 0);
