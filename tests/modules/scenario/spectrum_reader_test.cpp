@@ -73,7 +73,9 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
           "fewer rise_periods");
   refuses({"spectrum.pulse='chirp'", "spectrum.chirp_duration=4"},
           "the record of 3 s ends before the chirp of 4 s", "a longer longest_pulse");
-  refuses({"spectrum.pulse='noise'"}, "noise", "gaussian");
+  refuses({"spectrum.pulse='nois'"}, "nois", "noise");
+  refuses({"spectrum.pulse='noise'", "spectrum.longest_pulse=1.5"},
+          "noise of 1.5 s has fewer than 8 segments of 0.2 s", "a longer longest_pulse");
   refuses({"spectrum.direction='left'"}, "direction", "up");
   refuses({"spectrum.adaptive=true", "spectrum.direction='both'"}, "takes each frequency once", "direction");
   refuses({"spectrum.zzz=1"}, "zzz", "known keys");
