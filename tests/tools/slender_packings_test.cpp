@@ -9,13 +9,12 @@ namespace {
 
 const std::string folder = SCREE_TEST_SOURCE "/scenarios/lemrich2017/";
 
-// Of each name of a peak, by wavelengths, the frequency (Hz) of the largest.
+// The frequency (Hz) of each peak, by wavelengths. Up to 5λ/4, of which modes do not overlap, names occur once.
 std::map<double, double> frequencies_of(const nlohmann::json& record) {
-  std::map<double, double> frequencies, amplitudes;
+  std::map<double, double> frequencies;
   for (const nlohmann::json& peak : record["peaks"]["linear"]["strain.distance"]) {
-    const double wavelengths = peak["wavelengths"], amplitude = peak["amplitude"];
-    if (amplitude <= amplitudes[wavelengths]) continue;
-    amplitudes[wavelengths] = amplitude;
+    const double wavelengths = peak["wavelengths"];
+    CHECK((wavelengths > 1.25 || !frequencies.contains(wavelengths)));
     frequencies[wavelengths] = peak["frequency"];
   }
   return frequencies;

@@ -72,7 +72,7 @@ void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& 
   fmt::print("{}: {} samples, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
              with_unit(series.name, series.unit), series.times.size(), series.times.front(),
              series.times.back(), unevenness > tolerated_unevenness ? "mean " : "", series.mean_step(),
-             arguments.detrend);
+             arguments.frequency > 0 ? arguments.detrend : "cubic");
   const std::string unit = series.unit.empty() ? "" : fmt::format(" [{}]", files::one_line(series.unit));
   fmt::print("{:>18} {:>18} {:>18} {:>18} {:>18} {:>18}\n", "frequency [Hz]", "error [Hz]",
              "amplitude" + unit, "error" + unit, "phase [rad]", "error [rad]");
@@ -208,7 +208,7 @@ void add_spectrum_verb(CommandLine& line) {
   add_plugin_options(verb, a->plugins);
   verb.footer(
       "Phases are of sines; in a time series they refer to t = 0, in a response to the drive. Errors are standard errors from\n"
-      "the noise near each line.\n"
+      "the noise near each line; without --frequency, that of a phase contains that of the frequency up to t = 0.\n"
       "Example: scree spectrum scenarios/sound/chain.toml --by all\n"
       "         scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
   verb.action([a] { return spectrum_of(*a); });

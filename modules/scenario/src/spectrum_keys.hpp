@@ -40,9 +40,9 @@ struct SpectrumKeys : TableKeys {
       "tolerance", Range::between(1e-9, 0.1), 1e-3,
       "relative error of the linear response of more than 300 degrees of freedom, and of the response that an adaptive sweep takes to be steady");
   ChoiceKey pulse = choice_or_first(
-      "pulse", {"gaussian", "ricker", "chirp"},
+      "pulse", {"gaussian", "ricker", "chirp", "noise"},
       "wave of a pulse, as wide as to_hz needs; a chirp goes from from_hz to to_hz, with more of the drive at each "
-      "frequency for its amplitude");
+      "frequency for its amplitude; noise has the amplitude as its rms, seed of the scene, and lasts for longest_pulse, which is averaged over segments of 2 / step_hz");
   NumberKey chirp_duration = number("chirp_duration", Range::positive("s"),
                                     "of a chirp, in which its frequency rises", "default 10 / from_hz");
   NumberKey decay =

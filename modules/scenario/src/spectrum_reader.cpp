@@ -186,10 +186,24 @@ void read_adaptive(const document::Table& t, SpectrumPlan& plan) {
                   "give direction = \"up\" or \"down\"");
 }
 
-void read_pulse(const document::Table& t, SpectrumPlan& plan) {
+void check_noise(const document::Table& t, double step, const SpectrumPlan& plan) {
+  constexpr double fewest_segments = 8, segment_steps = 2, most_steps = 1e8;
+  if (plan.longest_pulse * plan.step_hz < fewest_segments * segment_steps)
+    throw t.error(spectrum_keys.longest_pulse,
+                  fmt::format("noise of {:g} s has fewer than {:g} segments of {:g} s", plan.longest_pulse,
+                              fewest_segments, segment_steps / plan.step_hz),
+                  "give a longer longest_pulse, or a larger step_hz");
+  if (plan.longest_pulse > most_steps * step)
+    throw t.error(t.has(spectrum_keys.longest_pulse) ? spectrum_keys.longest_pulse : spectrum_keys.step_hz,
+                  fmt::format("noise of {:g} s has more than {:g} steps", plan.longest_pulse, most_steps),
+                  "give a shorter longest_pulse");
+}
+
+void read_pulse(const document::Table& t, double step, SpectrumPlan& plan) {
   const std::string pulse = read(t, spectrum_keys.pulse);
   plan.pulse = pulse == "ricker"  ? SpectrumPlan::Pulse::ricker
                : pulse == "chirp" ? SpectrumPlan::Pulse::chirp
+               : pulse == "noise" ? SpectrumPlan::Pulse::noise
                                   : SpectrumPlan::Pulse::gaussian;
   plan.chirp_duration = read_optional(t, spectrum_keys.chirp_duration).value_or(10 / plan.from_hz);
   if (plan.pulse == SpectrumPlan::Pulse::chirp && plan.chirp_duration * plan.to_hz < 1)
@@ -204,6 +218,7 @@ void read_pulse(const document::Table& t, SpectrumPlan& plan) {
                   fmt::format("the record of {:g} s ends before the chirp of {:g} s", plan.longest_pulse,
                               plan.chirp_duration),
                   "give a longer longest_pulse, or a shorter chirp_duration");
+  if (plan.pulse == SpectrumPlan::Pulse::noise) check_noise(t, step, plan);
   plan.fewest_contacts =
       int(t.optional_integer(spectrum_keys.fewest_contacts, spectrum_keys.fewest_contacts.range).value_or(0));
   plan.contacts_slide = read(t, spectrum_keys.sliding_contacts) == "slide";
@@ -235,7 +250,7 @@ std::optional<SpectrumPlan> read_spectrum(const document::Table& root, const Pla
   read_frequencies(*t, plan.scene.step, spectrum);
   read_sweep(*t, plan.scene.step, spectrum);
   read_adaptive(*t, spectrum);
-  read_pulse(*t, spectrum);
+  read_pulse(*t, plan.scene.step, spectrum);
   return spectrum;
 }
 

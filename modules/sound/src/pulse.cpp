@@ -1,5 +1,6 @@
 #include "pulse.hpp"
 
+#include "noise_response.hpp"
 #include "pulse_record.hpp"
 
 #include <algorithm>
@@ -45,6 +46,15 @@ void check_length(const PulseRecord& record, const scenario::SpectrumPlan& plan)
       plan.drive_place, plan.longest_pulse, record.end_of_pulse()));
 }
 
+void add_pulse_response(const PulseRecord& full, const PulseRecord& half, const scenario::SpectrumPlan& plan,
+                        RoadSpectrum& road) {
+  for (std::size_t c = 0; c < plan.observed.size(); ++c) {
+    const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
+    road.columns.push_back(column_of(full, half, c, road.frequencies, scale));
+    if (!plan.observed[c].of_shape) note_tail(full, c, plan, road);
+  }
+}
+
 }  // namespace
 
 RoadSpectrum pulse_spectrum(const Start& start) {
@@ -60,11 +70,9 @@ RoadSpectrum pulse_spectrum(const Start& start) {
     throw Error("interrupted while the response to the pulse was recorded", ExitStatus::interrupted);
   RoadSpectrum road{.road = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
   road.steps = undriven.steps() + full.steps() + half.steps();
-  for (std::size_t c = 0; c < plan.observed.size(); ++c) {
-    const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
-    road.columns.push_back(column_of(full, half, c, road.frequencies, scale));
-    if (!plan.observed[c].of_shape) note_tail(full, c, plan, road);
-  }
+  const auto add =
+      plan.pulse == scenario::SpectrumPlan::Pulse::noise ? add_noise_response : add_pulse_response;
+  add(full, half, plan, road);
   road.wall = std::chrono::duration<double>(Clock::now() - began).count();
   return road;
 }

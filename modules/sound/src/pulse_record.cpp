@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include <scree/packing/random.hpp>
 #include <scree/plugin/program.hpp>
+#include <scree/spectrum/band_noise.hpp>
 
 namespace scree::sound {
 
@@ -19,14 +21,14 @@ constexpr double ricker_lead = 2.2;  // periods
 // Of the run without a pulse and the first with one, in the steps of all three.
 constexpr double share_of_driven = 2.0 / 3;
 
-// The frequencies of a chirp begin and end beside the band by this share of its lowest frequency; it rises and falls there.
-constexpr double chirp_margin = 0.5;
+// The frequencies of a chirp and of noise begin and end beside the band by this share of its lowest frequency; a chirp rises and falls there.
+constexpr double band_margin = 0.5;
 
 double gaussian_width(const SpectrumPlan& plan) { return 0.25 / plan.to_hz; }
 double ricker_frequency(const SpectrumPlan& plan) { return 0.5 * (plan.from_hz + plan.to_hz); }
 
 Wave chirp(const SpectrumPlan& plan, double amplitude) {
-  const double margin = chirp_margin * plan.from_hz, low = plan.from_hz - margin, high = plan.to_hz + margin;
+  const double margin = band_margin * plan.from_hz, low = plan.from_hz - margin, high = plan.to_hz + margin;
   const double rise = margin / (high - low) * plan.chirp_duration;
   return {Program::chirp, 0, amplitude, rise, low, high, plan.chirp_duration, 0};
 }
@@ -54,17 +56,37 @@ PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double am
 Wave PulseRecord::wave(double amplitude) const {
   const SpectrumPlan& plan = start_.spectrum();
   if (plan.pulse == SpectrumPlan::Pulse::chirp) return chirp(plan, amplitude);
+  if (plan.pulse == SpectrumPlan::Pulse::noise) return noise(amplitude);
   if (plan.pulse == SpectrumPlan::Pulse::gaussian)
     return {Program::gaussian, 0, amplitude, gaussian_lead * gaussian_width(plan), gaussian_width(plan)};
   return {Program::ricker, 0, amplitude, ricker_lead / ricker_frequency(plan), ricker_frequency(plan)};
 }
 
+// Straight lines between the middles of steps: at a step, their slope is the central difference.
+Wave PulseRecord::noise(double amplitude) const {
+  const SpectrumPlan& plan = start_.spectrum();
+  const double step = start_.scene.step, rise = 1 / plan.from_hz, duration = plan.longest_pulse + 2 * rise;
+  const double margin = band_margin * plan.from_hz;
+  if (amplitude == 0) return {Program::constant, 0};
+  packing::Random random(start_.plan.seed);
+  const std::vector<double> values = spectrum::band_noise(
+      std::size_t(duration / step), std::size_t(std::ceil((plan.from_hz - margin) * duration)),
+      std::size_t((plan.to_hz + margin) * duration), [&] { return random.normal(); });
+  Wave wave = {Program::table, 0, 0};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double time = (double(k) + 0.5) * step;
+    wave.insert(wave.end(), {time, amplitude * waveform::rise(time, rise).value * values[k]});
+  }
+  return wave;
+}
+
 double PulseRecord::end_of_pulse() const {
   const SpectrumPlan& plan = start_.spectrum();
+  if (plan.pulse == SpectrumPlan::Pulse::noise) return plan.longest_pulse;
   return plan.pulse == SpectrumPlan::Pulse::chirp ? plan.chirp_duration : 2 * wave_[3];
 }
 
-double PulseRecord::length() const { return double(samples() * stride_) * start_.scene.step; }
+double PulseRecord::interval() const { return double(stride_) * start_.scene.step; }
 
 bool PulseRecord::sample_next() {
   if (undriven_ && !undriven_->until_samples(samples() + 1)) return false;
@@ -86,7 +108,7 @@ bool PulseRecord::sample_next() {
 // Samples of one period of the lowest frequency, or of the longest record.
 std::size_t PulseRecord::block() const {
   const double seconds = std::min(1 / start_.spectrum().from_hz, start_.spectrum().longest_pulse);
-  return std::size_t(seconds / (double(stride_) * start_.scene.step)) + 1;
+  return std::size_t(seconds / interval()) + 1;
 }
 
 bool PulseRecord::until_decay() {
@@ -122,7 +144,7 @@ double PulseRecord::largest(std::size_t column, std::size_t first, std::size_t l
 double PulseRecord::tail(std::size_t column) const {
   double sum = 0;
   for (const double y : columns_[column]) sum += std::abs(y);
-  return sum > 0 ? beyond(column) / (sum * double(stride_) * start_.scene.step) : 0;
+  return sum > 0 ? beyond(column) / (sum * interval()) : 0;
 }
 
 double PulseRecord::beyond(std::size_t column) const {
@@ -130,12 +152,12 @@ double PulseRecord::beyond(std::size_t column) const {
   const double late = largest(column, end - size, end), before = largest(column, middle, middle + size);
   if (late == 0) return 0;
   if (before <= late) return std::numeric_limits<double>::infinity();
-  const double apart = double((end - size - middle) * stride_) * start_.scene.step;
+  const double apart = double(end - size - middle) * interval();
   return late * apart / std::log(before / late);
 }
 
 std::complex<double> PulseRecord::integral(const std::vector<double>& values, double frequency) const {
-  const double dt = double(stride_) * start_.scene.step;
+  const double dt = interval();
   const std::complex<double> turn = std::polar(1.0, -2 * std::numbers::pi * frequency * dt);
   std::complex<double> sum = 0, phase = 1;
   for (std::size_t k = 0; k < values.size(); ++k) {

@@ -19,15 +19,18 @@ class PulseRecord {
   // undriven: that with amplitude 0, which is recorded as far as needed; null for itself.
   PulseRecord(const Start& start, const DrivenWalls& walls, double amplitude, PulseRecord* undriven);
 
-  // Records until the response has decayed, at most for longest_pulse. False if it was stopped.
+  // Records until the response has decayed, at most for longest_pulse; that to noise, which does not end, so long. False if it was stopped.
   bool until_decay();
   // Records so many samples. False if it was stopped.
   bool until_samples(std::size_t samples);
 
   std::size_t samples() const { return drive_.size(); }
   std::uint64_t steps() const { return simulation_->steps() - first_; }
-  double length() const;        // (s)
-  double end_of_pulse() const;  // (s)
+  double interval() const;                                          // (s) between samples
+  double end_of_pulse() const;                                      // (s)
+  double length() const { return double(samples()) * interval(); }  // (s)
+  const std::vector<double>& drive() const { return drive_; }
+  const std::vector<double>& column(std::size_t column) const { return columns_[column]; }
   // Integrals of drive and columns times e^(−iωt) over the record.
   std::complex<double> drive_at(double frequency) const { return integral(drive_, frequency); }
   std::complex<double> column_at(std::size_t column, double frequency) const {
@@ -43,6 +46,7 @@ class PulseRecord {
 
  private:
   Wave wave(double amplitude) const;
+  Wave noise(double amplitude) const;
   bool sample_next();
   std::complex<double> integral(const std::vector<double>& values, double frequency) const;
   double largest(std::size_t column, std::size_t first, std::size_t last) const;

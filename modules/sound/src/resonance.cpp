@@ -18,6 +18,11 @@ bool is_finite(const RoadSpectrum::Column& column) {
   });
 }
 
+// Of the displacements that a column follows: 1 of velocities, 2 of accelerations.
+int time_derivative(const std::string& unit) {
+  return unit.ends_with("/s") ? 1 : unit.ends_with("/s^2") ? 2 : 0;
+}
+
 double nearest_difference(double frequency, const std::vector<spectrum::Mode>& modes) {
   double nearest = std::numeric_limits<double>::quiet_NaN();
   for (const spectrum::Mode& mode : modes)
@@ -48,7 +53,8 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
     std::vector<spectrum::Mode> of_first;
     for (std::size_t r = 0; r < roads.size(); ++r) {
       if (roads[r].frequencies.size() < fewest_frequencies || !is_finite(roads[r].columns[c])) continue;
-      const auto modes = spectrum::find_modes(roads[r].frequencies, roads[r].columns[c].response);
+      const auto modes = spectrum::find_modes(roads[r].frequencies, roads[r].columns[c].response,
+                                              time_derivative(observed[c].unit));
       if (r == 0) of_first = modes;
       for (const spectrum::Mode& mode : modes) {
         const double difference = r == 0 ? 0 : nearest_difference(mode.frequency, of_first);

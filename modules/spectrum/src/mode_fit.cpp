@@ -79,7 +79,8 @@ double criterion_of(double residual, double square, double count, double paramet
 void drop_background(const Response& response, Eigen::VectorXd& at) {
   at.tail(4).setZero();
   double highest = 0;
-  for (const auto& value : response.values) highest = std::max(highest, std::norm(value));
+  for (std::size_t k = 0; k < response.values.size(); ++k)
+    highest = std::max(highest, std::norm(response.values[k] / response.factor(response.frequencies[k])));
   for (Eigen::Index p = 0; p + 4 < at.size(); p += 4)
     at[p + 2] = highest * at[p] * at[p] * at[p + 1] * at[p + 1], at[p + 3] = 0;
 }

@@ -13,9 +13,15 @@ struct Response {
   std::vector<double> frequencies;  // (Hz)
   std::vector<std::complex<double>> values;
   bool only_amplitudes = false;
+  int derivative = 0;  // in time, of what responds as a sum of poles
+
+  // By which this derivative multiplies a response, (i f)^derivative; (2 pi)^derivative is in the strengths.
+  std::complex<double> factor(double frequency) const {
+    return std::pow(std::complex<double>(0, frequency), derivative);
+  }
 };
 
-// A pole: R / (frequency^2 - f^2 + i f width); of amplitudes, |R|^2 and what mixes it with the rest (mode_model.hpp).
+// A pole: R / (frequency^2 - f^2 + i f width), times the factor of the response; of amplitudes, |R|^2 and what mixes it with the rest (mode_model.hpp).
 struct Pole {
   double frequency, width;
   std::complex<double> strength{};  // R, or |R|^2 + i b

@@ -43,7 +43,11 @@ Complex ModeModel::value(const Eigen::VectorXd& at, double frequency, Eigen::Row
   derivative.tail(4) << 1, i, u, i * u;
   for (Eigen::Index p = 0; p < last; p += 4)
     add_pole(at.data() + p, frequency, sum, derivative.segment(p, 4));
-  return sum;
+  if (response_.derivative == 0) return sum;
+  const Complex factor = response_.factor(frequency);
+  const Complex all = response_.only_amplitudes ? std::norm(factor) : factor;
+  derivative *= all;
+  return all * sum;
 }
 
 Eigen::VectorXd ModeModel::start(const std::vector<Pole>& poles) const {

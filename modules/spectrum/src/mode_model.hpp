@@ -9,7 +9,7 @@ namespace scree::spectrum {
 // Residuals of a response against poles and a background, and their derivatives. With q = f0^2 - f^2, u from -1 to 1:
 //   complex:    H = sum of R / (q + i f w) + c0 + c1 u;                  parameters f0, w, Re R, Im R of each pole
 //   amplitudes: |H|^2 = sum of (a + b q) / (q^2 + f^2 w^2) + c0 + c1 u;  parameters f0, w, a, b of each pole; c0, c1 real
-// then Re c0, Im c0, Re c1, Im c1. b is the interference of a mode with the others and with the background.
+// times Response::factor, of amplitudes its square; then Re c0, Im c0, Re c1, Im c1. b is the interference of a mode with the others and with the background.
 class ModeModel {
  public:
   ModeModel(const Response& response, std::size_t poles);

@@ -2,6 +2,7 @@
 
 #include "maxima.hpp"
 #include "mode_fit.hpp"
+#include "mode_of_pole.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,11 @@ namespace scree::spectrum {
 
 namespace {
 
-constexpr double reach = 3;             // widths on each side of a mode that its fit takes
-constexpr std::size_t most_poles = 6;   // of one fit
-constexpr double least_gain = 10;       // of Akaike's criterion, for another pole
-constexpr double least_over_error = 5;  // amplitude of another pole
-constexpr double least_points = 4;      // in the width of a mode
+constexpr double reach = 3;              // widths on each side of a mode that its fit takes
+constexpr std::size_t most_poles = 6;    // of one fit
+constexpr double least_gain = 10;        // of Akaike's criterion, for another pole
+constexpr double least_over_error = 5;   // amplitude of another pole
+constexpr std::size_t least_points = 4;  // in the width of a mode
 
 // Indices [begin, end) that are fitted together, and where to start.
 struct Range {
@@ -72,42 +73,15 @@ Response part(const Response& response, const Range& range) {
     return std::remove_cvref_t<decltype(all)>(all.begin() + std::ptrdiff_t(range.begin),
                                               all.begin() + std::ptrdiff_t(range.end));
   };
-  return {cut(response.frequencies), cut(response.values), response.only_amplitudes};
+  return {cut(response.frequencies), cut(response.values), response.only_amplitudes, response.derivative};
 }
 
-Mode mode_of(const ModeFit& fit, std::size_t number, const Response& response) {
-  const bool only_amplitudes = response.only_amplitudes;
-  const Pole& pole = fit.poles[number];
-  const auto first = Eigen::Index(4 * number);
-  const Eigen::Matrix4d covariance = fit.covariance.block<4, 4>(first, first);
-  const auto error = [&](double f, double w, double re, double im) {
-    const Eigen::Vector4d by(f, w, re, im);
-    return std::sqrt(by.dot(covariance * by));
-  };
-  Mode mode;
-  mode.frequency = pole.frequency, mode.frequency_error = error(1, 0, 0, 0);
-  mode.width = pole.width, mode.width_error = error(0, 1, 0, 0);
-  mode.quality = pole.frequency / pole.width;
-  mode.quality_error = error(1 / pole.width, -mode.quality / pole.width, 0, 0);
-  const double area = pole.frequency * pole.width;
-  const double size =
-      only_amplitudes ? std::sqrt(std::max(pole.strength.real(), 0.0)) : std::abs(pole.strength);
-  mode.amplitude = size / area;
-  const std::complex<double> by_strength =
-      only_amplitudes ? 0.5 / (size * area) : pole.strength / (size * area);
-  mode.amplitude_error = error(-mode.amplitude / pole.frequency, -mode.amplitude / pole.width,
-                               by_strength.real(), by_strength.imag());
-  mode.phase = only_amplitudes ? 0 : std::arg(pole.strength);
-  mode.together = fit.poles.size();
-  mode.points = response.values.size();
-  return mode;
-}
-
+// Whether a pole is within a range of frequencies that resolves it; these may be denser about it than elsewhere.
 bool is_within(const Pole& pole, const Response& response) {
   const double low = response.frequencies.front(), high = response.frequencies.back();
-  const double distance = (high - low) / double(response.frequencies.size() - 1);
-  return pole.frequency > low && pole.frequency < high && pole.width >= least_points * distance &&
-         pole.width < high - low;
+  const std::size_t within = index_of(response, pole.frequency + 0.5 * pole.width) -
+                             index_of(response, pole.frequency - 0.5 * pole.width);
+  return pole.frequency > low && pole.frequency < high && within >= least_points && pole.width < high - low;
 }
 
 // Whether each pole is within the range and known well.
@@ -149,8 +123,8 @@ Response alone(const Response& whole, const std::vector<Group>& groups, std::siz
     for (const Pole& pole : groups[g].fit.poles)
       for (std::size_t k = 0; k < response.values.size(); ++k) {
         const double f = response.frequencies[k];
-        response.values[k] -=
-            pole.strength / std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
+        response.values[k] -= response.factor(f) * pole.strength /
+                              std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
       }
   }
   return response;
@@ -207,7 +181,8 @@ std::vector<Mode> modes_of(const Response& response) {
   for (const Group& group : fitted(response, std::move(groups))) {
     const Response inside = part(response, group.range);
     for (std::size_t k = 0; k < group.fit.poles.size(); ++k)
-      if (group.fit.converged && is_within(group.fit.poles[k], inside))
+      if (group.fit.converged && is_within(group.fit.poles[k], inside) &&
+          stands_out(group.fit, k, inside.only_amplitudes))
         modes.push_back(mode_of(group.fit, k, inside));
   }
   std::sort(modes.begin(), modes.end(),
@@ -218,14 +193,17 @@ std::vector<Mode> modes_of(const Response& response) {
 }  // namespace
 
 std::vector<Mode> find_modes(std::span<const double> frequencies,
-                             std::span<const std::complex<double>> response) {
-  const Response data{{frequencies.begin(), frequencies.end()}, {response.begin(), response.end()}, false};
+                             std::span<const std::complex<double>> response, int derivative) {
+  const Response data{
+      {frequencies.begin(), frequencies.end()}, {response.begin(), response.end()}, false, derivative};
   check(data, response.size());
   return modes_of(data);
 }
 
-std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes) {
-  const Response data{{frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true};
+std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes,
+                             int derivative) {
+  const Response data{
+      {frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true, derivative};
   check(data, amplitudes.size());
   return modes_of(data);
 }

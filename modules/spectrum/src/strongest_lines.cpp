@@ -1,9 +1,9 @@
+#include "line_fit.hpp"
 #include "median.hpp"
 #include "scree/spectrum/amplitude_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <scree/error.hpp>
 
@@ -45,26 +45,7 @@ double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
   return spectrum.frequency(k) + spectrum.resolution * (above ? distance : -distance);
 }
 
-Line line_at(double frequency, std::span<const double> times, std::span<const double> values) {
-  LockInOptions options;
-  options.frequency = frequency;
-  options.harmonics = 1;
-  return lock_in(times, values, options).lines[0];
-}
-
-FoundLine refined(double frequency, std::span<const double> times, std::span<const double> values) {
-  const std::size_t half = times.size() / 2;
-  const double duration = times.back() - times.front();
-  constexpr int rounds = 4;
-  for (int k = 0; k < rounds; ++k) {
-    const double first = line_at(frequency, times.first(half), values.first(half)).phase;
-    const double second = line_at(frequency, times.subspan(half), values.subspan(half)).phase;
-    frequency += std::remainder(second - first, 2 * std::numbers::pi) / (std::numbers::pi * duration);
-  }
-  FoundLine found{line_at(frequency, times, values)};
-  found.frequency_error = std::sqrt(3.0) * found.phase_error / (std::numbers::pi * duration);
-  return found;
-}
+bool stands_out(const FoundLine& line) { return !(line.amplitude < least_over_error * line.amplitude_error); }
 
 }  // namespace
 
@@ -76,13 +57,15 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
   for (const std::size_t k : bins) {
     if (lines.size() == most) break;
     try {
-      const FoundLine line = refined(interpolated(spectrum, k), times, values);
+      const FoundLine line = fitted_line(interpolated(spectrum, k), times, values);
       const bool stayed = std::abs(line.frequency - spectrum.frequency(k)) < 2 * spectrum.resolution;
-      if (stayed && !(line.amplitude < least_over_error * line.amplitude_error)) lines.push_back(line);
+      if (stayed && stands_out(line)) lines.push_back(line);
     } catch (const Error&) {
-      // Half the record is too short for this line, which then is not one to be told.
+      // The record is too short for this line, which then is not one to be told.
     }
   }
+  fit_together(times, values, lines);
+  std::erase_if(lines, [](const FoundLine& line) { return !stands_out(line); });
   std::stable_sort(lines.begin(), lines.end(),
                    [](const FoundLine& a, const FoundLine& b) { return a.amplitude > b.amplitude; });
   return lines;

@@ -77,7 +77,9 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
           "a chirp of 0.001 s has no period of to_hz = 50 Hz", "such as 10 / from_hz");
   refuses({"spectrum.from_hz=1e-300"}, "100 periods of 1e-300 Hz take", "for at most 1e+12 steps");
   refuses({"spectrum.periods=1e300"}, "1e+300 periods of", "or fewer periods, for at most 1e+12 steps");
-  refuses({"spectrum.pulse='noise'"}, "noise", "gaussian");
+  refuses({"spectrum.pulse='nois'"}, "nois", "noise");
+  refuses({"spectrum.pulse='noise'", "spectrum.longest_pulse=1.5"},
+          "noise of 1.5 s has fewer than 8 segments of 0.2 s", "a longer longest_pulse");
   refuses({"spectrum.direction='left'"}, "direction", "up");
   refuses({"spectrum.adaptive=true", "spectrum.direction='both'"}, "takes each frequency once", "direction");
   refuses({"spectrum.zzz=1"}, "zzz", "known keys");

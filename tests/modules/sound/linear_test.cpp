@@ -75,6 +75,22 @@ TEST_CASE("an adaptive linear road resolves maxima that are narrower than its gr
     CHECK(std::abs(refined[k].frequency - fine[k].frequency) < 1e-2 * fine[k].width);
 }
 
+TEST_CASE("peaks of velocities are those of displacements", "[sound]") {
+  const Chain chain = {.drag = 0.04};  // Q of the first mode: 4.5
+  const scenario::Plan plan =
+      plan_of(with(chain.text("from_hz = 8\nto_hz = 60\nstep_hz = 0.5\nfewest_contacts = 1\n"),
+                   "'particles.z_1'", "'particles.vz_8'"));
+  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  const auto resonances = resonances_of({linear_spectrum(start)}, plan.spectrum->observed);
+  REQUIRE(resonances.size() == 2);
+  const spectrum::Mode velocity = resonances[0].mode, displacement = resonances[1].mode;
+  // Both fits take the flanks of the other modes for a line, with weights that differ by f.
+  CHECK(velocity.frequency == Approx(displacement.frequency).epsilon(1e-4));
+  CHECK(velocity.quality == Approx(displacement.quality).epsilon(5e-3));
+  CHECK(velocity.amplitude ==
+        Approx(2 * std::numbers::pi * displacement.frequency * displacement.amplitude).epsilon(1e-3));
+}
+
 TEST_CASE("a linear road at an undamped mode says at which frequency and what to do", "[sound]") {
   const Chain chain = {.damping = 0, .drag = 0};
   // Within round-off of the second mode.

@@ -58,6 +58,41 @@ TEST_CASE("a chirp finds the modes of the discrete chain", "[sound]") {
   CHECK(std::abs(driven.drive_at(90)) / 1e-8 == Approx(std::sqrt(0.5 / (4 * 160))).epsilon(0.2));
 }
 
+TEST_CASE("noise measures the response and the modes of the discrete chain within its errors", "[sound]") {
+  const Chain chain = {.damping = 0.05, .drag = 0.03};
+  const scenario::Plan plan =
+      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\npulse = 'noise'\nlongest_pulse = 30\n"));
+  const SpectrumTrial trial = try_roads(plan, {Road::pulse}, nullptr);
+  const RoadSpectrum& road = trial.roads[0];
+  REQUIRE(road.frequencies.size() == 141);
+  int covered = 0, cases = 0;
+  double largest = 0;
+  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
+    const double hz =
+        std::sin(std::numbers::pi * road.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
+    const std::complex<double> exact = chain.response(Chain::beads, hz), h = road.columns[1].response[k];
+    const double error = road.columns[1].error[k];
+    CHECK(std::abs(h - exact) < 5 * error);
+    covered += std::abs(std::abs(h) - std::abs(exact)) < error, ++cases;
+    largest = std::max(largest, error / std::abs(exact));
+    CHECK(road.columns[1].linearity[k] <
+          1e-4 * std::abs(exact));  // a linear chain: round-off of a height of 0.07 m
+  }
+  CHECK(double(covered) / cases == Approx(0.68).margin(0.05 + 0.04));  // the share of 141 is known to 0.04
+  CHECK(largest < 0.03);
+  std::vector<spectrum::Mode> found;
+  for (const Resonance& r : trial.resonances)
+    if (r.column == 1) found.push_back(r.mode);
+  REQUIRE(found.size() == 3);
+  for (int j = 1; j <= 3; ++j) {
+    const spectrum::Mode& mode = found[std::size_t(j - 1)];
+    const double exact = Chain::with_step(Chain::mode_hz(j));
+    CAPTURE(j, mode.frequency, mode.frequency_error, exact);
+    CHECK(std::abs(mode.frequency - exact) < 4 * mode.frequency_error);
+    CHECK(mode.frequency_error < 2e-3 * exact);
+  }
+}
+
 TEST_CASE("a packing that is not at rest answers a pulse as one at rest", "[sound]") {
   const Chain chain;
   const std::string text = chain.text("from_hz = 80\nto_hz = 100\nstep_hz = 5\ndecay = 1e-6\n");

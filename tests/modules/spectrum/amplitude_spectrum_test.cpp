@@ -64,12 +64,11 @@ TEST_CASE("lines are found to a small part of the resolution, the strongest firs
   });
   const auto lines = strongest_lines(made.times, made.values, made.spectrum(), 2);
   REQUIRE(lines.size() == 2);
-  // A line at D resolutions changes the phase of another in a half record by its relative amplitude / (pi D / 2): for 5 and
-  // D = 464 by 7e-3 rad, or 2e-5 Hz; the parabola less its line by (2 max|r| + V) / (pi f T) <= 0.3 / ... of the weaker one.
-  CHECK(std::abs(lines[0].frequency - 7.77777) < 1e-4);
-  CHECK(std::abs(lines[1].frequency - 3.14159) < 1e-3);
-  CHECK(lines[0].amplitude == Approx(1).epsilon(0.01));
-  CHECK(lines[1].amplitude == Approx(0.2).epsilon(0.1));
+  // The parabola is fitted; lines at 464 resolutions have 1 / (464 pi) of each other before the first of six rounds.
+  CHECK(std::abs(lines[0].frequency - 7.77777) < 1e-9);
+  CHECK(std::abs(lines[1].frequency - 3.14159) < 1e-9);
+  CHECK(lines[0].amplitude == Approx(1).epsilon(1e-9));
+  CHECK(lines[1].amplitude == Approx(0.2).epsilon(1e-9));
 }
 
 TEST_CASE("white noise has no lines, and frequencies of lines in it scatter as their error says",

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -126,6 +127,61 @@ TEST_CASE("two modes half a width apart are told apart", "[peaks]") {
   }
 }
 
+TEST_CASE("modes of velocities and accelerations are those of the displacement", "[peaks]") {
+  const Truth broad{100, 20, 2e-3, 0.6};  // Q = 5
+  const auto f = band(40, 170, 261);
+  const auto displacement = response(f, {broad});
+  for (const int derivative : {1, 2}) {
+    std::vector<Complex> h;
+    for (std::size_t k = 0; k < f.size(); ++k)
+      h.push_back(std::pow(2 * std::numbers::pi * f[k] * i, derivative) * displacement[k]);
+    for (const auto& found : {find_modes(f, h, derivative), find_modes(f, sizes(h), derivative)}) {
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].frequency == Approx(100).epsilon(1e-8));
+      CHECK(found[0].quality == Approx(5).epsilon(1e-8));
+      CHECK(found[0].amplitude == Approx(2e-3 * std::pow(200 * std::numbers::pi, derivative)).epsilon(1e-8));
+    }
+    const double phase = find_modes(f, h, derivative)[0].phase,
+                 expected = 0.6 + derivative * std::numbers::pi / 2;
+    CHECK(std::abs(std::remainder(phase - expected, 2 * std::numbers::pi)) < 1e-8);
+    const double noise = 1e-2 * 2e-3 * std::pow(200 * std::numbers::pi, derivative);
+    Coverage frequency, amplitude;
+    Noise added(noise, 3);
+    for (int k = 0; k < 400; ++k) {
+      const auto found = find_modes(f, added.added(h), derivative);
+      REQUIRE(found.size() == 1);
+      frequency.add(found[0].frequency, 100, found[0].frequency_error);
+      amplitude.add(found[0].amplitude, noise / 1e-2, found[0].amplitude_error);
+    }
+    CHECK(frequency.share() == Approx(0.68).margin(0.07));  // three times what 400 cases tell
+    CHECK(amplitude.share() == Approx(0.68).margin(0.07));
+  }
+}
+
+// λ/4 of a packing with what transverse modes add to it, a broad mode far away, and a background that is no line.
+TEST_CASE("without noise, poles that only bend the background of a mode are not listed", "[peaks]") {
+  const Truth main{6449, 179, 2125, 0};
+  const auto f = band(5000, 7900, 146);
+  auto h = response(f, {main, {6272, 565, 6.5, 1}, {6580, 568, 15, -2}, {19180, 1870, 1234, 3}});
+  for (std::size_t k = 0; k < f.size(); ++k) h[k] += 3.0 * std::pow((f[k] - 6000) / 1000, 3);
+  for (const auto& found : {find_modes(f, h), find_modes(f, sizes(h))}) {
+    REQUIRE(found.size() == 1);
+    // The broad poles together have 1 % of its height, and may be taken for a part of it.
+    CHECK(found[0].frequency == Approx(main.frequency).margin(0.01 * main.width));
+    CHECK(found[0].width == Approx(main.width).epsilon(0.01));
+    CHECK(found[0].amplitude == Approx(main.amplitude).epsilon(0.02));
+  }
+  CHECK(find_modes(f, h)[0].together > 1);
+}
+
+TEST_CASE("a weak mode that is narrow is listed on the flank of a strong one", "[peaks]") {
+  const auto f = band(70, 130, 601);
+  const auto found = find_modes(f, response(f, {{100, 10, 1, 0}, {108, 0.6, 0.02, 1}}));
+  REQUIRE(found.size() == 2);
+  CHECK(found[1].frequency == Approx(108).epsilon(1e-6));
+  CHECK(found[1].amplitude == Approx(0.02).epsilon(1e-4));
+}
+
 TEST_CASE("modes apart, and modes whose flanks overlap, are found by frequency", "[peaks]") {
   const std::vector<Truth> truth = {{80, 2, 1, 0}, {100, 3, 0.3, 1}, {107, 3, 0.5, -2}, {130, 4, 2, 3}};
   const auto f = band(60, 160, 1001);
@@ -187,6 +243,15 @@ TEST_CASE("a flat spectrum has no modes", "[peaks]") {
 TEST_CASE("a peak of a few frequencies is no mode", "[peaks]") {
   const auto f = band(60, 140, 81);
   CHECK(find_modes(f, response(f, {{100.3, 2, 1, 0}})).empty());
+}
+
+TEST_CASE("a mode is found where frequencies are dense about it and sparse elsewhere", "[peaks]") {
+  // As an adaptive sweep leaves them: 20 frequencies, those near the mode a ninth of its width apart.
+  std::vector<double> f = {6400, 6480, 6560, 6640, 6680, 6720, 6760, 6800, 6820, 6840,
+                           6860, 6880, 6900, 6920, 6960, 7000, 7040, 7120, 7200, 7300};
+  const auto found = find_modes(f, response(f, {{6854.77, 178, 3105, 0}}));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].frequency == Approx(6854.77).epsilon(1e-9));
 }
 
 TEST_CASE("modes of what is no spectrum are refused", "[peaks]") {

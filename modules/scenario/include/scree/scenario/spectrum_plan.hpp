@@ -26,7 +26,7 @@ inline std::size_t responding(const std::vector<ObservedColumn>& observed) {
 struct SpectrumPlan {
   enum class Direction { up, down, both };
   enum class Detrending { period_average, polynomial };
-  enum class Pulse { gaussian, ricker, chirp };
+  enum class Pulse { gaussian, ricker, chirp, noise };
 
   std::string boundary, key;  // of the displacement that takes the wave
   std::string drive_place;    // file:line:column, for messages

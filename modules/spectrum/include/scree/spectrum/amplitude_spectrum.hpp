@@ -27,17 +27,21 @@ double unevenness(std::span<const double> times);
 // frequency f by at most (2 pi f h)^2 / 8, h: the longest step.
 std::vector<double> at_equal_steps(std::span<const double> times, std::span<const double> values);
 
-// A line that was found in a record.
+// A line that was found in a record, of length T about the time t_m. For a given frequency, let the phase have the standard error s; at
+// t_m it is not correlated with the frequency. The error of the frequency is sqrt(3) s / (pi T): with noise of density S near the line,
+// phases of parts of the record, dt long, scatter by s^2 T / dt, and the variance of the slope of a line through them is
+// s^2 T / integral of (t - t_m)^2 dt = 12 s^2 / T^2, in (rad/s)^2 (Cramer-Rao for white noise). So the phase at t = 0 has
+//   phase_error = sqrt(s^2 + (2 pi t_m frequency_error)^2),
+// 2 s for a record that begins at 0, and more for one that begins later; s = frequency_error pi T / sqrt(3).
 struct FoundLine : Line {
-  double frequency_error =
-      0;  // (Hz) standard error, sqrt(3)/(pi T) times that of the phase (Cramer-Rao for the same noise)
+  double frequency_error = 0;  // (Hz) standard error
 };
 
 // The strongest `most` lines of a record, by amplitude. Candidates are maxima of the spectrum above five times the median of the
 // amplitudes on both sides, as far as half the frequency but 6 to 50 of them: white noise of a million samples has one with a
-// probability of 3 %, a random walk with about 1 %. The frequency of each is that for which a lock-in finds the same phase in both halves of the record, so
-// that it is not bound to multiples of the resolution. A line below five of its errors is none. Lines of fewer than 3 periods
-// and lines closer than 3 resolutions are not told apart.
+// probability of 3 %, a random walk with about 1 %. The frequency of each is fitted with its amplitude and phase, in the record
+// less all other lines and with a cubic drift, so that it is not bound to multiples of the resolution. A line below five of its errors is none. Lines of fewer
+// than 3 periods and lines closer than 3 resolutions are not told apart.
 std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<const double> values,
                                        const AmplitudeSpectrum& spectrum, std::size_t most);
 

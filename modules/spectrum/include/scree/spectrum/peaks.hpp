@@ -8,14 +8,19 @@ namespace scree::spectrum {
 
 // A mode in a response over frequency, from a fit of
 //   H(f) = R / (f0^2 - f^2 + i f w) + c0 + c1 (f - f_middle),   R, c0, c1 complex.
+// or, of a velocity (derivative 1) or an acceleration (2) in response to a displacement, (i f)^derivative times that: the numerator of a
+// pole is then no constant. Without this, c0 and c1 take all of it but the share 0.4 / Q^4 in the f0 of a velocity and 0.8 / Q^4 in the
+// Q of an acceleration (both 0.1 % at Q = 5).
 // Errors are standard errors: the covariance of the fit, scaled by its residual; NaN without spare points.
 struct Mode {
   double frequency = 0, frequency_error = 0;  // f0 (Hz), of the mode without damping
   double width = 0, width_error = 0;          // w (Hz), where the energy is above half its maximum
   double quality = 0, quality_error = 0;      // Q = f0 / w
-  double amplitude = 0, amplitude_error = 0;  // |R| / (f0 w) (unit of H): height of this mode alone at f0
-  double phase = 0;  // (rad) of R, in (-pi, pi]: 0 if the response follows a slow drive; 0 from amplitudes
-  std::size_t together = 1;  // modes that were fitted with this one
+  double amplitude = 0,
+         amplitude_error = 0;  // (unit of H) height of this mode alone at f0: |R| / (f0 w) f0^derivative
+  // (rad) of i^derivative R, in (-pi, pi]: 0 if the response follows a slow drive, pi/2 if its velocity does; 0 from amplitudes
+  double phase = 0;
+  std::size_t together = 1;  // poles of the fit, this one and those of the background included
   std::size_t points = 0;    // frequencies of the fit
 };
 
@@ -28,17 +33,21 @@ struct Mode {
 // lowers Akaike's criterion (corrected for few points) by more than 10, is within the range and is above five of its
 // standard errors: two modes half a width apart are told apart where noise allows. What is no sum of modes, for example a response
 // through a window, can need a pole more than there are modes: choose a resolution of a tenth of the width or better.
-// A mode with fewer than 4 frequencies in its width is not reported.
+// A mode with fewer than 4 frequencies in its width is not reported. Neither is a pole that the others of its fit hide: over its width
+// w, it changes the response by its height A, they by about w |dH_others/df|; below a quarter of that it only bends their background, as
+// transverse modes do that disorder couples to a longitudinal drive, or flanks beyond the fit. Such poles are kept in the fit. Of two
+// modes alike, half a width apart, the ratio is 1; of two poles at least one is reported.
 //
-// frequencies: (Hz) increasing, above 0, at about equal distances. Throws Error for arrays of different length, numbers
+// frequencies: (Hz) increasing, above 0, where the response is flat with distances as large as elsewhere or larger. Throws Error for arrays of different length, numbers
 // that are not finite and fewer than 16 frequencies.
 std::vector<Mode> find_modes(std::span<const double> frequencies,
-                             std::span<const std::complex<double>> response);
+                             std::span<const std::complex<double>> response, int derivative = 0);
 
 // The same from |H|, by a fit of |H|^2 = (a + b (f0^2 - f^2)) / |f0^2 - f^2 + i f w|^2 + c0 + c1 (f - f_middle), all real: exact for
 // a mode alone; of its interference with a background, b takes all but the part (w/f0)^2. Noise that is not small against
 // |H| raises amplitudes.
-std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes);
+std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes,
+                             int derivative = 0);
 
 // Distance (Hz) from a maximum of |H|, at the index `top`, to where it has fallen to its root half, on the side of lower (direction -1) or
 // higher (1) frequencies; infinite if it does not within the band.
