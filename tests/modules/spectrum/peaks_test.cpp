@@ -1,7 +1,8 @@
+#include "responses.hpp"
+
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -10,68 +11,9 @@
 #include <scree/spectrum/peaks.hpp>
 
 using namespace scree::spectrum;
-using Complex = std::complex<double>;
+using namespace scree::test;
 
 namespace {
-
-constexpr Complex i(0, 1);
-
-std::vector<double> band(double low, double high, std::size_t count) {
-  std::vector<double> f(count);
-  for (std::size_t k = 0; k < count; ++k) f[k] = low + (high - low) * double(k) / double(count - 1);
-  return f;
-}
-
-struct Truth {
-  double frequency, width, amplitude, phase;
-};
-
-Complex value(const Truth& mode, double f) {
-  const Complex strength = std::polar(mode.amplitude * mode.frequency * mode.width, mode.phase);
-  return strength / (mode.frequency * mode.frequency - f * f + i * f * mode.width);
-}
-
-std::vector<Complex> response(const std::vector<double>& f, const std::vector<Truth>& modes, Complex c0 = {},
-                              Complex c1 = {}) {
-  std::vector<Complex> h;
-  for (const double at : f) {
-    h.push_back(c0 + c1 * (at - 100));
-    for (const Truth& mode : modes) h.back() += value(mode, at);
-  }
-  return h;
-}
-
-std::vector<double> sizes(const std::vector<Complex>& h) {
-  std::vector<double> a;
-  for (const Complex& one : h) a.push_back(std::abs(one));
-  return a;
-}
-
-class Noise {
- public:
-  Noise(double rms, unsigned seed) : random_(seed), gauss_(0, rms / std::sqrt(2.0)) {}
-  std::vector<Complex> added(std::vector<Complex> h) {
-    for (Complex& one : h) one += Complex(gauss_(random_), gauss_(random_));
-    return h;
-  }
-  std::vector<double> added(std::vector<double> a) {
-    for (double& one : a) one += std::sqrt(2.0) * gauss_(random_);
-    return a;
-  }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> gauss_;
-};
-
-// Share of estimates within their errors.
-struct Coverage {
-  int covered = 0, cases = 0;
-  void add(double estimate, double truth, double error) {
-    covered += std::abs(estimate - truth) < error, ++cases;
-  }
-  double share() const { return double(covered) / cases; }
-};
 
 const Truth mode{101.2345678, 4, 2e-3, 0.6};
 
