@@ -90,6 +90,8 @@ class Configured {
 struct NoInstance {};
 
 using ConfiguredLaw = Configured<scree_contact_law, scree_contact_instance>;
+// Dimensions in which a contact law exists: 2, 3 or both.
+std::vector<int> dimensions_of(const Parameters& law);
 using ConfiguredBoundary = Configured<scree_boundary, scree_boundary_instance>;
 using ConfiguredBodyForce = Configured<scree_body_force, NoInstance>;
 using ConfiguredProbe = Configured<scree_probe, scree_probe_instance>;

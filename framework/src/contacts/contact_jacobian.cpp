@@ -26,6 +26,7 @@ class InputTangent {
         set(SCREE_NORMAL + k, i, across * inverse_distance[i]);
         if (reads(SCREE_TANGENTIAL_INCREMENT)) set(SCREE_TANGENTIAL_INCREMENT + k, i, across);
       }
+      if (reads(SCREE_SEPARATION)) set(SCREE_SEPARATION + axis, i, 1);
       if (reads(SCREE_CONTACT_RADIUS)) set_contact_radius(i, -along);
     }
   }

@@ -79,8 +79,9 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
   if (features_.periodic) shifts = image_shifts(e.domain);
   const kernel::EvaluationInput input = {.contacts = e.contacts,
                                          .records = e.particles.records(),
-                                         .orientations = e.particles.orientations,
+                                         .particles = e.particles,
                                          .planes = work.planes,
+                                         .domain = e.domain,
                                          .shifts = shifts.data(),
                                          .periodic = features_.periodic,
                                          .step = e.elapsed,

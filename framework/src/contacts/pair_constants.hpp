@@ -11,8 +11,8 @@ namespace scree {
 
 // Properties of pairs that are constant between neighbour searches, and the forces of the last evaluation.
 struct PairConstants {
-  // Inputs of laws from SCREE_REDUCED_MASS onwards.
-  static constexpr std::uint32_t column_count = SCREE_CONTACT_INPUT_COUNT - SCREE_REDUCED_MASS;
+  // Inputs of laws from SCREE_REDUCED_MASS to SCREE_EFFECTIVE_RADIUS.
+  static constexpr std::uint32_t column_count = SCREE_ORIENTATION_A - SCREE_REDUCED_MASS;
 
   explicit PairConstants(Precision precision) : force(precision) { terms.fill(PairColumns(precision)); }
 

@@ -24,8 +24,9 @@ scree_load TrialLoads::load(const Scene& scene, std::size_t plane, const double*
   records_.set(planes_, scene.particles.width());
   const kernel::EvaluationInput input = {.contacts = pairs.contacts,
                                          .records = scene.particles.records(),
-                                         .orientations = scene.particles.orientations,
+                                         .particles = scene.particles,
                                          .planes = records_,
+                                         .domain = scene.domain,
                                          .shifts = nullptr,
                                          .periodic = false,
                                          .step = scene.step,

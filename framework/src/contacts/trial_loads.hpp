@@ -27,6 +27,7 @@ class TrialLoads {
     const Contacts& contacts;
     const std::vector<LawInstance>& laws;
     const std::vector<scree_plane>& planes;
+    const Domain& domain;
     double step;
   };
   // Load of a plane (N) after a displacement (m) in the step, at constant velocity.

@@ -17,7 +17,8 @@ void check_instance(const char* name, const scree_contact_instance& i) {
   if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
     throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
                             name, i.history_width, SCREE_MAX_HISTORY));
-  constexpr std::uint32_t columns = (1u << SCREE_CONTACT_INPUT_COUNT) - 1;
+  static_assert(SCREE_RADII < 32, "each input has a bit of `reads`");
+  constexpr std::uint32_t columns = ~(~1u << SCREE_RADII);
   if ((i.reads & ~columns) != 0 || i.arms > SCREE_ARM_RADIUS ||
       i.sliding_column >= std::int32_t(i.history_width))
     throw Error(
@@ -33,6 +34,14 @@ void check_instance(const char* name, const scree_contact_instance& i) {
 }
 template <class Instance>
 void check_instance(const char*, const Instance&) {}
+
+void check_dimension(const char* name, const scree_contact_law& law, int dimension) {
+  if (law.dimensions & (1u << dimension)) return;
+  throw Error(fmt::format("{}: a law of {}; set [scene] dimension = {}, or choose a law for {}D", name,
+                          dimension == 2 ? "spheres" : "discs", dimension == 2 ? 3 : 2, dimension));
+}
+template <class Interface>
+void check_dimension(const char*, const Interface&, int) {}
 
 }  // namespace
 
@@ -59,6 +68,7 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
   if (interface().storage_size > SCREE_MAX_INSTANCE_SIZE)
     throw Error(fmt::format("plug-in {}: needs {} bytes of storage, more than the limit of {}", name,
                             interface().storage_size, SCREE_MAX_INSTANCE_SIZE));
+  check_dimension(name, interface(), dimension);
   const int failed = plugin_call(name, "configure", [&] {
     if constexpr (std::is_same_v<Instance, NoInstance>)
       return interface().configure(&setup, storage_.get());
@@ -68,6 +78,14 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
   message[sizeof(message) - 1] = 0;
   if (failed) throw Error(fmt::format("{}: {}", name, *message ? message : "refused its parameters"));
   check_instance(name, instance_);
+}
+
+std::vector<int> dimensions_of(const Parameters& law) {
+  std::vector<int> dimensions;
+  for (const int dimension : {2, 3})
+    if (static_cast<const scree_contact_law*>(law.plugin().interface)->dimensions & (1u << dimension))
+      dimensions.push_back(dimension);
+  return dimensions;
 }
 
 template class Configured<scree_contact_law, scree_contact_instance>;

@@ -1,6 +1,6 @@
 #include "step/simulation_parts.hpp"
 
-#include "contacts/kernel/orientations.hpp"
+#include "contacts/kernel/placement.hpp"
 #include "plugins/enclosure.hpp"
 #include "step/health.hpp"
 

@@ -93,8 +93,9 @@ void Stepper::begin_walls(double step) {
   if (p.boundaries.trial_speed() == 0) return p.boundaries.begin_step(force_time_, step);
   if (!p.trial_loads) p.trial_loads.emplace(p.forces.features());
   p.boundaries.begin_step(force_time_, step, [&](std::size_t plane, const double* displacement) {
-    return p.trial_loads->load({p.particles, p.contacts, p.laws, p.boundaries.planes(), step}, plane,
-                               displacement);
+    return p.trial_loads->load(
+        {p.particles, p.contacts, p.laws, p.boundaries.planes(), p.boundaries.domain(), step}, plane,
+        displacement);
   });
 }
 

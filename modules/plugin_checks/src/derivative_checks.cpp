@@ -26,6 +26,7 @@ void change(const LawUnderCheck& law, ContactColumns& contact, int column, doubl
     contact.input(SCREE_OVERLAP) -= along;
     contact.set(SCREE_TANGENTIAL_INCREMENT,
                 vector(SCREE_TANGENTIAL_INCREMENT) + displacement - along * normal);
+    contact.input(SCREE_SEPARATION, k) += amount;
     const Vec3 separation = law.passage.distance() * normal + displacement;
     contact.set(SCREE_NORMAL, (1 / norm(separation)) * separation);
   } else if (column >= rows && k < law.dimension) {

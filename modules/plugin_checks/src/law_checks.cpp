@@ -19,7 +19,8 @@ void append(Checks& all, const Checks& more, int dimension) {
 
 Checks check_law(const Parameters& law, const std::filesystem::path& library, const CheckedPair& pair) {
   Checks all;
-  for (const int dimension : {2, 3}) {
+  const std::vector<int> dimensions = dimensions_of(law);
+  for (const int dimension : dimensions) {
     const ConfiguredLaw configured(law, dimension, no_bounds, no_bounds);
     try {
       contact_time_of(configured, pair, dimension);
@@ -27,7 +28,7 @@ Checks check_law(const Parameters& law, const std::filesystem::path& library, co
       return {{"closed forms are usable", Check::Verdict::failed, error.what()}};
     }
   }
-  for (const int dimension : {2, 3}) {
+  for (const int dimension : dimensions) {
     const ConfiguredLaw configured(law, dimension, no_bounds, no_bounds);
     const double time = contact_time_of(configured, pair, dimension);
     const LawUnderCheck checked{configured, dimension,

@@ -46,8 +46,13 @@ void Passage::set(ContactColumns& contacts, std::size_t i, int variant, int step
 
   const double sign = frame.exchanged ? -1 : 1;
   const bool touching = step < steps_touching;
-  contacts.input(SCREE_OVERLAP, 0, i) = (touching ? std::sin(phase) : -0.1) * overlap_;
+  const double overlap = (touching ? std::sin(phase) : -0.1) * overlap_;
+  contacts.input(SCREE_OVERLAP, 0, i) = overlap;
   contacts.set(SCREE_NORMAL, sign * frame(normal), i);
+  const double radius_a = pair_.radius, radius_b = 1.5 * pair_.radius;
+  contacts.set(SCREE_SEPARATION, (sign * (radius_a + radius_b - overlap)) * frame(normal), i);
+  contacts.input(SCREE_RADII, 0, i) = frame.exchanged ? radius_b : radius_a;
+  contacts.input(SCREE_RADII, 1, i) = frame.exchanged ? radius_a : radius_b;
   contacts.set(SCREE_RELATIVE_VELOCITY, sign * frame(velocity), i);
   contacts.set(SCREE_TANGENTIAL_INCREMENT, (sign * this->step()) * frame(tangential), i);
   const Vec3 relative_spin = sign * frame(spins);

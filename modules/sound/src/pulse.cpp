@@ -40,7 +40,7 @@ void note_tail(const PulseRecord& record, std::size_t c, const scenario::Spectru
 
 // A record that ends before its pulse has no spectrum.
 void check_length(const PulseRecord& record, const scenario::SpectrumPlan& plan) {
-  if (plan.longest_pulse > record.end_of_pulse()) return;
+  if (plan.longest_pulse >= record.end_of_pulse()) return;
   throw Error(fmt::format(
       "{}: the record of {:g} s ends before the pulse of {:g} s; give a longer longest_pulse, or a smaller step_hz",
       plan.drive_place, plan.longest_pulse, record.end_of_pulse()));

@@ -10,7 +10,7 @@
 namespace scree::test {
 
 struct FalseLaw {
-  scree_contact_law law = {sizeof(scree_contact_law), 64, &configure, &two_forms};
+  scree_contact_law law = {sizeof(scree_contact_law), 64, 1u << 2 | 1u << 3, &configure, &two_forms};
   scree_plugin plugin = {.struct_size = sizeof(scree_plugin),
                          .abi_version = SCREE_ABI_VERSION,
                          .kind = SCREE_CONTACT_LAW,

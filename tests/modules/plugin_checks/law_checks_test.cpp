@@ -52,3 +52,23 @@ TEST_CASE("each mistake of a law fails the checks that are meant for it", "[plug
     if (fault >= 4 && fault < 9) CHECK(failed.size() == 1);
   }
 }
+
+TEST_CASE("the laws for discs pass all checks", "[plugin_checks][disc]") {
+  for (const std::string name : {"disc_angular", "disc_corrected"})
+    for (const bool area : {false, true})
+      for (const double friction : {0.0, 0.2}) {
+        Parameters law(test::host().find(name, SCREE_CONTACT_LAW));
+        law.set("normal", {area ? 1.0 : 0.0});
+        law.set("normal_stiffness", {area ? 5e4 : 5000});
+        law.set("normal_damping", {1});
+        law.set("tangential_stiffness", {4000});
+        law.set("tangential_damping", {0.5});
+        law.set("friction", {friction});
+        for (const Check& check :
+             plugin_checks::check_law(law, test::host().locate(name, SCREE_CONTACT_LAW), {.speed = 0.1})) {
+          INFO(name << ", area " << area << ", friction " << friction << ": " << check.name << ": "
+                    << check.detail);
+          CHECK(check.verdict != Check::Verdict::failed);
+        }
+      }
+}

@@ -23,6 +23,8 @@ inline constexpr std::uint32_t reads_reduced_mass = 1u << SCREE_REDUCED_MASS;
 inline constexpr std::uint32_t reads_reduced_mass_root = 1u << SCREE_REDUCED_MASS_ROOT;
 inline constexpr std::uint32_t reads_effective_radius = 1u << SCREE_EFFECTIVE_RADIUS;
 inline constexpr std::uint32_t reads_orientations = 1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B;
+inline constexpr std::uint32_t reads_separation = 1u << SCREE_SEPARATION;
+inline constexpr std::uint32_t reads_radii = 1u << SCREE_RADII;
 
 // Type of an input that the kernel's `reads` does not list: any use of it fails to compile.
 template <scree_contact_input column>
@@ -59,6 +61,9 @@ struct Contact {
   // start. A wall does not turn.
   Input<reads, SCREE_ORIENTATION_A, Orientation> orientation_a;
   Input<reads, SCREE_ORIENTATION_B, Orientation> orientation_b;
+  // (m) x_a − x_b. Of a wall: of a and of the wall's point, along a path without periodic jumps.
+  Input<reads, SCREE_SEPARATION, Vector> separation;
+  Input<reads, SCREE_RADII, T> radius_a, radius_b;  // (m) of a wall 0
 };
 
 // Type of the couple of a kernel without `writes_couple`: any use of it fails to compile.

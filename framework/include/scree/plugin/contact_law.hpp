@@ -21,6 +21,7 @@ struct ContactLaw {
   static constexpr bool tangential = false;  // has tangential forces: bodies must carry spin
   static constexpr bool writes_couple = false;
   static constexpr scree_arms arms = SCREE_ARM_CONTACT_POINT;
+  static constexpr int only_dimension = 0;  // 2: a law of discs, 3: of spheres, 0: of both
   // Forces multiplied by `onset_weight` begin as t^onset_power at first touch and end as t^parting_power at
   // parting: 0 (a jump), 1/4, 1/2 or 3/4; `continuous` where they need no weights.
   static constexpr double continuous = 1;
@@ -103,16 +104,23 @@ int configure_law(const scree_setup* setup, void* storage, scree_contact_instanc
                 "each of several kernels has static bool suits(const Parameters&)");
   if (const int failed = configure_author<Parameters>(setup, storage)) return failed;
   const Parameters& parameters = *static_cast<const Parameters*>(storage);
+  const auto configured = [&]<int D>() {
+    if constexpr (Parameters::only_dimension == 0 || Parameters::only_dimension == D)
+      return ((suits<Parameters, Kernels>(parameters) &&
+               (*instance = describe_kernel<Parameters, Kernels, D>(parameters), true)) ||
+              ...);
+    else
+      return false;
+  };
   const bool flat = setup->dimension == 2;
-  const bool found = ((suits<Parameters, Kernels>(parameters) &&
-                       (*instance = flat ? describe_kernel<Parameters, Kernels, 2>(parameters)
-                                         : describe_kernel<Parameters, Kernels, 3>(parameters),
-                        true)) ||
-                      ...);
-  if (found) return 0;
+  if (flat ? configured.template operator()<2>() : configured.template operator()<3>()) return 0;
   Setup(*setup).refuse("no kernel of this law suits these parameters; change them, or add a kernel");
   return 1;
 }
+
+template <class Parameters>
+constexpr std::uint32_t dimensions_of =
+    Parameters::only_dimension == 0 ? 1u << 2 | 1u << 3 : 1u << Parameters::only_dimension;
 
 template <class Parameters>
 std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* encounter,
@@ -127,6 +135,7 @@ std::uint32_t closed_forms_of_law(const void* storage, const scree_encounter* en
 // `static bool suits(const Parameters&)` is true is used: list the cheapest first.
 #define SCREE_CONTACT_LAW_PLUGIN(Parameters, ...)                                                           \
   static const scree_contact_law scree_interface = {sizeof(scree_contact_law), sizeof(Parameters),          \
+                                                    scree::detail::dimensions_of<Parameters>,               \
                                                     &scree::detail::configure_law<Parameters, __VA_ARGS__>, \
                                                     &scree::detail::closed_forms_of_law<Parameters>};       \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Parameters>(SCREE_CONTACT_LAW, scree_interface)))

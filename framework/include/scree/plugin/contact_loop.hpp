@@ -37,6 +37,11 @@ inline Contact<D, T, Kernel::reads> load_contact(const Read& read, const T& step
   if constexpr (reads & reads_effective_radius) c.effective_radius = read(SCREE_EFFECTIVE_RADIUS);
   if constexpr (reads & (1u << SCREE_ORIENTATION_A)) load(c.orientation_a, read, SCREE_ORIENTATION_A);
   if constexpr (reads & (1u << SCREE_ORIENTATION_B)) load(c.orientation_b, read, SCREE_ORIENTATION_B);
+  if constexpr (reads & reads_separation) load(c.separation, read, SCREE_SEPARATION);
+  if constexpr (reads & reads_radii) {
+    c.radius_a = read(SCREE_RADII);
+    c.radius_b = read(SCREE_RADII + 1);
+  }
   return c;
 }
 

@@ -20,8 +20,9 @@ inline constexpr std::uint32_t block_size = 48;
 struct EvaluationInput {
   const Contacts& contacts;
   const double* records;
-  const Orientations& orientations;
+  const Particles& particles;
   const PlaneRecords& planes;
+  const Domain& domain;
   const double* shifts;  // (27, 4) periodic shift for each image code (m)
   bool periodic;
   double step;
@@ -43,7 +44,10 @@ struct alignas(64) BlockColumns {
   T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // stored pair forces bypass this
   T torque[2][3][block_size];                              // on a, on b (N m)
   ContactBatch<T> batch;                                   // argument of the law
-  T orientation[2][4][block_size];                         // of a, of b, for laws that read them
+  // For laws that read them.
+  T orientation[2][4][block_size];  // of a, of b
+  T placement[3][block_size];       // separation (m)
+  T radius[2][block_size];          // of a, of b (m)
 };
 
 }  // namespace scree::kernel

@@ -3,7 +3,7 @@
 #include "contacts/kernel/evaluate.hpp"
 #include "contacts/kernel/gather.hpp"
 #include "contacts/kernel/kinematics.hpp"
-#include "contacts/kernel/orientations.hpp"
+#include "contacts/kernel/placement.hpp"
 
 #include <cassert>
 #include <type_traits>

@@ -33,8 +33,8 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& 
   assert_layout(task);
   Laps laps(task.tile.profile);
   gather<D, spin, planes>(task, block);
-  if (reads_orientations(task.law.interface))
-    gather_orientations<planes>(*task.tile.input, task.pairs.begin, task.padded(), block);
+  if (reads_placement(task.law.interface))
+    gather_placement<planes>(*task.tile.input, task.pairs.begin, task.padded(), block);
   laps.lap(Profile::gather);
   resolve<D, spin, planes>(task, block);
   laps.lap(Profile::geometry);

@@ -38,8 +38,8 @@ SCREE_HOT void evaluate_trial(const TileJob& job, scree_load& load) {
       const BlockTask<T> task = block_task<T>(job, pairs);
       assert_layout(task);
       gather<D, spin, true>(task, work);
-      if (reads_orientations(task.law.interface))
-        gather_orientations<true>(*job.input, pairs.begin, task.padded(), work);
+      if (reads_placement(task.law.interface))
+        gather_placement<true>(*job.input, pairs.begin, task.padded(), work);
       resolve<D, spin, true>(task, work);
       call_law<D>(task, work);
       for (int k = 0; k < D; ++k) on_bodies.add(k, work.output[SCREE_FORCE + k], task.padded());

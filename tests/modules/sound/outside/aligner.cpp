@@ -52,8 +52,8 @@ int configure(const scree_setup* setup, void* storage, scree_contact_instance* i
   return failed;
 }
 
-const scree_contact_law interface = {sizeof(scree_contact_law), sizeof(Aligner), &configure,
-                                     &scree::detail::closed_forms_of_law<Aligner>};
+const scree_contact_law interface = {sizeof(scree_contact_law), sizeof(Aligner), 1u << 2 | 1u << 3,
+                                     &configure, &scree::detail::closed_forms_of_law<Aligner>};
 
 }  // namespace
 

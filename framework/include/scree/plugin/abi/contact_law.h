@@ -32,7 +32,11 @@ typedef enum scree_contact_input {
   SCREE_ORIENTATION_A = 20, /* 2D: 1 column, the angle (rad) of a since the start; 3D: 4 columns, the unit
                                      quaternion w, x, y, z of its rotation since the start */
   SCREE_ORIENTATION_B = 24, /* of b; of a wall 0, or 1, 0, 0, 0 */
-  SCREE_CONTACT_INPUT_COUNT = 28
+  SCREE_SEPARATION =
+      28,           /* (m) x_a − x_b of the nearest images. Of a wall: of a and of the wall's point, while
+                                     a crosses periodic faces without a jump */
+  SCREE_RADII = 31, /* 2 columns (m): R_a, R_b; of a wall 0 */
+  SCREE_CONTACT_INPUT_COUNT = 33
 } scree_contact_input;
 
 /* Columns that a law writes. */
@@ -123,6 +127,7 @@ typedef struct scree_closed_form {
 typedef struct scree_contact_law {
   uint32_t struct_size;
   uint32_t storage_size; /* <= SCREE_MAX_INSTANCE_SIZE */
+  uint32_t dimensions;   /* bit (1 << D) of each dimension D in which the law exists */
   int (*configure)(const scree_setup* setup, void* storage, scree_contact_instance* instance);
   /* Writes up to `capacity` forms and returns their number; the first is contact_time, the second
    * restitution. */
