@@ -208,6 +208,14 @@ TEST_CASE("a full disk leaves a run that is told to have failed, and whole files
   CHECK_FALSE(w.has("out/run/.room"));
   CHECK_THAT(w.text("out/run/final_packing.csv"), Catch::Contains("# time [s]: "));
   fs::remove_all(w / "out");
+  // One that goes on cannot take another directory, not even where it begins anew.
+  const std::string again = "; \"" SCREE_TEST_PROGRAM "\" resume disk/run --quiet";
+  const Outcome resumed =
+      run_on_disk("300k", "--set probe.every=1e-5 --set time.duration=0.2 --quiet 2> /dev/null" + again);
+  CHECK(resumed.status == 1);
+  CHECK(resumed.err.ends_with("scree: disk/run/series/energy.csv: cannot be written; free disk space\n"));
+  CHECK(w.record("out/run")["error"] == "disk/run/series/energy.csv: cannot be written; free disk space");
+  fs::remove_all(w / "out");
   const Outcome tiny = run_on_disk("40k", "");
   CHECK(tiny.status == 1);
   CHECK(tiny.err == "scree: disk/run/.room: cannot be written; free disk space, or give another --out\n");

@@ -116,6 +116,11 @@ TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
   const std::string over = "spectrum scene.toml --by linear --out out --quiet --overwrite";
   refused(over + " --set spectrum.observe=[\\'particles.x_1\\']", "'particles.x_1' does not respond");
   CHECK(w.text("out/spectrum.csv") == table);
+  const std::string staged = " --set time.duration=1e-3 --set probe.every=1e-3";
+  refused(over + staged + " --set spectrum.observe=[\\'particles.x_1\\']",
+          "'particles.x_1' does not respond");
+  CHECK(w.text("out/spectrum.csv") == table);
+  CHECK(w.scree(over + staged).status == 0);
   CHECK(w.scree(over).status == 0);
   w.write("out/spectrum.json", "{\"status\": 5}");
   refused("resume out", "out: there is no state yet; measure the scenario again with --overwrite");

@@ -94,7 +94,7 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
       options.on_warning(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
     directory.replace();
   }
-  return run_from(latest ? &latest->state : nullptr, plan, options, directory);
+  return run_from(latest ? &latest->state : nullptr, plan, options, directory, Place::same);
 }
 
 }  // namespace

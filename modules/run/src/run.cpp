@@ -53,11 +53,12 @@ std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& sta
 class Run {
  public:
   // state: that from which the run in the directory goes on; null for a new run.
-  Run(const scenario::Plan& plan, const RunOptions& options, RunDirectory& directory, const State* state)
+  Run(const scenario::Plan& plan, const RunOptions& options, RunDirectory& directory, const State* state,
+      Place place)
       : plan_(plan),
         options_(options),
         directory_(directory),
-        went_on_(state != nullptr),
+        place_(place),
         simulation_(state ? resumed(plan, *state, options.threads) : set_up(plan, options.threads)),
         sampler_(plan),
         pictures_(plan, directory_),
@@ -83,7 +84,7 @@ class Run {
         for (const std::string& warning : sampler_.unfilled()) results_.warn(warning);
       if (no_final_state_) std::rethrow_exception(no_final_state_);
     } catch (const Error& error) {
-      fail(files::record_line(error, went_on_));
+      fail(files::record_line(error, place_ == Place::same));
       files::rethrow_as_failure(error);
     } catch (const std::exception& error) {
       fail(error.what());
@@ -259,7 +260,7 @@ class Run {
   const scenario::Plan& plan_;
   const RunOptions& options_;
   RunDirectory& directory_;
-  const bool went_on_;
+  const Place place_;
   std::unique_ptr<Simulation> simulation_;
   SpareRoom room_;
   Sampler sampler_;
@@ -277,14 +278,14 @@ class Run {
 }  // namespace
 
 RunResult run_from(const State* state, const scenario::Plan& plan, const RunOptions& options,
-                   RunDirectory& directory) {
-  return Run(plan, options, directory, state).execute();
+                   RunDirectory& directory, Place place) {
+  return Run(plan, options, directory, state, place).execute();
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
   require_stages(plan);
   RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs);
-  return run_from(nullptr, plan, options, directory);
+  return run_from(nullptr, plan, options, directory, Place::free);
 }
 
 }  // namespace scree::run

@@ -45,7 +45,8 @@ Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, ru
 
 Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
-  if (plan_.stages.empty()) set_start(simulation->state());
+  // What is there stays until something can take its place.
+  if (plan_.stages.empty() || options_.overwrite) run_stages(*simulation);
   if (start_) check_start(*simulation);
   directory_.create();
   try {

@@ -84,7 +84,8 @@ class SymmetricFactors {
     pivot.template triangularView<Eigen::StrictlyUpper>() = front.topRows(width).transpose();
     if (on_pivot) on_pivot(pivot);
     pivots_[k].compute(pivot);
-    couplings_[k] = pivots_[k].solve(front.bottomRows(rest).transpose());
+    couplings_[k].resize(width, rest);
+    if (rest > 0) couplings_[k] = pivots_[k].solve(front.bottomRows(rest).transpose());
     for (Eigen::Index c = 0; c < rest; c += stripe) {
       const Eigen::Index columns = std::min(stripe, rest - c);
       update.block(c, c, rest - c, columns).noalias() -=
