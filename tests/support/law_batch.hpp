@@ -23,6 +23,12 @@ class LawBatch {
   void set(scree_contact_input column, const Vec3& v) { contact_.set(column, v); }
   double& history(std::size_t k) { return contact_.history(k); }
   double history(std::size_t k) const { return contact_.history(k); }
+  // A column of the history by name; setting one that the law does not have does nothing.
+  bool has_history(const std::string& name) const { return index_of(name) < law_.instance().history_width; }
+  double history(const std::string& name) const { return history(index_of(name)); }
+  void set_history(const std::string& name, double value) {
+    if (has_history(name)) history(index_of(name)) = value;
+  }
   double output(scree_contact_output column, int k = 0) const { return contact_.output(column, k); }
   Vec3 force() const { return contact_.output_vector(SCREE_FORCE); }
   const scree_contact_instance& instance() const { return law_.instance(); }
@@ -38,6 +44,13 @@ class LawBatch {
   }
 
  private:
+  std::uint32_t index_of(const std::string& name) const {
+    const scree_contact_instance& law = law_.instance();
+    std::uint32_t k = 0;
+    while (k < law.history_width && law.history_names[k] != name) ++k;
+    return k;
+  }
+
   static constexpr double nowhere_[3] = {0, 0, 0};
   int dimension_;
   ConfiguredLaw law_;

@@ -97,11 +97,13 @@ void open_closed_descriptors() {
     if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0) return;
 }
 
+constexpr const char* lost_output =
+    "standard output cannot be written; free disk space or redirect it elsewhere";
+
 // Output that did not reach its file must not pass for success.
 ExitStatus flushed(ExitStatus status) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return status;
-  throw Error("standard output cannot be written; free disk space or redirect it elsewhere",
-              ExitStatus::failure);
+  throw Error(lost_output, ExitStatus::failure);
 }
 
 ExitStatus main_of(int argc, char** argv) {
@@ -127,6 +129,7 @@ ExitStatus main_of(int argc, char** argv) {
     return report("out of memory; use fewer bodies, fewer samples or a computer with more",
                   ExitStatus::failure);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout)) return report(lost_output, ExitStatus::failure);
     return report(
         fmt::format("internal error: {}; please report it together with the scenario", error.what()),
         ExitStatus::failure);

@@ -17,8 +17,12 @@ void check_instance(const char* name, const scree_contact_instance& i) {
   if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
     throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
                             name, i.history_width, SCREE_MAX_HISTORY));
-  static_assert(SCREE_RADII < 32, "each input has a bit of `reads`");
-  constexpr std::uint32_t columns = ~(~1u << SCREE_RADII);
+  constexpr std::uint32_t columns = 1u << SCREE_NORMAL | 1u << SCREE_OVERLAP | 1u << SCREE_RELATIVE_VELOCITY |
+                                    1u << SCREE_TANGENTIAL_INCREMENT | 1u << SCREE_RELATIVE_SPIN |
+                                    1u << SCREE_ONSET_WEIGHT | 1u << SCREE_CONTACT_RADIUS |
+                                    1u << SCREE_REDUCED_MASS | 1u << SCREE_REDUCED_MASS_ROOT |
+                                    1u << SCREE_EFFECTIVE_RADIUS | 1u << SCREE_ORIENTATION_A |
+                                    1u << SCREE_ORIENTATION_B | 1u << SCREE_SEPARATION | 1u << SCREE_RADII;
   if ((i.reads & ~columns) != 0 || i.arms > SCREE_ARM_RADIUS ||
       i.sliding_column >= std::int32_t(i.history_width))
     throw Error(

@@ -38,8 +38,8 @@ class DiscPair {
 
   LawBatch& law() { return law_; }
   const DiscPose& pose() const { return pose_; }
-  double spring() const { return law_.history(column("spring")); }
-  double rolling() const { return law_.history(column("rolling")); }
+  double spring() const { return law_.history("spring"); }
+  double rolling() const { return law_.history("rolling"); }
   double energy() const { return law_.output(SCREE_ELASTIC_NORMAL) + law_.output(SCREE_ELASTIC_TANGENTIAL); }
   Vec2 force() const { return {{law_.output(SCREE_FORCE, 0), law_.output(SCREE_FORCE, 1)}}; }
   // Torques on a and b, with the law's arms.
@@ -48,12 +48,6 @@ class DiscPair {
 
  private:
   bool wall() const { return radius_b_ == 0; }
-  std::size_t column(const std::string& name) const {
-    const scree_contact_instance& law = law_.instance();
-    for (std::uint32_t k = 0; k < law.history_width; ++k)
-      if (law.history_names[k] == name) return k;
-    return 0;
-  }
   Vec2 normal(const DiscPose& p) const {
     if (wall()) return {{0, 1}};
     const Vec2 apart = p.a - p.b;
