@@ -1,8 +1,10 @@
 #include "measurement_report.hpp"
+#include "progress_bar.hpp"
 #include "spectrum_files.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -106,6 +108,17 @@ void print_lines(const std::vector<spectrum::FoundLine>& lines) {
   if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
 }
 
+std::vector<spectrum::FoundLine> lines_of(const SpectrumArguments& arguments,
+                                          const spectrum::TimeSeries& series,
+                                          const spectrum::AmplitudeSpectrum& amplitudes) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  ProgressBar bar(arguments.quiet);
+  return strongest_lines(series.times, series.values, amplitudes, most_lines, [&](double share) {
+    bar.show(share, std::chrono::duration<double>(Clock::now() - began).count(), "fitting lines");
+  });
+}
+
 ExitStatus analyse(const SpectrumArguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path(arguments.csv).parent_path() : fs::path(arguments.out);
@@ -123,7 +136,7 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   if (arguments.frequency > 0)
     print_harmonics(arguments, series);
   else
-    print_lines(strongest_lines(series.times, series.values, amplitudes, most_lines));
+    print_lines(lines_of(arguments, series, amplitudes));
   if (unevenness > tolerated_unevenness)
     report_warning(fmt::format(
         "{}: the steps differ, so {} is of straight lines between samples; lines above are of the samples "

@@ -60,12 +60,13 @@ FoundLine fitted_line(double frequency, std::span<const double> times, std::span
 }
 
 void fit_together(std::span<const double> times, std::span<const double> values,
-                  std::vector<FoundLine>& lines) {
-  // What others leave in a line falls by its share in them, some 0.05 at five resolutions, with each round.
-  constexpr int rounds = 6;
-  for (int round = 0; round < rounds && lines.size() > 1; ++round)
-    for (std::size_t n = 0; n < lines.size(); ++n)
+                  std::vector<FoundLine>& lines, const std::function<void(double)>& on_progress) {
+  const std::size_t count = lines.size();
+  for (std::size_t round = 0; round < rounds_together && count > 1; ++round)
+    for (std::size_t n = 0; n < count; ++n) {
+      on_progress(double(round * count + n) / double(rounds_together * count));
       lines[n] = fitted_line(lines[n].frequency, times, without_others(times, values, lines, n));
+    }
 }
 
 }  // namespace scree::spectrum

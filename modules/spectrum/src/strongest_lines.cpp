@@ -50,12 +50,19 @@ bool stands_out(const FoundLine& line) { return !(line.amplitude < least_over_er
 }  // namespace
 
 std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<const double> values,
-                                       const AmplitudeSpectrum& spectrum, std::size_t most) {
+                                       const AmplitudeSpectrum& spectrum, std::size_t most,
+                                       const std::function<void(double)>& on_progress) {
   std::vector<FoundLine> lines;
   std::vector<std::size_t> bins = candidates(spectrum.amplitude);
   bins.resize(std::min(bins.size(), 4 * most));  // of noise-free records, those beyond are round-off
+  const auto report = [&](double share) {
+    if (on_progress) on_progress(share);
+  };
+  // Each candidate is fitted once, the lines that are found several times.
+  const double fits = double(most * (1 + rounds_together));
   for (const std::size_t k : bins) {
     if (lines.size() == most) break;
+    report(double(lines.size()) / fits);
     try {
       const FoundLine line = fitted_line(interpolated(spectrum, k), times, values);
       const bool stayed = std::abs(line.frequency - spectrum.frequency(k)) < 2 * spectrum.resolution;
@@ -64,7 +71,9 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
       // The record is too short for this line, which then is not one to be told.
     }
   }
-  fit_together(times, values, lines);
+  const double together = double(lines.size() * rounds_together), alone = double(lines.size());
+  fit_together(times, values, lines,
+               [&](double share) { report((alone + share * together) / (alone + together)); });
   std::erase_if(lines, [](const FoundLine& line) { return !stands_out(line); });
   std::stable_sort(lines.begin(), lines.end(),
                    [](const FoundLine& a, const FoundLine& b) { return a.amplitude > b.amplitude; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -42,7 +43,9 @@ struct FoundLine : Line {
 // probability of 3 %, a random walk with about 1 %. The frequency of each is fitted with its amplitude and phase, in the record
 // less all other lines and with a cubic drift, so that it is not bound to multiples of the resolution. A line below five of its errors is none. Lines of fewer
 // than 3 periods and lines closer than 3 resolutions are not told apart.
+// on_progress, if given, receives the share that is done.
 std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<const double> values,
-                                       const AmplitudeSpectrum& spectrum, std::size_t most);
+                                       const AmplitudeSpectrum& spectrum, std::size_t most,
+                                       const std::function<void(double)>& on_progress = {});
 
 }  // namespace scree::spectrum
