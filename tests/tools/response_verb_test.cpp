@@ -62,7 +62,8 @@ TEST_CASE("response refuses what it cannot do in one line and writes nothing", "
   refused("--out out", "scenario is required", "see scree response --help");
   refused("scene.toml --out out --elastic", "scene.toml: elastic constants need two parallel walls",
           "or prepare such a packing");
-  refused("scene.toml --out out --fewest-contacts 9", "scene.toml: no body is held", "compress the packing");
+  refused("scene.toml --out out --fewest-contacts 9", "scene.toml: no body is held",
+          "compress the packing, or give a fewest_contacts below 9");
   refused("scene.toml --out out --picture 1,x", "--picture 1,x: 'x' is not the number of a mode", "as 1,4,7");
   refused("scene.toml --out out --near -3", "--near:", "see scree response --help");
 }

@@ -25,7 +25,8 @@ TEST_CASE("spectrum of a scenario takes all roads and prints what they found", "
   REQUIRE(outcome.status == 0);
   CHECK(outcome.err.empty());
   CHECK(lines_of(outcome.out) <= 27);
-  for (const char* part : {"linear ", "pulse ", "sweep ", "particles.z_8, linear:", "results in out"})
+  for (const char* part : {"linear ", "pulse ", "sweep ", "particles.z_8, linear:",
+                           "results in out: spectrum.csv, peaks.csv, sweep.csv, roads.csv"})
     CHECK(outcome.out.find(part) != std::string::npos);
   CHECK(w.text("out/spectrum.csv")
             .starts_with("road,frequency [Hz],particles.z_1.amplitude [1],particles.z_1.phase [rad],"));
@@ -81,10 +82,21 @@ TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothin
   refused(scene + "spectrum.amplitude=-1e-8", "--set spectrum.amplitude=", "give an amplitude above 0");
   refused(scene + "spectrum.to_hz=1e5", "--set spectrum.to_hz=", "a shorter time.step");
   refused(scene + "boundary.floor.control=\\'fixed\\'", "scene.toml:", "set the control that uses it");
-  refused(scene + "spectrum.fewest_contacts=9 --by linear", "no body is held", "compress the packing");
+  refused(scene + "spectrum.fewest_contacts=9 --by linear", "no body is held",
+          "compress the packing, or give a fewest_contacts below 9");
   const Workspace without;
   check_refused(without, without.scree("spectrum scene.toml --out out"), "scene.toml: has no [spectrum]",
                 "from_hz, to_hz and step_hz");
+}
+
+TEST_CASE("a spectrum of too few frequencies for peaks says so", "[tools]") {
+  const Workspace w(chain);
+  const Outcome outcome = w.scree("spectrum scene.toml --by linear --out out --set spectrum.step_hz=20");
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.find(
+            "particles.z_8: no peaks, which need 16 frequencies or more; give a smaller step_hz\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("a scenario of a spectrum without stages is checked, but not run", "[tools]") {

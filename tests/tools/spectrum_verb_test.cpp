@@ -44,6 +44,7 @@ TEST_CASE("spectrum prints amplitude, phase and errors of a frequency and its ha
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.status == 0);
     CHECK(outcome.out.starts_with("strain [1]: 2000 samples, 0 s to 1.999 s, step 0.001 s, drift: linear\n"));
+    CHECK(outcome.out.find(" 1/Hz\n") != std::string::npos);
     const auto rows = rows_of(outcome.out);
     REQUIRE(rows.size() > 5);
     CHECK(rows[2][0] == 50);

@@ -3,6 +3,8 @@
 #include "verdict_report.hpp"
 #include "watched_work.hpp"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 
 namespace scree::tool {
@@ -15,6 +17,13 @@ sound::Measurement with_progress(bool quiet,
   return work(watched(sound::MeasurementOptions(), bar));
 }
 
+std::string written_in(const std::filesystem::path& directory) {
+  std::string names = "spectrum.csv, peaks.csv";
+  for (const char* name : {"shapes.csv", "sweep.csv", "roads.csv", "charts"})
+    if (std::filesystem::exists(directory / name)) names += fmt::format(", {}", name);
+  return names;
+}
+
 }  // namespace
 
 ExitStatus report_measurement(bool quiet,
@@ -25,7 +34,7 @@ ExitStatus report_measurement(bool quiet,
   if (measurement.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
                measurement.directory.string());
-  fmt::print("results in {}: spectrum.csv, peaks.csv, roads.csv, charts/\n", measurement.directory.string());
+  fmt::print("results in {}: {}\n", measurement.directory.string(), written_in(measurement.directory));
   if (measurement.interrupted) return ExitStatus::interrupted;
   return met ? ExitStatus::success : ExitStatus::failure;
 }

@@ -79,6 +79,7 @@ void SpectrumFiles::write(const spectrum::AmplitudeSpectrum& amplitudes,
   chart.x_label = "frequency (Hz)";
   chart.y_label =
       series.unit.empty() ? "amplitude" : fmt::format("amplitude ({})", files::one_line(series.unit));
+  chart.y_label += ", the largest per pixel";
   chart.log_x = chart.log_y = true;
   chart.series.push_back(curve_of(amplitudes));
   if (chart.series[0].x.empty()) return;  // a constant

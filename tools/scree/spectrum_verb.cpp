@@ -70,6 +70,10 @@ std::string with_unit(const std::string& what, const std::string& unit) {
   return files::one_line(unit.empty() ? what : fmt::format("{} [{}]", what, unit));
 }
 
+std::string density_unit(const std::string& unit) {
+  return unit.empty() || unit == "1" ? "1/Hz" : fmt::format("({})^2/Hz", files::one_line(unit));
+}
+
 void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& series, double unevenness) {
   fmt::print("{}: {} samples, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
              with_unit(series.name, series.unit), series.times.size(), series.times.front(),
@@ -98,8 +102,9 @@ void print_harmonics(const SpectrumArguments& arguments, const spectrum::TimeSer
     }
   }();
   for (std::size_t k = 0; k < result.harmonics; ++k) print_line(result.lines[k], "-");
-  fmt::print("mean {:.10g}, rms of the rest {:.10g}, noise density at {:.10g} Hz {:.10g} per Hz\n",
-             result.mean, result.residual_rms, arguments.frequency, result.lines[0].noise_density);
+  fmt::print("mean {:.10g}, rms of the rest {:.10g}, noise density at {:.10g} Hz {:.10g} {}\n", result.mean,
+             result.residual_rms, arguments.frequency, result.lines[0].noise_density,
+             density_unit(series.unit));
 }
 
 void print_lines(const std::vector<spectrum::FoundLine>& lines) {

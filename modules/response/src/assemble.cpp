@@ -75,8 +75,11 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
   const WallEquations equations = equations_of_walls(simulation, options);
   const DegreesOfFreedom freedom = number_motions(contacts, held, equations, simulation.dimension(), spins);
   if (freedom.size() == 0)
-    throw Error(fmt::format("no body is held at t = {:g} s, of {} with {} contacts; compress the packing",
-                            simulation.time(), p.size(), contacts.size()));
+    throw Error(fmt::format("no body is held at t = {:g} s, of {} with {} contacts; compress the packing{}",
+                            simulation.time(), p.size(), contacts.size(),
+                            options.fewest_contacts > 1
+                                ? fmt::format(", or give a fewest_contacts below {}", options.fewest_contacts)
+                                : ""));
 
   Entries stiffness(freedom, equations), damping(freedom, equations), mass(freedom, equations);
   std::size_t sliding_contacts = 0, one_way_contacts = 0;

@@ -15,6 +15,8 @@ namespace scree::sound {
 
 namespace {
 
+constexpr double tolerated_change = 0.05;  // of the largest response, at half the amplitude
+
 RoadSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& half, std::size_t c,
                                const std::vector<double>& frequencies, double scale) {
   RoadSpectrum::Column column;
@@ -36,6 +38,18 @@ void note_tail(const PulseRecord& record, std::size_t c, const scenario::Spectru
       record.length(), plan.observed[c].name,
       std::isfinite(record.tail(c)) ? fmt::format("about {:.2g} of its largest value", record.tail(c))
                                     : "an unknown amount"));
+}
+
+void note_change(std::size_t c, const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
+  const RoadSpectrum::Column& column = road.columns[c];
+  const double change = *std::max_element(column.linearity.begin(), column.linearity.end());
+  double largest = 0;
+  for (const std::complex<double>& h : column.response) largest = std::max(largest, std::abs(h));
+  if (!(change > tolerated_change * largest)) return;
+  road.notes.push_back(fmt::format(
+      "pulse: at half the amplitude of {:g} m the response of {} changes by {:.2g} of its largest value, so that it is not linear; "
+      "give a lower spectrum.amplitude",
+      plan.amplitude, plan.observed[c].name, change / largest));
 }
 
 // A record that ends before its pulse has no spectrum.
@@ -73,6 +87,8 @@ RoadSpectrum pulse_spectrum(const Start& start) {
   const auto add =
       plan.pulse == scenario::SpectrumPlan::Pulse::noise ? add_noise_response : add_pulse_response;
   add(full, half, plan, road);
+  for (std::size_t c = 0; c < plan.observed.size(); ++c)
+    if (!plan.observed[c].of_shape) note_change(c, plan, road);
   road.wall = std::chrono::duration<double>(Clock::now() - began).count();
   return road;
 }

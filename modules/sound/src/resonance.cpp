@@ -10,8 +10,6 @@ namespace scree::sound {
 
 namespace {
 
-constexpr std::size_t fewest_frequencies = 16;
-
 bool is_finite(const RoadSpectrum::Column& column) {
   return std::all_of(column.response.begin(), column.response.end(), [](const std::complex<double>& h) {
     return std::isfinite(h.real()) && std::isfinite(h.imag());
@@ -52,7 +50,8 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
   for (std::size_t c = 0; !roads.empty() && c < responding(observed); ++c) {
     std::vector<spectrum::Mode> of_first;
     for (std::size_t r = 0; r < roads.size(); ++r) {
-      if (roads[r].frequencies.size() < fewest_frequencies || !is_finite(roads[r].columns[c])) continue;
+      if (roads[r].frequencies.size() < fewest_frequencies_of_peaks || !is_finite(roads[r].columns[c]))
+        continue;
       const auto modes = spectrum::find_modes(roads[r].frequencies, roads[r].columns[c].response,
                                               time_derivative(observed[c].unit));
       if (r == 0) of_first = modes;

@@ -126,3 +126,22 @@ TEST_CASE("a pulse that has not decayed is noted with its bound", "[sound]") {
           road.columns[1].error[k]);
   }
 }
+
+TEST_CASE("a pulse too high for a linear response is noted with the change at half its amplitude",
+          "[sound]") {
+  const Chain chain;
+  // The top bead is pressed by 1e-5 m: a pulse of 1e-3 m opens contacts, one of 1e-8 m does not.
+  const char* amplitude = GENERATE("1e-8", "1e-3");
+  const scenario::Plan plan = plan_of(with(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 2\n"),
+                                           "amplitude = 1e-8", "amplitude = " + std::string(amplitude)));
+  const RoadSpectrum road = pulse_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+  CAPTURE(amplitude, road.notes);
+  if (std::string(amplitude) == "1e-8") {
+    CHECK(road.notes.empty());
+    return;
+  }
+  REQUIRE(road.notes.size() == 2);  // of z_1 and z_8
+  CHECK(road.notes[1].starts_with(
+      "pulse: at half the amplitude of 0.001 m the response of particles.z_8 changes by"));
+  CHECK(road.notes[1].ends_with("; give a lower spectrum.amplitude"));
+}

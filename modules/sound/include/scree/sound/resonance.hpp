@@ -23,7 +23,9 @@ struct Resonance {
   std::vector<double> shape;  // their parts in phase with each other, the largest 1
 };
 
-// The peaks of all roads, by column, road and frequency. Roads of fewer than 16 frequencies, and columns with numbers that are not
+constexpr std::size_t fewest_frequencies_of_peaks = 16;
+
+// The peaks of all roads, by column, road and frequency. Roads of fewer frequencies than that, and columns with numbers that are not
 // finite, have none. `observed`: of the columns of the roads.
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed);
