@@ -169,7 +169,6 @@ void add_cycles_verb(CommandLine& line) {
   verb.option(
           "--start", a->request.first_minimum,
           "Time of the first minimum of the load (s); default: the beginning of that stage, or the first row")
-      .between(-1e15, 1e15)
       .shown_as("TIME");
   verb.option("--drop", a->drop, "Cycles before the first that counts (default 29)").between(0, 1e9);
   verb.option("--round-off", a->round_off,

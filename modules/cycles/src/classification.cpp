@@ -16,8 +16,6 @@ namespace scree::cycles {
 
 namespace {
 
-constexpr double largest_minority = 0.25;
-
 void check(std::span<const double> strain, const ClassOptions& options) {
   const std::size_t cycles = strain.empty() ? 0 : strain.size() - 1;
   if (strain.size() < options.drop + least_cycles)
@@ -44,15 +42,11 @@ struct Statistics {
   Outliers outliers;
   Settling settling;
 
-  bool is_minority() const {
-    return !outliers.places.empty() &&
-           double(outliers.places.size()) <= largest_minority * double(kept.size());
-  }
   Class kind() const {
     if (c.range <= c.round_off) return Class::constant;
     if (c.line.ratchets()) return Class::ratcheting;
     if (repetition.probability < options.significance) return Class::periodic;
-    if (is_minority()) return Class::outliers;
+    if (!outliers.places.empty()) return Class::outliers;
     if (settling.probability < options.significance) return Class::shakedown;
     return Class::irregular;
   }

@@ -10,6 +10,8 @@ namespace scree::cycles {
 
 namespace {
 
+constexpr std::size_t longest = 1000;  // the time to try all periods grows with their number
+
 // F of the phases of one period.
 double folded_f(const std::vector<double>& ranks, double variation, std::size_t period) {
   const double n = double(ranks.size()), mean = 0.5 * (n + 1);
@@ -34,7 +36,7 @@ Repetition best_repetition(std::span<const double> values) {
   for (const double rank : ranks) variation += (rank - mean) * (rank - mean);
   Repetition best;
   if (variation == 0) return best;
-  for (std::size_t period = 2; period <= values.size() / 3; ++period) {
+  for (std::size_t period = 2; period <= std::min(values.size() / 3, longest); ++period) {
     const double f = folded_f(ranks, variation, period);
     const double probability = tail_of_f(f, double(period - 1), n - double(period));
     ++best.periods;

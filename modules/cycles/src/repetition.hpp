@@ -10,7 +10,7 @@ struct Repetition {
   std::size_t period = 0;   // (cycles)
   double f = 0;             // variance of the means of the phases over that within phases, of ranks
   double probability = 1;   // of this or a larger F in values in random order, for any of the periods
-  std::size_t periods = 0;  // that were tried: 2 to a third of the values
+  std::size_t periods = 0;  // that were tried: 2 to a third of the values, at most 1000
 };
 
 // The values are folded at each period and their ranks compared between phases. Unlike an autocorrelation, this is small for smooth curves, and ranks

@@ -109,6 +109,25 @@ TEST_CASE("a strain that repeats is periodic, with its shortest period", "[class
   CHECK(tilted.robust.slope == Approx(1e-8).epsilon(0.01));
 }
 
+TEST_CASE("a value that stands off neither hides a repetition nor makes one", "[classification]") {
+  const auto single = [](double n) { return n == 95 ? 1.0 : 1e-9 * std::fmod(n, 2); };
+  const Classification hidden = classify(series(single));
+  CHECK(hidden.kind == Class::periodic);
+  CHECK(hidden.period == 2);
+  CHECK(hidden.outliers == std::vector<std::size_t>{95});
+  const auto two = [](double n) { return n == 50 || n == 60 ? 1e-6 : 0.0; };
+  CHECK(of_200(Class::outliers, two, 1e-10) >=
+        196);  // 0.5 % pass for periodic: 1 of 200, and three standard deviations
+}
+
+TEST_CASE("the median line of many values is that of some of their pairs", "[classification]") {
+  std::vector<double> values = series([](double n) { return 3 - 2 * n; }, 0, 1, 6000);
+  for (std::size_t k = 0; k < values.size(); k += 5) values[k] = 1e6;
+  const auto line = scree::cycles::robust_line(values, 10);
+  CHECK(line.slope == -2);
+  CHECK(line.intercept == 23);
+}
+
 TEST_CASE("single cycles that stand off are outliers, and are listed", "[classification]") {
   const auto spikes = [](double n) {
     return (n == 42 ? 3e-8 : n == 63 ? -5.6e-7 : n == 64 ? -1e-9 : n == 80 ? 2e-9 : 0.0);
@@ -127,7 +146,7 @@ TEST_CASE("single cycles that stand off are outliers, and are listed", "[classif
   CHECK(decaying.kind == Class::outliers);
   CHECK(decaying.outliers == places);
   CHECK(of_200(
-            Class::outliers, [&](double n) { return spikes(n); }, 5e-11) >= 199);
+            Class::outliers, [&](double n) { return spikes(n); }, 5e-11) >= 196);
   // Of noise no cycle stands off: ten deviations are improbable for normal noise.
   CHECK(of_200(
             Class::outliers, [](double) { return 0.0; }, 1e-9) == 0);
@@ -141,13 +160,14 @@ TEST_CASE("single cycles that stand off are outliers, and are listed", "[classif
 }
 
 TEST_CASE("a strain whose increments fall shakes down", "[classification]") {
+  // 0.5 % of noise pass for periodic, so that 196 of 200 remain, as above.
   const auto exponential = [](double n) { return 1e-4 * (1 - std::exp(-(n - 29) / 10)); };
   const auto power = [](double n) { return 1e-4 * std::pow(n + 1, -0.5); };
   const auto logarithm = [](double n) { return 1e-6 * std::log(1 + std::max(0.0, n - 28)); };
   for (const double noise : {0.0, 1e-7}) {
-    CHECK(of_200(Class::shakedown, exponential, noise) >= 199);
-    CHECK(of_200(Class::shakedown, power, noise / 10) >= 199);
-    CHECK(of_200(Class::shakedown, logarithm, noise / 100) >= 199);
+    CHECK(of_200(Class::shakedown, exponential, noise) >= 196);
+    CHECK(of_200(Class::shakedown, power, noise / 10) >= 196);
+    CHECK(of_200(Class::shakedown, logarithm, noise / 100) >= 196);
   }
   CHECK(classify(series(exponential)).settling_probability < 1e-6);
   // Increments that grow do not.

@@ -14,7 +14,8 @@ struct CycleTimes {
 
 // One cycle of a load, from one of its minima to the next.
 struct Loop {
-  double area = 0;  // ∮ q dγ, > 0 if the load does work; NaN with fewer than three samples within the cycle
+  double area =
+      0;  // ∮ q dγ; > 0 if the load does work, where both are positive in one sense; NaN with fewer than three samples within the cycle
   double stiffness =
       0;  // (q_max − q_min)/(γ at q_max − γ at q_min); NaN if the strains are equal, or as above
 };
