@@ -119,6 +119,7 @@ ExitStatus main_of(int argc, char** argv) {
     add_campaign_verb(line);
     add_bench_verb(line);
     add_spectrum_verb(line);
+    add_cycles_verb(line);
     add_response_verb(line);
     add_new_plugin_verb(line);
     add_test_plugin_verb(line);

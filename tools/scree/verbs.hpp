@@ -50,6 +50,7 @@ void add_accuracy_verb(CommandLine& line);
 void add_campaign_verb(CommandLine& line);
 void add_bench_verb(CommandLine& line);
 void add_spectrum_verb(CommandLine& line);
+void add_cycles_verb(CommandLine& line);
 void add_response_verb(CommandLine& line);
 void add_new_plugin_verb(CommandLine& line);
 void add_test_plugin_verb(CommandLine& line);

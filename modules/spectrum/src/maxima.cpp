@@ -1,10 +1,10 @@
 #include "maxima.hpp"
 
-#include "median.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <scree/spectrum/median.hpp>
 
 namespace scree::spectrum {
 

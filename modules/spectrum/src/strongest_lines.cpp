@@ -1,6 +1,6 @@
 #include "line_fit.hpp"
-#include "median.hpp"
 #include "scree/spectrum/amplitude_spectrum.hpp"
+#include "scree/spectrum/median.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+namespace scree::cycles {
+
+// γ_n = intercept + slope n, fitted by least squares.
+struct StraightLine {
+  double intercept = 0;    // γ at n = 0
+  double slope = 0;        // per cycle
+  double slope_error = 0;  // standard error, of deviations that are independent
+  double rms = 0;          // root mean square of the deviations
+
+  // The verdict of McNamara et al. 2008, section IV B 1: the deviations are smaller than the strain of one cycle.
+  bool ratchets() const { return rms < (slope < 0 ? -slope : slope); }
+};
+
+// The line through values at n = first, first + 1, ... . Throws Error for fewer than three.
+StraightLine fit_line(std::span<const double> values, double first = 0);
+
+// The median of the slopes between all pairs of values (Theil and Sen), or of every s-th distance where there are more than some millions; and the median of
+// the intercepts. A quarter of the values may be anything.
+StraightLine robust_line(std::span<const double> values, double first = 0);
+
+}  // namespace scree::cycles

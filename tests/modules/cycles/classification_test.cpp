@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/cycles/classification.hpp>
+#include <scree/error.hpp>
+
+using scree::cycles::Class;
+using scree::cycles::Classification;
+using scree::cycles::classify;
+using scree::cycles::ClassOptions;
+
+namespace {
+
+constexpr std::size_t minima = 101;  // of which the last 72 count
+
+// A strain of minima 0, 1, ... with normal noise.
+template <class Strain>
+std::vector<double> series(const Strain& strain, double noise = 0, unsigned seed = 1,
+                           std::size_t count = minima) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> values;
+  for (std::size_t n = 0; n < count; ++n) values.push_back(strain(double(n)) + noise * normal(random));
+  return values;
+}
+
+// How many of 200 series with different noise are of a class.
+template <class Strain>
+int of_200(Class kind, const Strain& strain, double noise) {
+  int count = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const Classification c = classify(series(strain, noise, seed));
+    if (c.kind != kind && count < 3) UNSCOPED_INFO(class_name(c.kind) << ": " << c.reason);
+    count += c.kind == kind;
+  }
+  return count;
+}
+
+std::string refusal(const std::vector<double>& strain, const ClassOptions& options = {}) {
+  try {
+    classify(strain, options);
+  } catch (const scree::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a strain within round-off is constant, also on a large mean", "[classification]") {
+  const Classification c = classify(series([](double n) { return 1e-3 + (n > 70 ? 7e-16 : 0); }));
+  CHECK(c.kind == Class::constant);
+  CHECK(c.range == Approx(7e-16).epsilon(0.4));  // units in the last place of 1e-3: 2.2e-19
+  CHECK(c.reason == "the strain stays within 7.00e-16, at most the round-off 1.00e-13");
+  CHECK(classify(series([](double n) { return 2e3 + 1e-11 * std::sin(n); })).kind == Class::constant);
+  CHECK(classify(series([](double n) { return 2e-12 * std::sin(n * n); })).kind != Class::constant);
+  ClassOptions coarse;
+  coarse.round_off = 1e-11;
+  CHECK(classify(series([](double n) { return 2e-12 * std::sin(n * n); }), coarse).kind == Class::constant);
+}
+
+TEST_CASE("a straight line ratchets until its deviations exceed its slope", "[classification]") {
+  const Classification exact = classify(series([](double n) { return 0.5 - 2e-9 * n; }));
+  CHECK(exact.kind == Class::ratcheting);
+  // Round-off of values of 0.5, 1.1e-16, over some cycles.
+  CHECK(exact.line.slope == Approx(-2e-9).epsilon(1e-8));
+  CHECK(exact.line.intercept == Approx(0.5).epsilon(1e-13));
+  CHECK(exact.line.rms < 1e-15);
+  // The deviation of the rms of 72 is 8 %: 0.7 and 1.4 slopes are more than three of these from 1.
+  CHECK(of_200(
+            Class::ratcheting, [](double n) { return 2e-9 * n; }, 1.4e-9) == 200);
+  CHECK(of_200(
+            Class::ratcheting, [](double n) { return 2e-9 * n; }, 2.8e-9) == 0);
+}
+
+TEST_CASE("the standard error of a slope is that of its scatter", "[classification]") {
+  double squares = 0, stated = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const Classification c = classify(series([](double n) { return 3 * n; }, 1, seed));
+    squares += (c.line.slope - 3) * (c.line.slope - 3) / 400;
+    stated += c.line.slope_error * c.line.slope_error / 400;
+  }
+  // The scatter of a variance from 400 values: sqrt(2/400) = 7 %, three times.
+  CHECK(squares == Approx(stated).epsilon(0.21));
+}
+
+TEST_CASE("a strain that repeats is periodic, with its shortest period", "[classification]") {
+  const auto wave = [](double period) {
+    return [period](double n) { return 1e-6 * std::cos(2 * std::numbers::pi * (n + 0.3) / period); };
+  };
+  for (const double period : {2, 3, 7, 24}) {
+    CHECK(of_200(Class::periodic, wave(period), 2e-7) >= 199);
+    const Classification c = classify(series(wave(period)));
+    CHECK(c.kind == Class::periodic);
+    CHECK(double(c.period) == period);
+  }
+  const Classification peaks =
+      classify(series([](double n) { return std::fmod(n, 5) == 0 ? 1e-8 : 0; }, 1e-14));
+  CHECK(peaks.kind == Class::periodic);
+  CHECK(peaks.period == 5);
+  const Classification tilted =
+      classify(series([](double n) { return 1e-8 * n + (std::fmod(n, 2) == 0 ? 1e-6 : 0); }));
+  CHECK(tilted.kind == Class::periodic);
+  CHECK(tilted.robust.slope == Approx(1e-8).epsilon(0.01));
+}
+
+TEST_CASE("a value that stands off neither hides a repetition nor makes one", "[classification]") {
+  const auto single = [](double n) { return n == 95 ? 1.0 : 1e-9 * std::fmod(n, 2); };
+  const Classification hidden = classify(series(single));
+  CHECK(hidden.kind == Class::periodic);
+  CHECK(hidden.period == 2);
+  CHECK(hidden.outliers == std::vector<std::size_t>{95});
+  const auto two = [](double n) { return n == 50 || n == 60 ? 1e-6 : 0.0; };
+  CHECK(of_200(Class::outliers, two, 1e-10) >=
+        196);  // 0.5 % pass for periodic: 1 of 200, and three standard deviations
+}
+
+TEST_CASE("the median line of many values is that of some of their pairs", "[classification]") {
+  std::vector<double> values = series([](double n) { return 3 - 2 * n; }, 0, 1, 6000);
+  for (std::size_t k = 0; k < values.size(); k += 5) values[k] = 1e6;
+  const auto line = scree::cycles::robust_line(values, 10);
+  CHECK(line.slope == -2);
+  CHECK(line.intercept == 23);
+}
+
+TEST_CASE("single cycles that stand off are outliers, and are listed", "[classification]") {
+  const auto spikes = [](double n) {
+    return (n == 42 ? 3e-8 : n == 63 ? -5.6e-7 : n == 64 ? -1e-9 : n == 80 ? 2e-9 : 0.0);
+  };
+  const std::vector<std::size_t> places = {42, 63, 64, 80};
+  const Classification flat = classify(series(spikes, 1e-16));
+  CHECK(flat.kind == Class::outliers);
+  CHECK(flat.outliers == places);
+  const Classification inclined =
+      classify(series([&](double n) { return 1e-9 * n + 30 * spikes(n); }, 1e-12));
+  CHECK(inclined.kind == Class::outliers);
+  CHECK(inclined.outliers == places);
+  CHECK(inclined.robust.slope == Approx(1e-9).epsilon(1e-3));
+  const Classification decaying =
+      classify(series([&](double n) { return 1e-9 * std::exp(-n / 12) + 30 * spikes(n); }));
+  CHECK(decaying.kind == Class::outliers);
+  CHECK(decaying.outliers == places);
+  CHECK(of_200(
+            Class::outliers, [&](double n) { return spikes(n); }, 5e-11) >= 196);
+  // Of noise no cycle stands off: ten deviations are improbable for normal noise.
+  CHECK(of_200(
+            Class::outliers, [](double) { return 0.0; }, 1e-9) == 0);
+  // A step and a decay without noise have no cycle that stands off.
+  CHECK(classify(series([](double n) { return n < 60 ? 0 : 1e-6; })).outliers.empty());
+  CHECK(classify(series([](double n) { return std::exp(-(n - 29) / 5); })).outliers.empty());
+  // More than a quarter are no minority.
+  const Classification many =
+      classify(series([](double n) { return std::sin(n * n) > 0.6 ? 1e-8 : 0; }, 1e-13));
+  CHECK(many.kind != Class::outliers);
+}
+
+TEST_CASE("a strain whose increments fall shakes down", "[classification]") {
+  // 0.5 % of noise pass for periodic, so that 196 of 200 remain, as above.
+  const auto exponential = [](double n) { return 1e-4 * (1 - std::exp(-(n - 29) / 10)); };
+  const auto power = [](double n) { return 1e-4 * std::pow(n + 1, -0.5); };
+  const auto logarithm = [](double n) { return 1e-6 * std::log(1 + std::max(0.0, n - 28)); };
+  for (const double noise : {0.0, 1e-7}) {
+    CHECK(of_200(Class::shakedown, exponential, noise) >= 196);
+    CHECK(of_200(Class::shakedown, power, noise / 10) >= 196);
+    CHECK(of_200(Class::shakedown, logarithm, noise / 100) >= 196);
+  }
+  CHECK(classify(series(exponential)).settling_probability < 1e-6);
+  // Increments that grow do not.
+  CHECK(of_200(
+            Class::shakedown, [](double n) { return 1e-4 * std::exp((n - 100) / 10); }, 1e-7) == 0);
+}
+
+TEST_CASE("of noise one in a hundred is called ratcheting, periodic or shakedown", "[classification]") {
+  const auto share = [](std::size_t count, auto noise) {
+    int called = 0;
+    for (unsigned seed = 1; seed <= 1000; ++seed) {
+      std::mt19937_64 random(seed);
+      std::vector<double> values;
+      for (std::size_t n = 0; n < count; ++n) values.push_back(noise(random));
+      const Class kind = classify(values).kind;
+      called += kind == Class::ratcheting || kind == Class::periodic || kind == Class::shakedown;
+    }
+    return called;
+  };
+  // Two tests of 0.5 %: 10 of 1000, and three standard deviations of such a number, 9.4.
+  std::normal_distribution<double> normal(0, 1e-7);
+  std::uniform_real_distribution<double> uniform(0, 1e-7);
+  std::exponential_distribution<double> exponential(1e7);
+  CHECK(share(101, normal) <= 19);
+  CHECK(share(101, uniform) <= 19);
+  CHECK(share(101, exponential) <= 19);
+  CHECK(share(300, normal) <= 19);
+  // With the fewest cycles the probabilities are off by up to a factor of two: 20 and three times 4.4.
+  CHECK(share(29 + scree::cycles::least_cycles, normal) <= 33);
+}
+
+TEST_CASE("noise is irregular, and the reason names all that was tried", "[classification]") {
+  const Classification c = classify(series([](double) { return 0.0; }, 1e-7, 3));
+  CHECK(c.kind == Class::irregular);
+  CHECK(c.reason.starts_with("deviations of "));
+  CHECK(c.reason.find("both above 0.005; 0 cycles stand off") != std::string::npos);
+  // A transient within the cycles that count.
+  const Classification late = classify(series([](double n) { return n < 50 ? 0 : 1e-8 * (n - 50); }));
+  CHECK(late.kind == Class::irregular);
+  CHECK(late.reason.find("; the last 36 alone ratchet by 1.000e-08 per cycle") != std::string::npos);
+}
+
+TEST_CASE("a strain that cannot be classified is refused in one line", "[classification]") {
+  const auto flat = [](double) { return 0.0; };
+  CHECK(refusal(series(flat, 0, 1, 44)) ==
+        "43 cycles, of which 29 are dropped, are too few; give 44 or more, or drop fewer");
+  CHECK(refusal(series(flat, 0, 1, 45)).empty());
+  CHECK(refusal({}).starts_with("0 cycles, of which 29 are dropped"));
+  CHECK(refusal(series([](double n) { return n == 7 ? std::nan("") : 0; })) ==
+        "the strain of cycle 7 is not finite; leave it out");
+  ClassOptions options;
+  options.significance = 0;
+  CHECK(refusal(series(flat), options).ends_with("give 0 or more, 0 to 1, and above 0"));
+}

@@ -1,0 +1,124 @@
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/cycles/cycle_series.hpp>
+#include <scree/error.hpp>
+
+using scree::cycles::cycle_series;
+using scree::cycles::CycleSeries;
+using scree::cycles::CycleTimes;
+
+namespace {
+
+struct Record {
+  std::vector<double> times, strain, load;
+};
+
+// A load 3 + 0.5 (1 − cos) and a strain of amplitude 2e-3 that lags by a quarter of a cycle, so that the loop is an ellipse, on a drift.
+Record ellipses(double cycles, int per_cycle, double drift = 0, double phase = std::numbers::pi / 2) {
+  Record r;
+  for (int k = 0; k <= int(cycles * per_cycle); ++k) {
+    const double t = 4.0 * k / per_cycle, turn = 2 * std::numbers::pi * t / 4;
+    r.times.push_back(10 + t);
+    r.strain.push_back(0.7 + 2e-3 * (1 - std::cos(turn - phase)) + drift * t / 4);
+    r.load.push_back(3 + 0.5 * (1 - std::cos(turn)));
+  }
+  return r;
+}
+
+CycleSeries series_of(const Record& r, const CycleTimes& cycles) {
+  return cycle_series(r.times, r.strain, r.load, cycles);
+}
+
+std::string refusal(const Record& r, const CycleTimes& cycles) {
+  try {
+    series_of(r, cycles);
+  } catch (const scree::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("the area of an elliptic loop is pi a b times that of its polygon", "[cycle_series]") {
+  for (const int n : {3, 8, 200}) {
+    const CycleSeries s = series_of(ellipses(5, n), {4, 10});
+    REQUIRE(s.loops.size() == 5);
+    const double polygon = std::sin(2 * std::numbers::pi / n) / (2 * std::numbers::pi / n);
+    // Round-off of strains of 0.7 over loops of 2e-3, 1e-13, some times.
+    for (const auto& loop : s.loops)
+      CHECK(loop.area == Approx(std::numbers::pi * 0.5 * 2e-3 * polygon).epsilon(1e-12));
+  }
+  // In the other sense the load takes energy back.
+  const CycleSeries back = series_of(ellipses(5, 200, 0, -std::numbers::pi / 2), {4, 10});
+  CHECK(back.loops[2].area < 0);
+}
+
+TEST_CASE("stiffness is the slope between the extremes of the load", "[cycle_series]") {
+  const CycleSeries s = series_of(ellipses(5, 8, 1e-5, 0), {4, 10});
+  // In phase: 1 / 4e-3 and half a cycle's drift.
+  for (const auto& loop : s.loops) CHECK(loop.stiffness == Approx(1 / (4e-3 + 0.5e-5)).epsilon(1e-11));
+}
+
+TEST_CASE("strain is taken at the minima of the load, between samples on a straight line", "[cycle_series]") {
+  const CycleSeries s = series_of(ellipses(5, 8, 1e-5), {4, 10});
+  REQUIRE(s.strain.size() == 6);
+  for (std::size_t n = 0; n < 6; ++n) CHECK(s.strain[n] == Approx(0.702 + 1e-5 * double(n)).epsilon(1e-14));
+  std::vector<double> times, strain;
+  for (int k = 0; k < 50; ++k) {
+    times.push_back(0.3 * k);
+    strain.push_back(5 - 2 * times.back());
+  }
+  const CycleSeries line = cycle_series(times, strain, {}, {1, 0.5});
+  REQUIRE(line.strain.size() == 15);
+  CHECK(line.loops.empty());
+  for (std::size_t n = 0; n < 15; ++n) CHECK(line.strain[n] == Approx(4 - 2 * double(n)).margin(1e-13));
+}
+
+TEST_CASE("with one sample per cycle strains are the samples, and loops have no numbers", "[cycle_series]") {
+  const std::vector<double> times = {9.200000000000001, 19.2, 29.2, 39.20000000000001}, strain = {1, 3, 2, 7},
+                            load = {1, 2, 1, 2};
+  const CycleSeries s = cycle_series(times, strain, load, {10, times[0]});
+  CHECK(s.strain == strain);
+  REQUIRE(s.loops.size() == 3);
+  CHECK(std::isnan(s.loops[0].area));
+  CHECK(std::isnan(s.loops[0].stiffness));
+}
+
+TEST_CASE("strain of lengths is the difference of their ratios", "[cycle_series]") {
+  const std::vector<double> x = {3, 2, 1}, y = {1, 2, 3};
+  CHECK(scree::cycles::strain_of_lengths(x, y, 1) == std::vector<double>{-1, 0, 1});
+  CHECK_THROWS_AS(scree::cycles::strain_of_lengths(x, y, 3), scree::Error);
+  CHECK_THROWS_AS(scree::cycles::strain_of_lengths(std::vector<double>{1, 0}, std::vector<double>{1, 1}, 0),
+                  scree::Error);
+}
+
+TEST_CASE("series without cycles are refused in one line", "[cycle_series]") {
+  const Record good = ellipses(5, 8);
+  CHECK(refusal(good, {4, 10}).empty());
+  CHECK(
+      refusal(good, {0.4, 10}) ==
+      "a period of 0.4 s is shorter than the 0.5 s between samples; give the period of the load, or sample more often");
+  CHECK(refusal(good, {40, 10}).starts_with("no cycle of 40 s from 10 s to 30 s, where the samples end; "));
+  CHECK(refusal(good, {4, 3}).starts_with("the first minimum at 3 s is before the first sample at 10 s; "));
+  CHECK(
+      refusal(good, {4, 12}) ==
+      "the load is 4 at 12 s, but between 3 and 4 in the cycle that begins there; give the time of its first minimum "
+      "with --start, and its --period");
+  Record flat = good;
+  for (double& q : flat.load) q = 3;
+  CHECK(refusal(flat, {4, 10}).starts_with("the load is 3 from 10 s to 14 s: there is no cycle in it; "));
+  Record back = good;
+  back.times[3] = back.times[2];
+  CHECK(refusal(back, {4, 10}) == "time 11 follows 11; give times that increase");
+  Record nan = good;
+  nan.strain[4] = std::nan("");
+  CHECK(refusal(nan, {4, 10}) == "sample 4 is not finite; leave it out");
+  nan.strain.pop_back();
+  CHECK(refusal(nan, {4, 10}).ends_with("give one of each per sample"));
+}

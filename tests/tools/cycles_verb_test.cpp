@@ -1,0 +1,134 @@
+#include "program.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+using scree::test::check_refused;
+using scree::test::Workspace;
+
+namespace {
+
+// A series of a probe `box`: a load of period 2 s from 1.5 s on, 8 samples in each of 60 cycles, and lengths that ratchet by 1e-6 per cycle.
+std::string series() {
+  std::string text = "time [s],length_x [m],length_y [m],strain,stress [Pa],none\n";
+  for (int k = 0; k <= 480; ++k) {
+    const double t = 0.25 * k, turn = std::numbers::pi * t;
+    const double strain = 1e-3 * std::sin(turn) + 1e-6 * t / 2;
+    text += fmt::format("{},{},{},{},{},7\n", 1.5 + t, 2.0, 3 * (1 + strain), strain, 5 - std::cos(turn));
+  }
+  return text;
+}
+
+// A directory as of a run whose second stage has the period.
+void write_run(const Workspace& w, const std::string& name) {
+  std::filesystem::create_directories(w / (name + "/series"));
+  w.write(name + "/series/box.csv", series());
+  w.write(name + "/series/energy.csv", "time [s],kinetic [J]\n0,1\n1,1\n");
+  w.write(name + "/scenario.toml", "[[stage]]\nduration = 1.5\n[[stage]]\ncycles = 60\nperiod = 2\n");
+  w.write(name + "/run.json", R"({"stages": [{"start": 0, "end": 1.5}, {"start": 1.5, "end": 121.5}]})");
+}
+
+}  // namespace
+
+TEST_CASE("cycles of a run takes the series with the lengths and the period of its stage", "[tools]") {
+  const Workspace w;
+  write_run(w, "run");
+  const auto outcome = w.scree("cycles run --load stress");
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.starts_with(
+      "run/series/box.csv: length_y/length_y0 - length_x/length_x0, 60 cycles of 2 s from 1.5 s, 29 dropped\n"));
+  CHECK(outcome.out.find("\nclass         ratcheting: ") != std::string::npos);
+  const auto record = w.record("run", "cycles.json");
+  CHECK(record["class"] == "ratcheting");
+  CHECK(record["cycles"] == 60);
+  // L_0 is the length at cycle 29, which is 1 + 29e-6 of the first; round-off of the lengths over 31 cycles.
+  CHECK(double(record["fit"]["slope"]) == Approx(1e-6 / (1 + 29e-6)).epsilon(1e-8));
+  const std::string table = w.text("run/cycles.csv");
+  CHECK(table.starts_with(
+      "cycle,time [s],length_y/length_y0 - length_x/length_x0,fit,outlier,loop_area,stiffness\n0,1.5,"));
+  CHECK(table.find("\n29,59.5,0,") != std::string::npos);
+  CHECK(w.has("run/cycles.png") == SCREE_TEST_PICTURES);
+}
+
+TEST_CASE("cycles of a file takes a column, a period and a load", "[tools]") {
+  const Workspace w;
+  w.write("box.csv", series());
+  const auto outcome =
+      w.scree("cycles --csv box.csv --strain strain --load stress --period 2 --drop 40 --out out");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  // The polygon of 8 points on an ellipse of 1e-3 and 1; the strain leads, so that the area is negative. The drift of 1e-6 skews it by as little.
+  const double polygon = std::numbers::pi * 1e-3 * std::sin(std::numbers::pi / 4) / (std::numbers::pi / 4);
+  CHECK(outcome.out.find(fmt::format("mean area {:.3g}", -polygon).substr(0, 15)) != std::string::npos);
+  CHECK(w.record("out", "cycles.json")["load"] == "stress [Pa]");
+}
+
+TEST_CASE("cycles without a period takes each row for a cycle", "[tools]") {
+  const Workspace w;
+  std::string text = "time,x\n";
+  for (int k = 0; k < 60; ++k) text += fmt::format("{},{}\n", 10 * k, k == 50 ? 1 : 1e-9 * (k % 2));
+  w.write("x.csv", text);
+  const auto outcome = w.scree("cycles --csv x.csv --strain x");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.starts_with("x.csv: x, 59 cycles from 0 s, 29 dropped\n"));
+  CHECK(w.record(".", "cycles.json")["class"] == "periodic");
+  CHECK(w.record(".", "cycles.json")["repeats_after"] == 2);
+  CHECK(w.record(".", "cycles.json")["outliers"] == std::vector<int>{50});
+}
+
+TEST_CASE("cycles of several runs counts the classes and the signs", "[tools]") {
+  const Workspace w;
+  write_run(w, "a");
+  write_run(w, "b");
+  const auto outcome = w.scree("cycles a b/ --out out");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.find(
+            "2 runs: 0 constant, 2 ratcheting, 0 periodic, 0 outliers, 0 shakedown, 0 irregular\n"
+            "ratcheting: geometric mean of |slope| 9.9997e-07 per cycle; 2 with slopes above 0, 0 below\n") !=
+        std::string::npos);
+  const std::string table = w.text("out/verdicts.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 3);
+  CHECK_FALSE(w.has("a/cycles.csv"));
+}
+
+TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
+  const Workspace w;
+  w.write("box.csv", series());
+  const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
+    check_refused(w, w.scree("cycles --out out " + arguments), begin, end);
+  };
+  const std::string strain = "--csv box.csv --strain strain --period 2 ";
+  refused("", "neither a run directory nor --csv", "or --csv FILE");
+  refused("run --csv box.csv", "--csv analyses a file, not runs", "give one of them");
+  refused("run", "run: there is no series/*.csv", "or --csv FILE");
+  refused("--csv box.csv --strain strian --period 2", "box.csv:1:1: there is no column 'strian'",
+          "did you mean 'strain'?");
+  refused(strain + "--load none", "box.csv: the load is 7 from 1.5 s to 3.5 s: there is no cycle in it; ",
+          "or another --period or --start");
+  refused(strain + "--load stress --start 2.5", "box.csv: the load is 6 at 2.5 s, ",
+          "with --start, and its --period");
+  refused(strain + "--drop 50", "box.csv: 60 cycles, of which 50 are dropped, are too few",
+          "give 65 or more, or drop fewer");
+  refused("--csv box.csv --load stress", "box.csv: --load and --start without a period", "give --period");
+  w.write("t.csv", "time,x\n0,1\n1,nan\n");
+  refused("--csv t.csv --strain x", "t.csv:3:3: ", "the run that wrote this may have failed");
+  w.write("t.csv", "time,x\n0,1\n0,2\n");
+  refused("--csv t.csv --strain x", "t.csv:3:1: time 0 follows 0", "in the first column");
+  write_run(w, "run");
+  refused("run --strain stran",
+          (w / "run").filename().string() + "/series: no series has the columns 'stran'", "with --probe");
+  refused("run --probe bax", "run/series/bax.csv: there is no such file", "check the path");
+  w.write("run/run.json", R"({"stages": [{"start": 0, "end": 1.5}]})");
+  refused("run", "run/run.json: stage 2, which has the period, has not run", "with scree resume");
+  w.write("cycles.csv", series());
+  const auto own = w.scree("cycles --csv cycles.csv --strain strain --period 2");
+  CHECK(own.status == 2);
+  CHECK(own.err ==
+        "scree: cycles.csv: the cycles would replace this file; give another directory with --out\n");
+}

@@ -1,0 +1,162 @@
+#include "cycles_files.hpp"
+
+#include "verbs.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/files/csv_line.hpp>
+#include <scree/files/text.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/snapshot/load_backend.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return files::one_line(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+}
+
+double on_line(const cycles::StraightLine& line, std::size_t n) {
+  return line.intercept + line.slope * double(n);
+}
+
+bool is_outlier(const CyclesResult& r, std::size_t n) {
+  return std::binary_search(r.found.outliers.begin(), r.found.outliers.end(), n);
+}
+
+std::string table_of(const CyclesResult& r) {
+  const CyclesSource& s = r.source;
+  const bool loops = !s.series.loops.empty();
+  std::vector<std::string> header = {"cycle", "time [s]", with_unit(s.strain, s.strain_unit), "fit",
+                                     "outlier"};
+  if (loops) header.insert(header.end(), {"loop_area", "stiffness"});
+  std::string text = files::csv_line(header);
+  for (std::size_t n = 0; n < s.series.strain.size(); ++n) {
+    std::vector<std::string> cells = {
+        std::to_string(n), files::csv_number(s.minimum_times[n]), files::csv_number(s.series.strain[n]),
+        n < r.drop ? "" : files::csv_number(on_line(r.found.line, n)), is_outlier(r, n) ? "1" : "0"};
+    const bool has_loop = n < s.series.loops.size();
+    if (loops)
+      for (const double value :
+           {has_loop ? s.series.loops[n].area : NAN, has_loop ? s.series.loops[n].stiffness : NAN})
+        cells.push_back(files::csv_number(value));
+    text += files::csv_line(cells);
+  }
+  return text;
+}
+
+std::string record_of(const CyclesResult& r) {
+  const cycles::Classification& c = r.found;
+  Json json;
+  json["series"] = r.source.file.string();
+  json["strain"] = with_unit(r.source.strain, r.source.strain_unit);
+  if (!r.source.load.empty()) json["load"] = with_unit(r.source.load, r.source.load_unit);
+  if (r.source.period > 0) json["period"] = r.source.period;
+  json["first_minimum"] = r.source.minimum_times.front();
+  json["cycles"] = r.source.series.strain.size() - 1;
+  json["dropped"] = r.drop;
+  json["class"] = cycles::class_name(c.kind);
+  json["reason"] = c.reason;
+  json["ratchets"] = c.kind == cycles::Class::ratcheting;
+  json["fit"] = {{"intercept", c.line.intercept},
+                 {"slope", c.line.slope},
+                 {"slope_error", c.line.slope_error},
+                 {"rms", c.line.rms},
+                 {"robust_slope", c.robust.slope}};
+  json["range"] = c.range;
+  json["round_off"] = c.round_off;
+  if (c.period > 0) json["repeats_after"] = c.period;
+  json["chance_of_repetition"] = c.period_probability;
+  json["chance_of_settling"] = c.settling_probability;
+  json["outliers"] = c.outliers;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// The cycles that count, relative to the first of them: the transient before would hide them.
+snapshot::ChartSpec chart_of(const CyclesResult& r) {
+  const std::vector<double>& strain = r.source.series.strain;
+  const double reference = strain[r.drop];
+  // That of least squares lies where no cycle is if a few stand off.
+  const cycles::StraightLine& fit = r.found.kind == cycles::Class::outliers ? r.found.robust : r.found.line;
+  snapshot::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}},
+      line{fmt::format("{:.3e} per cycle", fit.slope), {}, {}};
+  for (std::size_t n = r.drop; n < strain.size(); ++n) {
+    snapshot::ChartSeries& series = is_outlier(r, n) ? outliers : values;
+    series.x.push_back(double(n));
+    series.y.push_back(strain[n] - reference);
+  }
+  for (const std::size_t n : {r.drop, strain.size() - 1}) {
+    line.x.push_back(double(n));
+    line.y.push_back(on_line(fit, n) - reference);
+  }
+  values.line = outliers.line = snapshot::LineStyle::none;
+  snapshot::ChartSpec chart;
+  chart.title =
+      fmt::format("{}: {}", files::one_line(fs::path(r.name + "/").parent_path().filename().string()),
+                  cycles::class_name(r.found.kind));
+  chart.x_label = "cycle";
+  chart.y_label = fmt::format(
+      "strain{}, less that of cycle {}",
+      r.source.strain_unit.empty() ? "" : fmt::format(" ({})", files::one_line(r.source.strain_unit)),
+      r.drop);
+  chart.series = {values, line};
+  if (!outliers.x.empty()) chart.series.push_back(outliers);
+  return chart;
+}
+
+void create(const fs::path& folder) {
+  std::error_code failed;
+  if (!folder.empty()) fs::create_directories(folder, failed);
+  if (failed)
+    throw Error(
+        fmt::format("{}: cannot be created ({}); give another --out", folder.string(), failed.message()));
+}
+
+}  // namespace
+
+CyclesFiles::CyclesFiles(fs::path folder, const fs::path& source) : folder_(std::move(folder)) {
+  std::error_code failed;
+  if (fs::equivalent(folder_ / table_name, source, failed))
+    throw Error(fmt::format("{}: the cycles would replace this file; give another directory with --out",
+                            source.string()));
+}
+
+void CyclesFiles::write(const CyclesResult& result) const {
+  create(folder_);
+  files::write_atomically(folder_ / table_name, table_of(result));
+  files::write_atomically(folder_ / record_name, record_of(result));
+  fmt::print("{}\n{}\n", (folder_ / table_name).string(), (folder_ / record_name).string());
+  if (!snapshot::has_pictures()) {
+    report(fmt::format("{}, so there is no chart; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
+           ExitStatus::success);
+    return;
+  }
+  snapshot::load_backend()->chart(chart_of(result), folder_ / chart_name);
+  fmt::print("{}\n", (folder_ / chart_name).string());
+}
+
+void write_verdicts(const fs::path& folder, const std::vector<CyclesResult>& results) {
+  std::string text = files::csv_line({"run", "class", "cycles", "slope", "slope_error", "rms", "range",
+                                      "robust_slope", "outliers", "repeats_after", "reason"});
+  for (const CyclesResult& r : results) {
+    const cycles::Classification& c = r.found;
+    text += files::csv_line(
+        {r.name, std::string(cycles::class_name(c.kind)), std::to_string(r.source.series.strain.size() - 1),
+         files::csv_number(c.line.slope), files::csv_number(c.line.slope_error),
+         files::csv_number(c.line.rms), files::csv_number(c.range), files::csv_number(c.robust.slope),
+         std::to_string(c.outliers.size()), c.period > 0 ? std::to_string(c.period) : "", c.reason});
+  }
+  create(folder);
+  const fs::path file = folder / "verdicts.csv";
+  files::write_atomically(file, text);
+  fmt::print("{}\n", file.string());
+}
+
+}  // namespace scree::tool

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "cycles_source.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <scree/cycles/classification.hpp>
+
+namespace scree::tool {
+
+// The cycles of one series and what they are.
+struct CyclesResult {
+  std::string name;  // of the run
+  CyclesSource source;
+  cycles::Classification found;
+  std::size_t drop = 0;
+};
+
+// What `scree cycles` writes of one series: a table, a record and, with pictures, a chart. Earlier ones are replaced.
+class CyclesFiles {
+ public:
+  static constexpr const char* table_name = "cycles.csv";
+  static constexpr const char* record_name = "cycles.json";
+  static constexpr const char* chart_name = "cycles.png";
+
+  // Throws Error if the table would replace the file that is analysed.
+  CyclesFiles(std::filesystem::path folder, const std::filesystem::path& source);
+
+  // Creates the folder and prints the names of the files. Throws Error.
+  void write(const CyclesResult& result) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// What it writes of several: verdicts.csv, a row for each.
+void write_verdicts(const std::filesystem::path& folder, const std::vector<CyclesResult>& results);
+
+}  // namespace scree::tool

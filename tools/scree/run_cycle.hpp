@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include <scree/cycles/cycle_series.hpp>
+
+namespace scree::tool {
+
+// The cycles of a run.
+struct RunCycles {
+  cycles::CycleTimes times;
+  double end = 0;  // (s) of their stage
+};
+
+// Those of the last stage with a `period` in a run directory; none if no stage has one. Throws Error for a directory without
+// scenario.toml or run.json, and if this stage has not run.
+std::optional<RunCycles> cycles_of_run(const std::filesystem::path& directory);
+
+}  // namespace scree::tool
