@@ -161,6 +161,15 @@ NormalSpring<T> area_spring(const Law& law, const Contact<D, T, reads>& c) {
   return {scale * power * area, scale * chord, scale * power * overlap * integral};
 }
 
+// History of springs that are integrated.
+template <class T>
+struct SpringHistory {
+  T spring;   // D_t (m)
+  T sliding;  // 1 while the contact slides
+  static constexpr int sliding_column = 1;
+  static constexpr std::array<const char*, 2> names = {"spring", "sliding"};
+};
+
 // Normal force of a law whose parameters derive from Law, and slip of its tangential spring.
 template <class Parameters, Normal kind>
 struct Kernel : Parameters {
@@ -170,6 +179,13 @@ struct Kernel : Parameters {
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
       scree::reads_onset_weight | scree::reads_reduced_mass_root |
       (kind == Normal::area ? scree::reads_effective_radius | scree::reads_radii : 0u);
+
+  // Of histories with a spring (J).
+  template <class AnyHistory>
+  auto stored_energy(const AnyHistory& h) const -> decltype(h.spring * h.spring) {
+    using T = decltype(h.spring * h.spring);
+    return T(0.5 * this->tangential_stiffness) * h.spring * h.spring;
+  }
 
  protected:
   // Sets the normal part of the response. Returns the force that limits friction (N).
@@ -211,11 +227,6 @@ struct Kernel : Parameters {
     out.dissipated_friction =
         std::max(T(0.5 * this->tangential_stiffness) * (old + h.spring) * (trial - h.spring), T(0));
     return force;
-  }
-
-  template <class T>
-  T energy_of(const T& spring) const {
-    return T(0.5 * this->tangential_stiffness) * spring * spring;
   }
 };
 

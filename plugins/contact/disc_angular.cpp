@@ -43,11 +43,6 @@ struct Kernel : disc::Kernel<Angular, kind> {
   };
 
   template <int D, class T>
-  T stored_energy(const History<D, T>& h) const {
-    return this->energy_of(h.spring);
-  }
-
-  template <int D, class T>
   void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T, true>& out) const {
     const T f_n = this->template normal_force<T>(c, out);
     const auto t = disc::tangent(c.normal);

@@ -23,17 +23,7 @@ struct Kernel : disc::Kernel<CundallStrack, kind> {
       disc::Kernel<CundallStrack, kind>::reads | scree::reads_tangential_increment;
 
   template <int D, class T>
-  struct History {
-    T spring;   // D_t (m)
-    T sliding;  // 1 while the contact slides
-    static constexpr int sliding_column = 1;
-    static constexpr std::array<const char*, 2> names = {"spring", "sliding"};
-  };
-
-  template <int D, class T>
-  T stored_energy(const History<D, T>& h) const {
-    return this->energy_of(h.spring);
-  }
+  using History = disc::SpringHistory<T>;
 
   template <int D, class T>
   void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T>& out) const {
