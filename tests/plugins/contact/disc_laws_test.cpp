@@ -229,7 +229,7 @@ TEST_CASE("a wall is the limit of a large disc", "[disc]") {
       // Curvature 1e-6/m, and positions of 1e6 m that are rounded to 1e-10 m.
       CHECK(disc.spring() == Approx(wall.spring()).epsilon(1e-5));
       CHECK(disc.torque_a() == Approx(wall.torque_a()).epsilon(1e-5));
-      for (int k = 0; k < 2; ++k) CHECK(disc.force()[k] == Approx(wall.force()[k]).epsilon(1e-4));
+      for (int k = 0; k < 2; ++k) CHECK(disc.force()[k] == Approx(wall.force()[k]).epsilon(1e-5));
     }
 }
 

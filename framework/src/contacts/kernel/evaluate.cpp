@@ -34,7 +34,7 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& 
   Laps laps(task.tile.profile);
   gather<D, spin, planes>(task, block);
   if (reads_placement(task.law.interface))
-    gather_placement<planes>(*task.tile.input, task.pairs.begin, task.padded(), block);
+    gather_placement<planes>(*task.tile.input, task.law.interface, task.pairs.begin, task.padded(), block);
   laps.lap(Profile::gather);
   resolve<D, spin, planes>(task, block);
   laps.lap(Profile::geometry);

@@ -53,20 +53,20 @@ void gather_radii(const EvaluationInput& input, std::size_t begin, std::uint32_t
 }  // namespace
 
 template <bool planes, class T>
-void gather_placement(const EvaluationInput& input, std::size_t begin, std::uint32_t count,
-                      BlockColumns<T>& block) {
-  gather_orientations<planes>(input, begin, count, block);
-  gather_separations<planes>(input, begin, count, block);
-  gather_radii<planes>(input, begin, count, block);
+void gather_placement(const EvaluationInput& input, const scree_contact_instance& law, std::size_t begin,
+                      std::uint32_t count, BlockColumns<T>& block) {
+  if (reads_orientations(law)) gather_orientations<planes>(input, begin, count, block);
+  if (law.reads & (1u << SCREE_SEPARATION)) gather_separations<planes>(input, begin, count, block);
+  if (law.reads & (1u << SCREE_RADII)) gather_radii<planes>(input, begin, count, block);
 }
 
-template void gather_placement<false>(const EvaluationInput&, std::size_t, std::uint32_t,
-                                      BlockColumns<double>&);
-template void gather_placement<true>(const EvaluationInput&, std::size_t, std::uint32_t,
-                                     BlockColumns<double>&);
-template void gather_placement<false>(const EvaluationInput&, std::size_t, std::uint32_t,
-                                      BlockColumns<float>&);
-template void gather_placement<true>(const EvaluationInput&, std::size_t, std::uint32_t,
-                                     BlockColumns<float>&);
+#define SCREE_GATHER_PLACEMENT(planes, T)                                                                    \
+  template void gather_placement<planes>(const EvaluationInput&, const scree_contact_instance&, std::size_t, \
+                                         std::uint32_t, BlockColumns<T>&);
+SCREE_GATHER_PLACEMENT(false, double)
+SCREE_GATHER_PLACEMENT(true, double)
+SCREE_GATHER_PLACEMENT(false, float)
+SCREE_GATHER_PLACEMENT(true, float)
+#undef SCREE_GATHER_PLACEMENT
 
 }  // namespace scree::kernel

@@ -39,7 +39,7 @@ SCREE_HOT void evaluate_trial(const TileJob& job, scree_load& load) {
       assert_layout(task);
       gather<D, spin, true>(task, work);
       if (reads_placement(task.law.interface))
-        gather_placement<true>(*job.input, pairs.begin, task.padded(), work);
+        gather_placement<true>(*job.input, task.law.interface, pairs.begin, task.padded(), work);
       resolve<D, spin, true>(task, work);
       call_law<D>(task, work);
       for (int k = 0; k < D; ++k) on_bodies.add(k, work.output[SCREE_FORCE + k], task.padded());
