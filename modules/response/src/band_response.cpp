@@ -121,6 +121,7 @@ class BandSolution {
       solve(from + k, from + end);
       k = end;
     }
+    report_progress();
   }
 
   void count_factorisation(int basis) {
@@ -134,6 +135,11 @@ class BandSolution {
     result_.responses[at] = {frequencies_[at], weighted_.amplitude(amplitude), residual, error};
     const std::lock_guard lock(mutex_);
     ++found_;
+  }
+
+  // Once a window, so that the time left follows from the work of whole windows.
+  void report_progress() {
+    const std::lock_guard lock(mutex_);
     if (options_.on_progress) options_.on_progress(double(found_) / double(frequencies_.size()));
   }
 

@@ -227,7 +227,7 @@ Measurement Course::finish() {
   result_.resonances = resonances_of(result_.roads, result_.observed);
   judge();
   write_tables(result_, directory_);
-  draw_charts(result_, directory_);
+  draw_charts(result_, directory_, [this](const std::string& line) { warn(line); });
   write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
   return std::move(result_);
 }

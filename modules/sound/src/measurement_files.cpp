@@ -62,12 +62,23 @@ std::string peak_table(const Measurement& m) {
   return text;
 }
 
-// By road, column and number, so that each number has a name of its own: peaks.pulse.strain.strain.peak_1.frequency.
+// Whether a peak has a name that no larger one of the same road and column has.
+bool is_largest_of_name(const Measurement& m, const Resonance& peak) {
+  return !peak.shape.empty() &&
+         std::none_of(m.resonances.begin(), m.resonances.end(), [&](const Resonance& r) {
+           return r.road == peak.road && r.column == peak.column && name_of(r) == name_of(peak) &&
+                  r.mode.amplitude > peak.mode.amplitude;
+         });
+}
+
+// By road, column and name, so that those of several packings can be compared: peaks.linear.strain.strain.3λ/4.frequency. Peaks
+// without a name have their number: peaks.pulse.strain.strain.peak_1.frequency.
 Json peaks_of(const Measurement& m) {
   Json peaks = Json::object();
   for (const Resonance& r : m.resonances) {
     Json& of_column = peaks[m.roads[r.road].road][m.observed[r.column].name];
-    Json& peak = of_column[fmt::format("peak_{}", of_column.size() + 1)];
+    Json& peak =
+        of_column[is_largest_of_name(m, r) ? name_of(r) : fmt::format("peak_{}", of_column.size() + 1)];
     for (std::size_t k = 0; k < scenario::peak_numbers.size(); ++k)
       if (const double x = number_of(r, k); !std::isnan(x)) peak[scenario::peak_numbers[k]] = x;
     if (!r.shape.empty()) peak["name"] = name_of(r);
@@ -101,10 +112,11 @@ std::string road_table(const Measurement& m) {
 
 bool is_sweep(const RoadSpectrum& road) { return road.road.starts_with("sweep"); }
 
-snapshot::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double scale) {
+// In a chart with other roads, pulses are dashed lines over those below them.
+snapshot::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double scale, bool beside_others) {
   snapshot::ChartSeries curve;
   curve.name = road.road == "sweep_down" ? "sweep down" : road.road;
-  if (road.road == "pulse") curve.line = snapshot::LineStyle::dashed;
+  if (road.road == "pulse" && beside_others) curve.line = snapshot::LineStyle::dashed;
   if (is_sweep(road)) curve.line = snapshot::LineStyle::none, curve.markers = true;
   for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
     const double amplitude = std::abs(road.columns[c].response[k]);
@@ -197,34 +209,46 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   snapshot::load_backend()->chart(chart, directory.add("charts/shapes.png"));
 }
 
-}  // namespace
-
-void draw_charts(const Measurement& m, const run::RunDirectory& directory) {
-  if (!snapshot::has_pictures()) return;
-  if (has_shapes(m)) draw_shapes(m, directory);
+// The curves of all roads of a column.
+void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& directory) {
   double highest = 0;
   for (const RoadSpectrum& road : m.roads)
     if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
   const bool in_khz = highest >= 1e4;
-  for (std::size_t c = 0; c < responding(m.observed); ++c) {
-    snapshot::ChartSpec chart;
-    chart.title = m.title;
-    chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
-    const std::string unit = unit_of_response(m.observed[c]);
-    chart.y_label = unit == "1" ? m.observed[c].name + " per drive"
-                                : fmt::format("{} per drive ({})", m.observed[c].name, unit);
-    chart.log_y = true;
-    // The marks of sweeps are below the lines.
-    for (const bool sweeps : {true, false})
-      for (const RoadSpectrum& road : m.roads)
-        if (snapshot::ChartSeries curve = curve_of(road, c, in_khz ? 1e-3 : 1);
-            is_sweep(road) == sweeps && !curve.x.empty())
-          chart.series.push_back(std::move(curve));
-    if (chart.series.empty()) continue;
-    std::string name = m.observed[c].name;
-    name[name.rfind('.')] = '_';
-    snapshot::load_backend()->chart(chart, directory.add("charts/" + name + ".png"));
-  }
+  snapshot::ChartSpec chart;
+  chart.title = m.title;
+  chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
+  const std::string unit = unit_of_response(m.observed[c]);
+  chart.y_label = unit == "1" ? m.observed[c].name + " per drive"
+                              : fmt::format("{} per drive ({})", m.observed[c].name, unit);
+  chart.log_y = true;
+  // The marks of sweeps are below the lines.
+  for (const bool sweeps : {true, false})
+    for (const RoadSpectrum& road : m.roads)
+      if (snapshot::ChartSeries curve = curve_of(road, c, in_khz ? 1e-3 : 1, m.roads.size() > 1);
+          is_sweep(road) == sweeps && !curve.x.empty())
+        chart.series.push_back(std::move(curve));
+  if (chart.series.empty()) return;
+  std::string name = m.observed[c].name;
+  name[name.rfind('.')] = '_';
+  snapshot::load_backend()->chart(chart, directory.add("charts/" + name + ".png"));
+}
+
+}  // namespace
+
+void draw_charts(const Measurement& m, const run::RunDirectory& directory,
+                 const std::function<void(const std::string&)>& report) {
+  if (!snapshot::has_pictures()) return;
+  const auto draw = [&](const std::string& name, const auto& chart) {
+    try {
+      chart();
+    } catch (const std::exception& error) {
+      report(fmt::format("chart '{}' was not drawn: {}", name, error.what()));
+    }
+  };
+  if (has_shapes(m)) draw("shapes", [&] { draw_shapes(m, directory); });
+  for (std::size_t c = 0; c < responding(m.observed); ++c)
+    draw(m.observed[c].name, [&] { draw_curves(m, c, directory); });
 }
 
 }  // namespace scree::sound

@@ -2,6 +2,7 @@
 
 #include "sweep_point.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,9 @@ std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
 
 // spectrum.csv, peaks.csv, roads.csv and, with pictures, a chart of each column.
 void write_tables(const Measurement& measurement, const run::RunDirectory& directory);
-void draw_charts(const Measurement& measurement, const run::RunDirectory& directory);
+// Charts that cannot be drawn are reported, in one line each.
+void draw_charts(const Measurement& measurement, const run::RunDirectory& directory,
+                 const std::function<void(const std::string&)>& report);
 
 // Unit of a column per drive: "1/m" of a strain.
 std::string unit_of_response(const scenario::ObservedColumn& column);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <scree/sound/measurement.hpp>
 
@@ -69,6 +70,23 @@ TEST_CASE("stages run before the roads are taken", "[sound]") {
   const Measurement m = measure(bench.plan, bench.options);
   CHECK(seen.contains("stage 1"));
   CHECK(std::abs(m.roads.at(0).columns[1].response[0] - Chain().response(Chain::beads, 80)) < 1e-6);
+}
+
+TEST_CASE("a chart that cannot be written leaves the spectrum whole", "[sound]") {
+  if (!SCREE_TEST_PICTURES) return;
+  Bench bench(Chain().text(grid));
+  bench.options.roads = {Road::linear};
+  bench.options.on_progress = [&](double, double, const std::string&) {
+    std::filesystem::create_directories(bench.options.out / "charts/particles_z_8.png/in_the_way");
+  };
+  std::vector<std::string> warnings;
+  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  const Measurement m = measure(bench.plan, bench.options);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].starts_with("chart 'particles.z_8' was not drawn: "));
+  CHECK(bench.has("charts/particles_z_1.png"));
+  CHECK(bench.has("peaks.csv"));
+  CHECK(text_of(bench.options.out / "spectrum.json").find("\"finished\"") != std::string::npos);
 }
 
 TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[sound]") {
@@ -156,6 +174,8 @@ TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
   for (const Resonance& r : m.resonances)
     if (m.observed[r.column].name == "particles.z_8") names.push_back(name_of(r));
   CHECK(names == std::vector<std::string>{"λ/4", "3λ/4", "5λ/4"});
+  const auto record = nlohmann::json::parse(bench.text("spectrum.json"));
+  for (const std::string& name : names) CHECK(record["peaks"]["linear"]["particles.z_8"].contains(name));
   // The discrete shape of the fixed-free chain, sin((2j - 1) n π/(2 N + 1)). The other modes are in quadrature at a peak, so
   // that they enter by the square of their share: 3/Q of each neighbour, Q = 15.
   constexpr double tolerance = 2 * (3.0 / 15) * (3.0 / 15);
