@@ -42,14 +42,6 @@ Progress progress_of(const Simulation& simulation, const StageRunner& runner, do
           stage.kinetic_over_elastic};
 }
 
-// The simulation of a run that goes on, with the parameters of its present stage.
-std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state, unsigned threads) {
-  const std::size_t stage = stage_of(StateTransfer::restoring_from(state).below("run/stages"));
-  Scene scene = scene_in_stage(plan.scene, plan.stages, stage);
-  scene.threads = threads;
-  return std::make_unique<Simulation>(scene, state);
-}
-
 class Run {
  public:
   // state: that from which the run in the directory goes on; null for a new run.
@@ -59,7 +51,9 @@ class Run {
         options_(options),
         directory_(directory),
         place_(place),
-        simulation_(state ? resumed(plan, *state, options.threads) : set_up(plan, options.threads)),
+        simulation_(state ? resumed(plan, *state, StateTransfer::restoring_from(*state).below("run/stages"),
+                                    options.threads)
+                          : set_up(plan, options.threads)),
         sampler_(plan),
         pictures_(plan, directory_),
         results_(plan, options, directory_, *simulation_),

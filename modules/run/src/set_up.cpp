@@ -126,6 +126,13 @@ std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads)
   return simulation;
 }
 
+std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state,
+                                    const StateTransfer& stages, unsigned threads) {
+  Scene scene = scene_in_stage(plan.scene, plan.stages, stage_of(stages));
+  scene.threads = threads;
+  return std::make_unique<Simulation>(scene, state);
+}
+
 void require_stages(const scenario::Plan& plan) {
   if (plan.stages.empty())
     throw Error(fmt::format(

@@ -46,13 +46,15 @@ Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, ru
 Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
   // What is there stays until something can take its place.
-  if (plan_.stages.empty() || options_.overwrite) run_stages(*simulation);
+  StageRunner runner(*simulation, plan_.stages);
+  if ((plan_.stages.empty() || options_.overwrite) && !run_stages(*simulation, runner))
+    throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
   if (start_) check_start(*simulation);
   directory_.create();
   try {
     write_record("running", result_, directory_);
     directory_.write_file("scenario.toml", plan_.text_for_any_folder);
-    if (!start_) run_stages(*simulation);
+    if (!start_ && !run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
     simulation.reset();
     take_roads();
     return finish();
@@ -69,11 +71,13 @@ Measurement Course::begin() {
 Measurement Course::resume(const State& state) {
   const StateTransfer from = StateTransfer::restoring_from(state).below("spectrum");
   transfer(from);
-  set_start(state);
+  const bool in_stages = from.has("stages/stage");
+  if (!in_stages) set_start(state);
   if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
   directory_.create();
   try {
     write_record("running", result_, directory_);
+    if (in_stages) return go_on_in_stages(state);
     take_roads();
     return finish();
   } catch (const Error& error) {
@@ -111,13 +115,35 @@ void Course::check_start(const Simulation& simulation) const {
   if (asks(Road::linear) && options_.overwrite) check_response(*start_);
 }
 
-void Course::run_stages(Simulation& simulation) {
-  run::run_stages(
-      simulation, plan_.stages, [this] { return proceeds(); },
+bool Course::run_stages(Simulation& simulation, StageRunner& runner) {
+  const bool ended = run::run_stages(
+      runner, [this] { return proceeds(); },
       [this](double share, const std::string& stage) {
         if (options_.on_progress) options_.on_progress(share, seconds(), stage);
       });
-  set_start(simulation.state());
+  if (ended) set_start(simulation.state());
+  return ended;
+}
+
+Measurement Course::stop_in_stages(const Simulation& simulation, const StageRunner& runner) {
+  State state = simulation.state();
+  const StateTransfer to = StateTransfer::saving_to(state).below("spectrum");
+  runner.save(to.below("stages"));
+  transfer(to);
+  write_state(state);
+  result_.interrupted = true;
+  write_record("interrupted", result_, directory_);
+  return std::move(result_);
+}
+
+Measurement Course::go_on_in_stages(const State& state) {
+  const StateTransfer stages = StateTransfer::restoring_from(state).below("spectrum/stages");
+  auto simulation = run::resumed(plan_, state, stages, options_.threads);
+  StageRunner runner(*simulation, plan_.stages, stages);
+  if (!run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
+  simulation.reset();
+  take_roads();
+  return finish();
 }
 
 bool Course::asks(Road road) const { return std::find(asked_.begin(), asked_.end(), road) != asked_.end(); }

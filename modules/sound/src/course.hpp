@@ -25,7 +25,11 @@ class Course {
  private:
   void set_start(State state);
   void check_start(const Simulation& simulation) const;
-  void run_stages(Simulation& simulation);
+  // Returns false after a stop.
+  bool run_stages(Simulation& simulation, StageRunner& runner);
+  // Keeps the state within the stages.
+  Measurement stop_in_stages(const Simulation& simulation, const StageRunner& runner);
+  Measurement go_on_in_stages(const State& state);
   bool asks(Road road) const;
   bool has(const std::string& road) const;
   bool proceeds() const { return !options_.stop || !*options_.stop; }

@@ -45,9 +45,11 @@ class Course {
 
   Vibration begin() {
     const auto simulation = run::set_up(plan_, options_.threads);
-    run::run_stages(
-        *simulation, plan_.stages, [this] { return proceeds(); },
-        [this](double share, const std::string& stage) { report(share, stage); });
+    StageRunner stages(*simulation, plan_.stages);
+    if (!run::run_stages(
+            stages, [this] { return proceeds(); },
+            [this](double share, const std::string& stage) { report(share, stage); }))
+      throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
     began_ = Clock::now();
     check(*simulation);
     describe(*simulation);

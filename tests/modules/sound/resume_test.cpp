@@ -36,6 +36,33 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
         std::string::npos);
 }
 
+TEST_CASE("a measurement that is interrupted in its stages goes on within them", "[sound]") {
+  // A floor that rises, in 4000 steps, after 4000 others.
+  const std::string text = with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nfewest_contacts = 1\n"),
+                                "displacement = 0", "displacement = {from = 0, to = 0.001, duration = 0.2}") +
+                           "[[stage]]\nduration = 0.2\n[[stage]]\nname = 'second'\nduration = 0.2\n";
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::linear};
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  for (const std::string in : {"stage 1", "second"}) {
+    CAPTURE(in);
+    stop = false;
+    parted.options.on_progress = [&](double, double, const std::string& what) { stop = what == in; };
+    const Measurement part =
+        in == "stage 1" ? measure(parted.plan, parted.options) : resume_measurement(parted.options, host());
+    CHECK(part.interrupted);
+    CHECK(part.roads.empty());
+    CHECK(parted.text("spectrum.json").find("\"interrupted\"") != std::string::npos);
+  }
+  stop = false;
+  parted.options.on_progress = {};
+  CHECK(!resume_measurement(parted.options, host()).interrupted);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
 TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "[sound]") {
   const TemporaryFolder folder;
   folder.write("bead.csv", "id,material,x,y,z,radius\n9,sphere,0.1,0,0.1,0.005\n");

@@ -6,6 +6,7 @@
 
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree::run {
 
@@ -13,6 +14,10 @@ namespace scree::run {
 // bodies overlap beyond the limit, are too fast or do not fit a periodic length, if the time step is too
 // long, or if a probe reads something that does not exist.
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads = 1);
+
+// The simulation of a state, with the parameters of the stage in which it was saved. stages: as StageRunner::save wrote it.
+std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state,
+                                    const StateTransfer& stages, unsigned threads);
 
 // Throws Error (bad_input) if a plan has no stages, as one for a spectrum may.
 void require_stages(const scenario::Plan& plan);
