@@ -182,19 +182,38 @@ TEST_CASE("a disk that fills up stops the run and keeps the files written before
   CHECK(cut < longest);
 }
 
-// A file system of its own in memory, where this is allowed, is really full.
+// On a file system of its own in memory, as "disk", where this is allowed; status 77 where not. Afterwards it is in "out".
+static Outcome on_small_disk(const Workspace& w, const std::string& size, const std::string& arguments) {
+  return w.shell(
+      "mkdir -p out disk\nunshare -m true 2> no || exit 77\nexec unshare -m sh -c '"
+      "mount -t tmpfs -o size=" +
+      size +
+      " none disk || exit 77\n"
+      "\"" SCREE_TEST_PROGRAM "\" " +
+      arguments +
+      "\n"
+      "status=$?; cp -a disk/. out; exit $status'");
+}
+
+TEST_CASE("a full disk leaves a spectrum that is told to have failed", "[tools]") {
+  const Workspace w(text_of(SCREE_TEST_SOURCE "/scenarios/sound/chain.toml"));
+  // Something else fills the disk once the sweep has begun.
+  const Outcome full = on_small_disk(
+      w, "2M",
+      "spectrum scene.toml --by sweep --out disk/spectrum --set spectrum.step_hz=0.02 --quiet &\n"
+      "until test -e disk/spectrum/sweep.csv; do sleep 0.01; done; cat /dev/zero > disk/more 2> no; wait $!");
+  if (full.status == 77) return;
+  INFO(full.err);
+  CHECK(full.status == 1);
+  CHECK_THAT(full.err, Catch::Contains("cannot be written"));
+  CHECK(w.record("out/spectrum", "spectrum.json")["status"] == "failed");
+  CHECK_FALSE(w.has("out/spectrum/.room"));
+}
+
 TEST_CASE("a full disk leaves a run that is told to have failed, and whole files", "[tools]") {
   const Workspace w;
   const auto run_on_disk = [&](const std::string& size, const std::string& options) {
-    return w.shell(
-        "mkdir -p out disk\nunshare -m true 2> no || exit 77\nexec unshare -m sh -c '"
-        "mount -t tmpfs -o size=" +
-        size +
-        " none disk || exit 77\n"
-        "\"" SCREE_TEST_PROGRAM "\" run scene.toml --out disk/run " +
-        options +
-        "\n"
-        "status=$?; cp -a disk/. out; exit $status'");
+    return on_small_disk(w, size, "run scene.toml --out disk/run " + options);
   };
   const Outcome full = run_on_disk("300k", "--set probe.every=1e-5 --set time.duration=0.2 --quiet");
   if (full.status == 77) return;

@@ -4,7 +4,6 @@
 #include "results.hpp"
 #include "run_from.hpp"
 #include "sampler.hpp"
-#include "spare_room.hpp"
 #include "state_writer.hpp"
 #include "stopwatch.hpp"
 
@@ -22,6 +21,7 @@
 #include <scree/run/run.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/spare_room.hpp>
 #include <scree/run/warnings.hpp>
 
 namespace scree::run {

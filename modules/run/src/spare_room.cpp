@@ -1,11 +1,10 @@
-#include "spare_room.hpp"
-
 #include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <scree/files/descriptor.hpp>
 #include <scree/run/run_directory.hpp>
+#include <scree/run/spare_room.hpp>
 
 namespace scree::run {
 

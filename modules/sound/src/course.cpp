@@ -52,7 +52,7 @@ Measurement Course::begin() {
   if (start_) check_start(*simulation);
   directory_.create();
   try {
-    write_record("running", result_, directory_);
+    open_record();
     directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     if (!start_ && !run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
     simulation.reset();
@@ -76,7 +76,7 @@ Measurement Course::resume(const State& state) {
   if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
   directory_.create();
   try {
-    write_record("running", result_, directory_);
+    open_record();
     if (in_stages) return go_on_in_stages(state);
     take_roads();
     return finish();
@@ -89,6 +89,7 @@ Measurement Course::resume(const State& state) {
 void Course::save_failed(const Error& failure, bool went_on) {
   if (failure.status() == ExitStatus::interrupted) return;
   result_.error = files::record_line(failure, went_on);
+  room_.release();
   files::try_each(
       [&] {
         if (sweep_) write_sweep_table();
@@ -97,6 +98,12 @@ void Course::save_failed(const Error& failure, bool went_on) {
         if (kept_) write_state(*kept_);
       },
       [&] { write_record("failed", result_, directory_); });
+}
+
+void Course::open_record() {
+  write_record("running", result_, directory_);
+  room_.reserve(directory_.add(run::SpareRoom::file_name),
+                run::SpareRoom::size + std::filesystem::file_size(directory_.path() / "spectrum.json"));
 }
 
 void Course::set_start(State state) {
@@ -132,6 +139,7 @@ Measurement Course::stop_in_stages(const Simulation& simulation, const StageRunn
   transfer(to);
   write_state(state);
   result_.interrupted = true;
+  room_.release();
   write_record("interrupted", result_, directory_);
   return std::move(result_);
 }
@@ -254,6 +262,7 @@ Measurement Course::finish() {
   judge();
   write_tables(result_, directory_);
   draw_charts(result_, directory_, [this](const std::string& line) { warn(line); });
+  room_.release();
   write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
   return std::move(result_);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <scree/run/run_directory.hpp>
+#include <scree/run/spare_room.hpp>
 #include <scree/sound/measurement.hpp>
 
 namespace scree::sound {
@@ -38,6 +39,8 @@ class Course {
   // left out.
   void take_short(Road road, const std::function<RoadSpectrum(const Start&)>& take);
   void take_sweep();
+  // Writes the record of a measurement that runs, and keeps room for the last one.
+  void open_record();
   void save();
   void write_sweep_table();
   void write_state(const State& state);
@@ -59,6 +62,7 @@ class Course {
   std::optional<Start> start_;
   std::unique_ptr<Sweep> sweep_;
   std::optional<State> kept_;  // behind the last complete frequency, if it is not in the file
+  run::SpareRoom room_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   double last_state_ = 0, last_table_ = 0;  // (s)
 };
