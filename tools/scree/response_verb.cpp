@@ -22,7 +22,7 @@ struct ResponseArguments {
   double near_hz = 0, density_to_hz = 0, residual_limit = 0.01;
   int fewest_contacts = 0;
   bool contacts_slide = false;
-  bool elastic = false, overwrite = false, quiet = false;
+  bool elastic = false, loads = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
 
@@ -49,6 +49,7 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
   options.modes = a.modes;
   options.near_hz = a.near_hz;
   options.elastic = a.elastic;
+  options.loads = a.loads;
   options.density = a.density;
   options.density_to_hz = a.density_to_hz;
   options.fewest_contacts = a.fewest_contacts;
@@ -90,6 +91,9 @@ void add_response_verb(CommandLine& line) {
       .shown_as("HZ");
   verb.flag("--elastic", a->elastic,
             "Elastic constants too, of a packing between two walls that is periodic otherwise");
+  verb.flag(
+      "--loads", a->loads,
+      "Straight paths of walls, bodies and contact forces under growing loads on walls that forces move");
   verb.option("--density", a->density,
               "Count the modes at this number of frequencies too, for the density of states")
       .between(2, 100000);

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -140,6 +141,7 @@ class BandSolution {
   // Once a window, so that the time left follows from the work of whole windows.
   void report_progress() {
     const std::lock_guard lock(mutex_);
+    if (found_ == std::exchange(reported_, found_)) return;  // by a part of this window
     if (options_.on_progress) options_.on_progress(double(found_) / double(frequencies_.size()));
   }
 
@@ -153,7 +155,7 @@ class BandSolution {
   std::unique_ptr<BandBackend> backend_;
   std::mutex mutex_;
   std::exception_ptr failure_;
-  std::size_t found_ = 0;
+  std::size_t found_ = 0, reported_ = 0;
   BandResponse result_;
 };
 

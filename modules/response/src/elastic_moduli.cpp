@@ -1,5 +1,4 @@
-#include "contact_terms.hpp"
-#include "static_solution.hpp"
+#include "static_packing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +9,13 @@
 
 #include <scree/error.hpp>
 #include <scree/response/elastic_moduli.hpp>
-#include <scree/response/found_modes.hpp>
+#include <scree/response/load_response.hpp>
 
 namespace scree::response {
 
 namespace {
 
 using Vector = Eigen::VectorXd;
-
-// Above, round-off does not explain the residual: the strain drives a floppy mode.
-constexpr double largest_residual = 1e-6;
 
 // A packing between its two walls, strained by the upper one.
 class StrainedPacking {
@@ -28,76 +24,48 @@ class StrainedPacking {
       : simulation_(simulation),
         walls_(wall_pair(simulation)),
         dimension_(simulation.dimension()),
-        system_(assemble(simulation, {options.fewest_contacts, true, options.at_limit})),
-        undamped_(system_),
-        inverse_(undamped_.factorise(-undamped_.rounding())),
-        list_(simulation.contact_list()),
-        terms_(linearise_contacts(simulation, system_.freedom.spins(), options.at_limit)) {
-    const FoundModes found = find_modes(undamped_, {.count = 0});
-    floppy_ = found.shape.middleCols(Eigen::Index(found.first_floppy),
-                                     Eigen::Index(found.first_vibrating - found.first_floppy));
-  }
+        packing_(simulation, {options.fewest_contacts, true, options.at_limit}) {}
 
   const WallPair& walls() const { return walls_; }
-  std::size_t rattlers() const { return system_.rattlers.size(); }
+  std::size_t rattlers() const { return packing_.system().rattlers.size(); }
 
   StrainResponse strain_along(int axis) {
     // Inwards, or along the wall.
     const double sign = axis == walls_.axis ? -1 : 1;
-    walls_moved_ = Vector::Zero(system_.wall_stiffness.cols());
-    walls_moved_[Eigen::Index(walls_.high) * dimension_ + axis] = sign;
-    const Vector force = -(system_.wall_stiffness * walls_moved_);
-    const StaticSolution solution = solve_static(undamped_, *inverse_, floppy_, force);
-    if (!(solution.residual <= largest_residual))
+    Vector walls = Vector::Zero(packing_.system().wall_stiffness.cols());
+    walls[Eigen::Index(walls_.high) * dimension_ + axis] = sign;
+    motion_ = packing_.displace(walls);
+    if (!(motion_.residual <= LoadResponse::largest_residual))
       throw Error(fmt::format(
           "the strain along {} drives a floppy mode, so that there is no static response (residual {:.1g}); "
           "compress the packing further, or leave --elastic out",
-          "xyz"[axis], solution.residual));
-    motion_ = solution.displacement;
-    return sums(axis, sign, solution.residual);
+          "xyz"[axis], motion_.residual));
+    return sums(axis, sign);
   }
 
  private:
-  bool is_held(std::uint32_t end) const {
-    return end >= system_.freedom.bodies() || system_.freedom.translation(end, 0) != DegreesOfFreedom::none;
-  }
-
-  double component(std::uint32_t end, int k) const {
-    if (end >= system_.freedom.bodies())
-      return k < dimension_ ? walls_moved_[Eigen::Index(end - system_.freedom.bodies()) * dimension_ + k] : 0;
-    const Eigen::Index number =
-        k < dimension_ ? system_.freedom.translation(end, k) : system_.freedom.rotation(end, k - dimension_);
-    return number == DegreesOfFreedom::none ? 0 : motion_[number];
-  }
-
-  // Change of the force on a.
-  Vector force_change(const ContactTerms& c) const {
-    const int of_body = dimension_ + system_.freedom.spins();
-    Vector moved(2 * of_body);
-    for (int k = 0; k < of_body; ++k) moved[k] = component(c.a, k), moved[of_body + k] = component(c.b, k);
-    return -c.stiffness.topRows(dimension_) * moved;
-  }
-
   // From the centre of b, or the wall, to that of a.
   double branch(const ContactTerms& c, int k) const {
     const Particles& p = simulation_.particles();
     const double radii = p.radius()[c.a] + (c.b < p.size() ? p.radius()[c.b] : 0);
-    return (radii - list_.overlap[c.contact]) * list_.normal[3 * c.contact + std::size_t(k)];
+    return (radii - packing_.list().overlap[c.contact]) *
+           packing_.list().normal[3 * c.contact + std::size_t(k)];
   }
 
-  StrainResponse sums(int axis, double sign, double residual) const {
-    const std::size_t bodies = system_.freedom.bodies();
+  StrainResponse sums(int axis, double sign) const {
+    const std::size_t bodies = packing_.system().freedom.bodies();
     double high = 0, low = 0;
     std::vector<double> virial(std::size_t(dimension_), 0.0), before = virial;
-    for (const ContactTerms& c : terms_) {
-      if (!is_held(c.a) || !is_held(c.b)) continue;
-      const Vector change = force_change(c);
+    for (const ContactTerms& c : packing_.contacts()) {
+      if (!packing_.is_held(c.a) || !packing_.is_held(c.b)) continue;
+      const Vector change = packing_.force_change(motion_, c);
       if (c.b == bodies + walls_.high) high += change[axis];
       if (c.b == bodies + walls_.low) low += change[axis];
       for (int k = 0; k < dimension_; ++k) {
         // A wall is flat: the branch vector along it stays 0.
         const bool along_wall = c.b >= bodies && k != walls_.axis;
-        const double stretch = along_wall ? 0 : component(c.a, k) - component(c.b, k);
+        const double stretch =
+            along_wall ? 0 : packing_.component(motion_, c.a, k) - packing_.component(motion_, c.b, k);
         const double force = c.force[k];
         virial[std::size_t(k)] += change[k] * branch(c, k) + force * stretch;
         before[std::size_t(k)] += force * branch(c, k);
@@ -114,7 +82,7 @@ class StrainedPacking {
             .middle_modulus = modulus / (sign * middle_slope(axis) * walls_.distance),
             .virial = virial,
             .balance = std::abs(high + low) / std::abs(high),
-            .residual = residual};
+            .residual = motion_.residual};
   }
 
   // Slope of the displacement along an axis over the height in the middle half: from the medians in its outer quarters,
@@ -125,9 +93,9 @@ class StrainedPacking {
     std::vector<double> height[2], displacement[2];
     for (std::uint32_t i = 0; i < p.size(); ++i) {
       const double y = (p.position()[walls_.axis][i] - start) / walls_.distance - 0.5;
-      if (!is_held(i) || std::abs(y) > 0.25 || std::abs(y) < 0.125) continue;
+      if (!packing_.is_held(i) || std::abs(y) > 0.25 || std::abs(y) < 0.125) continue;
       height[y > 0].push_back(y * walls_.distance);
-      displacement[y > 0].push_back(component(i, axis));
+      displacement[y > 0].push_back(packing_.component(motion_, i, axis));
     }
     if (height[0].empty() || height[1].empty()) return std::numeric_limits<double>::quiet_NaN();
     return (median(displacement[1]) - median(displacement[0])) / (median(height[1]) - median(height[0]));
@@ -142,13 +110,8 @@ class StrainedPacking {
   const Simulation& simulation_;
   WallPair walls_;
   int dimension_;
-  LinearSystem system_;
-  UndampedSystem undamped_;
-  std::unique_ptr<ShiftedFactors> inverse_;
-  ContactList list_;
-  std::vector<ContactTerms> terms_;
-  Eigen::MatrixXd floppy_;
-  Vector walls_moved_, motion_;
+  StaticPacking packing_;
+  PackingMotion motion_;
 };
 
 // The axis and the side of a wall across an axis: 1 below the bodies, −1 above them; 0 of others.

@@ -72,11 +72,24 @@ std::string elastic_lines(const response::ElasticModuli& e) {
   return text;
 }
 
+// Displacements of walls, by the loads on them.
+std::string load_lines(const Vibration& v) {
+  std::string text = "load of 1 N on     moves (m)\n";
+  for (const response::LoadResponse& load : v.loads) {
+    text += fmt::format("{:<18}", v.walls[load.wall]);
+    for (const response::LoadResponse& other : v.loads)
+      text += fmt::format(" {} {:.6g}", v.walls[other.wall], load.walls[other.wall]);
+    text += "\n";
+  }
+  return text + "straight paths of bodies and contact forces: load_bodies.csv, load_contacts.csv\n";
+}
+
 }  // namespace
 
 std::string text_report(const Vibration& v) {
   std::string text = head(v) + mode_lines(v);
   if (v.elastic) text += elastic_lines(*v.elastic);
+  if (!v.loads.empty()) text += load_lines(v);
   if (!v.density.empty())
     text += fmt::format("{} modes up to {:.6g} Hz counted at {} frequencies: density.csv\n",
                         v.density.back().below, v.density.back().to_hz, v.density.size());

@@ -91,6 +91,7 @@ class Course {
   void describe(const Simulation& simulation) {
     const Particles& p = simulation.particles();
     for (std::size_t i = 0; i < p.size(); ++i) result_.names.push_back(p.id[i]);
+    result_.walls = simulation.plane_names();
     for (const std::uint32_t i : system_->rattlers) result_.rattlers.push_back(result_.names[i]);
     result_.bodies = p.size() - system_->rattlers.size();
     result_.contacts = simulation.contact_list().size();
@@ -102,7 +103,8 @@ class Course {
   void report(double share, const std::string& what) {
     if (!options_.on_progress) return;
     const double all = cost_of_modes + cost_of_a_mode * options_.modes +
-                       (options_.elastic ? cost_of_constants : 0) + options_.density;
+                       (options_.elastic ? cost_of_constants : 0) + (options_.loads ? cost_of_constants : 0) +
+                       options_.density;
     options_.on_progress(std::min(1.0, (done_ + share * part_) / all), seconds(), what);
   }
 
@@ -126,6 +128,7 @@ class Course {
     }
     take("modes", cost_of_modes + cost_of_a_mode * options_.modes, [&] { take_modes(undamped, simulation); });
     if (options_.elastic) take("elastic", cost_of_constants, [&] { take_constants(simulation); });
+    if (options_.loads) take("loads", cost_of_constants, [&] { take_loads(simulation); });
     if (options_.density > 0) take("density", options_.density, [&] { take_density(undamped); });
   }
 
@@ -192,6 +195,21 @@ class Course {
       if (error.status() == ExitStatus::interrupted) return;
       warn(error.what());
     }
+  }
+
+  void take_loads(const Simulation& simulation) {
+    report(0, "loads on walls");
+    try {
+      result_.loads = response::load_responses(simulation, assembly_);
+    } catch (const Error& error) {
+      warn(error.what());
+    }
+    for (const response::LoadResponse& load : result_.loads)
+      if (!(load.residual <= response::LoadResponse::largest_residual))
+        warn(fmt::format(
+            "a load on {} drives a floppy mode, so that its response is not all there is (residual {:.1g}); compress the "
+            "packing further, or leave --loads out",
+            result_.walls[load.wall], load.residual));
   }
 
   void take_density(const response::UndampedSystem& undamped) {

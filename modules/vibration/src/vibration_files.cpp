@@ -74,6 +74,47 @@ std::string elastic_table(const response::ElasticModuli& e) {
   return text;
 }
 
+std::string name_of(const Vibration& v, std::uint32_t end) {
+  return end < v.names.size() ? fmt::format("{}", v.names[end]) : v.walls[end - v.names.size()];
+}
+
+std::string load_table(const Vibration& v) {
+  std::string text = csv_line({"load_on", "wall", "displacement [m/N]"});
+  for (const response::LoadResponse& load : v.loads)
+    for (std::size_t w = 0; w < load.walls.size(); ++w)
+      text += csv_line({v.walls[load.wall], v.walls[w], csv_number(load.walls[w])});
+  return text;
+}
+
+std::string load_table_of_bodies(const Vibration& v) {
+  std::vector<std::string> head = {"load_on", "body"};
+  for (int k = 0; k < v.dimension; ++k) head.push_back(fmt::format("{} [m/N]", axes[k]));
+  const std::size_t columns = v.loads.front().displacement.size() / v.loads.front().bodies.size();
+  const int spins = int(columns) - v.dimension;
+  for (int k = 0; k < spins; ++k)
+    head.push_back(fmt::format("rotation_{} [rad/N]", axes[spins == 1 ? 2 : k]));
+  std::string text = csv_line(head);
+  for (const response::LoadResponse& load : v.loads)
+    for (std::size_t i = 0; i < load.bodies.size(); ++i) {
+      std::vector<std::string> cells = {v.walls[load.wall], name_of(v, load.bodies[i])};
+      for (std::size_t k = 0; k < columns; ++k)
+        cells.push_back(csv_number(load.displacement[i * columns + k]));
+      text += csv_line(cells);
+    }
+  return text;
+}
+
+std::string load_table_of_contacts(const Vibration& v) {
+  std::string text = csv_line({"load_on", "a", "b", "sliding", "normal_force [N]", "tangential_force [N]",
+                               "normal_change [N/N]", "tangential_change [N/N]"});
+  for (const response::LoadResponse& load : v.loads)
+    for (const response::LoadedContact& c : load.contacts)
+      text += csv_line({v.walls[load.wall], name_of(v, c.a), name_of(v, c.b), c.sliding ? "1" : "0",
+                        csv_number(c.normal_force), csv_number(c.tangential_force),
+                        csv_number(c.normal_change), csv_number(c.tangential_change)});
+  return text;
+}
+
 Json json_of(const response::ElasticModuli& e) {
   Json json = {{"distance", e.walls.distance},
                {"area", e.walls.area},
@@ -154,6 +195,11 @@ void write_tables(const Vibration& v, const run::RunDirectory& directory) {
   if (!v.modes.empty()) directory.write_file("modes.csv", mode_table(v));
   if (!v.floppy_bodies.empty()) directory.write_file("floppy.csv", floppy_table(v));
   if (v.elastic) directory.write_file("elastic.csv", elastic_table(*v.elastic));
+  if (!v.loads.empty()) {
+    directory.write_file("loads.csv", load_table(v));
+    directory.write_file("load_bodies.csv", load_table_of_bodies(v));
+    directory.write_file("load_contacts.csv", load_table_of_contacts(v));
+  }
   if (!v.density.empty()) directory.write_file("density.csv", density_table(v, v.dimension));
 }
 

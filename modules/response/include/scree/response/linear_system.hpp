@@ -44,8 +44,8 @@ struct AssemblyOptions {
 };
 
 // Linearises all contacts, body forces and walls at the present positions, orientations and springs, with bodies
-// and walls at rest. Contacts within the limit of friction stick. Throws Error if a law reads
-// orientations or has no derivatives, or if no body is held.
+// and walls at rest. Contacts within the limit of friction stick. Throws Error if a law has
+// no derivatives, or if no body is held.
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
 
 // "<what>; <cure>" of so many LinearSystem::one_way_contacts.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <scree/response/elastic_moduli.hpp>
+#include <scree/response/load_response.hpp>
 #include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/vibration/density.hpp>
@@ -22,6 +23,7 @@ struct VibrationOptions {
   unsigned modes = 20;             // that vibrate
   double near_hz = 0;              // above 0: those nearest to this frequency, else the lowest
   bool elastic = false;            // elastic constants too
+  bool loads = false;              // responses to loads on walls too
   unsigned density = 0;            // frequencies at which modes are counted; 0: none
   double density_to_hz = 0;        // up to here; 0: all modes
   std::string view;                // of pictures, one of snapshot::view_names; empty: iso
@@ -48,9 +50,11 @@ struct Vibration {
       floppy_bodies;      // kinetic energy in all floppy modes, their sum is `floppy`; from 0.01 on
   bool complete = false;  // whether counts confirm that no mode is left out
   std::optional<response::ElasticModuli> elastic;
+  std::vector<response::LoadResponse> loads;
   std::vector<DensityPoint> density;
   std::vector<std::string> pictures;  // files
   std::vector<std::int64_t> names;    // of bodies, by number
+  std::vector<std::string> walls;     // names
   bool interrupted = false;
   std::string scenario;  // as resolved
   run::InputHashes inputs;
@@ -60,7 +64,8 @@ struct Vibration {
 };
 
 // Runs the stages of a plan, if it has any, takes the packing at their end as at rest, and writes the directory: modes.csv,
-// floppy.csv, density.csv, elastic.csv, charts/, images/, response.json. Throws Error (bad_input) before anything is written if
+// floppy.csv, density.csv, elastic.csv, loads.csv, load_bodies.csv,
+// load_contacts.csv, charts/, images/, response.json. Throws Error (bad_input) before anything is written if
 // the packing has no contacts, a law no derivative, or, for elastic constants, other walls; or as a run does.
 Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options);
 
