@@ -1,7 +1,7 @@
 """Draws figures 1 to 6 and 13 to 18 of McNamara et al. (2008) from the campaigns of this folder, and prints their numbers.
 
 Usage: python3 scenarios/mcnamara2008/figures.py campaigns [FOLDER for the pictures, default: that of the campaigns]
-Each picture needs its campaigns: cycle.png paths; ellipse.png elliptic, paths; steps.png laws, steps; rattlers.png rattlers, long.
+Each picture needs its campaigns: cycle.png paths; ellipse.png elliptic, paths; steps.png steps, laws; rattlers.png rattlers, long.
 Needs python3-matplotlib."""
 import math
 import os
@@ -143,10 +143,12 @@ def draw_laws(axes, runs):
 
 def draw_steps(folder, out):
     laws, steps = runs_of(os.path.join(folder, "laws")), runs_of(os.path.join(folder, "steps"))
-    if not laws or not steps:
+    if not steps:
         return
-    figure, (all_packings, over_steps) = pyplot.subplots(1, 2, figsize=(10, 4.2))
-    draw_laws(all_packings, laws)
+    figure, panels = pyplot.subplots(1, 2 if laws else 1, figsize=(10 if laws else 5.5, 4.2), squeeze=False)
+    over_steps = panels[0][-1]
+    if laws:
+        draw_laws(panels[0][0], laws)
     lines = {}
     for run in steps:
         key = (run["contact.discs.plugin"].removeprefix("disc_"), int(run["seed"]))
@@ -203,7 +205,8 @@ def draw_rattlers(folder, out):
     figure, ((outliers, packing), (periodic, settling)) = pyplot.subplots(2, 2, figsize=(10, 8.4))
     draw_strain(outliers, runs["outliers"], "Collisions of a disc without contacts (figure 15)")
     draw_packing(packing, runs["outliers"])
-    draw_strain(periodic, runs["periodic"], "A disc in a narrow cage (figure 17)")
+    if "periodic" in runs:
+        draw_strain(periodic, runs["periodic"], "A disc in a narrow cage (figure 17)")
     for path in longest:
         gamma = strains(path, DROPPED)[DROPPED:]
         print(f"{path}: range of {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
