@@ -29,7 +29,7 @@ def label(axes, title, x, y):
 
 def save(figure, out, name):
     figure.tight_layout()
-    figure.savefig(os.path.join(out, name), dpi=90)
+    figure.savefig(os.path.join(out, name), dpi=80)
     print(os.path.join(out, name))
 
 
@@ -54,7 +54,8 @@ def draw_stick(axes, paths):
     sticking = sorted((c for c, v in paths.contacts.items() if not sum(v[2])), key=lambda c: -abs(paths.area(c)))[:5]
     for name, colour in zip(sticking, (BLUE, ORANGE, GREEN, RED, GREY)):
         n, t, _ = paths.contacts[name]
-        axes.plot([v - sum(n) / len(n) for v in n], [v - sum(t) / len(t) for v in t], color=colour, linewidth=1.2, label=name.replace("_wall", ", wall ").replace("_", ", "))
+        about_means = [[v - sum(force) / len(force) for v in force] for force in (n, t)]
+        axes.plot(*about_means, color=colour, linewidth=1.2, label=name.replace("_wall", ", wall ").replace("_", ", "))
     axes.legend(title="discs", frameon=False, fontsize=8, title_fontsize=8)
     label(axes, "Sticking contacts (figure 4)", "$F_n$ less its mean / N", "$F_t$ less its mean / N")
 
@@ -66,7 +67,8 @@ def draw_cycle(folder, out):
     paths = Paths(run["path"])
     gamma, per = strains(run["path"], 0), paths.per_cycle
     figure, ((loop, minima), (slip, stick)) = pyplot.subplots(2, 2, figsize=(10, 8))
-    loop.plot([LOAD * (1 - math.cos(2 * math.pi * k / per)) for k in range(3 * per + 1)], [g * 1e3 for g in gamma[:3 * per + 1]], color=BLUE, linewidth=1)
+    loads = [LOAD * (1 - math.cos(2 * math.pi * k / per)) for k in range(3 * per + 1)]
+    loop.plot(loads, [g * 1e3 for g in gamma[:len(loads)]], color=BLUE, linewidth=1)
     label(loop, "Three cycles (figure 1)", "$q$ / p", r"$\gamma$ / 10$^{-3}$")
     at_minima = [(g - gamma[DROPPED * per]) * 1e6 for g in gamma[DROPPED * per::per]]
     minima.plot(range(DROPPED, DROPPED + len(at_minima)), at_minima, "o", markersize=4, color=BLUE)
@@ -95,7 +97,7 @@ def draw_phases(axes, folder):
         amplitude, quality = sine_fit(slopes)
         largest = max(abs(s) for s in slopes.values())
         print(f"{case}, packing {seed}: A = {amplitude:.4e}, R² = {quality:.6f}, largest |Δγ| {largest:.2e}, {len(slopes)} phases")
-        if case == "a third of the load" and quality > 0.9:
+        if case == "a third of the load":
             phases = sorted(slopes)
             axes.plot(phases, [slopes[p] / amplitude for p in phases], MARKS[seed % len(MARKS)], markersize=5, fillstyle="none", label=f"{seed}: {amplitude:.1e}")
     axes.plot(range(0, 361), [math.sin(math.radians(p)) for p in range(0, 361)], color="black", linewidth=1, label=r"sin $\varphi$")
@@ -161,7 +163,8 @@ def draw_steps(folder, out):
         over_steps.loglog(sizes, [abs(slopes[h]) for h in sizes], ("x-" if law == "cundall_strack" else "o--"), fillstyle="none", linewidth=1, markersize=5,
                           color=(BLUE, ORANGE, GREEN, RED, GREY, "black")[seeds.index(seed) % 6],
                           label=f"{seed}" if law == "cundall_strack" else None)
-    over_steps.legend(title="packing", frameon=False, fontsize=8, title_fontsize=8, ncols=2)
+    over_steps.set_ylim(bottom=over_steps.get_ylim()[0] / 20)
+    over_steps.legend(title="packing", frameon=False, fontsize=8, title_fontsize=8, ncols=3, loc="lower left")
     label(over_steps, "Crosses: Cundall and Strack; circles: corrected (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$")
     save(figure, out, "steps.png")
 
@@ -187,7 +190,7 @@ def draw_packing(axes, path):
         ends += [(r + b["radius"] - math.hypot(x - b["x"], y - b["y"]), b["x"], b["y"]) for b in discs if b is not a]
         forces = [(STIFFNESS * overlap, to_x, to_y) for overlap, to_x, to_y in ends if overlap > 0]
         axes.add_patch(pyplot.Circle((x, y), r, facecolor="#eeeeee" if forces else ORANGE, edgecolor=GREY))
-        axes.annotate(f"{a['id']:.0f}", (x, y), ha="center", va="center", fontsize=8, zorder=4)
+        axes.annotate(f"{a['id']:.0f}", (x + 0.4 * r, y + 0.4 * r), ha="center", va="center", fontsize=8)
         for force, to_x, to_y in forces:
             axes.plot([x, to_x], [y, to_y], color=BLUE, linewidth=8 * force)
         if not forces:
@@ -195,6 +198,7 @@ def draw_packing(axes, path):
             axes.annotate("", (x + 0.12 * a["vx"] / speed, y + 0.12 * a["vy"] / speed), (x, y), arrowprops={"arrowstyle": "->", "color": RED})
     axes.set(xlim=(-0.02, width + 0.02), ylim=(-0.02, height + 0.02), aspect="equal")
     label(axes, "Its discs and normal forces (figure 16)", "$x$ / L", "$y$ / L")
+    axes.grid(False)
 
 
 def draw_rattlers(folder, out):
@@ -206,7 +210,7 @@ def draw_rattlers(folder, out):
     draw_strain(outliers, runs["outliers"], "Collisions of a disc without contacts (figure 15)")
     draw_packing(packing, runs["outliers"])
     if "periodic" in runs:
-        draw_strain(periodic, runs["periodic"], "A disc in a narrow cage (figure 17)")
+        draw_strain(periodic, runs["periodic"], "Cycles that alternate (figure 17)")
     for path in longest:
         gamma = strains(path, DROPPED)[DROPPED:]
         print(f"{path}: range of {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
