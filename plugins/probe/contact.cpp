@@ -17,8 +17,9 @@ struct ContactProbe {
       "contact", "overlap, force and normal of selected contacts, 0 while they are open",
       "columns overlap_<a>_<b>, normal_force_<a>_<b>, tangential_force_<a>_<b>, sliding_<a>_<b>,\n"
       "        normal_x_<a>_<b> and so on for each pair of bodies; ..._<a>_wall<n> for a body at a wall\n"
-      "normal from b to a; normal_force = n·f, above 0 if repulsive; tangential_force = |f − n (n·f)|",
-      "—"};
+      "normal from b to a; normal_force = n·f, above 0 if repulsive; tangential_force = |f − n (n·f)|, in 2D\n"
+      "f·(z × n) with its sign, which does not depend on the order of the bodies",
+      "McNamara et al. 2008, figures 3, 4 and 7"};
 
   void declare(scree::Declaration& d) {
     d.list("pairs", pairs.ids, "", scree::body_ids, "ids of the bodies, two for each contact").optional();
@@ -108,7 +109,7 @@ struct ContactProbe {
     for (int k = 0; k < 3; ++k) across += (force[k] - along * normal[k]) * (force[k] - along * normal[k]);
     row[0] = view.contact_overlap[c];
     row[1] = along;
-    row[2] = std::sqrt(across);
+    row[2] = dimension == 2 ? normal[0] * force[1] - normal[1] * force[0] : std::sqrt(across);
     row[3] = view.contact_sliding[c];
     for (int k = 0; k < dimension; ++k) row[4 + k] = forward ? normal[k] : -normal[k];
   }

@@ -81,6 +81,45 @@ TEST_CASE("cycles without a period takes each row for a cycle", "[tools]") {
   CHECK(w.record(".", "cycles.json")["outliers"] == std::vector<int>{50});
 }
 
+TEST_CASE("cycles with the touches of bodies names rattlers and their touches before outliers", "[tools]") {
+  const Workspace w;
+  std::filesystem::create_directories(w / "run/series");
+  std::string
+      lengths = "time,length_x,length_y\n",
+      touching = "time,observations,touched_12,last_touch_12,touched_3,last_touch_3,touched_4,last_touch_4\n";
+  // In each cycle of a hundred observations body 3 always touches, body 4 once, 9 s before the minimum; body 12 once in every tenth cycle, 8 s before
+  // the minimum, or 0.5 s before that at 500 s, whose strain is off.
+  double touched = 0, last = 0;
+  for (int k = 0; k <= 60; ++k) {
+    const int t = 10 * k;
+    if (k % 10 == 0) touched += 1, last = t - (k == 50 ? 0.5 : 8);
+    lengths += fmt::format("{},1,{}\n", t, k == 50 ? 1.001 : 1 + 1e-9 * (k * k % 7));
+    touching += fmt::format("{},{},{},{},{},{},{},{}\n", t, 100 * k, touched, last, 100 * k, t, k, t - 9);
+  }
+  w.write("run/series/load.csv", lengths);
+  w.write("run/series/touching.csv", touching);
+  const auto outcome = w.scree("cycles run --touching touching --period 10 --start 0");
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.status == 0);
+  // From cycle 29 to 60 those of 30, 40, 50, 60: 4 of 3100 observations.
+  CHECK(
+      outcome.out.find(
+          "rattlers      body 4 (touches in 1 % of the observations), body 12 (touches in 0.13 % of the observations)\n"
+          "last touch    outliers: 0.5 s before the minimum (median of 1; 0.5 to 0.5 s)\n"
+          "              other cycles: 9 s before the minimum (median of 31; 8 to 9 s)\n") !=
+      std::string::npos);
+  CHECK(outcome.out.find("              cycle 50: body 12 0.5 s before its minimum\n") != std::string::npos);
+  CHECK(w.record("run", "cycles.json")["rattlers"][1]["id"] == 12);
+  CHECK(w.text("run/cycles.csv").find("\n50,500,") != std::string::npos);
+  CHECK(w.text("run/cycles.csv").find(",1,12,0.5\n") != std::string::npos);
+
+  check_refused(w, w.scree("cycles run --out out --touching load --period 10 --start 0"),
+                "run/series/load.csv: there is no column touched_<id>", "of the kind touching");
+  w.write("run/series/touching.csv", touching.substr(0, touching.find("\n300,") + 1));
+  check_refused(w, w.scree("cycles run --out out --touching touching --period 10 --start 0"),
+                "run/series/touching.csv: there is no row at 300 s", "`stages` that of the load");
+}
+
 TEST_CASE("cycles of several runs counts the classes and the signs", "[tools]") {
   const Workspace w;
   write_run(w, "a");

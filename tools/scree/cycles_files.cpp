@@ -37,6 +37,8 @@ std::string table_of(const CyclesResult& r) {
   std::vector<std::string> header = {"cycle", "time [s]", with_unit(s.strain, s.strain_unit), "fit",
                                      "outlier"};
   if (loops) header.insert(header.end(), {"loop_area", "stiffness"});
+  const bool touches = r.rattlers && !r.rattlers->touches.empty();
+  if (touches) header.insert(header.end(), {"rattler", "touched_before [s]"});
   std::string text = files::csv_line(header);
   for (std::size_t n = 0; n < s.series.strain.size(); ++n) {
     std::vector<std::string> cells = {
@@ -47,6 +49,9 @@ std::string table_of(const CyclesResult& r) {
       for (const double value :
            {has_loop ? s.series.loops[n].area : NAN, has_loop ? s.series.loops[n].stiffness : NAN})
         cells.push_back(files::csv_number(value));
+    if (touches)
+      cells.insert(cells.end(), {std::to_string(r.rattlers->touches[n].body),
+                                 files::csv_number(r.rattlers->touches[n].before)});
     text += files::csv_line(cells);
   }
   return text;
@@ -76,6 +81,11 @@ std::string record_of(const CyclesResult& r) {
   json["chance_of_repetition"] = c.period_probability;
   json["chance_of_settling"] = c.settling_probability;
   json["outliers"] = c.outliers;
+  if (r.rattlers) {
+    json["rattlers"] = Json::array();
+    for (const Rattlers::Body& body : r.rattlers->bodies)
+      json["rattlers"].push_back({{"id", body.id}, {"share_touching", body.share}});
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "cycles_source.hpp"
+#include "cycles_touching.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct CyclesResult {
   CyclesSource source;
   cycles::Classification found;
   std::size_t drop = 0;
+  std::optional<Rattlers> rattlers = {};  // if they were looked for
 };
 
 // What `scree cycles` writes of one series: a table, a record and, with pictures, a chart. Earlier ones are replaced.

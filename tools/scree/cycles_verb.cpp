@@ -23,13 +23,14 @@ struct CyclesArguments {
   CyclesRequest request;
   std::uint64_t drop = cycles::ClassOptions{}.drop;
   double round_off = 0;
+  std::string touching;
   std::string out;
 };
 
 CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   request.drop = arguments.drop;
   CyclesResult result{
-      request.csv.empty() ? request.directory : request.csv, read_cycles(request), {}, arguments.drop};
+      request.csv.empty() ? request.directory : request.csv, read_cycles(request), {}, arguments.drop, {}};
   cycles::ClassOptions options;
   options.drop = arguments.drop;
   options.round_off = arguments.round_off;
@@ -38,6 +39,9 @@ CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", result.source.file.string(), error.what()), error.status());
   }
+  if (!arguments.touching.empty())
+    result.rattlers = read_rattlers(result.source.file.parent_path() / (arguments.touching + ".csv"),
+                                    result.source.minimum_times, arguments.drop);
   return result;
 }
 
@@ -65,6 +69,35 @@ void print_loops(const CyclesResult& r) {
                stiffness, loops[0].area, loops[0].stiffness);
 }
 
+// The times before the minima of outliers, or of the other cycles that count, at which a rattler last touched.
+std::string touches_of(const CyclesResult& r, bool of_outliers) {
+  std::vector<double> before;
+  for (std::size_t n = r.drop; n < r.rattlers->touches.size(); ++n)
+    if (std::binary_search(r.found.outliers.begin(), r.found.outliers.end(), n) == of_outliers)
+      before.push_back(r.rattlers->touches[n].before);
+  if (before.empty()) return "none";
+  std::sort(before.begin(), before.end());
+  return fmt::format("{:.3g} s before the minimum (median of {}; {:.3g} to {:.3g} s)",
+                     before[before.size() / 2], before.size(), before.front(), before.back());
+}
+
+void print_rattlers(const CyclesResult& r) {
+  constexpr std::size_t most = 12;
+  std::string names;
+  for (const Rattlers::Body& body : r.rattlers->bodies)
+    names += fmt::format("{}body {} (touches in {:.2g} % of the observations)", names.empty() ? "" : ", ",
+                         body.id, 100 * body.share);
+  fmt::print("{:<14}{}\n", "rattlers", names.empty() ? "none" : names);
+  if (r.rattlers->touches.empty()) return;
+  fmt::print("{:<14}outliers: {}\n", "last touch", touches_of(r, true));
+  fmt::print("{:<14}other cycles: {}\n", "", touches_of(r, false));
+  for (std::size_t k = 0; k < std::min(most, r.found.outliers.size()); ++k) {
+    const LatestTouch& touch = r.rattlers->touches[r.found.outliers[k]];
+    fmt::print("{:<14}cycle {}: body {} {:.3g} s before its minimum\n", "", r.found.outliers[k], touch.body,
+               touch.before);
+  }
+}
+
 void print_summary(const CyclesResult& r) {
   const cycles::Classification& c = r.found;
   const std::string period = r.source.period > 0 ? fmt::format("of {:.10g} s ", r.source.period) : "";
@@ -78,6 +111,7 @@ void print_summary(const CyclesResult& r) {
   fmt::print("{:<14}{:.3e}\n", "range", c.range);
   fmt::print("{:<14}{}\n", "outliers", outliers_of(c));
   print_loops(r);
+  if (r.rattlers) print_rattlers(r);
   fmt::print("{:<14}{}: {}\n", "class", cycles::class_name(c.kind), c.reason);
 }
 
@@ -155,6 +189,10 @@ void add_cycles_verb(CommandLine& line) {
       .shown_as("FILE");
   verb.option("--probe", a->request.probe,
               "Probe of the runs; default: the first whose series has the columns")
+      .shown_as("NAME");
+  verb.option(
+          "--touching", a->touching,
+          "Probe of the kind touching, beside the series: names rattlers and their touches before outliers")
       .shown_as("NAME");
   verb.option("--strain", a->request.strain,
               "Column, or lengths: length_y/length_y0 - length_x/length_x0, which is the default")

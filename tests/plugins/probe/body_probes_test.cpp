@@ -130,6 +130,21 @@ TEST_CASE("contact: in 2D the normal has two components", "[probe]") {
   CHECK(c["normal_y_1_wall1"] == 1);
 }
 
+TEST_CASE("contact: in 2D the tangential force has a sign, the same for both orders of the bodies",
+          "[probe]") {
+  for (const double side : {1.0, -1.0}) {
+    // Body 1 slides over body 2 towards ± x; with n = (0, 1) and t = z × n = (−1, 0), friction on body 1 is ± along t.
+    Simulation s(scene(2, 1e-5,
+                       {body(1, radius, mass, {{0, 2 * radius - 1e-4, 0}}, {{side, 0, 0}}, {}, 2),
+                        body(2, radius, mass, {{0, 0, 0}}, {}, {}, 2)},
+                       law));
+    run(s, 5);
+    const Recorder c(s, "contact", {{"pairs", {1, 2, 2, 1}}});
+    CHECK(side * c["tangential_force_1_2"] > 0);
+    CHECK(c["tangential_force_2_1"] == c["tangential_force_1_2"]);
+  }
+}
+
 TEST_CASE("body_energy: the remaining fraction of translational and rotational energy", "[probe]") {
   for (const int dimension : {2, 3}) {
     const double gyration = dimension == 2 ? 0.5 : 0.4;
