@@ -1,5 +1,5 @@
-// Rate of path-independent tangential springs of discs, [M24] and [M25], and of spheres to first order in the arcs
-// between their painted points.
+// Rate of path-independent tangential springs of discs, [M24] and [M25], and of spheres whose painted points are at the
+// contact.
 
 #pragma once
 
@@ -26,6 +26,11 @@ struct SpringRate {
   }
   T operator()(const T& along_tangent, const T& relative_turning) const {
     return scree::fused(stretch, along_tangent, offset * relative_turning);
+  }
+  // ξ′ of spheres: α V_t + e (ω_a − ω_b) × n.
+  scree::Vec<3, T> operator()(const scree::Vec<3, T>& tangential, const scree::Vec<3, T>& relative_turning,
+                              const scree::Vec<3, T>& normal) const {
+    return fused(stretch, tangential, offset * cross(relative_turning, normal));
   }
 };
 
