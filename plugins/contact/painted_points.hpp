@@ -65,11 +65,9 @@ class PaintedPair {
     return {c_.radius_a * arc_a, choose(wall_, along_wall, -c_.radius_b * arc_b)};
   }
 
-  // Whether a point is so far from the contact that both must be painted anew.
-  bool far(const Shares<T>& s) const {
-    constexpr double square_limit = arc_limit * arc_limit;
-    const T longest = std::max(square_arc_a(s), square_arc_b(s));
-    return longest > T(square_limit);
+  // Square of the longer of both arcs from the contact to a painted point (rad²); 1 if they are not painted.
+  T farthest(const Shares<T>& s, bool painted) const {
+    return painted ? std::max(square_arc_a(s), square_arc_b(s)) : T(1);
   }
 
   // The points whose shares are the given ones.

@@ -14,6 +14,7 @@ using scree::Contact;
 using scree::Response;
 using scree::Vec;
 using sphere::Normal;
+using tangential::choose;
 
 struct SpherePathIndependent : sphere::Keys {
   static constexpr scree::About about = {
@@ -112,7 +113,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
     // At first touch the spring is as long as the pair moved while touching.
     const Vec<D, T> half = T(0.5) * tangential_part(c.tangential_increment, c.normal);
     tangential::Shares<T> shares = pair.shares(h.points);
-    shares = {tangential::choose(painted, shares.a, half), tangential::choose(painted, shares.b, half)};
+    shares = {choose(painted, shares.a, half), choose(painted, shares.b, half)};
     const Vec<D, T> trial = shares.a + shares.b;
 
     const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, f_n.repulsive);
@@ -180,13 +181,12 @@ struct Frictional : Frictionless<kind, by_restitution> {
   template <class Pair, int D, class T, class AnyHistory>
   static void place(const Pair& pair, tangential::Shares<T>& shares, const Vec<D, T>& trial,
                     const scree::Slip<D, T>& slip, bool painted, AnyHistory& h) {
-    const bool anew = !painted || pair.far(shares), moved = anew || slip.slides;
+    const bool anew = pair.farthest(shares, painted) > T(pair.arc_limit * pair.arc_limit);
     const Vec<D, T> half = T(0.5) * slip.spring, half_slip = T(0.5) * (trial - slip.spring);
-    shares = {tangential::choose(anew, half, shares.a - half_slip),
-              tangential::choose(anew, half, shares.b - half_slip)};
+    shares = {choose(anew, half, shares.a - half_slip), choose(anew, half, shares.b - half_slip)};
     const tangential::Points<T> points = pair.points(shares);
-    h.points = {tangential::choose(moved, points.a, h.points.a),
-                tangential::choose(moved, points.b, h.points.b)};
+    h.points = {choose(anew, points.a, choose(slip.slides, points.a, h.points.a)),
+                choose(anew, points.b, choose(slip.slides, points.b, h.points.b))};
   }
 };
 

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/plugin/great_circle.hpp>
+
 // The derivatives of every law against finite differences of fourth order. With steps of 1e-3 of the scale of
 // each quantity, their truncation error is about 1e-12 and their round-off, 1e-16 × |f|/step, below 1e-11 of
 // the largest derivative; 1e-7 leaves room for states near a kink.
@@ -79,6 +81,29 @@ std::vector<Variant> variants() {
                        5000,
                        0.5 * 0.1 / 1500,
                        friction > 0});
+  for (const double friction : {0.0, 0.4}) {
+    const std::string name = "friction " + std::to_string(friction);
+    all.push_back({"sphere_path_independent",
+                   "linear, " + name,
+                   {{"normal_stiffness", {5000}},
+                    {"restitution", {0.8}},
+                    {"tangential_stiffness", {1500}},
+                    {"tangential_damping", {0.2}},
+                    {"static_friction", {friction}}},
+                   5000,
+                   0.4 * 0.1 / 1500,
+                   friction > 0});
+    all.push_back({"sphere_path_independent",
+                   "hertz, " + name,
+                   {{"normal", {1}},
+                    {"youngs_modulus", {7e7}},
+                    {"poissons_ratio", {0.2}},
+                    {"restitution", {0.8}},
+                    {"friction", {friction}}},
+                   1e4,
+                   0.4 * 2e-5 * 2.0 / 3.0 * 0.9,
+                   friction > 0});
+  }
   return all;
 }
 
@@ -103,6 +128,27 @@ void load_disc_history(LawBatch& pair, const State& state) {
   pair.set_history("touched", 1);
 }
 
+// Painted points of a law for spheres such that the spring is that of the state; the bodies have not turned.
+void load_sphere_history(LawBatch& pair, const State& state) {
+  const Vec3 a = end_of_arc(-state.normal, 0.5 / 2.4e-3 * state.spring),
+             b = end_of_arc(state.normal, -0.5 / 1.6e-3 * state.spring);
+  for (int k = 0; k < 3; ++k) {
+    const std::string axis(1, "xyz"[k]);
+    pair.set_history("painted_a_" + axis, a[k]);
+    pair.set_history("painted_b_" + axis, b[k]);
+    pair.set_history("spring_" + axis, state.spring[k]);
+  }
+  pair.set_history("sliding", state.was_sliding ? 1 : 0);
+  pair.set_history("signed_contact_radius", (state.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5));
+}
+
+// The unit quaternion of a rotation of a about an axis (rad).
+void turn_sphere(LawBatch& pair, int axis, double angle) {
+  for (int k = 0; k < 3; ++k) pair.input(SCREE_ORIENTATION_A, 1 + k) = k == axis ? std::sin(0.5 * angle) : 0;
+  pair.input(SCREE_ORIENTATION_A) = std::cos(0.5 * angle);
+  pair.input(SCREE_ORIENTATION_B) = 1;
+}
+
 // Columns of ContactJacobian: the change of a state by `amount` in one of them.
 void load(LawBatch& pair, const State& state, int column, double amount) {
   const int d = state.dimension, spins = d == 2 ? 1 : 3, k = column % (d + spins);
@@ -124,6 +170,7 @@ void load(LawBatch& pair, const State& state, int column, double amount) {
   }
   pair.set(SCREE_NORMAL, s.normal);
   if (d == 2) pair.input(SCREE_ORIENTATION_A) = motion && k == d ? amount : 0;
+  if (d == 3) turn_sphere(pair, k - d, motion && k >= d ? amount : 0);
   pair.input(SCREE_OVERLAP) = s.overlap;
   pair.set(SCREE_RELATIVE_VELOCITY, s.velocity);
   pair.set(SCREE_TANGENTIAL_INCREMENT, s.increment);
@@ -133,6 +180,7 @@ void load(LawBatch& pair, const State& state, int column, double amount) {
   pair.input(SCREE_RADII, 1) = 1.6e-3;
   pair.input(SCREE_REDUCED_MASS) = 4e-6;
   if (pair.has_history("spring")) return load_disc_history(pair, state);
+  if (pair.has_history("painted_a_x")) return load_sphere_history(pair, state);
   const std::uint32_t width = pair.instance().history_width;
   for (std::uint32_t h = 0; h < width; ++h)
     pair.history(h) = h < std::uint32_t(d) ? s.spring[int(h)] : (s.was_sliding ? 1 : 0);
