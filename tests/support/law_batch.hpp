@@ -34,13 +34,13 @@ class LawBatch {
   const scree_contact_instance& instance() const { return law_.instance(); }
   void evaluate(double step) { contact_.evaluate(law_, step); }
 
-  // Row and column as in ContactJacobian.
-  double derivative(int row, int column, double inverse_distance, double step) {
+  // Of force and couple, rows as in ContactJacobian, with component k of a motion.
+  double derivative(int row, PairMotion motion, int k, double inverse_distance, double step) {
     const std::vector<double> inverse_distances(SCREE_LANES, inverse_distance);
     const ContactJacobian jacobian(law_, dimension_);
     std::vector<double> values;
     jacobian.evaluate(contact_.batch(step), inverse_distances.data(), values);
-    return values[std::size_t(row * jacobian.columns() + column)];
+    return values[std::size_t(row * jacobian.columns() + jacobian.first(motion) + k)];
   }
 
  private:

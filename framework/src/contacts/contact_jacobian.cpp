@@ -16,36 +16,69 @@ class InputTangent {
   InputTangent(const scree_contact_batch& batch, int dimension, std::uint32_t reads)
       : batch_(batch), dimension_(dimension), reads_(reads), columns_(SCREE_CONTACT_INPUT_COUNT) {}
 
-  // The contact points move apart by the unit vector of an axis.
-  void displace(int axis, const double* inverse_distance) {
+  // Component k of a motion changes by 1.
+  void move(PairMotion motion, int k, const double* inverse_distance) {
+    switch (motion) {
+      case PairMotion::centres:
+        move_surfaces(k), move_centres(k, inverse_distance);
+        break;
+      case PairMotion::surfaces:
+        move_surfaces(k);
+        break;
+      case PairMotion::rotation_a:
+        rotate(SCREE_ORIENTATION_A, k);
+        break;
+      case PairMotion::rotation_b:
+        rotate(SCREE_ORIENTATION_B, k);
+        break;
+      case PairMotion::velocity:
+        change(SCREE_RELATIVE_VELOCITY, k);
+        break;
+      case PairMotion::spin:
+        change(SCREE_RELATIVE_SPIN, k);
+        break;
+    }
+  }
+
+  const double* column(std::uint32_t k) const { return columns_[k].empty() ? nullptr : columns_[k].data(); }
+
+ private:
+  // Component k of the part of a unit vector across the normal.
+  double across(int axis, int k, std::uint32_t i) const {
+    return (k == axis ? 1 : 0) - input(SCREE_NORMAL + axis, i) * input(SCREE_NORMAL + k, i);
+  }
+
+  void move_surfaces(int axis) {
+    if (!reads(SCREE_TANGENTIAL_INCREMENT)) return;
+    for (std::uint32_t i = 0; i < batch_.count; ++i)
+      for (int k = 0; k < dimension_; ++k) set(SCREE_TANGENTIAL_INCREMENT + k, i, across(axis, k, i));
+  }
+
+  void move_centres(int axis, const double* inverse_distance) {
     for (std::uint32_t i = 0; i < batch_.count; ++i) {
       const double along = input(SCREE_NORMAL + axis, i);
       set(SCREE_OVERLAP, i, -along);
-      for (int k = 0; k < dimension_; ++k) {
-        const double across = (k == axis ? 1 : 0) - along * input(SCREE_NORMAL + k, i);
-        set(SCREE_NORMAL + k, i, across * inverse_distance[i]);
-        if (reads(SCREE_TANGENTIAL_INCREMENT)) set(SCREE_TANGENTIAL_INCREMENT + k, i, across);
-      }
+      for (int k = 0; k < dimension_; ++k) set(SCREE_NORMAL + k, i, across(axis, k, i) * inverse_distance[i]);
       if (reads(SCREE_SEPARATION)) set(SCREE_SEPARATION + axis, i, 1);
       if (reads(SCREE_CONTACT_RADIUS)) set_contact_radius(i, -along);
     }
   }
 
-  // a turns about an axis: about z in 2D.
-  void rotate(int axis) {
-    if (!reads(SCREE_ORIENTATION_A)) return;
+  // A body turns about an axis: about z in 2D.
+  void rotate(scree_contact_input orientation, int axis) {
+    if (!reads(orientation)) return;
     for (std::uint32_t i = 0; i < batch_.count; ++i) {
       if (dimension_ == 2) {
-        set(SCREE_ORIENTATION_A, i, 1);
+        set(orientation, i, 1);
         continue;
       }
       // ½ e q, e: unit vector of the axis.
       Vec3 unit = {}, vector;
       unit[axis] = 0.5;
-      for (int k = 0; k < 3; ++k) vector[k] = input(SCREE_ORIENTATION_A + 1 + k, i);
-      const Vec3 turned = input(SCREE_ORIENTATION_A, i) * unit + cross(unit, vector);
-      set(SCREE_ORIENTATION_A, i, -dot(unit, vector));
-      for (int k = 0; k < 3; ++k) set(SCREE_ORIENTATION_A + 1 + k, i, turned[k]);
+      for (int k = 0; k < 3; ++k) vector[k] = input(orientation + 1 + k, i);
+      const Vec3 turned = input(orientation, i) * unit + cross(unit, vector);
+      set(orientation, i, -dot(unit, vector));
+      for (int k = 0; k < 3; ++k) set(orientation + 1 + k, i, turned[k]);
     }
   }
 
@@ -55,9 +88,6 @@ class InputTangent {
     for (std::uint32_t i = 0; i < batch_.count; ++i) set(vector + k, i, 1);
   }
 
-  const double* column(std::uint32_t k) const { return columns_[k].empty() ? nullptr : columns_[k].data(); }
-
- private:
   bool reads(scree_contact_input input) const { return reads_ & (1u << input); }
   double input(int column, std::uint32_t i) const {
     return batch_.input[column] ? batch_.input[column][i] : 0;
@@ -83,6 +113,12 @@ class InputTangent {
 
 }  // namespace
 
+int motion_components(PairMotion motion, int dimension) {
+  const bool turns =
+      motion == PairMotion::rotation_a || motion == PairMotion::rotation_b || motion == PairMotion::spin;
+  return turns && dimension == 2 ? 1 : dimension;
+}
+
 ContactJacobian::ContactJacobian(const ConfiguredLaw& law, int dimension)
     : law_(law), dimension_(dimension), spins_(dimension == 2 ? 1 : 3) {
   if (!law.instance().differentiate)
@@ -90,35 +126,34 @@ ContactJacobian::ContactJacobian(const ConfiguredLaw& law, int dimension)
                             law.parameters().plugin().name));
 }
 
+int ContactJacobian::first(PairMotion motion) const {
+  int columns = 0;
+  for (int m = 0; m < int(motion); ++m) columns += motion_components(PairMotion(m), dimension_);
+  return columns;
+}
+
 void ContactJacobian::evaluate(const scree_contact_batch& batch, const double* inverse_distance,
                                std::vector<double>& jacobian) const {
   jacobian.assign(batch.count * std::size_t(rows() * columns()), 0.0);
   std::vector<double> response(batch.count * SCREE_ELASTIC_NORMAL);
-  for (int column = 0; column < columns(); ++column) {
-    InputTangent input(batch, dimension_, law_.instance().reads);
-    const int k = column % rows();
-    if (column < dimension_)
-      input.displace(k, inverse_distance);
-    else if (column < rows())
-      input.rotate(k - dimension_);
-    else if (k < dimension_)
-      input.change(SCREE_RELATIVE_VELOCITY, k);
-    else
-      input.change(SCREE_RELATIVE_SPIN, k - dimension_);
-
-    scree_contact_tangent tangent = {};
-    tangent.struct_size = sizeof(tangent);
-    for (std::uint32_t c = 0; c < SCREE_CONTACT_INPUT_COUNT; ++c) tangent.input[c] = input.column(c);
-    for (std::uint32_t c = 0; c < SCREE_ELASTIC_NORMAL; ++c)
-      tangent.output[c] = response.data() + c * batch.count;
-    std::fill(response.begin(), response.end(), 0.0);
-    law_.instance().differentiate(law_.storage(), &batch, &tangent);
-    for (std::uint32_t i = 0; i < batch.count; ++i)
-      for (int row = 0; row < rows(); ++row) {
-        const int output = row < dimension_ ? SCREE_FORCE + row : SCREE_COUPLE + row - dimension_;
-        jacobian[std::size_t((int(i) * rows() + row) * columns() + column)] = tangent.output[output][i];
-      }
-  }
+  for (int m = 0; m < pair_motions; ++m)
+    for (int k = 0; k < motion_components(PairMotion(m), dimension_); ++k) {
+      InputTangent input(batch, dimension_, law_.instance().reads);
+      input.move(PairMotion(m), k, inverse_distance);
+      scree_contact_tangent tangent = {};
+      tangent.struct_size = sizeof(tangent);
+      for (std::uint32_t c = 0; c < SCREE_CONTACT_INPUT_COUNT; ++c) tangent.input[c] = input.column(c);
+      for (std::uint32_t c = 0; c < SCREE_ELASTIC_NORMAL; ++c)
+        tangent.output[c] = response.data() + c * batch.count;
+      std::fill(response.begin(), response.end(), 0.0);
+      law_.instance().differentiate(law_.storage(), &batch, &tangent);
+      const int column = first(PairMotion(m)) + k;
+      for (std::uint32_t i = 0; i < batch.count; ++i)
+        for (int row = 0; row < rows(); ++row) {
+          const int output = row < dimension_ ? SCREE_FORCE + row : SCREE_COUPLE + row - dimension_;
+          jacobian[std::size_t((int(i) * rows() + row) * columns() + column)] = tangent.output[output][i];
+        }
+    }
 }
 
 }  // namespace scree

@@ -11,43 +11,85 @@ namespace scree::plugin_checks {
 
 namespace {
 
-// Changes contact 0 by `amount` along a column of ContactJacobian. Orientations are left out: a law may read
-// them in any form.
-void change(const LawUnderCheck& law, ContactColumns& contact, int column, double amount) {
-  const int rows = law.dimension + law.spins(), k = column % rows;
+// Rotates a body of contact 0 by an angle (rad) about axis k: about z in 2D.
+void rotate(ContactColumns& contact, scree_contact_input orientation, int dimension, int k, double angle) {
+  if (dimension == 2) {
+    contact.input(orientation) += angle;
+    return;
+  }
+  Vec3 axis = {}, vector;
+  axis[k] = std::sin(0.5 * angle);
+  for (int j = 0; j < 3; ++j) vector[j] = contact.input(orientation, 1 + j);
+  const double scalar = contact.input(orientation), cosine = std::cos(0.5 * angle);
+  const Vec3 turned = cosine * vector + scalar * axis + cross(axis, vector);
+  contact.input(orientation) = cosine * scalar - dot(axis, vector);
+  for (int j = 0; j < 3; ++j) contact.input(orientation, 1 + j) = turned[j];
+}
+
+// Changes contact 0 by `amount` in component k of a motion.
+void change(const LawUnderCheck& law, ContactColumns& contact, PairMotion motion, int k, double amount) {
   const auto vector = [&](scree_contact_input input) {
     return Vec3{{contact.input(input, 0), contact.input(input, 1), contact.input(input, 2)}};
   };
-  if (column < law.dimension) {
-    const Vec3 normal = vector(SCREE_NORMAL);
-    Vec3 displacement = {};
-    displacement[k] = amount;
-    const double along = dot(displacement, normal);
-    contact.input(SCREE_OVERLAP) -= along;
-    contact.set(SCREE_TANGENTIAL_INCREMENT,
-                vector(SCREE_TANGENTIAL_INCREMENT) + displacement - along * normal);
-    contact.input(SCREE_SEPARATION, k) += amount;
-    const Vec3 separation = law.passage.distance() * normal + displacement;
-    contact.set(SCREE_NORMAL, (1 / norm(separation)) * separation);
-  } else if (column >= rows && k < law.dimension) {
-    contact.input(SCREE_RELATIVE_VELOCITY, k) += amount;
-  } else if (column >= rows) {
-    contact.input(SCREE_RELATIVE_SPIN, k - law.dimension) += amount;
+  const Vec3 normal = vector(SCREE_NORMAL);
+  Vec3 displacement = {};
+  displacement[k] = amount;
+  const double along = dot(displacement, normal);
+  switch (motion) {
+    case PairMotion::centres: {
+      contact.input(SCREE_OVERLAP) -= along;
+      contact.input(SCREE_SEPARATION, k) += amount;
+      const Vec3 separation = law.passage.distance() * normal + displacement;
+      contact.set(SCREE_NORMAL, (1 / norm(separation)) * separation);
+      [[fallthrough]];  // the contact points move with the centres
+    }
+    case PairMotion::surfaces:
+      contact.set(SCREE_TANGENTIAL_INCREMENT,
+                  vector(SCREE_TANGENTIAL_INCREMENT) + displacement - along * normal);
+      break;
+    case PairMotion::rotation_a:
+      rotate(contact, SCREE_ORIENTATION_A, law.dimension, k, amount);
+      break;
+    case PairMotion::rotation_b:
+      rotate(contact, SCREE_ORIENTATION_B, law.dimension, k, amount);
+      break;
+    case PairMotion::velocity:
+      contact.input(SCREE_RELATIVE_VELOCITY, k) += amount;
+      break;
+    case PairMotion::spin:
+      contact.input(SCREE_RELATIVE_SPIN, k) += amount;
+      break;
   }
 }
 
 // Response of a contact at a step of the passage, with a given history.
 std::vector<double> response(const LawUnderCheck& law, int variant, int step,
-                             const std::vector<double>& history, int column, double amount) {
+                             const std::vector<double>& history, PairMotion motion, int k, double amount) {
   ContactColumns contact(1);
   law.passage.set(contact, 0, variant, step);
-  for (std::size_t k = 0; k < history.size(); ++k) contact.history(k) = history[k];
-  change(law, contact, column, amount);
+  for (std::size_t h = 0; h < history.size(); ++h) contact.history(h) = history[h];
+  change(law, contact, motion, k, amount);
   contact.evaluate(law.law, law.passage.step());
   std::vector<double> all;
-  for (int k = 0; k < law.dimension; ++k) all.push_back(contact.output(SCREE_FORCE, k));
-  for (int k = 0; k < law.spins(); ++k) all.push_back(law.has_couple() ? contact.output(SCREE_COUPLE, k) : 0);
+  for (int row = 0; row < law.dimension; ++row) all.push_back(contact.output(SCREE_FORCE, row));
+  for (int row = 0; row < law.spins(); ++row)
+    all.push_back(law.has_couple() ? contact.output(SCREE_COUPLE, row) : 0);
   return all;
+}
+
+// Typical size of a motion.
+double scale_of(PairMotion motion, const Passage& passage) {
+  switch (motion) {
+    case PairMotion::velocity:
+      return passage.speed();
+    case PairMotion::spin:
+      return passage.spin();
+    case PairMotion::rotation_a:
+    case PairMotion::rotation_b:
+      return passage.overlap() / passage.distance();
+    default:
+      return passage.overlap();
+  }
 }
 
 struct Worst {
@@ -57,14 +99,14 @@ struct Worst {
 
 // Compares one column; where the slopes between neighbouring points differ the law changes its branch, and the
 // column is left out.
-void compare(const LawUnderCheck& law, int variant, int step, const std::vector<double>& history, int column,
-             const std::vector<double>& jacobian, Worst& worst) {
-  const int rows = law.dimension + law.spins();
-  const double scale = column < rows                   ? law.passage.overlap()
-                       : column % rows < law.dimension ? law.passage.speed()
-                                                       : law.passage.spin();
-  const double amount = 1e-4 * scale;
-  const auto at = [&](double share) { return response(law, variant, step, history, column, share * amount); };
+void compare(const LawUnderCheck& law, int variant, int step, const std::vector<double>& history,
+             PairMotion motion, int k, const ContactJacobian& derivative, const std::vector<double>& jacobian,
+             Worst& worst) {
+  const int rows = derivative.rows();
+  const double scale = scale_of(motion, law.passage), amount = 1e-4 * scale;
+  const auto at = [&](double share) {
+    return response(law, variant, step, history, motion, k, share * amount);
+  };
   const std::vector<double> middle = at(0), left = at(-1), right = at(1), far_left = at(-2),
                             far_right = at(2);
   double force = 1e-300, couple = 1e-300;
@@ -83,7 +125,7 @@ void compare(const LawUnderCheck& law, int variant, int step, const std::vector<
       continue;
     }
     const double slope = (8 * (right[r] - left[r]) - (far_right[r] - far_left[r])) / (12 * amount);
-    const double exact = jacobian[std::size_t(row * 2 * rows + column)];
+    const double exact = jacobian[std::size_t(row * derivative.columns() + derivative.first(motion) + k)];
     worst.deviation = std::max(worst.deviation, std::abs(slope - exact) / std::max(unit, std::abs(exact)));
     ++worst.compared;
   }
@@ -109,8 +151,9 @@ Checks check_derivatives(const LawUnderCheck& law) {
         for (std::size_t k = 0; k < history.size(); ++k) before.history(k) = history[k];
         std::vector<double> jacobian;
         derivative.evaluate(before.batch(law.passage.step()), inverse_distance.data(), jacobian);
-        for (int column = 0; column < derivative.columns(); ++column)
-          compare(law, variant, step, history, column, jacobian, worst);
+        for (int m = 0; m < pair_motions; ++m)
+          for (int k = 0; k < motion_components(PairMotion(m), law.dimension); ++k)
+            compare(law, variant, step, history, PairMotion(m), k, derivative, jacobian, worst);
       }
       for (std::size_t k = 0; k < history.size(); ++k) history[k] = contact.history(k);
     });

@@ -23,19 +23,19 @@ Block ContactGeometry::turning_of_lever(double arm, const Eigen::Vector3d& force
 
 Block ContactGeometry::of_bodies(const Motion& motion, const Eigen::Vector3d& force) const {
   const int D = dimension, S = spins, of_body = D + S;
-  // u, w and θ_a − θ_b by the motions of a and b.
-  Block u = Block::Zero(D, 2 * of_body), w = Block::Zero(S, 2 * of_body), rotation = w;
+  // u and w by the motions of a and b.
+  Block u = Block::Zero(D, 2 * of_body), w = Block::Zero(S, 2 * of_body);
   u.leftCols(D).setIdentity();
   u.middleCols(of_body, D) = -Block::Identity(D, D);
   w.middleCols(D, S) = arm_a * Block::Identity(S, S);
   w.rightCols(S) = arm_b * Block::Identity(S, S);
-  rotation.middleCols(D, S).setIdentity();
-  rotation.rightCols(S) = -Block::Identity(S, S);
 
-  const Block force_change =
-      motion.force_by_displacement * u + motion.force_by_turning * w + motion.force_by_rotation * rotation;
-  const Block couple_change =
-      motion.couple_by_displacement * u + motion.couple_by_turning * w + motion.couple_by_rotation * rotation;
+  Block force_change = motion.force_by_displacement * u + motion.force_by_turning * w;
+  force_change.middleCols(D, S) += motion.force_by_rotation_a;
+  force_change.rightCols(S) += motion.force_by_rotation_b;
+  Block couple_change = motion.couple_by_displacement * u + motion.couple_by_turning * w;
+  couple_change.middleCols(D, S) += motion.couple_by_rotation_a;
+  couple_change.rightCols(S) += motion.couple_by_rotation_b;
   const Block lever = crossing(normal).transpose() * force_change;
   Block result(2 * of_body, 2 * of_body);
   result.topRows(D) = -force_change;

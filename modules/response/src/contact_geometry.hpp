@@ -21,7 +21,8 @@ struct ContactGeometry {
   struct Motion {
     Block force_by_displacement, couple_by_displacement;  // u
     Block force_by_turning, couple_by_turning;            // w
-    Block force_by_rotation, couple_by_rotation;          // θ_a − θ_b
+    Block force_by_rotation_a, couple_by_rotation_a;      // θ_a
+    Block force_by_rotation_b, couple_by_rotation_b;      // θ_b
   };
   // Negative derivatives of forces and torques on a and b with their displacements and rotations. `force` (N)
   // on a turns with the normal; with zero force the same holds for velocities.

@@ -30,12 +30,6 @@ ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
         "contact law '{}' has no derivatives, from which a linear response follows; measure with a pulse or "
         "a sweep, or build the law with SCREE_CONTACT_LAW_PLUGIN",
         law.name));
-  const std::uint32_t orientation = 1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B;
-  if (configured.instance().reads & orientation)
-    throw Error(
-        fmt::format("contact law '{}' reads orientations, which a linear response does not follow; measure "
-                    "with a pulse or a sweep, or use a law with tangential springs",
-                    law.name));
   return configured;
 }
 
@@ -69,58 +63,49 @@ class LawContacts {
       else if (list_.sliding[contacts_[i]])
         move_along_slip(columns, at_rest, i, slip);
 
-    Jacobians all = jacobians(columns, inverse_distance, 0);
-    const std::vector<bool> one_way = take_means(columns, inverse_distance, all);
-    const auto& [turning, straight] = all;
+    std::vector<double> jacobian = jacobians(columns, inverse_distance, 0);
+    const std::vector<bool> one_way = take_means(columns, inverse_distance, jacobian);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const std::size_t c = contacts_[i];
       const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
       const Eigen::Vector3d f(force[0], force[1], simulation_.dimension() == 2 ? 0 : force[2]);
       const ContactGeometry contact = geometry(c);
-      terms.push_back({list_.a[c], list_.b[c], c,
-                       law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-                       bool(list_.sliding[c]), one_way[i], f,
-                       contact.of_bodies(displacements(turning, straight, i, contact), f),
-                       contact.of_bodies(velocities(straight, i, contact), Eigen::Vector3d::Zero())});
+      terms.push_back(
+          {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
+           bool(list_.sliding[c]), one_way[i], f, contact.of_bodies(displacements(jacobian, i, contact), f),
+           contact.of_bodies(velocities(jacobian, i, contact), Eigen::Vector3d::Zero())});
     }
   }
 
  private:
-  struct Jacobians {
-    std::vector<double> turning, straight;  // with and without the turn of the normal
-  };
-
   // With all contacts deeper by a share of the overlap.
-  Jacobians jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
-                      double share) const {
+  std::vector<double> jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
+                                double share) const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) columns.input(SCREE_OVERLAP, 0, i) *= 1 + share;
-    const scree_contact_batch batch = columns.batch(simulation_.step_length());
-    Jacobians all;
-    jacobian_.evaluate(batch, inverse_distance.data(), all.turning);
-    jacobian_.evaluate(batch, std::vector<double>(inverse_distance.size(), 0.0).data(), all.straight);
+    std::vector<double> all;
+    jacobian_.evaluate(columns.batch(simulation_.step_length()), inverse_distance.data(), all);
     return all;
   }
 
   // Laws that remember how deep a contact was may have two derivatives there, one of loading and one of unloading. Where they
   // differ, replaces the one that round-off has chosen by the mean of both, and returns true for the contact.
   std::vector<bool> take_means(const ContactColumns& columns, const std::vector<double>& inverse_distance,
-                               Jacobians& all) const {
+                               std::vector<double>& jacobian) const {
     std::vector<bool> differ(contacts_.size(), false);
     if (law_.instance().history_width == 0) return differ;
-    const Jacobians loading = jacobians(columns, inverse_distance, depth),
-                    unloading = jacobians(columns, inverse_distance, -depth);
+    const std::vector<double> loading = jacobians(columns, inverse_distance, depth),
+                              unloading = jacobians(columns, inverse_distance, -depth);
     const Eigen::Index size = jacobian_.rows() * jacobian_.columns();
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-      for (const auto part : {&Jacobians::turning, &Jacobians::straight}) {
-        const auto of = [&](auto& jacobians) {
-          return Eigen::Map<const Eigen::ArrayXd>((jacobians.*part).data() + Eigen::Index(i) * size, size);
-        };
-        const Eigen::ArrayXd up = of(loading), down = of(unloading);
-        if (!((up - down).abs().maxCoeff() > least_difference * up.abs().maxCoeff())) continue;
-        differ[i] = true;
-        const Eigen::ArrayXd mean = 0.5 * (up + down);
-        std::copy_n(mean.data(), size, (all.*part).begin() + Eigen::Index(i) * size);
-      }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const auto of = [&](const std::vector<double>& all) {
+        return Eigen::Map<const Eigen::ArrayXd>(all.data() + Eigen::Index(i) * size, size);
+      };
+      const Eigen::ArrayXd up = of(loading), down = of(unloading);
+      if (!((up - down).abs().maxCoeff() > least_difference * up.abs().maxCoeff())) continue;
+      differ[i] = true;
+      const Eigen::ArrayXd mean = 0.5 * (up + down);
+      std::copy_n(mean.data(), size, jacobian.begin() + Eigen::Index(i) * size);
+    }
     return differ;
   }
 
@@ -153,6 +138,32 @@ class LawContacts {
         is_wall(c) ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]);
     for (std::uint32_t k = 0; k < law_.instance().history_width; ++k)
       columns.history(k, i) = simulation_.contact_history(list_.pair[c], k);
+    columns.input(SCREE_RADII, 0, i) = p.radius()[a];
+    columns.input(SCREE_RADII, 1, i) = is_wall(c) ? 0 : p.radius()[b];
+    columns.set(SCREE_SEPARATION, separation(c), i);
+    if (!reads_orientations()) return;
+    for (int k = 0; k < p.orientations.components(); ++k) {
+      columns.input(SCREE_ORIENTATION_A, k, i) = p.orientations[k][a];
+      const double of_wall = p.orientations.components() > 1 && k == 0 ? 1 : 0;
+      columns.input(SCREE_ORIENTATION_B, k, i) = is_wall(c) ? of_wall : p.orientations[k][b];
+    }
+  }
+
+  bool reads_orientations() const { return law_.instance().reads & (1u << SCREE_ORIENTATION_A); }
+
+  // As SCREE_SEPARATION.
+  Vec3 separation(std::size_t c) const {
+    const Particles& p = simulation_.particles();
+    const std::size_t a = list_.a[c], b = list_.b[c];
+    const Vec3 normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
+    if (!is_wall(c)) return (p.radius()[a] + p.radius()[b] - list_.overlap[c]) * normal;
+    const Domain& domain = simulation_.domain();
+    Vec3 from_wall = {};
+    for (int k = 0; k < p.dimension(); ++k) {
+      const double crossed = domain.periodic[std::size_t(k)] ? domain.length(k) * p.image[k][a] : 0;
+      from_wall[k] = p.position()[k][a] - simulation_.planes()[b - p.size()].point[k] + crossed;
+    }
+    return from_wall;
   }
 
   // The tangential force on a is opposite to its slip. share: of the overlap. The velocity keeps a dashpot on the same side of the
@@ -169,39 +180,60 @@ class LawContacts {
     const Vec3 moved = -share * list_.overlap[c] / length * along;
     columns.set(SCREE_TANGENTIAL_INCREMENT, moved, i);
     columns.set(SCREE_RELATIVE_VELOCITY, 1 / simulation_.step_length() * moved, i);
+    if (reads_orientations())
+      turn(columns, i, 1 / simulation_.particles().radius()[list_.a[c]] * cross(moved, normal));
   }
 
-  // Part of the Jacobian of contact i: `count` columns from `first`, forces and couples.
+  // Turns a by a small rotation vector (rad).
+  void turn(ContactColumns& columns, std::size_t i, const Vec3& rotation) const {
+    if (simulation_.dimension() == 2) {
+      columns.input(SCREE_ORIENTATION_A, 0, i) += rotation[2];
+      return;
+    }
+    Vec3 vector;
+    for (int k = 0; k < 3; ++k) vector[k] = columns.input(SCREE_ORIENTATION_A, 1 + k, i);
+    double& scalar = columns.input(SCREE_ORIENTATION_A, 0, i);
+    const Vec3 turned = vector + 0.5 * (scalar * rotation + cross(rotation, vector));
+    scalar -= 0.5 * dot(rotation, vector);
+    for (int k = 0; k < 3; ++k) columns.input(SCREE_ORIENTATION_A, 1 + k, i) = turned[k];
+  }
+
+  // Columns of a motion in the Jacobian of contact i.
   struct Part {
     Block force, couple;
   };
-  Part part(const std::vector<double>& jacobian, std::size_t i, int first, int count) const {
+  Part part(const std::vector<double>& jacobian, std::size_t i, PairMotion motion) const {
     using Whole = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const int rows = jacobian_.rows(), columns = jacobian_.columns(), D = simulation_.dimension();
     const Eigen::Map<const Whole> whole(jacobian.data() + i * std::size_t(rows * columns), rows, columns);
+    const int first = jacobian_.first(motion), count = motion_components(motion, simulation_.dimension());
     return {whole.block(0, first, D, count), whole.block(D, first, spins_, count)};
   }
 
-  // The normal turns with the centres, and not when the bodies rotate.
-  ContactGeometry::Motion displacements(const std::vector<double>& turning,
-                                        const std::vector<double>& straight, std::size_t i,
+  ContactGeometry::Motion displacements(const std::vector<double>& jacobian, std::size_t i,
                                         const ContactGeometry& contact) const {
-    const int D = simulation_.dimension();
-    const Part by_centres = part(turning, i, 0, D), by_surfaces = part(straight, i, 0, D);
-    const Part by_rotation = part(straight, i, D, spins_);
+    const Part by_centres = part(jacobian, i, PairMotion::centres),
+               by_surfaces = part(jacobian, i, PairMotion::surfaces),
+               by_rotation_a = part(jacobian, i, PairMotion::rotation_a),
+               by_rotation_b = part(jacobian, i, PairMotion::rotation_b);
     const Block lever = contact.crossing(contact.normal);
-    return {by_centres.force,           by_centres.couple, by_surfaces.force * lever,
-            by_surfaces.couple * lever, by_rotation.force, by_rotation.couple};
+    return {by_centres.force,    by_centres.couple,    by_surfaces.force * lever, by_surfaces.couple * lever,
+            by_rotation_a.force, by_rotation_a.couple, by_rotation_b.force,       by_rotation_b.couple};
   }
 
-  ContactGeometry::Motion velocities(const std::vector<double>& straight, std::size_t i,
+  ContactGeometry::Motion velocities(const std::vector<double>& jacobian, std::size_t i,
                                      const ContactGeometry& contact) const {
-    const int D = simulation_.dimension();
-    const Part by_velocity = part(straight, i, jacobian_.rows(), D);
-    const Part by_spin = part(straight, i, jacobian_.rows() + D, spins_);
+    const Part by_velocity = part(jacobian, i, PairMotion::velocity),
+               by_spin = part(jacobian, i, PairMotion::spin);
     const Block lever = contact.crossing(contact.normal);
-    return {by_velocity.force,          by_velocity.couple, by_velocity.force * lever,
-            by_velocity.couple * lever, by_spin.force,      by_spin.couple};
+    return {by_velocity.force,
+            by_velocity.couple,
+            by_velocity.force * lever,
+            by_velocity.couple * lever,
+            by_spin.force,
+            by_spin.couple,
+            -by_spin.force,
+            -by_spin.couple};
   }
 
   const Simulation& simulation_;

@@ -37,8 +37,9 @@ std::vector<double> couple_by_rotation(int dimension, double angle) {
   const ContactJacobian derivative(law, dimension);
   std::vector<double> jacobian, couple;
   derivative.evaluate(contact.batch(1e-6), std::vector<double>(SCREE_LANES, 0.0).data(), jacobian);
+  const int first = derivative.first(PairMotion::rotation_a);
   for (int row = dimension; row < dimension + spins; ++row)
-    for (int column = dimension; column < dimension + spins; ++column)
+    for (int column = first; column < first + spins; ++column)
       couple.push_back(jacobian[std::size_t(row * derivative.columns() + column)]);
   return couple;
 }

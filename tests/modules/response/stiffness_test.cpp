@@ -17,6 +17,11 @@ const Values springs = {{"normal_stiffness", {1000}},
                         {"normal_damping", {0}},
                         {"tangential_stiffness", {600}},
                         {"static_friction", {50}}};
+const Values discs = {{"normal_stiffness", {1000}},
+                      {"normal_damping", {0}},
+                      {"tangential_stiffness", {600}},
+                      {"tangential_damping", {0}},
+                      {"friction", {50}}};
 const Values smooth = {{"normal_stiffness", {1000}}, {"normal_damping", {0}}};
 
 // history: 0: displacement, 1: rescaled, 2: potential.
@@ -56,6 +61,10 @@ TEST_CASE("the stiffness matrix is the derivative of the forces of the kernel", 
   }
   for (const double history : {0, 2})
     CHECK(error_of_stiffness(test::heap(3, hertz(history), "hertz_mindlin")) < 1e-8);
+  for (const std::string law : {"disc_cundall_strack", "disc_angular"}) {
+    CAPTURE(law);
+    CHECK(error_of_stiffness(test::heap(2, discs, law)) < 1e-8);
+  }
 }
 
 // Central differences have the mean of both stiffnesses, up to the difference of their second derivatives: with the step h = 2e-4 over
@@ -186,12 +195,15 @@ namespace {
 constexpr double slider_stiffness = 1000, slider_friction = 0.5, slider_damping = 3;
 
 // A disc that has moved by 0.2 to the right on a floor, with k_t ξ = 0.2 k_t above μ k δ = 0.05 k.
-std::unique_ptr<Simulation> slider() {
-  Scene scene = test::heap(2, {{"normal_stiffness", {slider_stiffness}},
-                               {"normal_damping", {0}},
-                               {"tangential_stiffness", {slider_stiffness}},
-                               {"tangential_damping", {slider_damping}},
-                               {"static_friction", {slider_friction}}});
+std::unique_ptr<Simulation> slider(const std::string& plugin = "linear_spring_dashpot",
+                                   const std::string& friction = "static_friction") {
+  Scene scene = test::heap(2,
+                           {{"normal_stiffness", {slider_stiffness}},
+                            {"normal_damping", {0}},
+                            {"tangential_stiffness", {slider_stiffness}},
+                            {"tangential_damping", {slider_damping}},
+                            {friction, {slider_friction}}},
+                           plugin);
   scene.bodies = {test::body(0, 1, test::heavy, {{0, 0.9, 0}}, {{200, 0, 0}}, {}, 2)};
   auto sliding = std::make_unique<Simulation>(scene);
   sliding->step();
@@ -201,14 +213,22 @@ std::unique_ptr<Simulation> slider() {
 }  // namespace
 
 TEST_CASE("contacts at the limit of friction stick where they are to", "[response]") {
-  const LinearSystem system = assemble(*slider(), {.fewest_contacts = 1, .at_limit = AtLimit::stick});
-  const Matrix stiffness(system.stiffness), damping(system.damping);
-  const double k = slider_stiffness, tolerance = 1e-8 * k;
-  CHECK(system.sliding_contacts == 1);
-  CHECK(std::abs(stiffness(0, 0) - k) < tolerance);
-  CHECK(std::abs(stiffness(0, 1)) < tolerance);
-  CHECK(std::abs(stiffness(0, 2) - 0.95 * k) < tolerance);
-  CHECK(std::abs(damping(0, 0) - slider_damping) < 1e-8 * slider_damping);
+  const struct {
+    std::string law, friction;
+    double arm;  // at which a rotation moves the spring: to the contact point, or of painted points
+  } cases[] = {{"linear_spring_dashpot", "static_friction", 0.95}, {"disc_angular", "friction", 1}};
+  for (const auto& [law, friction, arm] : cases) {
+    CAPTURE(law);
+    const LinearSystem system =
+        assemble(*slider(law, friction), {.fewest_contacts = 1, .at_limit = AtLimit::stick});
+    const Matrix stiffness(system.stiffness), damping(system.damping);
+    const double k = slider_stiffness, tolerance = 1e-8 * k;
+    CHECK(system.sliding_contacts == 1);
+    CHECK(std::abs(stiffness(0, 0) - k) < tolerance);
+    CHECK(std::abs(stiffness(0, 1)) < tolerance);
+    CHECK(std::abs(stiffness(0, 2) - arm * k) < tolerance);
+    CHECK(std::abs(damping(0, 0) - slider_damping) < 1e-8 * slider_damping);
+  }
 }
 
 TEST_CASE("a contact that slides goes on sliding", "[response]") {

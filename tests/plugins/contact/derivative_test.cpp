@@ -114,6 +114,7 @@ struct State {
   double overlap = 2e-5;
   Vec3 spring = {}, increment = {}, velocity = {}, spin = {};
   bool was_sliding = false;
+  Vec3 rotation_a = {}, rotation_b = {};  // (rad) as components of a motion
 };
 
 // The spring of a law for discs; painted points lie so that it is as long.
@@ -142,35 +143,57 @@ void load_sphere_history(LawBatch& pair, const State& state) {
   pair.set_history("signed_contact_radius", (state.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5));
 }
 
-// The unit quaternion of a rotation of a about an axis (rad).
-void turn_sphere(LawBatch& pair, int axis, double angle) {
-  for (int k = 0; k < 3; ++k) pair.input(SCREE_ORIENTATION_A, 1 + k) = k == axis ? std::sin(0.5 * angle) : 0;
-  pair.input(SCREE_ORIENTATION_A) = std::cos(0.5 * angle);
-  pair.input(SCREE_ORIENTATION_B) = 1;
+// The orientation after a rotation (rad): an angle, the first component, in 2D, and a unit quaternion in 3D.
+void set_orientation(LawBatch& pair, scree_contact_input column, int dimension, const Vec3& rotation) {
+  if (dimension == 2) {
+    pair.input(column) = rotation[0];
+    return;
+  }
+  const double angle = norm(rotation), share = angle > 0 ? std::sin(0.5 * angle) / angle : 0.5;
+  pair.input(column) = std::cos(0.5 * angle);
+  for (int k = 0; k < 3; ++k) pair.input(column, 1 + k) = share * rotation[k];
 }
 
-// Columns of ContactJacobian: the change of a state by `amount` in one of them.
-void load(LawBatch& pair, const State& state, int column, double amount) {
-  const int d = state.dimension, spins = d == 2 ? 1 : 3, k = column % (d + spins);
-  const bool motion = column < d + spins;
+// The change of a state by `amount` in component k of a motion.
+State moved(const State& state, PairMotion motion, int k, double amount) {
   State s = state;
-  if (k < d && motion) {
-    Vec3 separation = distance * state.normal;
-    separation[k] += amount;
-    s.normal = (1 / norm(separation)) * separation;
-    // The law receives the overlap and the increment to first order along the old normal.
-    s.overlap -= amount * state.normal[k];
-    Vec3 displacement = {};
-    displacement[k] = amount;
-    s.increment += displacement - dot(displacement, state.normal) * state.normal;
-  } else if (k < d) {
-    s.velocity[k] += amount;
-  } else if (!motion) {
-    s.spin[k - d] += amount;
+  Vec3 displacement = {};
+  displacement[k] = amount;
+  // The law receives overlap and increment to first order along the old normal.
+  const Vec3 across = displacement - dot(displacement, state.normal) * state.normal;
+  switch (motion) {
+    case PairMotion::centres: {
+      const Vec3 separation = distance * state.normal + displacement;
+      s.normal = (1 / norm(separation)) * separation;
+      s.overlap -= amount * state.normal[k];
+      s.increment += across;
+      break;
+    }
+    case PairMotion::surfaces:
+      s.increment += across;
+      break;
+    case PairMotion::rotation_a:
+      s.rotation_a = displacement;
+      break;
+    case PairMotion::rotation_b:
+      s.rotation_b = displacement;
+      break;
+    case PairMotion::velocity:
+      s.velocity += displacement;
+      break;
+    case PairMotion::spin:
+      s.spin += displacement;
+      break;
   }
+  return s;
+}
+
+void load(LawBatch& pair, const State& state, PairMotion motion, int k, double amount) {
+  const int d = state.dimension;
+  const State s = moved(state, motion, k, amount);
+  set_orientation(pair, SCREE_ORIENTATION_A, d, s.rotation_a);
+  set_orientation(pair, SCREE_ORIENTATION_B, d, s.rotation_b);
   pair.set(SCREE_NORMAL, s.normal);
-  if (d == 2) pair.input(SCREE_ORIENTATION_A) = motion && k == d ? amount : 0;
-  if (d == 3) turn_sphere(pair, k - d, motion && k >= d ? amount : 0);
   pair.input(SCREE_OVERLAP) = s.overlap;
   pair.set(SCREE_RELATIVE_VELOCITY, s.velocity);
   pair.set(SCREE_TANGENTIAL_INCREMENT, s.increment);
@@ -193,20 +216,28 @@ double response(LawBatch& pair, int dimension, int row) {
   return row < dimension ? pair.output(SCREE_FORCE, row) : pair.output(SCREE_COUPLE, row - dimension);
 }
 
-double difference(LawBatch& pair, const State& state, int row, int column, double amount) {
+double difference(LawBatch& pair, const State& state, int row, PairMotion motion, int k, double amount) {
   const auto at = [&](double share) {
-    load(pair, state, column, share * amount);
+    load(pair, state, motion, k, share * amount);
     pair.evaluate(step);
     return response(pair, state.dimension, row);
   };
   return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * amount);
 }
 
-// Typical size of the change in a column: overlap, velocity, spin.
-double scale_of(int dimension, int column) {
-  const int rows = dimension == 2 ? 3 : 6;
-  if (column < rows) return 2e-5;
-  return column % rows < dimension ? 0.1 : 50;
+// Typical size of a motion: overlap, overlap over radius, velocity, spin.
+double scale_of(PairMotion motion) {
+  switch (motion) {
+    case PairMotion::velocity:
+      return 0.1;
+    case PairMotion::spin:
+      return 50;
+    case PairMotion::rotation_a:
+    case PairMotion::rotation_b:
+      return 1e-2;
+    default:
+      return 2e-5;
+  }
 }
 
 std::vector<State> states(int dimension, double slip_length) {
@@ -239,21 +270,19 @@ double largest_deviation(const Variant& variant, int dimension, int& sliding) {
   double worst = 0;
   for (const State& state : states(dimension, variant.slip)) {
     LawBatch pair(variant.law, variant.values, dimension);
-    for (int column = 0; column < 2 * rows; ++column) {
-      std::vector<double> exact, numeric;
-      const double amount = 1e-3 * scale_of(dimension, column);
-      for (int row = 0; row < rows; ++row) {
-        load(pair, state, 0, 0);
-        exact.push_back(pair.derivative(row, column, 1 / distance, step));
-        numeric.push_back(difference(pair, state, row, column, amount));
-      }
-      // Forces and couples have different units.
-      const double force = variant.stiffness * state.overlap / scale_of(dimension, column);
-      for (int row = 0; row < rows; ++row)
-        worst = std::max(worst, std::abs(exact[std::size_t(row)] - numeric[std::size_t(row)]) /
-                                    (row < dimension ? force : force * 1e-3));
+    for (int m = 0; m < pair_motions; ++m) {
+      const auto motion = PairMotion(m);
+      const double scale = scale_of(motion), force = variant.stiffness * state.overlap / scale;
+      for (int k = 0; k < motion_components(motion, dimension); ++k)
+        for (int row = 0; row < rows; ++row) {
+          load(pair, state, motion, k, 0);
+          const double exact = pair.derivative(row, motion, k, 1 / distance, step);
+          const double numeric = difference(pair, state, row, motion, k, 1e-3 * scale);
+          // Forces and couples have different units.
+          worst = std::max(worst, std::abs(exact - numeric) / (row < dimension ? force : force * 1e-3));
+        }
     }
-    load(pair, state, 0, 0);
+    load(pair, state, PairMotion::centres, 0, 0);
     pair.evaluate(step);
     const int column = pair.instance().sliding_column;
     sliding += column >= 0 && pair.history(std::size_t(column)) > 0;
@@ -293,11 +322,11 @@ TEST_CASE("derivatives leave history and outputs as they are, and are 0 for pair
   pair.history(1) = 1e-5;
   pair.evaluate(step);
   const double force = pair.output(SCREE_FORCE), spring = pair.history(1);
-  CHECK(pair.derivative(0, 0, 0, step) == -5000);
-  CHECK(pair.derivative(1, 1, 0, step) == -1000);
+  CHECK(pair.derivative(0, PairMotion::centres, 0, 0, step) == -5000);
+  CHECK(pair.derivative(1, PairMotion::centres, 1, 0, step) == -1000);
   CHECK(pair.output(SCREE_FORCE) == force);
   CHECK(pair.history(1) == spring);
   pair.input(SCREE_OVERLAP) = -1e-4;
-  CHECK(pair.derivative(0, 0, 0, step) == 0);
-  CHECK(pair.derivative(1, 1, 0, step) == 0);
+  CHECK(pair.derivative(0, PairMotion::centres, 0, 0, step) == 0);
+  CHECK(pair.derivative(1, PairMotion::centres, 1, 0, step) == 0);
 }
