@@ -1,4 +1,4 @@
-#include "law_batch.hpp"
+#include "law_variants.hpp"
 
 #include <algorithm>
 #include <map>
@@ -17,95 +17,6 @@ using namespace scree::test;
 namespace {
 
 constexpr double tolerance = 1e-7, step = 1e-6, distance = 4e-3;
-
-struct Variant {
-  std::string law;
-  std::string name;
-  Values values;
-  double stiffness;  // of the normal force at the overlap of the states (N/m), for the scale of forces
-  double slip;       // spring length at which the contact begins to slide (m)
-  bool frictional;
-};
-
-std::vector<Variant> variants() {
-  std::vector<Variant> all;
-  for (const double rolling : {0.0, 0.1})
-    for (const bool by_restitution : {false, true})
-      for (const double tension : {0.0, 1.0})
-        for (const int friction : {0, 1, 2, 3}) {
-          Values v = {{"normal_stiffness", {5000}}, {"rolling_friction", {rolling}}, {"tension", {tension}}};
-          v.push_back(by_restitution ? std::pair<std::string, std::vector<double>>{"restitution", {0.8}}
-                                     : std::pair<std::string, std::vector<double>>{"normal_damping", {0.4}});
-          if (friction > 0) {
-            v.push_back({"tangential_stiffness", {1500}});
-            v.push_back({"static_friction", {0.5}});
-            v.push_back({"dynamic_friction", {0.4}});
-            v.push_back({"tangential_damping", {friction == 1 ? 0.0 : 0.2}});
-            v.push_back({"slip_rule", {friction == 3 ? 1.0 : 0.0}});
-          }
-          all.push_back({"linear_spring_dashpot",
-                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
-                             ", restitution " + std::to_string(by_restitution) + ", tension " +
-                             std::to_string(tension),
-                         v, 5000, 0.5 * 5000 * 2e-5 / 1500, friction > 0});
-        }
-  for (const double rolling : {0.0, 0.1})
-    for (const double restitution : {0.8, 1.0})
-      for (const double friction : {0.0, 0.4})
-        for (const double history : {0.0, 1.0, 2.0})
-          all.push_back({"hertz_mindlin",
-                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
-                             ", restitution " + std::to_string(restitution) + ", history " +
-                             std::to_string(history),
-                         {{"youngs_modulus", {7e7}},
-                          {"poissons_ratio", {0.2}},
-                          {"restitution", {restitution}},
-                          {"friction", {friction}},
-                          {"history", {history}},
-                          {"rolling_friction", {rolling}}},
-                         1e4,
-                         0.4 * 2e-5 * 2.0 / 3.0 * 0.9,
-                         friction > 0});
-  for (const std::string law : {"disc_angular", "disc_corrected", "disc_cundall_strack"})
-    for (const bool area : {false, true})
-      for (const double friction : {0.0, 0.5})
-        // k A/(4 R*) of the states is 0.1 N too.
-        all.push_back({law,
-                       "friction " + std::to_string(friction) + ", area " + std::to_string(area),
-                       {{"normal", {area ? 1.0 : 0.0}},
-                        {"normal_stiffness", {area ? 7.5e4 : 5000.0}},
-                        {"normal_damping", {0.4}},
-                        {"tangential_stiffness", {1500}},
-                        {"tangential_damping", {0.2}},
-                        {"friction", {friction}}},
-                       5000,
-                       0.5 * 0.1 / 1500,
-                       friction > 0});
-  for (const double friction : {0.0, 0.4}) {
-    const std::string name = "friction " + std::to_string(friction);
-    all.push_back({"sphere_path_independent",
-                   "linear, " + name,
-                   {{"normal_stiffness", {5000}},
-                    {"restitution", {0.8}},
-                    {"tangential_stiffness", {1500}},
-                    {"tangential_damping", {0.2}},
-                    {"static_friction", {friction}}},
-                   5000,
-                   0.4 * 0.1 / 1500,
-                   friction > 0});
-    all.push_back({"sphere_path_independent",
-                   "hertz, " + name,
-                   {{"normal", {1}},
-                    {"youngs_modulus", {7e7}},
-                    {"poissons_ratio", {0.2}},
-                    {"restitution", {0.8}},
-                    {"friction", {friction}}},
-                   1e4,
-                   0.4 * 2e-5 * 2.0 / 3.0 * 0.9,
-                   friction > 0});
-  }
-  return all;
-}
 
 // One touching pair, and changes of its relative motion.
 struct State {
