@@ -74,6 +74,33 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("head-on impacts of spheres have the restitution that is demanded, with and without tension",
+          "[sphere]") {
+  // Contacts of 3e-4 s (linear) and 8e-4 s at 1 m/s; steps of 1/200. Second order, (πh/t_c)² = 2.5e-4, with a coefficient
+  // of 1 or less, of the speed.
+  for (const bool hertz : {false, true})
+    for (const double friction : {0.0, 0.4})
+      for (const double tension : {0.0, 1.0}) {
+        INFO((hertz ? "hertz" : "linear") << ", friction " << friction << ", tension " << tension);
+        Values values = law(hertz, friction, 0.5);
+        values.push_back({"tension", {tension}});
+        const double step = (hertz ? 8e-4 : 3e-4) / 200;
+        Scene s = scene(3, step, {body(1, radius, mass, {{0, 0, radius + 0.3 * step}}, {{0, 0, -1}})}, values,
+                        "sphere_path_independent");
+        add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
+        Simulation simulation(s);
+        double speed = -1, largest_speed = -1;
+        for (int k = 0; k < 500; ++k) {
+          simulation.step();
+          speed = velocity(simulation, 0)[2];
+          largest_speed = std::max(largest_speed, speed);
+        }
+        CHECK(speed == Approx(0.5).margin(2.5e-4));
+        // Attraction brakes the body at the end.
+        CHECK((largest_speed - speed > 1e-3) == (tension == 0));
+      }
+}
+
 TEST_CASE("a sphere that slides onto a plane rolls from 2v/(7μg) at 5v/7, and goes on rolling", "[sphere]") {
   constexpr double speed = 1, friction = 0.3, gravity = 9.81, step = 2e-5;
   for (const bool hertz : {false, true}) {
