@@ -32,9 +32,10 @@ struct SpherePathIndependent : sphere::Keys {
       "stick: |k_t ξ| <= C                               slip: ξ shortened to |k_t ξ| = C moves both points by half;\n"
       "                                                  the dashpot never causes slip; both only dissipate\n"
       "Closed paths of centres and rotations without slip leave no spring as long as both points stay within 0.35 rad\n"
-      "of the contact; beyond, both are painted anew with the same ξ. Beyond, a loop of radius 0.2 R on a wall\n"
-      "leaves ξ = 0.01 R, of 0.3 R 0.04 R; straight rolling leaves none. Twist by ψ about the normal stretches\n"
-      "ξ by ψ times the distance of the points from the contact",
+      "of the contact. A point farther away: both are painted anew with the same ξ, and longer paths may leave a\n"
+      "spring: a loop of radius 0.2 R on a wall that ends in the first orientation leaves 0.01 R, of 0.3 R 0.04 R;\n"
+      "straight rolling leaves none. Twist by ψ about the normal turns each painted point about the contact: after\n"
+      "rolling by s it stretches ξ by ψ s",
       "after McNamara et al. 2008, equations 18 to 30, in 3D"};
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,

@@ -66,8 +66,12 @@ TEST_CASE("a closed path of centres and rotations in 3D stores no energy in the 
         return p;
       };
       SpherePair pair = sphere_pair(sphere_values(hertz, infinite_friction), 1.2, radius_b, pose(0));
+      const Vec3 painted_a = pair.painted_a(), painted_b = pair.painted_b();
       pair.follow([&](double s) { return pose(0.2 * s); }, 20);
       CHECK(norm(pair.spring()) > 0.02);
+      // Points of contacts that stick keep their bits: nothing adds up over many steps.
+      CHECK(pair.painted_a() == painted_a);
+      CHECK(pair.painted_b() == painted_b);
       pair.follow([&](double s) { return pose(0.2 + 0.8 * s); }, 80);
       CHECK(norm(pair.spring()) < round_off);
       CHECK(pair.law().output(SCREE_ELASTIC_TANGENTIAL) < 1000 * round_off * round_off);
@@ -112,6 +116,21 @@ TEST_CASE("closed paths on which a painted point goes farther than 0.35 rad leav
   CHECK(left(0.17) < round_off);
   CHECK(left(0.2) == Approx(0.0107).epsilon(0.01));
   CHECK(left(0.3) == Approx(0.0400).epsilon(0.01));
+}
+
+TEST_CASE(
+    "twist about the normal after rolling stretches the spring of spheres by the angle times the distance",
+    "[sphere]") {
+  constexpr double rolling = 0.2, twist = 0.05;
+  SpherePose pose = {.a = {{0, 0, 0.95}}};
+  SpherePair pair = sphere_pair(sphere_values(false, infinite_friction), 1, 0, pose);
+  pose.a[0] = rolling;
+  pose.quaternion_a = quaternion_of({{0, rolling, 0}});
+  pair.follow([&](double) { return pose; }, 1);
+  CHECK(norm(pair.spring()) < round_off);
+  pose.quaternion_a = after(quaternion_of({{0, 0, twist}}), pose.quaternion_a);
+  pair.follow([&](double) { return pose; }, 1);
+  CHECK(norm(pair.spring()) == Approx(2 * rolling * std::sin(0.5 * twist)).epsilon(1e-12));
 }
 
 TEST_CASE("slip moves both painted points of spheres by half and leaves the spring at the limit",
@@ -163,7 +182,8 @@ TEST_CASE("at first touch the spring of spheres is as long as the pair moved whi
   for (const bool hertz : {false, true}) {
     LawBatch pair("sphere_path_independent", sphere_values(hertz, infinite_friction));
     pair.set(SCREE_NORMAL, {{0, 0, 1}});
-    pair.set(SCREE_TANGENTIAL_INCREMENT, {{0.003, -0.004, 0}});
+    // The displacement is perpendicular to the mid-step normal, the spring to the present one.
+    pair.set(SCREE_TANGENTIAL_INCREMENT, {{0.003, -0.004, 0.0001}});
     pair.set(SCREE_SEPARATION, {{0, 0, 1.9}});
     pair.input(SCREE_OVERLAP) = 0.1;
     pair.input(SCREE_RADII, 0) = 1.2;
@@ -172,6 +192,7 @@ TEST_CASE("at first touch the spring of spheres is as long as the pair moved whi
     pair.evaluate(1);
     CHECK(pair.history("spring_x") == Approx(0.003).epsilon(1e-14));
     CHECK(pair.history("spring_y") == Approx(-0.004).epsilon(1e-14));
+    CHECK(pair.history("spring_z") == 0);
     const double stiffness = pair.output(SCREE_ELASTIC_TANGENTIAL) / (0.5 * 0.005 * 0.005);
     CHECK(pair.output(SCREE_FORCE, 0) == Approx(-stiffness * 0.003 * 2 / 1.9).epsilon(1e-4));
     // With no further displacement the painted points have the same spring.
