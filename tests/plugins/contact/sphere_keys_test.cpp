@@ -55,3 +55,16 @@ TEST_CASE("the law for spheres takes the keys of its normal force and refuses ot
              Contains("dynamic_friction is above static_friction"));
   CHECK_THAT(refusal(linear, 2), Contains("a law of spheres") && Contains("dimension = 3"));
 }
+
+TEST_CASE("the dashpots of spheres begin and end with a jump or as the fourth root of the overlap",
+          "[sphere]") {
+  for (const bool hertz : {false, true})
+    for (const double tension : {0.0, 1.0}) {
+      Values values = sphere_values(hertz, 0.3);
+      values.push_back({"tension", {tension}});
+      const LawBatch law("sphere_path_independent", values);
+      const double power = hertz ? 0.25 : 0;
+      CHECK(law.instance().onset_power == power);
+      CHECK(law.instance().parting_power == (tension == 0 ? power : 1));  // 1: the force is 0 before
+    }
+}

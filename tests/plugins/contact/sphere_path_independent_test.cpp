@@ -176,6 +176,10 @@ TEST_CASE("friction between spheres has a dynamic value while they slide", "[sph
   pair.follow([&](double s) { return spun(0.037 + 0.001 * s); }, 1);
   CHECK(pair.law().history("sliding") == 1);
   CHECK(norm(pair.spring()) == Approx(0.025).epsilon(1e-12));
+  // It goes on sliding at the dynamic limit, below the static one.
+  pair.follow([&](double s) { return spun(0.038 + 0.001 * s); }, 1);
+  CHECK(pair.law().history("sliding") == 1);
+  CHECK(norm(pair.spring()) == Approx(0.025).epsilon(1e-12));
 }
 
 TEST_CASE("at first touch the spring of spheres is as long as the pair moved while touching", "[sphere]") {
