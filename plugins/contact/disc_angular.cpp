@@ -1,6 +1,7 @@
 // Discs with a tangential spring between painted points, after McNamara, García-Rojo, Herrmann (2008), [M18]-[M22].
 
-#include "disc_rate.hpp"
+#include "disc.hpp"
+#include "spring_rate.hpp"
 
 #include <scree/plugin/polar_angle.hpp>
 
@@ -46,7 +47,7 @@ struct Kernel : disc::Kernel<Angular, kind> {
   void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T, true>& out) const {
     const T f_n = this->template normal_force<T>(c, out);
     const auto t = disc::tangent(c.normal);
-    const auto rate = disc::SpringRate<T>::of(c);
+    const auto rate = tangential::SpringRate<T>::of(c);
     const T increment = dot(c.tangential_increment, t);
     const scree::Vec<2, T> rim = rims(c, t, h);
     paint(rim, increment, h);

@@ -1,7 +1,8 @@
 // Discs with a path-independent tangential spring, integrated, after McNamara, García-Rojo, Herrmann (2008),
 // [M23]-[M30].
 
-#include "disc_rate.hpp"
+#include "disc.hpp"
+#include "spring_rate.hpp"
 
 namespace {
 
@@ -31,7 +32,7 @@ struct Kernel : disc::Kernel<Corrected, kind> {
   void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T, true>& out) const {
     const T f_n = this->template normal_force<T>(c, out);
     const auto t = disc::tangent(c.normal);
-    const auto rate = disc::SpringRate<T>::of(c);
+    const auto rate = tangential::SpringRate<T>::of(c);
     const T spin = c.relative_spin[0];
     const T trial = h.spring + rate(dot(c.tangential_increment, t), T(c.step * spin));
     const T force =

@@ -2,14 +2,10 @@
 // resistance, after Lemrich, Johnson, Guyer, Jia, Carmeliet, "Linear and nonlinear elastic properties of
 // dense granular packings" (2017), [L1]-[L7], with the effective moduli of the code that they used.
 
-#include <cmath>
-#include <numbers>
+#include "hertz_normal.hpp"
 
-#include <scree/plugin/contact_law.hpp>
 #include <scree/plugin/friction.hpp>
-#include <scree/plugin/restitution.hpp>
 #include <scree/plugin/rolling.hpp>
-#include <scree/plugin/stability.hpp>
 
 namespace {
 
@@ -17,23 +13,13 @@ using scree::Contact;
 using scree::Response;
 using scree::Vec;
 
-constexpr double pi = std::numbers::pi;
-
 enum HistoryForm { displacement, rescaled, potential };
 
 struct HertzMindlin : scree::ContactLaw {
-  double youngs_modulus = 0, poissons_ratio = 0;
-  double other_youngs_modulus = 0, other_poissons_ratio = -1;
-  double restitution = 1;
-  int tension = 0;  // scree::Tension
+  normal::Hertz along_normal;
   double friction = 0;
   int history = rescaled;
   scree::RollingResistance rolling_resistance;
-  double effective_modulus = 0;                       // E*
-  double effective_shear_modulus = 0;                 // G*
-  double damping_ratio = 0;                           // β
-  double normal_damping = 0, tangential_damping = 0;  // 2β √(5/3 E*), 4β √(5/3 G*)
-  double inverse_shear_stiffness = 0;                 // 1/(8 G*)
 
   static constexpr scree::About about = {
       "hertz_mindlin", "Hertz normal force, Mindlin tangential spring, friction, rolling resistance",
@@ -54,18 +40,18 @@ struct HertzMindlin : scree::ContactLaw {
 
   void declare(scree::Declaration& d) {
     using namespace scree;
-    constexpr Range poisson{.minimum = -1, .maximum = 0.5, .minimum_excluded = true};
-    d.number("youngs_modulus", youngs_modulus, "Pa", positive, "E of the bodies").required();
-    d.number("poissons_ratio", poissons_ratio, "", poisson, "ν of the bodies").required();
-    d.number("other_youngs_modulus", other_youngs_modulus, "Pa", positive,
+    constexpr Range poisson = normal::Hertz::poissons_range;
+    d.number("youngs_modulus", along_normal.youngs_modulus, "Pa", positive, "E of the bodies").required();
+    d.number("poissons_ratio", along_normal.poissons_ratio, "", poisson, "ν of the bodies").required();
+    d.number("other_youngs_modulus", along_normal.other_youngs_modulus, "Pa", positive,
              "E of the second material, if different")
         .optional();
-    d.number("other_poissons_ratio", other_poissons_ratio, "", poisson,
+    d.number("other_poissons_ratio", along_normal.other_poissons_ratio, "", poisson,
              "ν of the second material, if different")
         .optional();
-    d.number("restitution", restitution, "", positive_coefficient,
+    d.number("restitution", along_normal.restitution, "", positive_coefficient,
              "e, independent of speed; β from e and tension");
-    d.choice("tension", tension, "allowed|cut",
+    d.choice("tension", along_normal.tension, "allowed|cut",
              "whether the force may become attractive at the end of a contact; e is reached either way");
     d.number("friction", friction, "", non_negative, "μ; 0: frictionless, no tangential force");
     d.choice("history", history, "displacement|rescaled|potential",
@@ -73,62 +59,14 @@ struct HertzMindlin : scree::ContactLaw {
     rolling_resistance.declare(d);
   }
 
-  void prepare(const scree::Setup&) {
-    const double e2 = other_youngs_modulus > 0 ? other_youngs_modulus : youngs_modulus;
-    const double nu = poissons_ratio, nu2 = other_poissons_ratio > -1 ? other_poissons_ratio : nu;
-    effective_modulus = 1 / ((1 - nu * nu) / youngs_modulus + (1 - nu2 * nu2) / e2);
-    effective_shear_modulus = 1 / (2 * (2 - nu) * (1 + nu) / youngs_modulus + 2 * (2 - nu2) * (1 + nu2) / e2);
-    damping_ratio = scree::damping_ratio_of(restitution, scree::Tension(tension));
-    normal_damping = 2 * damping_ratio * std::sqrt(5.0 / 3.0 * effective_modulus);
-    tangential_damping = 4 * damping_ratio * std::sqrt(5.0 / 3.0 * effective_shear_modulus);
-    inverse_shear_stiffness = 1 / (8 * effective_shear_modulus);
-  }
+  void prepare(const scree::Setup&) { along_normal.prepare(); }
 
-  // The dashpot force begins as δ^(1/4). At the end it falls likewise or, with cut tension, the force is
-  // already 0.
-  double onset_power() const { return 0.25; }
-  double parting_power() const { return scree::Tension(tension) == scree::Tension::cut ? continuous : 0.25; }
+  double onset_power() const { return normal::Hertz::onset_power; }
+  double parting_power() const { return along_normal.parting_power(); }
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
                              std::uint32_t capacity) const {
-    const double stiffness = 4.0 / 3.0 * effective_modulus * std::sqrt(e.effective_radius);
-    const double max_overlap = std::pow(5 * e.reduced_mass * e.speed * e.speed / (4 * stiffness), 0.4);
-    const double contact_time =
-        2.8682656992 * std::pow(e.reduced_mass * e.reduced_mass /
-                                    (e.effective_radius * effective_modulus * effective_modulus * e.speed),
-                                0.2);
-    const scree_closed_form all[] = {
-        {"contact_time", "s", "t_c = 2.8682656992 (m*²/(R* E*² v))^(1/5), undamped", contact_time},
-        {"restitution", "", "e, independent of speed", restitution},
-        {"critical_step", "s", "longest stable step of velocity Verlet for this pair at δ_max",
-         critical_step(e, max_overlap)},
-        {"rayleigh_time", "s", "π R √(ρ/G)/(0.1631 ν + 0.8766), of equal bodies", rayleigh_time(e)},
-        {"damping_ratio", "", "β", damping_ratio},
-        {"max_overlap", "m", "δ_max = (5 m* v²/(4 k))^(2/5), k = (4/3) E* √R*, undamped", max_overlap},
-        {"max_force", "N", "k δ_max^(3/2)", stiffness * max_overlap * std::sqrt(max_overlap)}};
-    std::uint32_t n = 0;
-    for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
-    return n;
-  }
-
- private:
-  // Longest stable step (s) with the stiffnesses dF/dδ = 2 E* a and k_t = 8 G* a, a = √(R* δ), and their
-  // dashpots.
-  double critical_step(const scree_encounter& e, double overlap) const {
-    const double a = std::sqrt(e.effective_radius * overlap), m = e.reduced_mass;
-    const double beta = damping_ratio * std::sqrt(5.0 / 3.0 * a / m);
-    const double inverse_mass = friction > 0 ? scree::tangential_inverse_mass : 0;
-    return scree::critical_step({2 * effective_modulus * a / m, 2 * beta * std::sqrt(effective_modulus)},
-                                {inverse_mass * 8 * effective_shear_modulus * a / m,
-                                 inverse_mass * 4 * beta * std::sqrt(effective_shear_modulus)},
-                                e.network);
-  }
-
-  double rayleigh_time(const scree_encounter& e) const {
-    const double radius = 2 * e.effective_radius, mass = 2 * e.reduced_mass;
-    const double density = mass / (4.0 / 3.0 * pi * radius * radius * radius);
-    const double shear_modulus = youngs_modulus / (2 * (1 + poissons_ratio));
-    return pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poissons_ratio + 0.8766);
+    return along_normal.closed_forms(e, friction > 0, forms, capacity);
   }
 };
 
@@ -165,26 +103,15 @@ struct Kernel : HertzMindlin {
 
   template <int D, class T>
   T stored_energy(const Friction<D, T>& h) const {
-    return T(4 * effective_shear_modulus) * h.contact_radius() * dot(h.spring, h.spring);
+    return along_normal.tangential_energy(h.contact_radius(), dot(h.spring, h.spring));
   }
 
   template <int D, class T>
   void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, writes_couple>& out) const {
-    const T v_n = dot(c.relative_velocity, c.normal);
-    const T weight = c.onset_weight * c.reduced_mass_root * c.contact_radius_root;
-
-    const T spring_force = T(4.0 / 3.0 * effective_modulus) * c.contact_radius.value * c.overlap;
-    const T stiffness = T(2 * effective_modulus) * c.contact_radius.value;  // of the normal spring
-    const T gamma_n = weight * T(normal_damping) *
-                      scree::prediction_share(T(0.5) * c.step * c.step, stiffness, c.reduced_mass_root);
-    const T total = scree::fused(-gamma_n, v_n, spring_force);
-    const T repulsive = std::max(total, T(0));
-    const T f_n = scree::Tension(tension) == scree::Tension::cut ? repulsive : total;
-    if constexpr (!frictional) out.force = f_n * c.normal;
-    out.elastic_normal = T(0.4) * spring_force * c.overlap;
-    out.dissipation_rate_normal = (spring_force - f_n) * v_n;
-    if constexpr (frictional) slide_or_stick(c, f_n, repulsive, weight, h, out);
-    if constexpr (rolling) scree::resist_rolling(c, spring_force, rolling_resistance, out);
+    const normal::Force<T> f_n = along_normal.force(c, out);
+    if constexpr (!frictional) out.force = f_n.total * c.normal;
+    if constexpr (frictional) slide_or_stick(c, f_n, h, out);
+    if constexpr (rolling) scree::resist_rolling(c, f_n.spring, rolling_resistance, out);
   }
 
  private:
@@ -198,12 +125,12 @@ struct Kernel : HertzMindlin {
   }
 
   template <int D, class T>
-  void slide_or_stick(const Contact<D, T, reads>& c, const T& f_n, const T& repulsive, const T& weight,
-                      Friction<D, T>& h, Response<D, T, writes_couple>& out) const {
-    const T k_t = T(8 * effective_shear_modulus) * c.contact_radius.value;
+  void slide_or_stick(const Contact<D, T, reads>& c, const normal::Force<T>& f_n, Friction<D, T>& h,
+                      Response<D, T, writes_couple>& out) const {
+    const T k_t = along_normal.tangential_stiffness(c.contact_radius.value);
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
-    const T inverse_k_t = T(inverse_shear_stiffness) * c.contact_radius.inverse;
-    const T gamma_t = weight * T(tangential_damping);
+    const T inverse_k_t = T(along_normal.inverse_shear_stiffness) * c.contact_radius.inverse;
+    const T gamma_t = normal::Hertz::damping_weight(c) * T(along_normal.tangential_damping);
 
     // While the contact grows, the rescaled form keeps the tangential force: ξ shrinks as k_t grows.
     T growth = T(1), mean = T(1);
@@ -214,7 +141,7 @@ struct Kernel : HertzMindlin {
       displaced = fused(mean, c.tangential_increment, growth * h.spring);
     }
     const Vec<D, T> trial = tangential_part(displaced, c.normal);
-    const T limit = T(friction) * repulsive;
+    const T limit = T(friction) * f_n.repulsive;
     const scree::SlipStep<D, T> step = {.trial_spring = trial,
                                         .stiffness = k_t,
                                         .inverse_stiffness = inverse_k_t,
@@ -228,12 +155,10 @@ struct Kernel : HertzMindlin {
     h.spring = slip.spring;
     h.signed_contact_radius = slip.slides ? c.contact_radius.value : -c.contact_radius.value;
 
-    // −∂/∂(distance) of ½ k_t(δ) ξ², k_t' = k_t/(2δ) = 4 G* R*/a.
-    T along_normal = f_n;
+    T normal_force = f_n.total;
     if constexpr (form == potential)
-      along_normal += T(2 * effective_shear_modulus) * c.effective_radius * c.contact_radius.inverse *
-                      dot(h.spring, h.spring);
-    out.force = fused(along_normal, c.normal, slip.force);
+      normal_force += along_normal.force_of_potential(c, dot(h.spring, h.spring));
+    out.force = fused(normal_force, c.normal, slip.force);
     out.elastic_tangential = stored_energy(h);
     out.dissipation_rate_tangential = -dot(fused(k_t, h.spring, slip.force), v_t);
     add_dissipation(before, h, trial, growth, mean, k_t, out);
@@ -246,7 +171,7 @@ struct Kernel : HertzMindlin {
   void add_dissipation(const Friction<D, T>& before, const Friction<D, T>& after, const Vec<D, T>& trial,
                        const T& growth, const T& mean, const T& k_t,
                        Response<D, T, writes_couple>& out) const {
-    const T k_before = T(8 * effective_shear_modulus) * before.contact_radius(), inverse_mean = T(1) / mean;
+    const T k_before = along_normal.tangential_stiffness(before.contact_radius()), inverse_mean = T(1) / mean;
     const Vec<D, T> mean_force = T(0.5) * (k_before * before.spring + k_t * after.spring);
     out.dissipated_friction = std::max(dot(mean_force, trial - after.spring), T(0)) * inverse_mean;
     if constexpr (form == potential) return;

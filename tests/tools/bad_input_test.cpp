@@ -62,7 +62,7 @@ TEST_CASE("a file that is not a scenario is refused", "[tools]") {
                 "scen.toml: cannot be read (No such file or directory); ", "did you mean 'scene.toml'?");
   refused("[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n", "",
           "scene.toml:1:1: no [[contact]] applies to 'grain' and 'grain'; ",
-          "\"hertz_mindlin\" or \"linear_spring_dashpot\"");
+          "\"hertz_mindlin\" or \"linear_spring_dashpot\" or \"sphere_path_independent\"");
   refused("[time]\nstep = 1e-5\nduration = 1e-4\n", "", "scene.toml:1:1: the file has no 'time'; ",
           "add a table [time]");
 }

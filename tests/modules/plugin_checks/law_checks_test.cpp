@@ -26,6 +26,17 @@ std::set<std::string> failed_checks(int fault) {
   return failed;
 }
 
+void check_all(const std::string& name, const test::Values& values) {
+  const Parameters law = test::parameters(name, SCREE_CONTACT_LAW, values);
+  INFO(name);
+  for (const auto& [key, value] : values) UNSCOPED_INFO(key << " " << value[0]);
+  for (const Check& check :
+       plugin_checks::check_law(law, test::host().locate(name, SCREE_CONTACT_LAW), {.speed = 0.1})) {
+    INFO(check.name << ": " << check.detail);
+    CHECK(check.verdict != Check::Verdict::failed);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a law without a mistake passes all checks", "[plugin_checks]") {
@@ -56,19 +67,30 @@ TEST_CASE("each mistake of a law fails the checks that are meant for it", "[plug
 TEST_CASE("the laws for discs pass all checks", "[plugin_checks][disc]") {
   for (const std::string name : {"disc_angular", "disc_corrected"})
     for (const bool area : {false, true})
-      for (const double friction : {0.0, 0.2}) {
-        Parameters law(test::host().find(name, SCREE_CONTACT_LAW));
-        law.set("normal", {area ? 1.0 : 0.0});
-        law.set("normal_stiffness", {area ? 5e4 : 5000});
-        law.set("normal_damping", {1});
-        law.set("tangential_stiffness", {4000});
-        law.set("tangential_damping", {0.5});
-        law.set("friction", {friction});
-        for (const Check& check :
-             plugin_checks::check_law(law, test::host().locate(name, SCREE_CONTACT_LAW), {.speed = 0.1})) {
-          INFO(name << ", area " << area << ", friction " << friction << ": " << check.name << ": "
-                    << check.detail);
-          CHECK(check.verdict != Check::Verdict::failed);
-        }
-      }
+      for (const double friction : {0.0, 0.2})
+        check_all(name, {{"normal", {area ? 1.0 : 0.0}},
+                         {"normal_stiffness", {area ? 5e4 : 5000}},
+                         {"normal_damping", {1}},
+                         {"tangential_stiffness", {4000}},
+                         {"tangential_damping", {0.5}},
+                         {"friction", {friction}}});
+}
+
+TEST_CASE("the law for spheres passes all checks", "[plugin_checks][sphere]") {
+  for (const double friction : {0.0, 0.2}) {
+    const test::Values linear = {{"normal_stiffness", {5000}},
+                                 {"tangential_stiffness", {1400}},
+                                 {"tangential_damping", {0.5}},
+                                 {"static_friction", {friction}}};
+    for (const auto& damping : {std::pair("restitution", 0.8), std::pair("normal_damping", 0.1)}) {
+      test::Values values = linear;
+      values.push_back({damping.first, {damping.second}});
+      check_all("sphere_path_independent", values);
+    }
+    check_all("sphere_path_independent", {{"normal", {1}},
+                                          {"youngs_modulus", {1e7}},
+                                          {"poissons_ratio", {0.3}},
+                                          {"restitution", {0.8}},
+                                          {"friction", {friction}}});
+  }
 }

@@ -65,6 +65,7 @@ TEST_CASE("the stiffness matrix is the derivative of the forces of the kernel", 
     CAPTURE(law);
     CHECK(error_of_stiffness(test::heap(2, discs, law)) < 1e-8);
   }
+  CHECK(error_of_stiffness(test::heap(3, springs, "sphere_path_independent")) < 1e-8);
 }
 
 // Central differences have the mean of both stiffnesses, up to the difference of their second derivatives: with the step h = 2e-4 over

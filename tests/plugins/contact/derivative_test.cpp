@@ -1,9 +1,11 @@
-#include "law_batch.hpp"
+#include "law_variants.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include <catch2/catch.hpp>
+
+#include <scree/plugin/great_circle.hpp>
 
 // The derivatives of every law against finite differences of fourth order. With steps of 1e-3 of the scale of
 // each quantity, their truncation error is about 1e-12 and their round-off, 1e-16 × |f|/step, below 1e-11 of
@@ -16,72 +18,6 @@ namespace {
 
 constexpr double tolerance = 1e-7, step = 1e-6, distance = 4e-3;
 
-struct Variant {
-  std::string law;
-  std::string name;
-  Values values;
-  double stiffness;  // of the normal force at the overlap of the states (N/m), for the scale of forces
-  double slip;       // spring length at which the contact begins to slide (m)
-  bool frictional;
-};
-
-std::vector<Variant> variants() {
-  std::vector<Variant> all;
-  for (const double rolling : {0.0, 0.1})
-    for (const bool by_restitution : {false, true})
-      for (const double tension : {0.0, 1.0})
-        for (const int friction : {0, 1, 2, 3}) {
-          Values v = {{"normal_stiffness", {5000}}, {"rolling_friction", {rolling}}, {"tension", {tension}}};
-          v.push_back(by_restitution ? std::pair<std::string, std::vector<double>>{"restitution", {0.8}}
-                                     : std::pair<std::string, std::vector<double>>{"normal_damping", {0.4}});
-          if (friction > 0) {
-            v.push_back({"tangential_stiffness", {1500}});
-            v.push_back({"static_friction", {0.5}});
-            v.push_back({"dynamic_friction", {0.4}});
-            v.push_back({"tangential_damping", {friction == 1 ? 0.0 : 0.2}});
-            v.push_back({"slip_rule", {friction == 3 ? 1.0 : 0.0}});
-          }
-          all.push_back({"linear_spring_dashpot",
-                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
-                             ", restitution " + std::to_string(by_restitution) + ", tension " +
-                             std::to_string(tension),
-                         v, 5000, 0.5 * 5000 * 2e-5 / 1500, friction > 0});
-        }
-  for (const double rolling : {0.0, 0.1})
-    for (const double restitution : {0.8, 1.0})
-      for (const double friction : {0.0, 0.4})
-        for (const double history : {0.0, 1.0, 2.0})
-          all.push_back({"hertz_mindlin",
-                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
-                             ", restitution " + std::to_string(restitution) + ", history " +
-                             std::to_string(history),
-                         {{"youngs_modulus", {7e7}},
-                          {"poissons_ratio", {0.2}},
-                          {"restitution", {restitution}},
-                          {"friction", {friction}},
-                          {"history", {history}},
-                          {"rolling_friction", {rolling}}},
-                         1e4,
-                         0.4 * 2e-5 * 2.0 / 3.0 * 0.9,
-                         friction > 0});
-  for (const std::string law : {"disc_angular", "disc_corrected", "disc_cundall_strack"})
-    for (const bool area : {false, true})
-      for (const double friction : {0.0, 0.5})
-        // k A/(4 R*) of the states is 0.1 N too.
-        all.push_back({law,
-                       "friction " + std::to_string(friction) + ", area " + std::to_string(area),
-                       {{"normal", {area ? 1.0 : 0.0}},
-                        {"normal_stiffness", {area ? 7.5e4 : 5000.0}},
-                        {"normal_damping", {0.4}},
-                        {"tangential_stiffness", {1500}},
-                        {"tangential_damping", {0.2}},
-                        {"friction", {friction}}},
-                       5000,
-                       0.5 * 0.1 / 1500,
-                       friction > 0});
-  return all;
-}
-
 // One touching pair, and changes of its relative motion.
 struct State {
   int dimension;
@@ -89,7 +25,7 @@ struct State {
   double overlap = 2e-5;
   Vec3 spring = {}, increment = {}, velocity = {}, spin = {};
   bool was_sliding = false;
-  double angle_a = 0, angle_b = 0;  // (rad) of discs
+  Vec3 rotation_a = {}, rotation_b = {};  // (rad) as components of a motion
 };
 
 // The spring of a law for discs; painted points lie so that it is as long.
@@ -102,6 +38,31 @@ void load_disc_history(LawBatch& pair, const State& state) {
   pair.set_history("painted_b", 1.6e-3 * angle - 0.5 * length);
   pair.set_history("angle", angle);
   pair.set_history("touched", 1);
+}
+
+// Painted points of a law for spheres such that the spring is that of the state; the bodies have not turned.
+void load_sphere_history(LawBatch& pair, const State& state) {
+  const Vec3 a = end_of_arc(-state.normal, 0.5 / 2.4e-3 * state.spring),
+             b = end_of_arc(state.normal, -0.5 / 1.6e-3 * state.spring);
+  for (int k = 0; k < 3; ++k) {
+    const std::string axis(1, "xyz"[k]);
+    pair.set_history("painted_a_" + axis, a[k]);
+    pair.set_history("painted_b_" + axis, b[k]);
+    pair.set_history("spring_" + axis, state.spring[k]);
+  }
+  pair.set_history("sliding", state.was_sliding ? 1 : 0);
+  pair.set_history("signed_contact_radius", (state.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5));
+}
+
+// The orientation after a rotation (rad): an angle, the first component, in 2D, and a unit quaternion in 3D.
+void set_orientation(LawBatch& pair, scree_contact_input column, int dimension, const Vec3& rotation) {
+  if (dimension == 2) {
+    pair.input(column) = rotation[0];
+    return;
+  }
+  const double angle = norm(rotation), share = angle > 0 ? std::sin(0.5 * angle) / angle : 0.5;
+  pair.input(column) = std::cos(0.5 * angle);
+  for (int k = 0; k < 3; ++k) pair.input(column, 1 + k) = share * rotation[k];
 }
 
 // The change of a state by `amount` in component k of a motion.
@@ -123,10 +84,10 @@ State moved(const State& state, PairMotion motion, int k, double amount) {
       s.increment += across;
       break;
     case PairMotion::rotation_a:
-      s.angle_a = amount;
+      s.rotation_a = displacement;
       break;
     case PairMotion::rotation_b:
-      s.angle_b = amount;
+      s.rotation_b = displacement;
       break;
     case PairMotion::velocity:
       s.velocity += displacement;
@@ -141,10 +102,8 @@ State moved(const State& state, PairMotion motion, int k, double amount) {
 void load(LawBatch& pair, const State& state, PairMotion motion, int k, double amount) {
   const int d = state.dimension;
   const State s = moved(state, motion, k, amount);
-  if (d == 2) {
-    pair.input(SCREE_ORIENTATION_A) = s.angle_a;
-    pair.input(SCREE_ORIENTATION_B) = s.angle_b;
-  }
+  set_orientation(pair, SCREE_ORIENTATION_A, d, s.rotation_a);
+  set_orientation(pair, SCREE_ORIENTATION_B, d, s.rotation_b);
   pair.set(SCREE_NORMAL, s.normal);
   pair.input(SCREE_OVERLAP) = s.overlap;
   pair.set(SCREE_RELATIVE_VELOCITY, s.velocity);
@@ -155,6 +114,7 @@ void load(LawBatch& pair, const State& state, PairMotion motion, int k, double a
   pair.input(SCREE_RADII, 1) = 1.6e-3;
   pair.input(SCREE_REDUCED_MASS) = 4e-6;
   if (pair.has_history("spring")) return load_disc_history(pair, state);
+  if (pair.has_history("painted_a_x")) return load_sphere_history(pair, state);
   const std::uint32_t width = pair.instance().history_width;
   for (std::uint32_t h = 0; h < width; ++h)
     pair.history(h) = h < std::uint32_t(d) ? s.spring[int(h)] : (s.was_sliding ? 1 : 0);

@@ -39,7 +39,8 @@ TEST_CASE("every batch loop of every contact law is vectorised at every level", 
                                    {"hertz_mindlin", 8 * 2 * 4},
                                    {"disc_cundall_strack", 4 * 4},
                                    {"disc_corrected", 4 * 4},
-                                   {"disc_angular", 4 * 4}})
+                                   {"disc_angular", 4 * 4},
+                                   {"sphere_path_independent", 6 * 4}})
     for (const auto& [level, vector_register] :
          {std::pair<std::string, std::string>{"x86-64-v3/", "%ymm"}, {"x86-64-v4/", "%zmm"}}) {
       const auto functions = disassemble(folder + level + law + ".so", vector_register);

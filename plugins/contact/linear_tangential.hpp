@@ -1,0 +1,40 @@
+// Parameters of a linear tangential spring with a dashpot, and of static and dynamic friction: David et al. (2005),
+// [D2]-[D4].
+
+#pragma once
+
+#include <algorithm>
+
+#include <scree/plugin/stability.hpp>
+
+namespace tangential {
+
+struct Linear {
+  double stiffness = 0;          // k_t (N/m)
+  double damping = 0;            // γ_t (kg/s)
+  double static_friction = 0;    // μ_s
+  double dynamic_friction = -1;  // μ_d; below 0: same as static_friction
+  double inverse_stiffness = 0;  // 1/k_t
+
+  // Returns why the parameters are refused, with the cure, or null.
+  const char* prepare() {
+    if (dynamic_friction < 0) dynamic_friction = static_friction;
+    if (dynamic_friction > static_friction)
+      return "dynamic_friction is above static_friction; give at most the static value";
+    if (static_friction > 0 && stiffness <= 0)
+      return "friction needs tangential_stiffness above 0; give it, or static_friction = 0";
+    // Its reciprocal, and the square of the time γ_t/k_t, must be finite in single precision too.
+    if (static_friction > 0 && !(stiffness > 1e-15 * std::max(1.0, damping)))
+      return "tangential_stiffness is too small for the number format; "
+             "give at least 1e-15 N/m and at least 1e-15/s times tangential_damping";
+    if (stiffness > 0) inverse_stiffness = 1 / stiffness;
+    return nullptr;
+  }
+
+  // Stiffness (N/m) and damping (kg/s) that act; 0 without friction.
+  scree::Stiffness acting() const {
+    return static_friction > 0 ? scree::Stiffness{stiffness, damping} : scree::Stiffness{0, 0};
+  }
+};
+
+}  // namespace tangential

@@ -1,0 +1,113 @@
+// Tangential spring between a point painted on each of two touching spheres, or on a sphere and a wall: its elongation
+// as a function of the present configuration, its generalised forces, and how slip moves the points.
+
+#pragma once
+
+#include "spring_rate.hpp"
+
+#include <algorithm>
+
+#include <scree/plugin/contact.hpp>
+#include <scree/plugin/great_circle.hpp>
+
+namespace tangential {
+
+template <int N, class T>
+scree::Vec<N, T> choose(bool condition, const scree::Vec<N, T>& yes, const scree::Vec<N, T>& no) {
+  scree::Vec<N, T> chosen;
+  for (int k = 0; k < N; ++k) chosen[k] = condition ? yes[k] : no[k];
+  return chosen;
+}
+
+// Shares of both bodies in the elongation ξ = a + b (m), vectors in the tangent plane.
+template <class T>
+struct Shares {
+  scree::Vec<3, T> a;  // R_a log_C(A), C: direction of the contact from a
+  scree::Vec<3, T> b;  // −R_b log_{−C}(B); of a wall the tangential displacement of a since it was painted
+};
+
+// Force on a, the opposite on b, and couple on a in addition to arm × force, the opposite on b.
+template <class T>
+struct SpringLoads {
+  scree::Vec<3, T> force, couple;  // (N), (N m)
+};
+
+// History of the points, 0 before the first touch.
+template <class T>
+struct Points {
+  scree::Vec<3, T> a;  // unit vector in the frame of the body
+  scree::Vec<3, T> b;  // likewise; of a wall x_a − x_w when it was painted (m)
+};
+
+// The pair in its present configuration. AnyContact reads the normal, the overlap, orientations, separation and radii.
+template <class T, class AnyContact>
+class PaintedPair {
+ public:
+  // Arc from the contact to a painted point (rad) beyond which both are painted anew: less than
+  // scree::longest_arc by what a pair may turn in a step.
+  static constexpr double arc_limit = 0.35;
+
+  explicit PaintedPair(const AnyContact& c)
+      : rate(SpringRate<T>::of(c)),
+        c_(c),
+        wall_(c.radius_b == T(0)),
+        inverse_radius_a_(T(1) / c.radius_a),
+        inverse_radius_b_(wall_ ? T(0) : T(1) / c.radius_b) {}
+
+  static bool painted(const Points<T>& points) { return dot(points.a, points.a) > T(0.5); }
+
+  // Of painted points.
+  Shares<T> shares(const Points<T>& points) const {
+    using scree::arc_between, scree::rotated;
+    const auto along_wall = tangential_part(c_.separation - points.b, c_.normal);
+    const auto arc_a = arc_between(-c_.normal, rotated(c_.orientation_a, points.a));
+    const auto arc_b = arc_between(c_.normal, rotated(c_.orientation_b, points.b));
+    return {c_.radius_a * arc_a, choose(wall_, along_wall, -c_.radius_b * arc_b)};
+  }
+
+  // Square of the longer of both arcs from the contact to a painted point (rad²); 1 if they are not painted.
+  T farthest(const Shares<T>& s, bool painted) const {
+    return painted ? std::max(square_arc_a(s), square_arc_b(s)) : T(1);
+  }
+
+  // The points whose shares are the given ones.
+  Points<T> points(const Shares<T>& s) const {
+    using scree::end_of_arc, scree::rotated_back;
+    const auto on_a = end_of_arc(-c_.normal, inverse_radius_a_ * s.a);
+    const auto on_b = end_of_arc(c_.normal, -inverse_radius_b_ * s.b);
+    return {rotated_back(c_.orientation_a, on_a),
+            choose(wall_, c_.separation - s.b, rotated_back(c_.orientation_b, on_b))};
+  }
+
+  // Tension k ξ + f_d of spring and dashpot (N), as loads: −∂/∂q of ½ k ξ², and −f_d in the directions in which a
+  // tension acts while both points are at the contact, so that its power is −f_d·ξ′ with ξ′ of SpringRate.
+  // With S = R_a + R_b, X: distance of the centres, κ(φ) = (1 − φ cot φ)/φ² of the arcs φ, m_a = (κ_a/R_a) a,
+  // m_b = (κ_b/R_b) b, θ = k ξ·(C × a) = −k ξ·(C × b):
+  //   force of the spring  = −(S k ξ − θ C × (m_a − m_b))/X
+  //   torque on a          = −R_a (C × k ξ + θ (m_a + C)), likewise on b; less arm_a C × force it is the
+  //   couple               = e C × k ξ − θ ((arm_b m_a + arm_a m_b)/X + C),   arms R − δ/2, e of SpringRate
+  // Beside a wall 1/X = 0, S/X = 1, arm_a/X = 0, arm_b/X = 1, m_b = 0.
+  SpringLoads<T> loads(const Shares<T>& s, const T& stiffness, const scree::Vec<3, T>& tension) const {
+    const auto contact = -c_.normal;
+    const auto bend_a = (scree::arc_shear(square_arc_a(s)) * inverse_radius_a_) * s.a;
+    const auto bend_b = (scree::arc_shear(square_arc_b(s)) * inverse_radius_b_) * s.b;
+    const T twist = stiffness * dot(s.a + s.b, cross(contact, s.a));
+    const T share_a = (c_.radius_a - T(0.5) * c_.overlap) * rate.inverse_distance, share_b = T(1) - share_a;
+    const auto across = (twist * rate.inverse_distance) * cross(contact, bend_a - bend_b);
+    const auto bend = fused(share_a, bend_b, fused(share_b, bend_a, contact));
+    return {fused(-rate.stretch, tension, across),
+            fused(rate.offset, cross(contact, tension), -twist * bend)};
+  }
+
+  const SpringRate<T> rate;
+
+ private:
+  T square_arc_a(const Shares<T>& s) const { return inverse_radius_a_ * inverse_radius_a_ * dot(s.a, s.a); }
+  T square_arc_b(const Shares<T>& s) const { return inverse_radius_b_ * inverse_radius_b_ * dot(s.b, s.b); }
+
+  const AnyContact& c_;
+  bool wall_;
+  T inverse_radius_a_, inverse_radius_b_;  // of a wall 0
+};
+
+}  // namespace tangential

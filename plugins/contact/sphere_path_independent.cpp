@@ -1,0 +1,200 @@
+// Spheres with a tangential spring between painted points, after McNamara, García-Rojo, Herrmann (2008), [M18]-[M30],
+// taken to three dimensions; the normal force is that of David et al. (2005), [D1], or Hertz's.
+
+#include "hertz_normal.hpp"
+#include "linear_normal.hpp"
+#include "painted_points.hpp"
+#include "sphere_keys.hpp"
+
+#include <scree/plugin/friction.hpp>
+
+namespace {
+
+using scree::Contact;
+using scree::Response;
+using scree::Vec;
+using sphere::Normal;
+using tangential::choose;
+
+struct SpherePathIndependent : sphere::Keys {
+  static constexpr scree::About about = {
+      "sphere_path_independent",
+      "spheres: tangential spring between painted points, normal force linear or Hertz's",
+      "f_n = k δ + γ δ'                                  normal = linear, keys as of linear_spring_dashpot\n"
+      "f_n = k_n δ + γ_n δ'                              normal = hertz, keys as of hertz_mindlin; k_t = 8 G* √(R* δ);\n"
+      "                                                  and ½ k_t'(δ) ξ² along the normal, outside Coulomb's limit\n"
+      "ξ = R_a log_C(A) − R_b log_n(B)                   A, B: points of the surfaces, painted at first touch; n: normal,\n"
+      "                                                  C = −n; log: arc of a great circle, as a tangent vector\n"
+      "    at a wall R_a log_C(A) + tangential part of x_a − x_w less that when painted\n"
+      "V = normal part + ½ k_t ξ²                        forces and torques are −∂V/∂q; angular momentum is conserved\n"
+      "f_d = P(k_t ξ + γ_t ξ') − k_t ξ                   dashpot; P: limits the magnitude to C = μ max(f_n, 0);\n"
+      "                                                  ξ' = α v_t + e (ω_a − ω_b) × n as of discs: rolling is free\n"
+      "stick: |k_t ξ| <= C                               slip: ξ shortened to |k_t ξ| = C moves both points by half;\n"
+      "                                                  the dashpot never causes slip; both only dissipate\n"
+      "Closed paths of centres and rotations without slip leave no spring as long as both points stay within 0.35 rad\n"
+      "of the contact. A point farther away: both are painted anew with the same ξ, and longer paths may leave a\n"
+      "spring: a loop of radius 0.2 R on a wall that ends in the first orientation leaves 0.01 R, of 0.3 R 0.04 R;\n"
+      "straight rolling leaves none. Twist by ψ about the normal turns each painted point about the contact: after\n"
+      "rolling by s it stretches ξ by ψ s",
+      "after McNamara et al. 2008, equations 18 to 30, in 3D"};
+
+  std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
+                             std::uint32_t capacity) const {
+    if (chosen_normal() == Normal::hertz) return hertz.closed_forms(e, friction > 0, forms, capacity);
+    return linear.closed_forms(e, tangent.acting(), forms, capacity);
+  }
+};
+
+template <Normal kind, bool by_restitution>
+struct Frictionless : SpherePathIndependent {
+  static bool suits(const SpherePathIndependent& p) {
+    return p.chosen_normal() == kind && p.damped_by_mass() == by_restitution && !(p.friction > 0);
+  }
+  static constexpr std::uint32_t reads = scree::reads_normal | scree::reads_overlap |
+                                         scree::reads_relative_velocity | scree::reads_onset_weight |
+                                         (kind == Normal::hertz ? scree::reads_contact_radius : 0u) |
+                                         (by_restitution ? scree::reads_reduced_mass_root : 0u);
+  template <int D, class T>
+  using History = scree::NoHistory<D, T>;
+
+  template <int D, class T>
+  void force(const Contact<D, T, reads>& c, History<D, T>&, Response<D, T>& out) const {
+    out.force = normal_force(c, out).total * c.normal;
+  }
+
+ protected:
+  template <class AnyContact, class AnyResponse>
+  auto normal_force(const AnyContact& c, AnyResponse& out) const {
+    if constexpr (kind == Normal::hertz)
+      return hertz.force(c, out);
+    else
+      return linear.template force<by_restitution>(c, out);
+  }
+};
+
+template <Normal kind, bool by_restitution>
+struct Frictional : Frictionless<kind, by_restitution> {
+  static bool suits(const SpherePathIndependent& p) {
+    return p.chosen_normal() == kind && p.damped_by_mass() == by_restitution && p.friction > 0;
+  }
+  static constexpr std::uint32_t reads =
+      Frictionless<kind, by_restitution>::reads | scree::reads_tangential_increment |
+      scree::reads_relative_spin | scree::reads_orientations | scree::reads_separation | scree::reads_radii |
+      (kind == Normal::hertz ? scree::reads_effective_radius : 0u);
+  static constexpr bool tangential = true;
+  static constexpr bool writes_couple = true;
+
+  template <int D, class T>
+  struct History {
+    tangential::Points<T> points;
+    Vec<D, T> spring;  // ξ (m)
+    // linear: 1 while the contact slides; hertz: ±√(R* δ) at the last update of ξ (m), above 0 while it slides
+    T state;
+    static constexpr int sliding_column = 9;
+    static constexpr std::array<const char*, 10> names = {
+        "painted_a_x", "painted_a_y",
+        "painted_a_z", "painted_b_x",
+        "painted_b_y", "painted_b_z",
+        "spring_x",    "spring_y",
+        "spring_z",    kind == Normal::hertz ? "signed_contact_radius" : "sliding"};
+  };
+
+  template <int D, class T>
+  T stored_energy(const History<D, T>& h) const {
+    return T(0.5) * stiffness_of(h) * dot(h.spring, h.spring);
+  }
+
+  template <int D, class T>
+  void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, true>& out) const {
+    const normal::Force<T> f_n = this->normal_force(c, out);
+    const tangential::PaintedPair<T, Contact<D, T, reads>> pair(c);
+    const Vec<D, T> rate =
+        pair.rate(tangential_part(c.relative_velocity, c.normal), c.relative_spin, c.normal);
+    const bool painted = pair.painted(h.points);
+    // At first touch the spring is as long as the pair moved while touching.
+    const Vec<D, T> half = T(0.5) * tangential_part(c.tangential_increment, c.normal);
+    tangential::Shares<T> shares = pair.shares(h.points);
+    shares = {choose(painted, shares.a, half), choose(painted, shares.b, half)};
+    const Vec<D, T> trial = shares.a + shares.b;
+
+    const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, f_n.repulsive);
+    const scree::Slip<D, T> slip = scree::slide_or_stick(step);
+    const T stiffness_before = stiffness_of(h);
+    const Vec<D, T> before = h.spring;
+    place(pair, shares, trial, slip, painted, h);
+    h.spring = slip.spring;
+    h.state = state_of(c, slip.slides);
+
+    const tangential::SpringLoads<T> loads = pair.loads(shares, step.stiffness, -slip.force);
+    T along_normal = f_n.total;
+    if constexpr (kind == Normal::hertz)
+      along_normal += this->hertz.force_of_potential(c, dot(slip.spring, slip.spring));
+    out.force = fused(along_normal, c.normal, loads.force);
+    out.couple = loads.couple;
+    out.elastic_tangential = stored_energy(h);
+    out.dissipation_rate_tangential = -dot(fused(step.stiffness, slip.spring, slip.force), rate);
+    const Vec<D, T> mean_force = T(0.5) * fused(stiffness_before, before, step.stiffness * slip.spring);
+    out.dissipated_friction = std::max(dot(mean_force, trial - slip.spring), T(0));
+  }
+
+ private:
+  // k_t at the last update of the spring (N/m).
+  template <class AnyHistory>
+  auto stiffness_of(const AnyHistory& h) const {
+    using T = std::decay_t<decltype(h.state)>;
+    if constexpr (kind == Normal::hertz)
+      return this->hertz.tangential_stiffness(T(std::max(h.state, -h.state)));
+    else
+      return T(this->tangent.stiffness);
+  }
+  template <class AnyContact>
+  static auto state_of(const AnyContact& c, bool slides) {
+    using T = std::decay_t<decltype(c.overlap)>;
+    if constexpr (kind == Normal::hertz)
+      return slides ? c.contact_radius.value : -c.contact_radius.value;
+    else
+      return slides ? T(1) : T(0);
+  }
+
+  template <int D, class T, class AnyHistory>
+  scree::SlipStep<D, T> slip_step(const Contact<D, T, reads>& c, const AnyHistory& h, const Vec<D, T>& trial,
+                                  const Vec<D, T>& rate, const T& repulsive) const {
+    T stiffness = T(this->tangent.stiffness), inverse = T(this->tangent.inverse_stiffness);
+    T damping = c.onset_weight * T(this->tangent.damping);
+    if constexpr (kind == Normal::hertz) {
+      stiffness = this->hertz.tangential_stiffness(c.contact_radius.value);
+      inverse = T(this->hertz.inverse_shear_stiffness) * c.contact_radius.inverse;
+      damping = normal::Hertz::damping_weight(c) * T(this->hertz.tangential_damping);
+    }
+    const T sliding_limit = T(this->tangent.dynamic_friction) * repulsive;
+    return {.trial_spring = trial,
+            .stiffness = stiffness,
+            .inverse_stiffness = inverse,
+            .velocity = rate,
+            .delay = damping * inverse,
+            .step = c.step,
+            .limit = h.state > T(0) ? sliding_limit : T(this->friction) * repulsive,
+            .sliding_limit = sliding_limit};
+  }
+
+  // Moves the painted points by the slip, half of it each; paints them anew at first touch and where one is far from
+  // the contact. Points of contacts that stick keep their bits.
+  template <class Pair, int D, class T, class AnyHistory>
+  static void place(const Pair& pair, tangential::Shares<T>& shares, const Vec<D, T>& trial,
+                    const scree::Slip<D, T>& slip, bool painted, AnyHistory& h) {
+    const bool anew = pair.farthest(shares, painted) > T(pair.arc_limit * pair.arc_limit);
+    const Vec<D, T> half = T(0.5) * slip.spring, half_slip = T(0.5) * (trial - slip.spring);
+    shares = {choose(anew, half, shares.a - half_slip), choose(anew, half, shares.b - half_slip)};
+    const tangential::Points<T> points = pair.points(shares);
+    h.points = {choose(anew, points.a, choose(slip.slides, points.a, h.points.a)),
+                choose(anew, points.b, choose(slip.slides, points.b, h.points.b))};
+  }
+};
+
+using enum Normal;
+
+}  // namespace
+
+SCREE_CONTACT_LAW_PLUGIN(SpherePathIndependent, Frictionless<linear, false>, Frictionless<linear, true>,
+                         Frictionless<hertz, true>, Frictional<linear, false>, Frictional<linear, true>,
+                         Frictional<hertz, true>)
