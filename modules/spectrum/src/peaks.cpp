@@ -114,18 +114,22 @@ ModeFit with_another_pole(const ModeFit& fit, const Response& response) {
   return best;
 }
 
-// The part of the response in the range of a group, less the modes of all others.
+// The part of the response in the range of a group, less the modes of all others. Poles beyond the range that they were fitted in are
+// background there, and say nothing of other ranges.
 Response alone(const Response& whole, const std::vector<Group>& groups, std::size_t number) {
   Response response = part(whole, groups[number].range);
   if (whole.only_amplitudes) return response;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (g == number || !groups[g].fit.converged) continue;
-    for (const Pole& pole : groups[g].fit.poles)
+    const Response of_other = part(whole, groups[g].range);
+    for (const Pole& pole : groups[g].fit.poles) {
+      if (!is_within(pole, of_other)) continue;
       for (std::size_t k = 0; k < response.values.size(); ++k) {
         const double f = response.frequencies[k];
         response.values[k] -= response.factor(f) * pole.strength /
                               std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
       }
+    }
   }
   return response;
 }
