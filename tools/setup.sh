@@ -73,9 +73,9 @@ install_missing() {
   rm -f "$log"
 }
 
-# build_scree <preset> [target]: silent when there is nothing to do.
+# build_scree <preset> [targets]: silent when there is nothing to do.
 build_scree() {
-  local preset=$1 target=${2:-all} build="$scree_root/build/$1"
+  local preset=$1 build="$scree_root/build/$1" targets=("${@:2}")
   if [[ ! -f $build/build.ninja ]]; then
     install_missing "$preset"
     say "configuring ($preset)"
@@ -85,6 +85,6 @@ build_scree() {
   fi
   [[ -x $build/bin/scree ]] || say "building ($preset), some minutes the first time"
   # Silent but for what is really built.
-  ninja -C "$build" "$target" | { grep -vE 'no work to do|Re-checking globbed|Entering directory' >&2 || true; } ||
+  ninja -C "$build" "${targets[@]}" | { grep -vE 'no work to do|Re-checking globbed|Entering directory' >&2 || true; } ||
     { say "the build failed"; exit 1; }
 }
