@@ -63,9 +63,8 @@ Rows sum(const Rows& y, double h, const Rows& rate) {
   return s;
 }
 
-// Shares of both bodies in the elongation; point_b of a wall is the second share itself.
 struct Elongation {
-  Vector a, b;
+  Vector a, b;  // shares of both bodies; point_b of a wall is the second share itself
   Vector whole() const { return a + b; }
 };
 
@@ -238,10 +237,7 @@ Outcome integrate_painted(const Impact& touching, int steps) {
   const double h = pair.duration() / steps;
   Rows y = pair.start(), next = pair.advanced(y, h);
   double time = 0;
-  while (pair.overlap(next) > 0) {
-    y = next, next = pair.advanced(y, h);
-    time += h;
-  }
+  for (; pair.overlap(next) > 0; time += h) y = next, next = pair.advanced(y, h);
   double low = 0, high = 1;  // of the last step
   for (int k = 0; k < 50; ++k) {
     const double middle = 0.5 * (low + high);
