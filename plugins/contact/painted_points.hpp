@@ -39,7 +39,8 @@ struct Points {
   scree::Vec<3, T> b;  // likewise; of a wall x_a − x_w when it was painted (m)
 };
 
-// The pair in its present configuration. AnyContact reads the normal, the overlap, orientations, separation and radii.
+// The pair in its present configuration. AnyContact reads the normal, the overlap, relative velocity and spin, orientations,
+// separation and radii.
 template <class T, class AnyContact>
 class PaintedPair {
  public:
@@ -65,10 +66,18 @@ class PaintedPair {
     return {c_.radius_a * arc_a, choose(wall_, along_wall, -c_.radius_b * arc_b)};
   }
 
-  // Square of the longer of both arcs from the contact to a painted point (rad²); 1 if they are not painted.
-  T farthest(const Shares<T>& s, bool painted) const {
-    return painted ? std::max(square_arc_a(s), square_arc_b(s)) : T(1);
+  // Share of a at first touch, of points that were at the contact when it began, from the displacement `moved` (m) of
+  // the contact points since then; the rest of `moved` is that of b. Of points elsewhere, which roll as far with another twist, ξ would err by the first order of the
+  // step. ξ' = R_a u_a + R_b u_b with u = n' − ω × n of either body.
+  scree::Vec<3, T> first_share_of_a(const scree::Vec<3, T>& moved) const {
+    const auto turn = touching_time() * cross(c_.relative_spin, c_.normal);
+    const T part = wall_ ? T(0) : c_.radius_a * rate.inverse_distance;
+    const T lever = wall_ ? c_.radius_a : part * c_.radius_b;
+    return fused(-lever, turn, part * moved);
   }
+
+  // Square of the longer of both arcs from the contact to a painted point (rad²).
+  T farthest(const Shares<T>& s) const { return std::max(square_arc_a(s), square_arc_b(s)); }
 
   // The points whose shares are the given ones.
   Points<T> points(const Shares<T>& s) const {
@@ -102,6 +111,11 @@ class PaintedPair {
   const SpringRate<T> rate;
 
  private:
+  // Part of the step during which a pair has touched that did not before (s).
+  T touching_time() const {
+    const T approach = std::max(-dot(c_.relative_velocity, c_.normal), scree::smallest_divisor<T>);
+    return std::min(c_.overlap / approach, c_.step);
+  }
   T square_arc_a(const Shares<T>& s) const { return inverse_radius_a_ * inverse_radius_a_ * dot(s.a, s.a); }
   T square_arc_b(const Shares<T>& s) const { return inverse_radius_b_ * inverse_radius_b_ * dot(s.b, s.b); }
 

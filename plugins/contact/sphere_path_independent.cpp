@@ -112,9 +112,10 @@ struct Frictional : Frictionless<kind, by_restitution> {
         pair.rate(tangential_part(c.relative_velocity, c.normal), c.relative_spin, c.normal);
     const bool painted = pair.painted(h.points);
     // At first touch the spring is as long as the pair moved while touching.
-    const Vec<D, T> half = T(0.5) * tangential_part(c.tangential_increment, c.normal);
+    const Vec<D, T> moved = tangential_part(c.tangential_increment, c.normal);
+    const Vec<D, T> first = pair.first_share_of_a(moved);
     tangential::Shares<T> shares = pair.shares(h.points);
-    shares = {choose(painted, shares.a, half), choose(painted, shares.b, half)};
+    shares = {choose(painted, shares.a, first), choose(painted, shares.b, moved - first)};
     const Vec<D, T> trial = shares.a + shares.b;
 
     const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, f_n.repulsive);
@@ -177,17 +178,18 @@ struct Frictional : Frictionless<kind, by_restitution> {
             .sliding_limit = sliding_limit};
   }
 
-  // Moves the painted points by the slip, half of it each; paints them anew at first touch and where one is far from
+  // Moves the painted points by the slip, half of it each; paints them at first touch, and anew where one is far from
   // the contact. Points of contacts that stick keep their bits.
   template <class Pair, int D, class T, class AnyHistory>
   static void place(const Pair& pair, tangential::Shares<T>& shares, const Vec<D, T>& trial,
                     const scree::Slip<D, T>& slip, bool painted, AnyHistory& h) {
-    const bool anew = pair.farthest(shares, painted) > T(pair.arc_limit * pair.arc_limit);
+    const bool far = pair.farthest(shares) > T(pair.arc_limit * pair.arc_limit);
     const Vec<D, T> half = T(0.5) * slip.spring, half_slip = T(0.5) * (trial - slip.spring);
-    shares = {choose(anew, half, shares.a - half_slip), choose(anew, half, shares.b - half_slip)};
+    shares = {choose(far, half, shares.a - half_slip), choose(far, half, shares.b - half_slip)};
     const tangential::Points<T> points = pair.points(shares);
-    h.points = {choose(anew, points.a, choose(slip.slides, points.a, h.points.a)),
-                choose(anew, points.b, choose(slip.slides, points.b, h.points.b))};
+    const bool sticks = painted & !slip.slides;
+    h.points = {choose(far, points.a, choose(sticks, h.points.a, points.a)),
+                choose(far, points.b, choose(sticks, h.points.b, points.b))};
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "impact.hpp"
+#include "painted_impact.hpp"
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -25,17 +26,21 @@ struct ImpactCase {
   Vec3 spin = {};                    // of a (rad/s)
   bool wall = true;
   int dimension = 3;
+  bool painted = false;     // sphere_path_independent, with the normal force of the law above
+  double size_ratio = 0.6;  // R_b/R_a
+  double mass_ratio = 0.4;  // m_b/m_a
+  double rigidity = 1;      // scale of all stiffnesses
 };
 
 inline std::string name_of(const ImpactCase& c) {
   char text[200];
   const char* histories[] = {"displacement", "rescaled", "potential"};
-  std::snprintf(text, sizeof(text), "%s %s e=%g %s mu=%g angle=%.3g spin=(%g,%g,%g) %s %dD%s",
-                c.hertz ? "hertz" : "linear",
+  std::snprintf(text, sizeof(text), "%s%s %s e=%g %s mu=%g angle=%.3g spin=(%g,%g,%g) %s %g %dD%s",
+                c.painted ? "painted " : "", c.hertz ? "hertz" : "linear",
                 c.hertz ? histories[int(c.history)] : (c.tangential_damping ? "damped" : "undamped"),
                 c.restitution, c.tension == reference::Tension::cut ? "cut" : "allowed", c.friction,
                 c.angle * 180 / std::numbers::pi, c.spin[0], c.spin[1], c.spin[2], c.wall ? "wall" : "pair",
-                c.dimension, c.slip_rule == reference::SlipRule::total ? " total" : "");
+                c.size_ratio, c.dimension, c.slip_rule == reference::SlipRule::total ? " total" : "");
   return text;
 }
 
@@ -52,8 +57,8 @@ class ImpactPair {
 
   // Undamped contact of the same normal law at the same normal speed (s).
   double contact_time() const {
-    if (!case_.hertz) return std::numbers::pi * std::sqrt(reduced_mass() / stiffness);
-    const double modulus = youngs_modulus / (1 - poissons_ratio * poissons_ratio) / 2;
+    if (!case_.hertz) return std::numbers::pi * std::sqrt(reduced_mass() / stiffness());
+    const double modulus = youngs_modulus() / (1 - poissons_ratio * poissons_ratio) / 2;
     return 2.8682656992 *
            std::pow(reduced_mass() * reduced_mass() /
                         (effective_radius() * modulus * modulus * speed * std::cos(case_.angle)),
@@ -68,8 +73,7 @@ class ImpactPair {
     for (const reference::Body& b : bodies_at(-phase * step))
       bodies.push_back(body(std::int64_t(bodies.size()) + 1, b.radius, b.mass, vec(b.position),
                             vec(b.velocity), vec(b.spin), b.dimension));
-    Scene s = scene(case_.dimension, step, bodies, parameters_of_law(),
-                    case_.hertz ? "hertz_mindlin" : "linear_spring_dashpot");
+    Scene s = scene(case_.dimension, step, bodies, parameters_of_law(), name_of_law());
     s.pair_forces = false;
     if (case_.wall) add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", plane_normal()}});
     Simulation simulation(s);
@@ -89,24 +93,24 @@ class ImpactPair {
   reference::Outcome reference(double tolerance = 1e-10) const {
     reference::Impact impact;
     impact.law = law();
-    const auto bodies = bodies_at(-0.1 * contact_time());
+    const auto bodies = bodies_at(case_.painted ? 0 : -0.1 * contact_time());
     impact.a = bodies[0];
     if (case_.wall)
       impact.other = reference::Wall{{}, up()};
     else
       impact.other = bodies[1];
+    if (case_.painted) return reference::integrate_painted(impact, painted_steps);
     return reference::integrate(impact, tolerance);
   }
 
   Vec3 normal() const { return vec(up()); }  // of the contact at first touch
   static Vec3 vec(const reference::Vector& v) { return {{v.x, v.y, v.z}}; }
+  // Of the reference with painted points; four times as many change no motion by 1e-6 of the speed.
+  static constexpr int painted_steps = 5000;
   static constexpr double speed = 1;  // (m/s) of a against the other
 
  private:
-  static constexpr double radius = 0.005, mass = 1.3e-3, stiffness = 1e5;
-  static constexpr double youngs_modulus = 1e9, poissons_ratio = 0.3;
-  // b is smaller and lighter.
-  static constexpr double size_ratio = 0.6, mass_ratio = 0.4;
+  static constexpr double radius = 0.005, mass = 1.3e-3, poissons_ratio = 0.3;
 
   static double kinetic(const scree_energy& e) { return e.kinetic_translation + e.kinetic_rotation; }
   reference::Vector up() const {
@@ -115,27 +119,31 @@ class ImpactPair {
   std::vector<double> plane_normal() const {
     return case_.dimension == 2 ? std::vector<double>{0, 1, 0} : std::vector<double>{0, 0, 1};
   }
-  double reduced_mass() const { return case_.wall ? mass : mass * mass_ratio / (1 + mass_ratio); }
-  double effective_radius() const { return case_.wall ? radius : radius * size_ratio / (1 + size_ratio); }
+  double stiffness() const { return 1e5 * case_.rigidity; }
+  double youngs_modulus() const { return 1e9 * case_.rigidity; }
+  double reduced_mass() const { return case_.wall ? mass : mass * case_.mass_ratio / (1 + case_.mass_ratio); }
+  double effective_radius() const {
+    return case_.wall ? radius : radius * case_.size_ratio / (1 + case_.size_ratio);
+  }
 
   // Both bodies at a time after first touch, in free flight; the total momentum of a pair is 0.
   std::vector<reference::Body> bodies_at(double time) const {
     const reference::Vector x = {1, 0, 0};
     const reference::Vector approach =
         speed * std::sin(case_.angle) * x - speed * std::cos(case_.angle) * up();
-    const double share = case_.wall ? 1 : mass_ratio / (1 + mass_ratio);
+    const double share = case_.wall ? 1 : case_.mass_ratio / (1 + case_.mass_ratio);
     reference::Body a{case_.dimension, radius,           mass,
                       radius * up(),   share * approach, {case_.spin[0], case_.spin[1], case_.spin[2]}};
     a.position = a.position + time * a.velocity;
     if (case_.wall) return {a};
-    reference::Body b{case_.dimension,        size_ratio * radius,
-                      mass_ratio * mass,      -size_ratio * radius * up(),
-                      (share - 1) * approach, {}};
+    reference::Body b{case_.dimension,         case_.size_ratio * radius,
+                      case_.mass_ratio * mass, -case_.size_ratio * radius * up(),
+                      (share - 1) * approach,  {}};
     b.position = b.position + time * b.velocity;
     return {a, b};
   }
 
-  double tangential_stiffness() const { return case_.stiffness_ratio * stiffness; }
+  double tangential_stiffness() const { return case_.stiffness_ratio * stiffness(); }
   double tangential_damping() const {
     if (!case_.tangential_damping || case_.restitution == 1) return 0;
     const double decrement = -std::log(case_.restitution);
@@ -149,29 +157,39 @@ class ImpactPair {
     law.tension = case_.tension;
     law.restitution = case_.restitution;
     law.friction = case_.friction;
-    law.normal_stiffness = stiffness;
+    law.normal_stiffness = stiffness();
     law.tangential_stiffness = tangential_stiffness();
     law.tangential_damping = tangential_damping();
     law.slip_rule = case_.slip_rule;
-    law.youngs_modulus = youngs_modulus;
+    law.youngs_modulus = youngs_modulus();
     law.poissons_ratio = poissons_ratio;
     law.history = case_.history;
     return law;
   }
 
+  std::string name_of_law() const {
+    if (case_.painted) return "sphere_path_independent";
+    return case_.hertz ? "hertz_mindlin" : "linear_spring_dashpot";
+  }
+
   Values parameters_of_law() const {
     const double cut = case_.tension == reference::Tension::cut;
-    if (case_.hertz)
-      return {{"youngs_modulus", {youngs_modulus}}, {"poissons_ratio", {poissons_ratio}},
-              {"restitution", {case_.restitution}}, {"tension", {cut}},
-              {"friction", {case_.friction}},       {"history", {double(case_.history)}}};
-    return {{"normal_stiffness", {stiffness}},
-            {"restitution", {case_.restitution}},
-            {"tension", {cut}},
-            {"tangential_stiffness", {tangential_stiffness()}},
-            {"tangential_damping", {tangential_damping()}},
-            {"static_friction", {case_.friction}},
-            {"slip_rule", {double(case_.slip_rule)}}};
+    Values values = {{"restitution", {case_.restitution}}, {"tension", {cut}}};
+    const auto add = [&](const char* key, double value) { values.push_back({key, {value}}); };
+    if (case_.painted) add("normal", case_.hertz);
+    if (case_.hertz) {
+      add("youngs_modulus", youngs_modulus());
+      add("poissons_ratio", poissons_ratio);
+      add("friction", case_.friction);
+      if (!case_.painted) add("history", double(case_.history));
+      return values;
+    }
+    add("normal_stiffness", stiffness());
+    add("tangential_stiffness", tangential_stiffness());
+    add("tangential_damping", tangential_damping());
+    add("static_friction", case_.friction);
+    if (!case_.painted) add("slip_rule", double(case_.slip_rule));
+    return values;
   }
 
   ImpactCase case_;
