@@ -67,11 +67,11 @@ class PaintedPair {
   }
 
   // Share of a at first touch, of points that were at the contact when it began, from the displacement `moved` (m) of
-  // the contact points since then; the rest of `moved` is that of b. Of points elsewhere, which roll as far with another twist, ξ would err by the first order of the
-  // step. ξ' = R_a u_a + R_b u_b with u = n' − ω × n of either body.
+  // the contact points since then; the rest is that of b. Of points elsewhere, which roll as far with another twist, ξ would
+  // err by the first order of the step. ξ' = R_a u_a + R_b u_b with u = n' − ω × n of either body.
   scree::Vec<3, T> first_share_of_a(const scree::Vec<3, T>& moved) const {
     const auto turn = touching_time() * cross(c_.relative_spin, c_.normal);
-    const T part = wall_ ? T(0) : c_.radius_a * rate.inverse_distance;
+    const T part = wall_ ? T(0) : c_.radius_a / (c_.radius_a + c_.radius_b);
     const T lever = wall_ ? c_.radius_a : part * c_.radius_b;
     return fused(-lever, turn, part * moved);
   }
