@@ -36,6 +36,12 @@ function(scree_add_plugin kind name)
       string(APPEND target _${level})
       string(APPEND directory /${level})
     endif()
+    if(SCREE_SANITIZE AND NOT level STREQUAL baseline) # loops with checks are not vectorised: each takes minutes to compile
+      add_custom_command(TARGET ${kind}_${name} POST_BUILD
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${SCREE_PLUGIN_DIRECTORY}/${directory}
+        COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_FILE:${kind}_${name}> ${SCREE_PLUGIN_DIRECTORY}/${directory})
+      continue()
+    endif()
     add_library(${target} MODULE ${source})
     set_property(GLOBAL APPEND PROPERTY SCREE_PLUGIN_TARGETS ${target})
     target_link_libraries(${target} PRIVATE scree_sdk $<TARGET_NAME_IF_EXISTS:scree_compile_options>)

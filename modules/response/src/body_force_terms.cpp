@@ -10,7 +10,7 @@ namespace {
 
 // Displacement over radius, and velocity over radius per step, of a difference: small against the lengths and
 // speeds over which a body force changes, large against round-off.
-constexpr double displacement = 1e-4, speed = 1e-6;
+constexpr double probe_displacement = 1e-4, probe_speed = 1e-6;
 
 // One body as a plug-in sees it.
 class SingleBody {
@@ -104,9 +104,9 @@ std::vector<BodyForceTerms> linearise_body_forces(const Simulation& simulation, 
     const double radius = simulation.particles().radius()[i];
     BodyForceTerms of = {Block::Zero(of_body, of_body), Block::Zero(of_body, of_body)};
     for (int k = 0; k < D; ++k)
-      of.stiffness.col(k) = -difference(body, forces, body.position(k), displacement * radius);
+      of.stiffness.col(k) = -difference(body, forces, body.position(k), probe_displacement * radius);
     for (int k = 0; k < of_body; ++k) {
-      const double change = speed * (k < D ? radius : 1) / simulation.step_length();
+      const double change = probe_speed * (k < D ? radius : 1) / simulation.step_length();
       of.damping.col(k) = -difference(body, forces, body.motion(k), change);
     }
     terms.push_back(of);

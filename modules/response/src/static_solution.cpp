@@ -12,7 +12,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-constexpr int most_directions = 40, most_restarts = 20;
+constexpr int most_directions = 40, most_gmres_restarts = 20;
 // By how much the residual is reduced from restart to restart, and the least that is more than round-off.
 constexpr double wanted_gain = 1e-4, least_gain = 0.5;
 
@@ -29,7 +29,7 @@ class Solver {
 
   Vector solve(const Vector& load) const {
     Vector x = Vector::Zero(load.size()), residual = across_floppy(load);
-    for (int restart = 0; restart < most_restarts && residual.norm() > 0; ++restart) {
+    for (int restart = 0; restart < most_gmres_restarts && residual.norm() > 0; ++restart) {
       const Vector better = x + correction(residual);
       const Vector rest = across_floppy(load - stiffness_ * better);
       const bool gained = rest.norm() < least_gain * residual.norm();

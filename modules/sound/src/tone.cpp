@@ -6,7 +6,7 @@ namespace scree::sound {
 
 namespace {
 
-constexpr int drift_degree = 3;
+constexpr int sweep_drift_degree = 3;
 
 // Steps are rounded, so that a period may have some more samples.
 std::size_t most_samples(const scenario::SpectrumPlan& plan) {
@@ -18,7 +18,7 @@ std::size_t most_samples(const scenario::SpectrumPlan& plan) {
 Tone::Tone(const scenario::SpectrumPlan& plan, double frequency, double periods, bool averaged)
     : plan_(plan), drive_(frequency, periods / frequency, most_samples(plan), false, 1) {
   for (std::size_t c = 0; c < plan.observed.size(); ++c)
-    columns_.emplace_back(frequency, periods / frequency, most_samples(plan), averaged, drift_degree);
+    columns_.emplace_back(frequency, periods / frequency, most_samples(plan), averaged, sweep_drift_degree);
 }
 
 void Tone::add(double time, double drive, const std::vector<double>& values) {
