@@ -4,7 +4,7 @@
 
 #include <scree/contact_jacobian.hpp>
 #include <scree/error.hpp>
-#include <scree/plugin/vec.hpp>
+#include <scree/plugin/great_circle.hpp>
 
 namespace scree {
 
@@ -72,13 +72,12 @@ class InputTangent {
         set(orientation, i, 1);
         continue;
       }
-      // ½ e q, e: unit vector of the axis.
-      Vec3 unit = {}, vector;
-      unit[axis] = 0.5;
-      for (int k = 0; k < 3; ++k) vector[k] = input(orientation + 1 + k, i);
-      const Vec3 turned = input(orientation, i) * unit + cross(unit, vector);
-      set(orientation, i, -dot(unit, vector));
-      for (int k = 0; k < 3; ++k) set(orientation + 1 + k, i, turned[k]);
+      Vec3 unit = {};
+      unit[axis] = 1;
+      Vec<4> quaternion;
+      for (int k = 0; k < 4; ++k) quaternion[k] = input(orientation + k, i);
+      const Vec<4> change = quaternion_change(quaternion, unit);
+      for (int k = 0; k < 4; ++k) set(orientation + k, i, change[k]);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/contact_jacobian.hpp>
+#include <scree/plugin/great_circle.hpp>
 
 namespace scree::plugin_checks {
 
@@ -17,13 +18,13 @@ void rotate(ContactColumns& contact, scree_contact_input orientation, int dimens
     contact.input(orientation) += angle;
     return;
   }
-  Vec3 axis = {}, vector;
-  axis[k] = std::sin(0.5 * angle);
-  for (int j = 0; j < 3; ++j) vector[j] = contact.input(orientation, 1 + j);
-  const double scalar = contact.input(orientation), cosine = std::cos(0.5 * angle);
-  const Vec3 turned = cosine * vector + scalar * axis + cross(axis, vector);
-  contact.input(orientation) = cosine * scalar - dot(axis, vector);
-  for (int j = 0; j < 3; ++j) contact.input(orientation, 1 + j) = turned[j];
+  Vec3 rotation = {};
+  rotation[k] = 2 * std::sin(0.5 * angle);
+  Vec<4> quaternion;
+  for (int j = 0; j < 4; ++j) quaternion[j] = contact.input(orientation, j);
+  const Vec<4> change = quaternion_change(quaternion, rotation);
+  for (int j = 0; j < 4; ++j)
+    contact.input(orientation, j) = std::cos(0.5 * angle) * quaternion[j] + change[j];
 }
 
 // Changes contact 0 by `amount` in component k of a motion.

@@ -9,6 +9,7 @@
 #include <scree/contact_columns.hpp>
 #include <scree/contact_jacobian.hpp>
 #include <scree/error.hpp>
+#include <scree/plugin/great_circle.hpp>
 
 namespace scree::response {
 
@@ -190,12 +191,10 @@ class LawContacts {
       columns.input(SCREE_ORIENTATION_A, 0, i) += rotation[2];
       return;
     }
-    Vec3 vector;
-    for (int k = 0; k < 3; ++k) vector[k] = columns.input(SCREE_ORIENTATION_A, 1 + k, i);
-    double& scalar = columns.input(SCREE_ORIENTATION_A, 0, i);
-    const Vec3 turned = vector + 0.5 * (scalar * rotation + cross(rotation, vector));
-    scalar -= 0.5 * dot(rotation, vector);
-    for (int k = 0; k < 3; ++k) columns.input(SCREE_ORIENTATION_A, 1 + k, i) = turned[k];
+    Vec<4> quaternion;
+    for (int k = 0; k < 4; ++k) quaternion[k] = columns.input(SCREE_ORIENTATION_A, k, i);
+    const Vec<4> change = quaternion_change(quaternion, rotation);
+    for (int k = 0; k < 4; ++k) columns.input(SCREE_ORIENTATION_A, k, i) += change[k];
   }
 
   // Columns of a motion in the Jacobian of contact i.

@@ -63,3 +63,13 @@ TEST_CASE("rotation by a quaternion is that of its angle about its axis, and its
     CHECK(norm(rotated_back(q, rotated(q, s.direction)) - s.direction) < 8e-16);
   });
 }
+
+TEST_CASE("a quaternion changes as its body turns about axes of space", "[great_circle]") {
+  const double small = 1e-4;  // rad; the change is of the first order, so that its square is left out
+  each_sample([&](const Sample& s) {
+    const Vec<4> q = {{0.5, 0.5, -0.1, 0.7}};
+    const Vec3 before = rotated(q, s.direction);
+    const Vec3 after = rotated(q + quaternion_change(q, small * s.from), s.direction);
+    CHECK(norm(after - before - small * cross(s.from, before)) < small * small);
+  });
+}

@@ -56,5 +56,12 @@ template <class T>
 inline Vec<3, T> rotated_back(const Vec<4, T>& quaternion, const Vec<3, T>& v) {
   return rotated(Vec<4, T>{{quaternion[0], -quaternion[1], -quaternion[2], -quaternion[3]}}, v);
 }
+// ½ (0, r) q: change of the quaternion q of a body, to first order, as the body turns by a vector r (rad).
+template <class T>
+inline Vec<4, T> quaternion_change(const Vec<4, T>& quaternion, const Vec<3, T>& rotation) {
+  const Vec<3, T> half = T(0.5) * rotation, axis = {{quaternion[1], quaternion[2], quaternion[3]}};
+  const Vec<3, T> change = quaternion[0] * half + cross(half, axis);
+  return {{-dot(half, axis), change[0], change[1], change[2]}};
+}
 
 }  // namespace scree
