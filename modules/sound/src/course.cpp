@@ -14,7 +14,6 @@
 #include <scree/files/try_each.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
-#include <scree/state_file/state_file.hpp>
 
 namespace scree::sound {
 
@@ -207,42 +206,6 @@ void Course::take_sweep() {
     for (const std::string& note : road.notes) warn(note);
     result_.roads.push_back(std::move(road));
   }
-}
-
-void Course::save() {
-  kept_.reset();
-  State state = sweep_->save();
-  transfer(StateTransfer::saving_to(state).below("spectrum"));
-  write_sweep_table();
-  write_state(state);
-}
-
-void Course::write_sweep_table() {
-  directory_.write_file("sweep.csv", sweep_table(plan_.spectrum->observed, sweep_->points()));
-}
-
-void Course::write_state(const State& state) { state_file::write_state(directory_.add(state_name), state); }
-
-void Course::transfer(const StateTransfer& state) {
-  std::string scenario = plan_.resolved_text;
-  state.value("scenario", "", scenario);
-  std::vector<std::string> asked;
-  for (const Road road : asked_) asked.push_back(road_names[std::size_t(road)]);
-  state.rows("asked", "", asked);
-  state.rows("left_out", "", left_out_);
-  asked_.clear();
-  for (const Road road : {Road::linear, Road::pulse, Road::sweep})
-    if (std::find(asked.begin(), asked.end(), road_names[std::size_t(road)]) != asked.end())
-      asked_.push_back(road);
-  std::uint64_t count = result_.roads.size();
-  state.value("count", "1", count);
-  result_.roads.resize(count);
-  for (std::size_t k = 0; k < count; ++k) result_.roads[k].transfer(state.below("road_" + std::to_string(k)));
-  unfinished_.transfer(state.below("unfinished"));
-  const run::InputHashes inputs = run::transfer_inputs(state.below("inputs"), result_.inputs);
-  if (state.restoring())
-    result_.inputs =
-        run::inputs_after(inputs, result_.inputs, [this](const std::string& line) { warn(line); });
 }
 
 void Course::warn(const std::string& line) {
