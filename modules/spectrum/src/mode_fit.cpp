@@ -33,8 +33,8 @@ struct ScaledEquations {
   }
 };
 
-bool is_valid(const Eigen::VectorXd& at) {
-  for (Eigen::Index p = 0; p + 4 < at.size(); p += 4)
+bool is_valid(const ModeModel& model, const Eigen::VectorXd& at) {
+  for (Eigen::Index p = 0; p < model.of_poles(); p += 4)
     if (!(at[p] > 0 && at[p + 1] > 0)) return false;
   return at.allFinite();
 }
@@ -53,7 +53,7 @@ bool descend(const ModeModel& model, Eigen::VectorXd& at) {
     while (!better && damping < most_damping) {
       const Eigen::VectorXd next = at + equations.step(damping);
       const Eigen::VectorXd trial =
-          is_valid(next) ? model.evaluate(next, nullptr) : Eigen::VectorXd(rest * 2);
+          is_valid(model, next) ? model.evaluate(next, nullptr) : Eigen::VectorXd(rest * 2);
       better = trial.squaredNorm() < rest.squaredNorm();  // not if it is NaN
       damping = better ? std::max(least_damping, damping / 10) : damping * 10;
       if (!better) continue;
@@ -76,40 +76,55 @@ double criterion_of(double residual, double square, double count, double paramet
 }
 
 // A start where |H|^2 is positive: poles alone.
-void drop_background(const Response& response, Eigen::VectorXd& at) {
-  at.tail(4).setZero();
+void drop_background(const ModeModel& model, const Response& response, Eigen::VectorXd& at) {
+  at.tail(model.background()).setZero();
   double highest = 0;
   for (std::size_t k = 0; k < response.values.size(); ++k)
     highest = std::max(highest, std::norm(response.values[k] / response.factor(response.frequencies[k])));
-  for (Eigen::Index p = 0; p + 4 < at.size(); p += 4)
+  for (Eigen::Index p = 0; p < model.of_poles(); p += 4)
     at[p + 2] = highest * at[p] * at[p] * at[p + 1] * at[p + 1], at[p + 3] = 0;
 }
 
-double correlation_of(const Eigen::VectorXd& rest, Eigen::Index stride) {
-  const Eigen::Index count = rest.size() - stride;
+double correlation_of(const Eigen::VectorXd& rest, Eigen::Index distance) {
+  const Eigen::Index count = rest.size() - distance;
   return rest.head(count).dot(rest.tail(count)) / rest.squaredNorm();
+}
+
+// How many residuals are as good as one that is independent: 1 + 2 times the sum of correlations up to the first that chance explains.
+double correlated_residuals(const Eigen::VectorXd& rest, Eigen::Index stride) {
+  const double by_chance = 2 / std::sqrt(double(rest.size()));
+  double sum = 1;
+  for (Eigen::Index distance = stride; distance < rest.size(); distance += stride) {
+    const double correlation = correlation_of(rest, distance);
+    if (!(correlation > by_chance)) break;
+    sum += 2 * correlation;
+  }
+  return sum;
 }
 
 }  // namespace
 
-ModeFit fit_modes(const Response& response, const std::vector<Pole>& start) {
-  const ModeModel model(response, start.size());
+ModeFit fit_modes(const Response& response, const std::vector<Pole>& start, int degree) {
+  const ModeModel model(response, start.size(), degree);
   Eigen::VectorXd at = model.start(start);
-  if (!model.evaluate(at, nullptr).allFinite()) drop_background(response, at);
+  if (!model.evaluate(at, nullptr).allFinite()) drop_background(model, response, at);
   ModeFit fit;
-  fit.converged = is_valid(at) && descend(model, at);
+  fit.converged = is_valid(model, at) && descend(model, at);
   Eigen::MatrixXd derivatives;
   const Eigen::VectorXd rest = model.evaluate(at, &derivatives);
   fit.residual = rest.squaredNorm();
-  fit.correlation = correlation_of(rest, response.only_amplitudes ? 1 : 2);
+  const Eigen::Index stride = response.only_amplitudes ? 1 : 2;
+  fit.correlation = correlation_of(rest, stride);
   double square = 0;
   for (const auto& value : response.values) square += std::norm(value);
   const double count = double(model.residuals()), parameters = double(model.free_parameters());
   fit.criterion = criterion_of(fit.residual, square, count, parameters);
   const double variance =
       count > parameters ? fit.residual / (count - parameters) : std::numeric_limits<double>::quiet_NaN();
+  const double independent = count / correlated_residuals(rest, stride);
+  if (independent < count) fit.excess = (count - parameters) / std::max(1.0, independent - parameters);
   const ScaledEquations equations(derivatives, rest);
-  const Eigen::Index last = model.parameters() - 4;
+  const Eigen::Index last = model.of_poles();
   const Eigen::MatrixXd inverse =
       equations.matrix.ldlt().solve(Eigen::MatrixXd::Identity(model.parameters(), model.parameters()));
   const auto lengths = equations.scale.cwiseInverse().asDiagonal();

@@ -31,15 +31,18 @@ struct Pole {
 struct ModeFit {
   std::vector<Pole> poles;
   Eigen::MatrixXd
-      covariance;  // of frequency, width and the parts of strength of each pole; NaN without spare points
+      covariance;  // for white residuals, of frequency, width and the parts of strength of each pole; NaN without spare points
   double residual = 0;   // sum of squares
   double criterion = 0;  // Akaike's, corrected
   double correlation =
       0;  // of residuals with their neighbours: 0 within 1/sqrt(points) if only noise is left
+  // By which the covariance is too small where residuals are correlated: as many numbers as there are, less the parameters, over as many as
+  // are independent, less these, or over 1; 1 for white residuals.
+  double excess = 1;
   bool converged = false;
 };
 
-// Levenberg-Marquardt from poles of which frequency and width are given.
-ModeFit fit_modes(const Response& response, const std::vector<Pole>& start);
+// Levenberg-Marquardt from poles of which frequency and width are given, with a background of degree 1 or 2.
+ModeFit fit_modes(const Response& response, const std::vector<Pole>& start, int degree = 1);
 
 }  // namespace scree::spectrum

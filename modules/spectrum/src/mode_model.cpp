@@ -11,9 +11,10 @@ constexpr Complex i(0, 1);
 
 }  // namespace
 
-ModeModel::ModeModel(const Response& response, std::size_t poles)
+ModeModel::ModeModel(const Response& response, std::size_t poles, int degree)
     : response_(response),
       poles_(poles),
+      degree_(degree),
       middle_(0.5 * (response.frequencies.front() + response.frequencies.back())),
       half_range_(0.5 * (response.frequencies.back() - response.frequencies.front())) {}
 
@@ -37,11 +38,13 @@ void ModeModel::add_pole(const double* pole, double frequency, Complex& sum,
 }
 
 Complex ModeModel::value(const Eigen::VectorXd& at, double frequency, Eigen::RowVectorXcd& derivative) const {
-  const Eigen::Index last = parameters() - 4;
-  const double u = scaled(frequency);
-  Complex sum = Complex(at[last], at[last + 1]) + Complex(at[last + 2], at[last + 3]) * u;
-  derivative.tail(4) << 1, i, u, i * u;
-  for (Eigen::Index p = 0; p < last; p += 4)
+  Complex sum = 0;
+  double power = 1;
+  for (Eigen::Index p = of_poles(); p < parameters(); p += 2, power *= scaled(frequency)) {
+    sum += Complex(at[p], at[p + 1]) * power;
+    derivative.segment(p, 2) << power, i * power;
+  }
+  for (Eigen::Index p = 0; p < of_poles(); p += 4)
     add_pole(at.data() + p, frequency, sum, derivative.segment(p, 4));
   if (response_.derivative == 0) return sum;
   const Complex factor = response_.factor(frequency);
@@ -74,8 +77,8 @@ Eigen::VectorXd ModeModel::start(const std::vector<Pole>& poles) const {
   const Eigen::MatrixXd unit = columns * norms.cwiseInverse().asDiagonal();
   const Eigen::VectorXd fit = unit.colPivHouseholderQr().solve(values).cwiseQuotient(norms);
   for (Eigen::Index k = 0; k < parameters(); ++k)
-    if (k >= parameters() - 4 || k % 4 >= 2) at[k] = fit[k];
-  if (response_.only_amplitudes) at[parameters() - 3] = at[parameters() - 1] = 0;
+    if (k >= of_poles() || k % 4 >= 2) at[k] = fit[k];
+  for (Eigen::Index k = of_poles(); response_.only_amplitudes && k < parameters(); k += 2) at[k + 1] = 0;
   return at;
 }
 

@@ -12,11 +12,17 @@ namespace scree::spectrum {
 // times Response::factor, of amplitudes its square; then Re c0, Im c0, Re c1, Im c1. b is the interference of a mode with the others and with the background.
 class ModeModel {
  public:
-  ModeModel(const Response& response, std::size_t poles);
+  // A background of degree 2 has c2 u^2 too.
+  ModeModel(const Response& response, std::size_t poles, int degree = 1);
 
-  Eigen::Index parameters() const { return Eigen::Index(4 * poles_ + 4); }
+  Eigen::Index parameters() const { return of_poles() + background(); }
+  // The first parameters are those of poles, the last those of the background.
+  Eigen::Index of_poles() const { return Eigen::Index(4 * poles_); }
+  Eigen::Index background() const { return 2 * (degree_ + 1); }
   // How many of them are fitted, and how many real residuals there are.
-  Eigen::Index free_parameters() const { return parameters() - (response_.only_amplitudes ? 2 : 0); }
+  Eigen::Index free_parameters() const {
+    return parameters() - (response_.only_amplitudes ? background() / 2 : 0);
+  }
   Eigen::Index residuals() const;
 
   // Strengths and background that fit best where frequencies and widths are given.
@@ -34,6 +40,7 @@ class ModeModel {
 
   const Response& response_;
   std::size_t poles_;
+  Eigen::Index degree_;  // of the background
   double middle_, half_range_;
 };
 

@@ -1,8 +1,9 @@
 #include "scree/spectrum/peaks.hpp"
 
 #include "maxima.hpp"
-#include "mode_fit.hpp"
+#include "mode_group.hpp"
 #include "mode_of_pole.hpp"
+#include "near_fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,18 +19,9 @@ namespace scree::spectrum {
 
 namespace {
 
-constexpr double reach = 3;              // widths on each side of a mode that its fit takes
-constexpr std::size_t most_poles = 6;    // of one fit
-constexpr double least_gain = 10;        // of Akaike's criterion, for another pole
-constexpr double least_over_error = 5;   // amplitude of another pole
-constexpr std::size_t least_points = 4;  // in the width of a mode
-
-// Indices [begin, end) that are fitted together, and where to start.
-struct Range {
-  std::size_t begin, end;
-  std::vector<Pole> poles;
-};
-
+constexpr std::size_t most_poles = 6;   // of one fit
+constexpr double least_gain = 10;       // of Akaike's criterion, for another pole
+constexpr double least_over_error = 5;  // amplitude of another pole
 Pole first_guess(const Response& response, std::size_t top) {
   const auto side = [&](int direction) {
     return half_width(response.frequencies, response.values, top, direction);
@@ -39,49 +31,21 @@ Pole first_guess(const Response& response, std::size_t top) {
   return {response.frequencies[top], 2 * std::min(narrower, 0.25 * band)};
 }
 
-std::size_t index_of(const Response& response, double frequency) {
-  const auto& f = response.frequencies;
-  return std::size_t(std::lower_bound(f.begin(), f.end(), frequency) - f.begin());
-}
-
 std::vector<Range> ranges_of(const Response& response, const std::vector<std::size_t>& tops) {
   std::vector<Range> ranges;
   for (const std::size_t top : tops) {
     const Pole pole = first_guess(response, top);
-    const std::size_t begin = index_of(response, pole.frequency - reach * pole.width);
-    const std::size_t end = index_of(response, pole.frequency + reach * pole.width);
+    const Range range = range_about(response, pole, reach);
     const bool joins =
-        !ranges.empty() && begin < ranges.back().end && ranges.back().poles.size() < most_poles;
+        !ranges.empty() && range.begin < ranges.back().end && ranges.back().poles.size() < most_poles;
     if (!joins) {
-      ranges.push_back({begin, end, {pole}});
+      ranges.push_back(range);
       continue;
     }
-    ranges.back().end = std::max(end, ranges.back().end);
+    ranges.back().end = std::max(range.end, ranges.back().end);
     ranges.back().poles.push_back(pole);
   }
   return ranges;
-}
-
-// A range and its latest fit.
-struct Group {
-  Range range;
-  ModeFit fit;
-};
-
-Response part(const Response& response, const Range& range) {
-  const auto cut = [&](const auto& all) {
-    return std::remove_cvref_t<decltype(all)>(all.begin() + std::ptrdiff_t(range.begin),
-                                              all.begin() + std::ptrdiff_t(range.end));
-  };
-  return {cut(response.frequencies), cut(response.values), response.only_amplitudes, response.derivative};
-}
-
-// Whether a pole is within a range of frequencies that resolves it; these may be denser about it than elsewhere.
-bool is_within(const Pole& pole, const Response& response) {
-  const double low = response.frequencies.front(), high = response.frequencies.back();
-  const std::size_t within = index_of(response, pole.frequency + 0.5 * pole.width) -
-                             index_of(response, pole.frequency - 0.5 * pole.width);
-  return pole.frequency > low && pole.frequency < high && within >= least_points && pole.width < high - low;
 }
 
 // Whether each pole is within the range and known well.
@@ -114,26 +78,6 @@ ModeFit with_another_pole(const ModeFit& fit, const Response& response) {
   return best;
 }
 
-// The part of the response in the range of a group, less the modes of all others. Poles beyond the range that they were fitted in are
-// background there, and say nothing of other ranges.
-Response alone(const Response& whole, const std::vector<Group>& groups, std::size_t number) {
-  Response response = part(whole, groups[number].range);
-  if (whole.only_amplitudes) return response;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (g == number || !groups[g].fit.converged) continue;
-    const Response of_other = part(whole, groups[g].range);
-    for (const Pole& pole : groups[g].fit.poles) {
-      if (!is_within(pole, of_other)) continue;
-      for (std::size_t k = 0; k < response.values.size(); ++k) {
-        const double f = response.frequencies[k];
-        response.values[k] -= response.factor(f) * pole.strength /
-                              std::complex((pole.frequency - f) * (pole.frequency + f), f * pole.width);
-      }
-    }
-  }
-  return response;
-}
-
 // Adds poles while the residual shows structure that they take up.
 void refine(ModeFit& fit, const Response& response) {
   const double by_chance = 2 / std::sqrt(double(response.values.size()));
@@ -150,7 +94,7 @@ std::vector<Group> fitted(const Response& whole, std::vector<Group> groups) {
   for (int round = 0; round < rounds; ++round)
     for (std::size_t g = 0; g < groups.size(); ++g) {
       Group& group = groups[g];
-      const Response response = alone(whole, groups, g);
+      const Response response = alone(whole, groups, g, group.range);
       group.fit = fit_modes(response, round > 0 && group.fit.converged ? group.fit.poles : group.range.poles);
       if (round >= refined_from) refine(group.fit, response);
     }
@@ -178,16 +122,16 @@ std::vector<Mode> modes_of(const Response& response) {
   for (const auto& value : response.values) size.push_back(std::abs(value));
   for (double& noise : threshold) noise *= response.only_amplitudes ? 10 : 8;
   std::vector<Group> groups;
-  constexpr std::size_t least_values = 8;  // a pole and a background have eight numbers
   for (const Range& range : ranges_of(response, maxima(size, threshold)))
     if (range.end - range.begin >= least_values) groups.push_back({range, {}});
   std::vector<Mode> modes;
-  for (const Group& group : fitted(response, std::move(groups))) {
-    const Response inside = part(response, group.range);
-    for (std::size_t k = 0; k < group.fit.poles.size(); ++k)
-      if (group.fit.converged && is_within(group.fit.poles[k], inside) &&
-          stands_out(group.fit, k, inside.only_amplitudes))
-        modes.push_back(mode_of(group.fit, k, inside));
+  groups = fitted(response, std::move(groups));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const ModeFit& fit = groups[g].fit;
+    const Response inside = part(response, groups[g].range);
+    for (std::size_t k = 0; k < fit.poles.size(); ++k)
+      if (fit.converged && is_within(fit.poles[k], inside) && stands_out(fit, k, inside.only_amplitudes))
+        modes.push_back(near_mode(response, groups, g, k));
   }
   std::sort(modes.begin(), modes.end(),
             [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
