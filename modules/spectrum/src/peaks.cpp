@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t most_poles = 6;   // of one fit
 constexpr double least_gain = 10;       // of Akaike's criterion, for another pole
 constexpr double least_over_error = 5;  // amplitude of another pole
+
 Pole first_guess(const Response& response, std::size_t top) {
   const auto side = [&](int direction) {
     return half_width(response.frequencies, response.values, top, direction);

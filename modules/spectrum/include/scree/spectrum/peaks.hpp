@@ -14,7 +14,7 @@ namespace scree::spectrum {
 // Errors are standard errors: the covariance of the fit, scaled by its residual over as many numbers as are independent by the correlation of
 // residuals (white: all of them); NaN without spare points. Where residuals are correlated, or a change exceeds the noise, they also cover in
 // quadrature what other choices change: two and one and a half widths in place of three, a background of degree 2, the fit without poles
-// that do not stand out, and that of all modes together. Of amplitudes they cover the correlation of residuals alone.
+// that do not stand out, and that of all modes together; the true f0 is then within two errors in 90 %, not 95 %. Of amplitudes they cover the correlation of residuals alone.
 struct Mode {
   double frequency = 0, frequency_error = 0;  // f0 (Hz), of the mode without damping
   double width = 0, width_error = 0;          // w (Hz), where the energy is above half its maximum
