@@ -160,7 +160,8 @@ struct Box {
   // p A falls as walls of other axes move inwards.
   void linear(const BoundaryStep& s, scree::LinearWalls& linear) const {
     for (int w = 0; w < walls(); ++w) {
-      linear.walls[std::size_t(w)] = motions[w].linear(s.walls[std::size_t(w)].normal);
+      linear.walls[std::size_t(w)] = motions[w].linear(s.walls[std::size_t(w)].normal, prescribed_of(w, s, 0),
+                                                       forces_on(w, s, s.time).press);
       for (int other = 0; other < walls(); ++other)
         if (other / 2 != w / 2)
           linear.stiffness(std::size_t(w), std::size_t(other)) =

@@ -141,8 +141,8 @@ struct Plane {
     for (int k = 0; k < 3; ++k) s.state[std::size_t(load + k)] = s.loads[0].force[k];
   }
 
-  void linear(const scree::BoundaryStep&, scree::LinearWalls& linear) const {
-    linear.walls[0] = motion.linear(vector(direction));
+  void linear(const scree::BoundaryStep& s, scree::LinearWalls& linear) const {
+    linear.walls[0] = motion.linear(vector(direction), motion.prescribed(s.time, 0), forces(s, s.time).press);
   }
 
  private:

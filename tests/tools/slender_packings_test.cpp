@@ -20,10 +20,14 @@ std::map<double, double> frequencies_of(const nlohmann::json& record) {
   return frequencies;
 }
 
-std::filesystem::path a_prepared_state(const Workspace& w) {
-  for (const auto& entry : std::filesystem::directory_iterator(w / "out/prepare"))
-    if (text_of(entry.path() / "scenario.toml").find("stress = 10000") != std::string::npos)
+// Under 10 kPa, with seed 1.
+std::filesystem::path prepared_state(const Workspace& w) {
+  for (const auto& entry : std::filesystem::directory_iterator(w / "out/prepare")) {
+    const std::string scenario = text_of(entry.path() / "scenario.toml");
+    if (scenario.find("stress = 10000") != std::string::npos &&
+        scenario.find("\nseed = 1\n") != std::string::npos)
       return entry.path() / "final_state.h5";
+  }
   return {};
 }
 
@@ -57,17 +61,17 @@ TEST_CASE("slender packings have the peaks and the exponent of Lemrich et al.", 
   }
   CHECK(std::abs(exponent - 1.0 / 6) < 0.03);
 
-  // The stepped sweep against the linear road at the peak. Of the transient, exp(-π 40/13) = 6e-5 is left; at this drive, rolling
-  // resistance is below its largest torque in all but the weakest contacts.
+  // The stepped sweep against the linear road at the peak. Of the transient, exp(-π 40/13) = 6e-5 is left; at ten times
+  // this drive, where rolling resistance reaches its largest torque in some contacts, both differ by 1 %.
   const std::string scene =
-      "spectrum " + folder + "spectrum.toml --quiet --set particles.state=" + a_prepared_state(w).string() +
+      "spectrum " + folder + "spectrum.toml --quiet --set particles.state=" + prepared_state(w).string() +
       " --set boundary.periodic.upper=[3.3333e-3,1,3.3333e-3] --set boundary.bottom.area=1.1111e-5"
       " --set time.step=1.2e-7 --set spectrum.from_hz=19e3 --set spectrum.to_hz=20e3"
-      " --set spectrum.step_hz=500 --set spectrum.amplitude=1e-10 --set spectrum.periods=60"
+      " --set spectrum.step_hz=500 --set spectrum.amplitude=1e-11 --set spectrum.periods=60"
       " --set spectrum.analysed_periods=20 ";
   REQUIRE(w.scree(scene + "--by sweep --out sweep").status == 0);
   REQUIRE(w.scree(scene + "--by linear --out linear").status == 0);
   const std::string sweep = w.text("sweep/spectrum.csv"), linear = w.text("linear/spectrum.csv");
   for (const char* hz : {"19000", "19500", "20000"})
-    CHECK(amplitude_at(sweep, "sweep", hz) == Approx(amplitude_at(linear, "linear", hz)).epsilon(0.01));
+    CHECK(amplitude_at(sweep, "sweep", hz) == Approx(amplitude_at(linear, "linear", hz)).epsilon(3e-3));
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/quasi_static/follow.hpp>
 #include <scree/snapshot/render_options.hpp>
 #include <scree/vibration/vibration.hpp>
 
@@ -22,7 +23,8 @@ struct ResponseArguments {
   double near_hz = 0, density_to_hz = 0, residual_limit = 0.01;
   int fewest_contacts = 0;
   bool contacts_slide = false;
-  bool elastic = false, loads = false, overwrite = false, quiet = false;
+  bool elastic = false, loads = false, quasi_static = false, overwrite = false, quiet = false;
+  unsigned increments = quasi_static::FollowOptions::increments_per_cycle;
   PluginOptions plugins;
 };
 
@@ -75,6 +77,24 @@ ExitStatus respond(const ResponseArguments& arguments) {
   return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;
 }
 
+ExitStatus follow(const ResponseArguments& arguments) {
+  quasi_static::FollowOptions options;
+  options.out = arguments.out;
+  options.overwrite = arguments.overwrite;
+  options.threads = arguments.threads;
+  options.increments = arguments.increments;
+  const quasi_static::Course course = [&] {
+    ProgressBar bar(arguments.quiet);
+    PluginHost host = make_host(arguments.plugins);
+    return quasi_static::follow(scenario::read_plan(arguments.scenario, arguments.overrides, host),
+                                watched(options, bar));
+  }();
+  if (!arguments.quiet) fmt::print("{}", quasi_static::text_report(course));
+  if (course.interrupted) fmt::print("interrupted; what was complete is saved\n");
+  fmt::print("results in {}\n", course.directory.string());
+  return course.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+}
+
 }  // namespace
 
 void add_response_verb(CommandLine& line) {
@@ -94,6 +114,11 @@ void add_response_verb(CommandLine& line) {
   verb.flag(
       "--loads", a->loads,
       "Straight paths of walls, bodies and contact forces under growing loads on walls that forces move");
+  verb.flag("--quasi-static", a->quasi_static,
+            "Follow the last stage through states of equilibrium instead, without inertia and dashpots");
+  verb.option("--increments", a->increments,
+              "Increments of each period of that stage, or of all of it if it has none (default 40)")
+      .between(1, 1000000);
   verb.option("--density", a->density,
               "Count the modes at this number of frequencies too, for the density of states")
       .between(2, 100000);
@@ -122,8 +147,9 @@ void add_response_verb(CommandLine& line) {
   verb.footer(
       "The packing is taken as it is at the end of the stages, with its contacts sticking. Modes are those\n"
       "of the symmetric part of its stiffness; residuals are those with all of it.\n"
-      "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40");
-  verb.action([a] { return respond(*a); });
+      "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40\n"
+      "         scree response scenarios/mcnamara2008/biaxial.toml --quasi-static");
+  verb.action([a] { return a->quasi_static ? follow(*a) : respond(*a); });
 }
 
 }  // namespace scree::tool

@@ -12,8 +12,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the quasi-static course of the last stage.
+RunCycles course_of(const fs::path& file, double period) {
+  const auto record = run::parse_record(files::read_text(file));
+  for (const char* key : {"start", "end"})
+    if (!record.is_object() || !record.contains(key) || !record[key].is_number())
+      throw Error(fmt::format("{}: has no {}; analyse a series with --csv", file.string(), key));
+  return {{period, record["start"]}, record["end"]};
+}
+
 // stage: its number in the scenario, from 0.
 RunCycles stage_of(const fs::path& directory, std::size_t stage, double period) {
+  if (fs::exists(directory / "response.json")) return course_of(directory / "response.json", period);
   const fs::path file = directory / "run.json";
   const auto record = run::parse_record(files::read_text(file));
   if (!record.is_object() || !record.contains("stages") || !record["stages"].is_array())

@@ -9,6 +9,9 @@ namespace scree {
 // machine.
 class StateHash {
  public:
+  // Stored in a state whose numbers no simulation has hashed.
+  static constexpr std::uint64_t unknown = 0;
+
   void add(std::uint64_t word) {
     value_ = (value_ ^ word) * 0x100000001b3u;
     value_ ^= value_ >> 32;

@@ -67,7 +67,10 @@ std::string problem_of(const scree_plane& plane) {
 std::string problem_of(const scree_linear_plane& plane, std::span<const double> stiffness) {
   const double length = std::hypot(plane.direction[0], plane.direction[1], plane.direction[2]);
   if (!(std::abs(length - 1) < 1e-9)) return fmt::format("a direction of length {:g}", length);
+  if (!std::isfinite(plane.speed)) return fmt::format("a speed of {:g} m/s", plane.speed);
   if (!plane.free) return "";
+  if (!std::isfinite(plane.pressing_force))
+    return fmt::format("a pressing force of {:g} N", plane.pressing_force);
   if (!(plane.mass >= 0 && std::isfinite(plane.mass))) return fmt::format("a mass of {:g} kg", plane.mass);
   if (!(plane.viscosity >= 0 && std::isfinite(plane.viscosity)))
     return fmt::format("a viscosity of {:g} kg/s", plane.viscosity);

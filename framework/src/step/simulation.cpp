@@ -80,7 +80,8 @@ Simulation::Simulation(const Scene& scene, const State& state) {
   parts_->transfer(from);
   std::uint64_t hash = 0;
   from.value("state_hash", "", hash);
-  if (hash != state_hash()) from.refuse("state_hash", "is not that of the numbers in the state");
+  if (hash != StateHash::unknown && hash != state_hash())
+    from.refuse("state_hash", "is not that of the numbers in the state");
 }
 
 Simulation::~Simulation() = default;
@@ -198,9 +199,8 @@ const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
 
-WallEquations Simulation::linear_walls() const {
-  return parts_->boundaries.linear_walls(parts_->stepper.time());
-}
+WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time()); }
+WallEquations Simulation::linear_walls(double time) const { return parts_->boundaries.linear_walls(time); }
 
 ContactList Simulation::contact_list() const {
   const SimulationParts& p = *parts_;

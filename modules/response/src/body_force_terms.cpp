@@ -102,7 +102,7 @@ std::vector<BodyForceTerms> linearise_body_forces(const Simulation& simulation, 
   for (std::size_t i = 0; i < simulation.particles().size(); ++i) {
     SingleBody body(simulation, i, spins);
     const double radius = simulation.particles().radius()[i];
-    BodyForceTerms of = {Block::Zero(of_body, of_body), Block::Zero(of_body, of_body)};
+    BodyForceTerms of = {Block::Zero(of_body, of_body), Block::Zero(of_body, of_body), body.load(forces)};
     for (int k = 0; k < D; ++k)
       of.stiffness.col(k) = -difference(body, forces, body.position(k), probe_displacement * radius);
     for (int k = 0; k < of_body; ++k) {

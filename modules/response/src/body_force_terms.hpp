@@ -10,6 +10,7 @@ namespace scree::response {
 // translations, rotations.
 struct BodyForceTerms {
   Block stiffness, damping;
+  Eigen::VectorXd load;  // force (N) and torque (N m) at rest
 };
 
 // Central differences of the plug-ins about bodies at rest; exact to round-off where they are linear. One

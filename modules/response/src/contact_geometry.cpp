@@ -21,6 +21,41 @@ Block ContactGeometry::turning_of_lever(double arm, const Eigen::Vector3d& force
   return change;
 }
 
+ContactGeometry::Part ContactGeometry::part(const ContactJacobian& columns, const double* jacobians,
+                                            std::size_t i, PairMotion motion) const {
+  using Whole = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const int rows = columns.rows(), all = columns.columns();
+  const Eigen::Map<const Whole> whole(jacobians + i * std::size_t(rows * all), rows, all);
+  const int first = columns.first(motion), count = motion_components(motion, dimension);
+  return {whole.block(0, first, dimension, count), whole.block(dimension, first, spins, count)};
+}
+
+ContactGeometry::Motion ContactGeometry::displacements(const ContactJacobian& columns,
+                                                       const double* jacobians, std::size_t i) const {
+  const Part by_centres = part(columns, jacobians, i, PairMotion::centres),
+             by_surfaces = part(columns, jacobians, i, PairMotion::surfaces),
+             by_rotation_a = part(columns, jacobians, i, PairMotion::rotation_a),
+             by_rotation_b = part(columns, jacobians, i, PairMotion::rotation_b);
+  const Block lever = crossing(normal);
+  return {by_centres.force,    by_centres.couple,    by_surfaces.force * lever, by_surfaces.couple * lever,
+          by_rotation_a.force, by_rotation_a.couple, by_rotation_b.force,       by_rotation_b.couple};
+}
+
+ContactGeometry::Motion ContactGeometry::velocities(const ContactJacobian& columns, const double* jacobians,
+                                                    std::size_t i) const {
+  const Part by_velocity = part(columns, jacobians, i, PairMotion::velocity),
+             by_spin = part(columns, jacobians, i, PairMotion::spin);
+  const Block lever = crossing(normal);
+  return {by_velocity.force,
+          by_velocity.couple,
+          by_velocity.force * lever,
+          by_velocity.couple * lever,
+          by_spin.force,
+          by_spin.couple,
+          -by_spin.force,
+          -by_spin.couple};
+}
+
 Block ContactGeometry::of_bodies(const Motion& motion, const Eigen::Vector3d& force) const {
   const int D = dimension, S = spins, of_body = D + S;
   // u and w by the motions of a and b.

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <scree/contact_jacobian.hpp>
+
 namespace scree::response {
 
 // How the motion of two bodies moves their contact point, and how its force turns them. With n: normal,
@@ -24,6 +26,9 @@ struct ContactGeometry {
     Block force_by_rotation_a, couple_by_rotation_a;      // θ_a
     Block force_by_rotation_b, couple_by_rotation_b;      // θ_b
   };
+  // From the Jacobians of many contacts, of the one with index i.
+  Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
+  Motion velocities(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
   // Negative derivatives of forces and torques on a and b with their displacements and rotations. `force` (N)
   // on a turns with the normal; with zero force the same holds for velocities.
   Block of_bodies(const Motion& motion, const Eigen::Vector3d& force) const;
@@ -32,6 +37,11 @@ struct ContactGeometry {
   Block crossing(const Eigen::Vector3d& v) const;
 
  private:
+  // Rows of force and couple in the Jacobian of contact i, columns of a motion.
+  struct Part {
+    Block force, couple;
+  };
+  Part part(const ContactJacobian& columns, const double* jacobians, std::size_t i, PairMotion motion) const;
   // Derivative of l (n × ·)ᵀ f with u, at constant f: normal and arm change. (S, D)
   Block turning_of_lever(double arm, const Eigen::Vector3d& force) const;
 };

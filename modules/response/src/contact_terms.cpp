@@ -23,7 +23,8 @@ constexpr double depth = 1e-11;
 // Difference of their stiffnesses, over the largest, from which a contact has two.
 constexpr double least_difference = 1e-6;
 
-// Throws Error if a law has no linear response.
+}  // namespace
+
 ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
   ConfiguredLaw configured(law.parameters, dimension, no_bounds, no_bounds);
   if (!configured.instance().differentiate)
@@ -33,6 +34,8 @@ ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
         law.name));
   return configured;
 }
+
+namespace {
 
 // Contacts of one law.
 class LawContacts {
@@ -73,8 +76,9 @@ class LawContacts {
       const ContactGeometry contact = geometry(c);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           bool(list_.sliding[c]), one_way[i], f, contact.of_bodies(displacements(jacobian, i, contact), f),
-           contact.of_bodies(velocities(jacobian, i, contact), Eigen::Vector3d::Zero())});
+           bool(list_.sliding[c]), one_way[i], f,
+           contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
+           contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
     }
   }
 
@@ -195,44 +199,6 @@ class LawContacts {
     for (int k = 0; k < 4; ++k) quaternion[k] = columns.input(SCREE_ORIENTATION_A, k, i);
     const Vec<4> change = quaternion_change(quaternion, rotation);
     for (int k = 0; k < 4; ++k) columns.input(SCREE_ORIENTATION_A, k, i) += change[k];
-  }
-
-  // Columns of a motion in the Jacobian of contact i.
-  struct Part {
-    Block force, couple;
-  };
-  Part part(const std::vector<double>& jacobian, std::size_t i, PairMotion motion) const {
-    using Whole = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const int rows = jacobian_.rows(), columns = jacobian_.columns(), D = simulation_.dimension();
-    const Eigen::Map<const Whole> whole(jacobian.data() + i * std::size_t(rows * columns), rows, columns);
-    const int first = jacobian_.first(motion), count = motion_components(motion, simulation_.dimension());
-    return {whole.block(0, first, D, count), whole.block(D, first, spins_, count)};
-  }
-
-  ContactGeometry::Motion displacements(const std::vector<double>& jacobian, std::size_t i,
-                                        const ContactGeometry& contact) const {
-    const Part by_centres = part(jacobian, i, PairMotion::centres),
-               by_surfaces = part(jacobian, i, PairMotion::surfaces),
-               by_rotation_a = part(jacobian, i, PairMotion::rotation_a),
-               by_rotation_b = part(jacobian, i, PairMotion::rotation_b);
-    const Block lever = contact.crossing(contact.normal);
-    return {by_centres.force,    by_centres.couple,    by_surfaces.force * lever, by_surfaces.couple * lever,
-            by_rotation_a.force, by_rotation_a.couple, by_rotation_b.force,       by_rotation_b.couple};
-  }
-
-  ContactGeometry::Motion velocities(const std::vector<double>& jacobian, std::size_t i,
-                                     const ContactGeometry& contact) const {
-    const Part by_velocity = part(jacobian, i, PairMotion::velocity),
-               by_spin = part(jacobian, i, PairMotion::spin);
-    const Block lever = contact.crossing(contact.normal);
-    return {by_velocity.force,
-            by_velocity.couple,
-            by_velocity.force * lever,
-            by_velocity.couple * lever,
-            by_spin.force,
-            by_spin.couple,
-            -by_spin.force,
-            -by_spin.couple};
   }
 
   const Simulation& simulation_;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <scree/plugin_host.hpp>
 #include <scree/response/linear_system.hpp>
 #include <scree/simulation.hpp>
 
@@ -27,5 +28,8 @@ struct ContactTerms {
 
 // spins: rotations of a body that count, 0, 1 or 3. Throws Error as `assemble` does.
 std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit);
+
+// A law with its derivatives. Throws Error if it has none.
+ConfiguredLaw differentiable(const Scene::Law& law, int dimension);
 
 }  // namespace scree::response

@@ -187,6 +187,8 @@ void RunDirectory::discard() {
 
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
   const fs::path path = written_ ? add(name) : path_ / name;
+  std::error_code failed;  // a folder that is missing is reported with the file
+  fs::create_directories(path.parent_path(), failed);
   try {
     files::write_atomically(path, text);
   } catch (const Error&) {

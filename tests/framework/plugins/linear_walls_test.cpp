@@ -22,7 +22,12 @@ struct Linear : Scripted {
     const auto value = [](const char* what, double sound) {
       return script.fault == std::string("linear ") + what ? script.bad : sound;
     };
-    equations.walls[0] = {1, {{0, 0, 2 * value("direction", 0.5)}}, value("mass", 2), value("viscosity", 3)};
+    equations.walls[0] = {1,
+                          {{0, 0, 2 * value("direction", 0.5)}},
+                          value("mass", 2),
+                          value("viscosity", 3),
+                          value("pressing force", 5 + s.time),
+                          value("speed", 6)};
     equations.stiffness(0, 0) = value("stiffness", 4);
   }
 };
@@ -53,7 +58,10 @@ TEST_CASE(
   CHECK(equations.walls[0].free == 1);
   CHECK(equations.walls[0].mass == 2);
   CHECK(equations.walls[0].viscosity == 3);
+  CHECK(equations.walls[0].pressing_force == Approx(5.002));
+  CHECK(equations.walls[0].speed == 6);
   CHECK(equations.stiffness_of(0, 0) == 4);
+  CHECK(s.linear_walls(s.time() + 0.5).walls[0].pressing_force == Approx(5.502));
   // What the plug-in wrote into walls and state went into copies.
   CHECK(s.state_hash() == Simulation(s.scene(), before).state_hash());
 }
@@ -69,4 +77,8 @@ TEST_CASE("linear equations of walls that cannot be are refused by name") {
   }
   const Simulation s(scene_with<Linear>({.fault = "linear stiffness", .bad = infinite}));
   CHECK_THROWS_WITH(s.linear_walls(), Catch::Contains("a stiffness of inf N/m"));
+  const Simulation pressed(scene_with<Linear>({.fault = "linear pressing force", .bad = infinite}));
+  CHECK_THROWS_WITH(pressed.linear_walls(), Catch::Contains("a pressing force of inf N"));
+  const Simulation driven(scene_with<Linear>({.fault = "linear speed", .bad = infinite}));
+  CHECK_THROWS_WITH(driven.linear_walls(), Catch::Contains("a speed of inf m/s"));
 }

@@ -95,10 +95,12 @@ struct BoundaryLayout {
 // Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
 // displacement x, its superposed part d and the force F of the contacts (abi/boundary.h).
 struct LinearWall {
-  std::uint32_t free = 0;  // nonzero: moved by forces; 0: as prescribed
-  Vec3 direction;          // unit; the normal at first
-  double mass = 0;         // m (kg), may be 0
-  double viscosity = 0;    // γ (kg/s)
+  std::uint32_t free = 0;     // nonzero: moved by forces; 0: as prescribed
+  Vec3 direction;             // unit; the normal at first
+  double mass = 0;            // m (kg), may be 0
+  double viscosity = 0;       // γ (kg/s)
+  double pressing_force = 0;  // (N) at the time of the step
+  double speed = 0;           // d' (m/s) at that time; of a wall that is not free x'
 };
 
 // Those of all walls of a boundary, at first prescribed and 0.

@@ -115,11 +115,13 @@ struct WallMotion {
     return before.control == pressed ? free_speed : speed;
   }
 
-  // The equation of small motions along a direction.
-  LinearWall linear(const Vec3& direction) const {
-    if (!moved_by_forces()) return {.direction = direction};
-    if (tries()) return {.free = 1, .direction = direction};
-    return {.free = 1, .direction = direction, .mass = mass, .viscosity = viscosity};
+  // The equation of small motions along a direction, with what programs prescribe and the pressing force (N) now.
+  LinearWall linear(const Vec3& direction, const Prescribed& now, double pressing_force) const {
+    if (!moved_by_forces()) return {.direction = direction, .speed = now.speed};
+    LinearWall wall = {
+        .free = 1, .direction = direction, .pressing_force = pressing_force, .speed = now.speed};
+    if (!tries()) wall.mass = mass, wall.viscosity = viscosity;
+    return wall;
   }
 
   void add_kinetic(double free_speed, BoundaryEnergy& energy) const {

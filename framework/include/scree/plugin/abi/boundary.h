@@ -88,10 +88,12 @@ typedef struct scree_boundary_instance {
  * the negative derivative of the pressing force with the displacement of plane c along the direction of that
  * plane. */
 typedef struct scree_linear_plane {
-  uint32_t free;       /* nonzero: moved by forces; 0: as prescribed, and only the direction counts */
-  double direction[3]; /* unit */
-  double mass;         /* (kg) m >= 0 */
-  double viscosity;    /* (kg/s) γ >= 0 */
+  uint32_t free;         /* nonzero: moved by forces; 0: as prescribed, and only the direction counts */
+  double direction[3];   /* unit */
+  double mass;           /* (kg) m >= 0 */
+  double viscosity;      /* (kg/s) γ >= 0 */
+  double pressing_force; /* (N) in the direction, at the time of the step */
+  double speed;          /* (m/s) d' at that time; of a plane that is not free that of the plane */
 } scree_linear_plane;
 
 /* Output of `linear`; before the call planes are prescribed along their normals, and all numbers are 0. */

@@ -1,0 +1,70 @@
+#include "box_row.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <scree/files/csv_line.hpp>
+#include <scree/plugin/walls.hpp>
+
+namespace scree::quasi_static {
+
+namespace {
+
+constexpr const char* names[] = {"x", "y", "z"};
+
+}  // namespace
+
+BoxRow::BoxRow(int dimension, const std::vector<scree_plane>& planes) : dimension_(dimension) {
+  for (int k = 0; k < dimension; ++k)
+    if (const double at_start = length(planes, k); at_start > 0) axes_.push_back({k, at_start});
+}
+
+double BoxRow::length(const std::vector<scree_plane>& planes, int axis) {
+  if (wall_across(planes, axis, 1) < 0 || wall_across(planes, axis, -1) < 0) return 0;
+  return wall_height(planes, axis, -1) - wall_height(planes, axis, 1);
+}
+
+std::string BoxRow::head() const {
+  std::vector<std::string> cells = {"time [s]"};
+  for (const Axis& a : axes_) cells.push_back(fmt::format("length_{} [m]", names[a.axis]));
+  if (int(axes_.size()) == dimension_)
+    for (const Axis& a : axes_)
+      cells.push_back(fmt::format("stress_{}{} [Pa]", names[a.axis], names[a.axis]));
+  for (const Axis& a : axes_) cells.push_back(fmt::format("strain_{}{}", names[a.axis], names[a.axis]));
+  cells.insert(cells.end(), {"contacts", "sliding", "dynamic"});
+  return files::csv_line(cells);
+}
+
+std::string BoxRow::line(const Sample& sample) const {
+  std::vector<std::string> cells = {files::csv_number(sample.time)};
+  for (const Axis& a : axes_) cells.push_back(files::csv_number(length(sample.planes, a.axis)));
+  if (int(axes_.size()) == dimension_)
+    for (const Axis& a : axes_) cells.push_back(files::csv_number(stress(sample, a.axis)));
+  for (const Axis& a : axes_) cells.push_back(files::csv_number(strain(sample, a)));
+  cells.push_back(fmt::format("{}", sample.contacts));
+  cells.push_back(fmt::format("{}", sample.sliding));
+  cells.push_back(sample.dynamic ? "1" : "0");
+  return files::csv_line(cells);
+}
+
+double BoxRow::strain(const Sample& sample, const Axis& along) const {
+  return 1 - length(sample.planes, along.axis) / along.length_at_start;
+}
+
+double BoxRow::stress(const Sample& sample, int axis) const {
+  double area = 1;
+  for (const Axis& a : axes_)
+    if (a.axis != axis) area *= length(sample.planes, a.axis);
+  const double low = -sample.loads[std::size_t(wall_across(sample.planes, axis, 1))].force[axis],
+               high = sample.loads[std::size_t(wall_across(sample.planes, axis, -1))].force[axis];
+  return 0.5 * (low + high) / area;
+}
+
+double BoxRow::deviatoric_strain(const Sample& sample) const {
+  if (axes_.size() < 2 || axes_[0].axis != 0 || axes_[1].axis != 1)
+    return std::numeric_limits<double>::quiet_NaN();
+  return strain(sample, axes_[0]) - strain(sample, axes_[1]);
+}
+
+}  // namespace scree::quasi_static

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/plugin/abi.h>
+
+namespace scree::quasi_static {
+
+// A packing at one time, seen from its walls.
+struct Sample {
+  double time = 0;  // (s)
+  std::vector<scree_plane> planes;
+  std::vector<scree_load> loads;
+  std::size_t contacts = 0, sliding = 0;
+  bool dynamic = false;  // reached by dynamics
+};
+
+// Columns of a series, with units: as of the probe `box`, along the axes that have walls at both ends, then contacts, sliding,
+// dynamic.
+class BoxRow {
+ public:
+  BoxRow(int dimension, const std::vector<scree_plane>& planes);
+
+  std::string head() const;  // line of a CSV file
+  std::string line(const Sample& sample) const;
+  // Along an axis (m), and 0 if it has no walls.
+  static double length(const std::vector<scree_plane>& planes, int axis);
+  // L_y/L_y0 − L_x/L_x0, or NaN without these walls.
+  double deviatoric_strain(const Sample& sample) const;
+
+ private:
+  struct Axis {
+    int axis;
+    double length_at_start;  // (m)
+  };
+  double strain(const Sample& sample, const Axis& along) const;
+  double stress(const Sample& sample, int axis) const;
+
+  int dimension_;
+  std::vector<Axis> axes_;
+};
+
+}  // namespace scree::quasi_static

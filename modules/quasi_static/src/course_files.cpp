@@ -1,0 +1,68 @@
+#include "course_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/run/input_hashes_json.hpp>
+#include <scree/snapshot/load_backend.hpp>
+
+namespace scree::quasi_static {
+
+using Json = nlohmann::ordered_json;
+
+void write_record(const std::string& status, const Course& c, const run::RunDirectory& directory) {
+  Json json = {{"version", SCREE_VERSION}, {"status", status}, {"title", c.title}};
+  if (!c.error.empty()) json["error"] = c.error;
+  json["bodies"] = c.bodies;
+  json["degrees_of_freedom"] = c.degrees_of_freedom;
+  json["start"] = c.start;
+  json["end"] = c.end;
+  json["increment"] = c.increment;
+  json["period"] = c.period;
+  json["increments"] = c.increments;
+  json["iterations"] = c.iterations;
+  json["events"] = c.events;
+  json["dynamic_steps"] = c.dynamic_steps;
+  json["hand_overs"] = Json::array();
+  for (const HandOver& h : c.hand_overs) json["hand_overs"].push_back({{"from", h.from}, {"to", h.to}});
+  json["wall"] = {{"all", c.wall}, {"dynamic", c.dynamic_wall}};
+  json["warnings"] = c.warnings;
+  json["inputs"] = run::json_of(c.inputs);
+  json["scenario"] = c.scenario;
+  directory.write_file("response.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void draw_chart(const Course& course, const std::vector<double>& times, const std::vector<double>& strains,
+                const run::RunDirectory& directory) {
+  const bool drawn = strains.size() > 1 &&
+                     std::all_of(strains.begin(), strains.end(), [](double s) { return std::isfinite(s); });
+  if (!drawn || !snapshot::has_pictures()) return;
+  snapshot::ChartSpec chart;
+  chart.title = course.title + ", quasi-static";
+  chart.x_label = "time (s)";
+  chart.y_label = "strain along x less that along y";
+  snapshot::ChartSeries curve;
+  curve.x = times, curve.y = strains;
+  chart.series.push_back(std::move(curve));
+  snapshot::load_backend()->chart(chart, directory.add("charts/strain.png"));
+}
+
+std::string text_report(const Course& c) {
+  std::string text = fmt::format(
+      "{} bodies, {} degrees of freedom; {:g} to {:g} s in {} increments of at most {:g} s\n"
+      "{} iterations of Newton's method; contacts opened, closed, began or ended to slide {} times\n",
+      c.bodies, c.degrees_of_freedom, c.start, c.end, c.increments, c.increment, c.iterations, c.events);
+  double dynamic = 0;
+  for (const HandOver& h : c.hand_overs) dynamic += h.to - h.from;
+  if (!c.hand_overs.empty())
+    text += fmt::format("{:g} s of {:g} s by dynamics, in {} parts, where there was no equilibrium nearby\n",
+                        dynamic, c.end - c.start, c.hand_overs.size());
+  text += fmt::format("{:.3g} s of wall time", c.wall);
+  if (c.period > 0) text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.end - c.start));
+  return text + "\n";
+}
+
+}  // namespace scree::quasi_static

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <scree/simulation.hpp>
+#include <scree/state.hpp>
+
+namespace scree::response {
+
+struct QuasiStaticOptions {
+  double longest_increment = 0;  // (s) of the programs of the walls; must be given
+  // Increments at whose end there is no equilibrium are halved, down to the shortest.
+  double shortest_increment = 0;  // (s) 0: 1/64 of the longest
+  // Largest residual of a force over the largest contact force, and of a torque over that times the radius.
+  double tolerance = 1e-11;
+};
+
+struct QuasiStaticCounts {
+  std::size_t increments = 0, iterations = 0, events = 0;
+};
+
+// Follows a packing through states of equilibrium, without inertia and without dashpots, as the programs of its walls load it:
+// in each increment, positions, rotations and the springs at its end are those for which all forces and torques are in
+// balance with the loads at its end. Contacts slide as their laws say at the end of the increment.
+class QuasiStatic {
+ public:
+  // Begins from the present state of a simulation, which must outlive this object. Throws Error if a law has no derivatives, if walls are moved
+  // by programs other than of stresses, or if the options cannot be.
+  QuasiStatic(const Simulation& simulation, const QuasiStaticOptions& options);
+  ~QuasiStatic();
+
+  // Goes on to a time (s) of the present stage, not before the present one. Returns false, at a time before it, where there
+  // is no equilibrium next to the present one: the packing moves on by inertia alone.
+  bool advance(double time);
+
+  double time() const;
+  const QuasiStaticCounts& counts() const;
+  std::size_t degrees_of_freedom() const;
+  std::size_t touching() const;
+  std::size_t sliding() const;
+  // Walls where they are, at rest, and forces of the contacts on them.
+  std::vector<scree_plane> planes() const;
+  std::vector<scree_load> loads() const;
+  // The state of the simulation with this packing in it, at rest, at this time.
+  State state() const;
+
+ private:
+  class Packing;
+  std::unique_ptr<Packing> packing_;
+};
+
+}  // namespace scree::response

@@ -1,0 +1,45 @@
+#include "static_configuration.hpp"
+
+namespace scree::response {
+
+StaticMotion::StaticMotion(const Eigen::VectorXd& q, const DegreesOfFreedom& freedom,
+                           const WallEquations& walls)
+    : displacement(freedom.bodies() + freedom.walls()), rotation(displacement.size()) {
+  const int D = freedom.dimension(), S = freedom.spins();
+  for (std::size_t i = 0; i < freedom.bodies(); ++i) {
+    for (int k = 0; k < D; ++k) displacement[i][k] = q[freedom.translation(i, k)];
+    for (int k = 0; k < S; ++k) rotation[i][D == 2 ? 2 : k] = q[freedom.rotation(i, k)];
+  }
+  for (std::size_t w = 0; w < freedom.walls(); ++w) {
+    if (freedom.wall(w) == DegreesOfFreedom::none) continue;
+    for (int k = 0; k < D; ++k)
+      displacement[freedom.bodies() + w][k] = q[freedom.wall(w)] * walls.walls[w].direction[k];
+  }
+}
+
+StaticConfiguration::StaticConfiguration(const Simulation& simulation)
+    : orientations(simulation.particles().orientations) {
+  const Particles& p = simulation.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 x = {};
+    for (int k = 0; k < p.dimension(); ++k) {
+      x[k] = p.position()[k][i];
+      if (!p.image[k].empty()) x[k] += p.image[k][i] * simulation.domain().length(k);
+    }
+    position.push_back(x);
+  }
+  for (const scree_plane& plane : simulation.planes()) {
+    Vec3 x = {};
+    for (int k = 0; k < p.dimension(); ++k) x[k] = plane.point[k];
+    position.push_back(x);
+  }
+}
+
+void StaticConfiguration::move(const StaticMotion& motion) {
+  for (std::size_t i = 0; i < position.size(); ++i) position[i] += motion.displacement[i];
+  if (orientations)
+    orientations.rotate({motion.rotation[0].component, 3, motion.rotation.size(), 0, 3}, 1, 0,
+                        orientations[0].size());
+}
+
+}  // namespace scree::response

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "static_configuration.hpp"
+#include "static_contacts.hpp"
+
+#include <scree/state.hpp>
+
+namespace scree::response {
+
+// The state of a simulation with its bodies and walls elsewhere, at rest and in balance, with other contacts, at another time (s).
+State static_state(const Simulation& simulation, double time, const StaticConfiguration& at,
+                   const std::vector<StaticContacts::Touching>& contacts, const StaticLoads& loads);
+
+}  // namespace scree::response

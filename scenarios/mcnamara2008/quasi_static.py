@@ -1,0 +1,99 @@
+"""Speed against error of a cyclic load by dynamics and without them, for a packing of biaxial.toml with slip.
+
+Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
+Runs SCREE with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10 to 640 increments a cycle, 30 cycles each, into FOLDER;
+prints the strain after a cycle and the strain per cycle of cycles 10 to 30, with their differences from those of the
+most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
+import json
+import os
+import subprocess
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
+from series import line_through, read  # noqa: E402
+
+CYCLES, DROPPED = 30, 10
+PERIODS = (10, 20, 40, 80, 160)  # τ
+INCREMENTS = (10, 20, 40, 80, 160, 640)
+SCENARIO = os.path.join(os.path.dirname(os.path.abspath(__file__)), "biaxial.toml")
+BLUE, ORANGE = "#1b3a6b", "#d98e04"
+
+
+def call(scree, verb, out, overrides):
+    sets = [word for override in overrides for word in ("--set", override)]
+    subprocess.run([scree, *verb, "--out", out, "--overwrite", "--quiet", *sets], check=True, stdout=subprocess.DEVNULL)
+
+
+def record(folder, name):
+    with open(os.path.join(folder, name), encoding="utf-8") as text:
+        return json.load(text)
+
+
+class Course:
+    """Strains at the least load of each cycle, and wall time (s) of a cycle."""
+
+    def __init__(self, name, rows, seconds):
+        x, y = float(rows[0]["length_x"]), float(rows[0]["length_y"])
+        self.name, self.seconds = name, seconds
+        strains = [float(r["length_y"]) / y - float(r["length_x"]) / x for r in rows]
+        self.first, self.slope = strains[1], line_through(strains[DROPPED:])[0]
+
+
+def by_dynamics(scree, folder, overrides, period):
+    out = os.path.join(folder, f"period-{period}")
+    keys = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every", "probe.touching.every")
+    call(scree, ["run", SCENARIO], out, [*overrides, f"stage.cycles.cycles={CYCLES}", *(f"{k}={period}" for k in keys)])
+    run = record(out, "run.json")
+    last = run["stages"][-1]
+    share = last["steps"] / sum(stage["steps"] for stage in run["stages"])
+    return Course(f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / CYCLES)
+
+
+def without_dynamics(scree, folder, overrides, increments):
+    out = os.path.join(folder, f"increments-{increments}")
+    verb = ["response", SCENARIO, "--quasi-static", "--increments", str(increments)]
+    call(scree, verb, out, [*overrides, f"stage.cycles.cycles={CYCLES}"])
+    rows = read(os.path.join(out, "series", "quasi_static.csv"))[::increments]
+    return Course(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / CYCLES)
+
+
+def draw(axes, roads, exact, value, title, unit):
+    for (label, courses), colour, mark in zip(roads, (ORANGE, BLUE), "so"):
+        shown = [(c, abs(value(c) / value(exact) - 1)) for c in courses]
+        shown = [(c, error) for c, error in shown if error > 0]
+        axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=label)
+        for c, error in shown:
+            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(6, 5), fontsize=8)
+    axes.set_title(title, loc="left", fontsize=10)
+    axes.set(xlabel="wall time of a cycle / ms", ylabel=unit)
+    axes.grid(color="#eeeeee")
+    axes.margins(0.12)
+    axes.legend(frameon=False, fontsize=9)
+
+
+def main(scree, folder, packing="5", *overrides):
+    overrides = [f"scene.seed={packing}", *overrides]
+    dynamic = [by_dynamics(scree, folder, overrides, period) for period in PERIODS]
+    static = [without_dynamics(scree, folder, overrides, increments) for increments in INCREMENTS]
+    exact = static[-1]
+    for label, courses in (("period", dynamic), ("increments", static)):
+        for c in courses:
+            print(f"{label} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
+                  f"({c.first / exact.first - 1:+.1e}), per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})")
+    roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
+    figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.4))
+    draw(axes[0], roads, exact, lambda c: c.first, f"Strain after a cycle, packing {packing}", "relative difference from 640 increments")
+    draw(axes[1], roads, exact, lambda c: c.slope, "Strain per cycle, cycles 10 to 30", "relative difference from 640 increments")
+    figure.tight_layout()
+    picture = os.path.join(folder, "quasi-static.png")
+    figure.savefig(picture, dpi=80)
+    print(picture)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

@@ -1,0 +1,179 @@
+#include "plan_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <scree/response/quasi_static.hpp>
+#include <scree/run/set_up.hpp>
+#include <scree/stage.hpp>
+
+// States of equilibrium, checked by the kernel, which shares no code with the search for them but the contact laws.
+
+namespace scree::test {
+
+namespace {
+
+using response::QuasiStatic;
+
+constexpr const char* box_of_discs = SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml";
+constexpr const char* box_of_spheres = SCREE_TEST_SOURCE "/scenarios/david2005/cycles.toml";
+
+// A scenario at the beginning of its last stage.
+struct Prepared {
+  scenario::Plan plan;
+  std::unique_ptr<Simulation> simulation;
+
+  Prepared(const char* file, const std::vector<std::string>& overrides)
+      : Prepared(scenario::read_plan(file, overrides, host())) {}
+  explicit Prepared(scenario::Plan given) : plan(std::move(given)), simulation(run::set_up(plan)) {
+    StageRunner stages(*simulation, plan.stages);
+    while (stages.current() + 1 < plan.stages.size()) stages.run(1000, [] { return true; });
+  }
+  std::unique_ptr<Simulation> from(const State& state) const {
+    return std::make_unique<Simulation>(scene_in_stage(plan.scene, plan.stages, plan.stages.size() - 1),
+                                        state);
+  }
+};
+
+double largest_contact_force(const Simulation& s) {
+  const ContactList list = s.contact_list();
+  double largest = 0;
+  for (const double f : list.force) largest = std::max(largest, std::abs(f));
+  return largest;
+}
+
+// After one step from rest, twice the momentum over the step: the force that was not in balance at its end (N); likewise torques over
+// the radius.
+double unbalanced(const Simulation& s) {
+  const Particles& p = s.particles();
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (int k = 0; k < p.dimension(); ++k)
+      largest = std::max(largest, std::abs(2 * p.mass[i] * p.velocity()[k][i] / s.step_length()));
+    for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
+      largest =
+          std::max(largest, std::abs(2 * p.inertia[i] * p.spin()[k][i] / s.step_length() / p.radius()[i]));
+  }
+  return largest;
+}
+
+void check_balance(const Prepared& prepared, double period, const std::vector<double>& shares) {
+  const double start = prepared.simulation->time();
+  QuasiStatic packing(*prepared.simulation, {.longest_increment = period / 40});
+  for (const double share : shares) {
+    REQUIRE(packing.advance(start + share * period));
+    CHECK(packing.time() == Approx(start + share * period));
+    const auto moving = prepared.from(packing.state());
+    moving->step();
+    // The tolerance of the search, 1e-11 of the largest contact force, with the round-off of overlaps, 1e-16 R of 1e-3 R.
+    CHECK(unbalanced(*moving) < 1e-9 * largest_contact_force(*moving));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what the quasi-static road finds is at rest for the kernel: discs") {
+  for (const std::string law : {"disc_cundall_strack", "disc_corrected", "disc_angular"}) {
+    INFO(law);
+    const Prepared prepared(box_of_discs, {"scene.seed=5", "contact.discs.plugin=" + law});
+    check_balance(prepared, 10, {0, 0.3, 0.7, 1});
+    QuasiStatic packing(*prepared.simulation, {.longest_increment = 0.25});
+    packing.advance(prepared.simulation->time() + 4);
+    CHECK(packing.sliding() > 0);
+  }
+}
+
+TEST_CASE("what the quasi-static road finds is at rest for the kernel: spheres") {
+  const std::string text = text_of(box_of_spheres);
+  const std::size_t contact = text.find("[[contact]]"), boundary = text.find("[[boundary]]");
+  const std::vector<std::string> small = {
+      "particles.lattice.count=[3,3,3]", "time.step=1e-4", "time.step_guard=false",
+      "stage.prepare.until.kinetic_over_elastic=1e-13", "stage.prepare.until.at_most=100"};
+  for (const std::string law :
+       {"plugin = \"linear_spring_dashpot\"\nnormal_stiffness = 5000\nnormal_damping = 0.05\n"
+        "tangential_stiffness = 1000\ntangential_damping = 0.01\nstatic_friction = 0.1\n",
+        "plugin = \"sphere_path_independent\"\nnormal_stiffness = 5000\nnormal_damping = 0.05\n"
+        "tangential_stiffness = 1000\ntangential_damping = 0.01\nstatic_friction = 0.1\n",
+        "plugin = \"hertz_mindlin\"\nyoungs_modulus = 1e7\npoissons_ratio = 0.25\nrestitution = 0.8\n"
+        "friction = 0.2\nhistory = \"potential\"\n"}) {
+    INFO(law);
+    const std::string with_law =
+        text.substr(0, contact) + "[[contact]]\nname = \"grains\"\n" + law + "\n" + text.substr(boundary);
+    check_balance(Prepared(plan_of(with_law, small)), 1, {0, 0.25, 0.5});
+  }
+}
+
+// The strain that dynamics leave after a cycle approaches that of the quasi-static road as the period grows.
+TEST_CASE("slow cycles end in the strain of the quasi-static road") {
+  const auto strain = [](const std::vector<scree_plane>& planes, const std::vector<scree_plane>& before) {
+    const auto length = [](const std::vector<scree_plane>& p, int k) {
+      return p[std::size_t(2 * k + 1)].point[k] - p[std::size_t(2 * k)].point[k];
+    };
+    return length(planes, 1) / length(before, 1) - length(planes, 0) / length(before, 0);
+  };
+  const auto prepared = [](double period) {
+    return Prepared(box_of_discs, {"scene.seed=5", fmt::format("stage.cycles.period={}", period),
+                                   fmt::format("stage.cycles.set.box.stress_y_high.period={}", period)});
+  };
+  const auto by_dynamics = [&](double period) {
+    const Prepared p = prepared(period);
+    const std::vector<scree_plane> before = p.simulation->planes();
+    const auto steps = std::uint64_t(std::llround(period / p.simulation->step_length()));
+    p.simulation->run(steps, [] { return true; });
+    return strain(p.simulation->planes(), before);
+  };
+  const Prepared p = prepared(10);
+  const double start = p.simulation->time();
+  const auto without_dynamics = [&](int increments) {
+    QuasiStatic packing(*p.simulation, {.longest_increment = 10.0 / increments});
+    REQUIRE(packing.advance(start));
+    const std::vector<scree_plane> before = packing.planes();
+    REQUIRE(packing.advance(start + 10));
+    return strain(packing.planes(), before);
+  };
+  const double exact = without_dynamics(160);
+  const double at_20 = by_dynamics(20) - exact, at_40 = by_dynamics(40) - exact,
+               at_80 = by_dynamics(80) - exact;
+  INFO(exact << ": " << at_20 << ' ' << at_40 << ' ' << at_80);
+  // Viscosity leaves a lag in proportion to the rate, inertia one to its square.
+  CHECK(std::abs(at_40) < 0.6 * std::abs(at_20));
+  CHECK(std::abs(at_80) < 0.6 * std::abs(at_40));
+  // What would be left at a rate of 0 if the lag were in proportion to it.
+  CHECK(std::abs(at_80) < 0.1 * std::abs(by_dynamics(10) - exact));
+  // In packing 5 contacts slide, which an elastic packing would not remember.
+  CHECK(std::abs(exact) > 1e-4);
+}
+
+TEST_CASE("the strain per cycle of the quasi-static road converges with the square of the increment") {
+  const Prepared p(box_of_discs, {"scene.seed=12"});
+  const double start = p.simulation->time();
+  const auto slope = [&](int increments) {
+    QuasiStatic packing(*p.simulation, {.longest_increment = 10.0 / increments});
+    double lengths[2] = {};
+    for (int k = 0; k < 2; ++k) {
+      REQUIRE(packing.advance(start + (k == 0 ? 30 : 60)));
+      lengths[k] = packing.planes()[3].point[1] - packing.planes()[2].point[1];
+    }
+    return lengths[1] - lengths[0];
+  };
+  const double at_20 = slope(20), at_40 = slope(40), at_80 = slope(80);
+  INFO(at_20 << ' ' << at_40 << ' ' << at_80);
+  // 4 for the second order, 2 for the first.
+  CHECK(std::abs(at_40 - at_20) > 2 * std::abs(at_80 - at_40));
+  CHECK(std::abs(at_80 - at_40) < 0.02 * std::abs(at_80));
+}
+
+TEST_CASE("a quasi-static load refuses what it cannot follow") {
+  const Prepared p(box_of_discs,
+                   {"stage.cycles.set.box.x_low=velocity", "stage.cycles.set.box.velocity_x_low=1e-3"});
+  CHECK_THROWS_WITH(QuasiStatic(*p.simulation, {.longest_increment = 1}),
+                    Catch::Contains("wall box.x_low is moved with 0.001 m/s"));
+  const Prepared q(box_of_discs, {});
+  CHECK_THROWS_WITH(QuasiStatic(*q.simulation, {}), Catch::Contains("needs an increment above 0 s"));
+}
+
+}  // namespace scree::test
