@@ -65,14 +65,14 @@ std::uint8_t image_of(const Domain& domain, const Vec3& apart) {
 
 // The contacts of a law with bodies, or with walls.
 void save_group(const StateTransfer& state, const Simulation& simulation, const std::vector<Vec3>& positions,
-                std::vector<StaticContacts::Touching> contacts) {
+                std::vector<TouchingPair> contacts) {
   const std::size_t bodies = simulation.particles().size();
   std::sort(contacts.begin(), contacts.end(),
             [](const auto& a, const auto& b) { return std::tie(a.a, a.b) < std::tie(b.a, b.b); });
   std::vector<std::uint32_t> a, b, rows;
   std::vector<std::uint8_t> images;
   std::vector<double> histories;
-  for (const StaticContacts::Touching& c : contacts) {
+  for (const TouchingPair& c : contacts) {
     const bool wall = c.b >= bodies;
     rows.push_back(std::uint32_t(a.size()));
     a.push_back(c.a);
@@ -91,7 +91,7 @@ void save_group(const StateTransfer& state, const Simulation& simulation, const 
 }
 
 void save_contacts(State& all, const Simulation& simulation, const std::vector<Vec3>& positions,
-                   const std::vector<StaticContacts::Touching>& contacts) {
+                   const std::vector<TouchingPair>& contacts) {
   const std::size_t bodies = simulation.particles().size();
   for (std::size_t g = 0; all.has(fmt::format("contacts/{}/law", g)); ++g) {
     const StateTransfer stored = StateTransfer::restoring_from(all).below(fmt::format("contacts/{}", g));
@@ -99,7 +99,7 @@ void save_contacts(State& all, const Simulation& simulation, const std::vector<V
     bool planes = false;
     stored.value("law", "", law);
     stored.value("planes", "", planes);
-    std::vector<StaticContacts::Touching> group;
+    std::vector<TouchingPair> group;
     std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(group),
                  [&](const auto& c) { return c.law == law && (c.b >= bodies) == planes; });
     save_group(StateTransfer::saving_to(all).below(fmt::format("contacts/{}", g)), simulation, positions,
@@ -114,7 +114,7 @@ void save_contacts(State& all, const Simulation& simulation, const std::vector<V
 }  // namespace
 
 State static_state(const Simulation& simulation, double time, const StaticConfiguration& at,
-                   const std::vector<StaticContacts::Touching>& contacts, const StaticLoads& loads) {
+                   const std::vector<TouchingPair>& contacts, const StaticLoads& loads) {
   State state = simulation.state();
   const StateTransfer saving = StateTransfer::saving_to(state);
   save_bodies(saving.below("bodies"), simulation, at);

@@ -9,6 +9,6 @@ namespace scree::response {
 
 // The state of a simulation with its bodies and walls elsewhere, at rest and in balance, with other contacts, at another time (s).
 State static_state(const Simulation& simulation, double time, const StaticConfiguration& at,
-                   const std::vector<StaticContacts::Touching>& contacts, const StaticLoads& loads);
+                   const std::vector<TouchingPair>& contacts, const StaticLoads& loads);
 
 }  // namespace scree::response

@@ -39,10 +39,10 @@ struct Prepared {
   }
 };
 
-double largest_contact_force(const Simulation& s) {
-  const ContactList list = s.contact_list();
+double largest_load(const Simulation& s) {
   double largest = 0;
-  for (const double f : list.force) largest = std::max(largest, std::abs(f));
+  for (const scree_load& load : s.loads())
+    for (const double f : load.force) largest = std::max(largest, std::abs(f));
   return largest;
 }
 
@@ -69,8 +69,9 @@ void check_balance(const Prepared& prepared, double period, const std::vector<do
     CHECK(packing.time() == Approx(start + share * period));
     const auto moving = prepared.from(packing.state());
     moving->step();
+    INFO("after " << share << " of the period");
     // The tolerance of the search, 1e-11 of the largest contact force, with the round-off of overlaps, 1e-16 R of 1e-3 R.
-    CHECK(unbalanced(*moving) < 1e-9 * largest_contact_force(*moving));
+    CHECK(1e9 * unbalanced(*moving) < largest_load(*moving));
   }
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("what the quasi-static road finds is at rest for the kernel: spheres")
   const std::string text = text_of(box_of_spheres);
   const std::size_t contact = text.find("[[contact]]"), boundary = text.find("[[boundary]]");
   const std::vector<std::string> small = {
-      "particles.lattice.count=[3,3,3]", "time.step=1e-4", "time.step_guard=false",
+      "particles.lattice.count=[2,2,3]", "time.step=1e-4", "time.step_guard=false",
       "stage.prepare.until.kinetic_over_elastic=1e-13", "stage.prepare.until.at_most=100"};
   for (const std::string law :
        {"plugin = \"linear_spring_dashpot\"\nnormal_stiffness = 5000\nnormal_damping = 0.05\n"
@@ -105,6 +106,34 @@ TEST_CASE("what the quasi-static road finds is at rest for the kernel: spheres")
         text.substr(0, contact) + "[[contact]]\nname = \"grains\"\n" + law + "\n" + text.substr(boundary);
     check_balance(Prepared(plan_of(with_law, small)), 1, {0, 0.25, 0.5});
   }
+}
+
+// Some beads cross the period, and their contacts join images.
+TEST_CASE(
+    "what the quasi-static road finds is at rest for the kernel: spheres between walls, periodic otherwise") {
+  const std::string text = text_of(box_of_spheres);
+  const std::size_t particles = text.find("[particles]"), material = text.find("[[material]]"),
+                    box = text.find("[[boundary]]"), forces = text.find("[[body_force]]"),
+                    cycles = text.find("[[stage]]\nname = \"cycles\"");
+  const std::string plan =
+      text.substr(0, particles) +
+      "[particles]\nlattice = { kind = \"simple_cubic\", count = [3, 3, 3], spacing = 1.1e-2, displacement = 2e-4, "
+      "origin = [0, 0, 0] }\nradius = { distribution = \"uniform\", minimum = 4.4e-3, maximum = 5e-3 }\n"
+      "material = \"grain\"\n\n" +
+      text.substr(material, box - material) +
+      "[[boundary]]\nplugin = \"periodic\"\naxes = \"xz\"\nlower = [0, 0, 0]\nupper = [3.3e-2, 1, 3.3e-2]\n\n"
+      "[[boundary]]\nplugin = \"plane\"\nname = \"bottom\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n\n"
+      "[[boundary]]\nplugin = \"plane\"\nname = \"top\"\npoint = [0, 3.5e-2, 0]\nnormal = [0, -1, 0]\n"
+      "direction = [0, -1, 0]\ncontrol = \"stress\"\nstress = 1000\narea = 1.089e-3\nmass = 0.01\nviscosity = 2\n\n" +
+      text.substr(forces, cycles - forces) +
+      "[[stage]]\nname = \"cycle\"\nduration = 1\n"
+      "set.top.stress = { from = 1000, to = 1100, period = 1 }\n";
+  const Prepared prepared(
+      plan_of(plan, {"time.step=1e-4", "time.step_guard=false",
+                     "stage.prepare.until.kinetic_over_elastic=1e-13", "stage.prepare.until.at_most=100"}));
+  CHECK(std::any_of(prepared.simulation->particles().image[0].begin(),
+                    prepared.simulation->particles().image[0].end(), [](int image) { return image != 0; }));
+  check_balance(prepared, 1, {0, 0.25, 0.5});
 }
 
 // The strain that dynamics leave after a cycle approaches that of the quasi-static road as the period grows.

@@ -36,7 +36,7 @@ class QuasiStatic {
   bool advance(double time);
 
   double time() const;
-  const QuasiStaticCounts& counts() const;
+  QuasiStaticCounts counts() const;
   std::size_t degrees_of_freedom() const;
   std::size_t touching() const;
   std::size_t sliding() const;

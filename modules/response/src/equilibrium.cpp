@@ -1,0 +1,209 @@
+#include "equilibrium.hpp"
+
+#include "entries.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+
+namespace scree::response {
+
+namespace {
+
+// Systems up to this size are solved by a dense factorisation.
+constexpr Eigen::Index largest_dense = 200;
+// Newton iterations of an increment.
+constexpr int most_iterations = 40;
+// Smallest share of a Newton step, and by how much the residual must fall over the share.
+constexpr double shortest_share = 1.0 / 64, least_gain = 0.1;
+// Added to the diagonal of K, over its largest entry, against floppy modes and bodies without contacts. More where Newton steps do not
+// make the residual smaller.
+constexpr double least_grounding = 1e-8, largest_grounding = 1;
+// Longest Newton step, over the smallest radius.
+constexpr double longest_step = 0.005;
+// Gap within which pairs are kept, over the smallest radius.
+constexpr double pair_gap = 0.4;
+
+DegreesOfFreedom all_motions(const Simulation& simulation, int spins, const WallEquations& walls) {
+  const std::vector<bool> bodies(simulation.particles().size(), true);
+  std::vector<bool> free;
+  for (const scree_linear_plane& wall : walls.walls) free.push_back(wall.free != 0);
+  return DegreesOfFreedom(simulation.dimension(), spins, bodies, std::vector<bool>(bodies.size(), spins > 0),
+                          free);
+}
+
+int spins_of(const Particles& p) { return p.spin_axes().last - p.spin_axes().first; }
+
+// Component of a vector along the direction of a wall.
+double along(const WallEquations& walls, std::size_t w, const Vec3& v) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += walls.walls[w].direction[k] * v[k];
+  return sum;
+}
+
+// x of (K + diagonal) x = load; none if the matrix is singular.
+std::optional<Eigen::VectorXd> solution(Eigen::SparseMatrix<double> stiffness,
+                                        const Eigen::VectorXd& diagonal, const Eigen::VectorXd& load) {
+  if (stiffness.rows() <= largest_dense) {
+    Eigen::MatrixXd dense = stiffness;
+    dense.diagonal() += diagonal;
+    return dense.partialPivLu().solve(load);
+  }
+  Eigen::SparseMatrix<double> ground(stiffness.rows(), stiffness.cols());
+  ground.setIdentity();
+  ground.diagonal() = diagonal;
+  stiffness += ground;
+  stiffness.makeCompressed();
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(stiffness);
+  if (factors.info() != Eigen::Success) return std::nullopt;
+  return factors.solve(load);
+}
+
+}  // namespace
+
+Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
+    : simulation_(simulation),
+      tolerance_(tolerance),
+      freedom_(all_motions(simulation, spins_of(simulation.particles()), simulation.linear_walls())),
+      contacts_(simulation, freedom_.spins()),
+      body_forces_(linearise_body_forces(simulation, freedom_.spins())),
+      at_start_(StaticConfiguration(simulation).position),
+      scale_(Vector::Ones(freedom_.size())) {
+  const auto radii = simulation.particles().radius();
+  for (std::size_t i = 0; i < freedom_.bodies(); ++i)
+    for (int k = 0; k < freedom_.spins(); ++k) scale_[freedom_.rotation(i, k)] = 1 / radii[i];
+  smallest_radius_ = *std::min_element(radii.begin(), radii.end());
+  contacts_.find_pairs(StaticConfiguration(simulation), pair_gap * smallest_radius_);
+}
+
+Balance Equilibrium::find(const StaticConfiguration& from, const WallEquations& walls, const Vector& guess) {
+  Search search = {from, walls, {false, guess, from, {}}};
+  Balance& balance = search.balance;
+  if (guess.size() == 0) balance.motion = Vector::Zero(freedom_.size());
+  double grounding = least_grounding;
+  Vector residual = evaluate(search);
+  for (int iteration = 0; iteration < most_iterations && residual.allFinite(); ++iteration) {
+    ++iterations_;
+    balance.found =
+        residual.cwiseProduct(scale_).lpNorm<Eigen::Infinity>() <= tolerance_ * largest_force(walls);
+    if (balance.found) break;
+    const std::optional<Vector> step = newton_step(walls, residual, grounding);
+    if (!step) break;
+    const double share = move_along(search, *step, residual);
+    grounding = share > 0.1 ? std::max(least_grounding, 0.1 * grounding) : 100 * grounding;
+    if (grounding > largest_grounding || 4 * length_of(balance.motion) > pair_gap * smallest_radius_) break;
+  }
+  return std::move(search.balance);
+}
+
+void Equilibrium::accept(const Balance& balance) {
+  contacts_.commit();
+  moved_ += length_of(balance.motion);
+  if (4 * moved_ < pair_gap * smallest_radius_) return;
+  contacts_.find_pairs(balance.at, pair_gap * smallest_radius_);
+  moved_ = 0;
+}
+
+double Equilibrium::move_along(Search& search, const Vector& step, Vector& residual) {
+  const Vector from = search.balance.motion;
+  const double size = size_of(residual);
+  for (double share = 1; share >= shortest_share; share *= 0.5) {
+    search.balance.motion = from + share * step;
+    residual = evaluate(search);
+    if (size_of(residual) < (1 - least_gain * share) * size) return share;
+  }
+  search.balance.motion = from;
+  residual = evaluate(search);
+  return 0;
+}
+
+Equilibrium::Vector Equilibrium::evaluate(Search& search) {
+  Balance& balance = search.balance;
+  const StaticMotion motion(balance.motion, freedom_, search.walls);
+  balance.at = search.from;
+  balance.at.move(motion);
+  balance.loads.force.assign(at_start_.size(), Vec3{});
+  balance.loads.torque.assign(at_start_.size(), Vec3{});
+  contacts_.evaluate(balance.at, motion, balance.loads);
+  Vector residual = Vector::Zero(freedom_.size());
+  add_bodies(search, residual);
+  add_walls(search, residual);
+  return residual;
+}
+
+void Equilibrium::add_bodies(const Search& search, Vector& residual) const {
+  const Balance& balance = search.balance;
+  const int D = freedom_.dimension(), S = freedom_.spins();
+  for (std::uint32_t i = 0; i < freedom_.bodies(); ++i) {
+    Vector load(D + S), moved = Vector::Zero(D + S);
+    for (int k = 0; k < D; ++k) {
+      load[k] = balance.loads.force[i][k];
+      moved[k] = balance.at.position[i][k] - at_start_[i][k];
+    }
+    for (int k = 0; k < S; ++k) load[D + k] = balance.loads.torque[i][D == 2 ? 2 : k];
+    if (!body_forces_.empty()) load += body_forces_[i].load - body_forces_[i].stiffness * moved;
+    residual.segment(freedom_.translation(i, 0), D) = load.head(D);
+    if (S > 0) residual.segment(freedom_.rotation(i, 0), S) = load.tail(S);
+  }
+}
+
+void Equilibrium::add_walls(const Search& search, Vector& residual) const {
+  const WallEquations& walls = search.walls;
+  const std::size_t bodies = freedom_.bodies();
+  for (std::size_t w = 0; w < freedom_.walls(); ++w) {
+    if (freedom_.wall(w) == DegreesOfFreedom::none) continue;
+    double force = walls.walls[w].pressing_force + along(walls, w, search.balance.loads.force[bodies + w]);
+    for (std::size_t other = 0; other < freedom_.walls(); ++other)
+      force -= walls.stiffness_of(w, other) *
+               along(walls, other, search.balance.at.position[bodies + other] - at_start_[bodies + other]);
+    residual[freedom_.wall(w)] = force;
+  }
+}
+
+Equilibrium::Sparse Equilibrium::stiffness(const WallEquations& walls) const {
+  Entries entries(freedom_, walls);
+  contacts_.add_stiffness(entries);
+  for (std::uint32_t i = 0; i < body_forces_.size(); ++i) entries.add({i}, body_forces_[i].stiffness);
+  for (std::size_t w = 0; w < freedom_.walls(); ++w)
+    for (std::size_t other = 0; other < freedom_.walls(); ++other)
+      if (freedom_.wall(w) != DegreesOfFreedom::none)
+        entries.add_along(w, other, walls.stiffness_of(w, other));
+  return entries.of_motions();
+}
+
+std::optional<Equilibrium::Vector> Equilibrium::newton_step(const WallEquations& walls,
+                                                            const Vector& residual, double grounding) const {
+  const Sparse stiffness = this->stiffness(walls);
+  const double largest = stiffness.diagonal().cwiseAbs().cwiseProduct(scale_.cwiseAbs2()).maxCoeff();
+  if (!(largest > 0)) return std::nullopt;
+  std::optional<Vector> step =
+      solution(stiffness, grounding * largest * scale_.cwiseAbs2().cwiseInverse(), residual);
+  if (!step || !step->allFinite()) return std::nullopt;
+  shorten(*step);
+  return step;
+}
+
+// Bodies that hardly anything holds do not decide for all others how far they move.
+void Equilibrium::shorten(Vector& step) const {
+  const double allowed = longest_step * smallest_radius_;
+  const auto limit = [&](Eigen::Index first, int count) {
+    auto part = step.segment(first, count);
+    const double length = part.cwiseQuotient(scale_.segment(first, count)).norm();
+    if (length > allowed) part *= allowed / length;
+  };
+  for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
+    limit(freedom_.translation(i, 0), freedom_.dimension());
+    if (freedom_.spins() > 0) limit(freedom_.rotation(i, 0), freedom_.spins());
+  }
+}
+
+double Equilibrium::largest_force(const WallEquations& walls) const {
+  double largest = contacts_.largest_force();
+  for (const scree_linear_plane& wall : walls.walls)
+    largest = std::max(largest, std::abs(wall.pressing_force));
+  return largest;
+}
+
+}  // namespace scree::response

@@ -1,0 +1,173 @@
+#include "static_pairs.hpp"
+
+#include "contact_terms.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace scree::response {
+
+namespace {
+
+// Time (s) that an increment takes, for the dashpots of the laws: long enough that their forces are round-off.
+constexpr double duration = 1e15;
+
+scree_arms arms_of(const ConfiguredLaw& law) { return scree_arms(law.instance().arms); }
+
+}  // namespace
+
+StaticPairs::StaticPairs(const Simulation& simulation, std::uint32_t law, int spins)
+    : simulation_(simulation),
+      law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
+      jacobian_(law_, simulation.dimension()),
+      law_number_(law),
+      spins_(spins) {}
+
+void StaticPairs::set_pairs(std::vector<StaticPair> pairs) {
+  const auto order = [](const StaticPair& p) { return std::tie(p.a, p.b); };
+  std::vector<double> history(pairs.size() * width(), 0.0);
+  std::vector<PairStatus> status(pairs.size(), PairStatus::open);
+  for (std::size_t i = 0, k = 0; i < pairs.size(); ++i) {
+    while (k < pairs_.size() && order(pairs_[k]) < order(pairs[i])) ++k;
+    if (k == pairs_.size() || order(pairs_[k]) != order(pairs[i])) continue;
+    std::copy_n(history_.begin() + std::ptrdiff_t(k * width()), width(),
+                history.begin() + std::ptrdiff_t(i * width()));
+    status[i] = status_[k];
+  }
+  pairs_ = std::move(pairs), history_ = std::move(history), status_ = std::move(status);
+}
+
+void StaticPairs::set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history,
+                              bool sliding) {
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].a != a || pairs_[i].b != b) continue;
+    std::copy_n(history.begin(), width(), history_.begin() + std::ptrdiff_t(i * width()));
+    status_[i] = sliding ? PairStatus::slides : PairStatus::sticks;
+  }
+}
+
+void StaticPairs::fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after,
+                       const StaticMotion& motion) {
+  const Particles& p = simulation_.particles();
+  const StaticPair& pair = pairs_[i];
+  const bool is_wall = pair.b >= p.size();
+  ContactColumns& columns = *columns_;
+  columns.set(SCREE_NORMAL, at.normal, i);
+  columns.input(SCREE_OVERLAP, 0, i) = at.overlap();
+  columns.set(SCREE_RELATIVE_VELOCITY, 1 / duration * at.slip(arms_of(law_)), i);
+  columns.set(SCREE_TANGENTIAL_INCREMENT, at.tangential_increment(arms_of(law_)), i);
+  const Vec3 spin = 1 / duration * (motion.rotation[pair.a] - motion.rotation[pair.b]);
+  if (p.dimension() == 2)
+    columns.input(SCREE_RELATIVE_SPIN, 0, i) = spin[2];
+  else
+    columns.set(SCREE_RELATIVE_SPIN, spin, i);
+  columns.input(SCREE_REDUCED_MASS, 0, i) =
+      1 / (p.inverse_mass()[pair.a] + (is_wall ? 0 : p.inverse_mass()[pair.b]));
+  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) =
+      is_wall ? at.radius_a : 1 / (1 / at.radius_a + 1 / at.radius_b);
+  columns.input(SCREE_RADII, 0, i) = at.radius_a;
+  columns.input(SCREE_RADII, 1, i) = at.radius_b;
+  columns.set(SCREE_SEPARATION, at.separation, i);
+  for (std::uint32_t k = 0; k < width(); ++k) columns.history(k, i) = history_[i * width() + k];
+  set_orientations(i, after);
+}
+
+void StaticPairs::set_orientations(std::size_t i, const StaticConfiguration& after) {
+  if (!(law_.instance().reads & (1u << SCREE_ORIENTATION_A))) return;
+  const StaticPair& pair = pairs_[i];
+  const bool is_wall = pair.b >= simulation_.particles().size();
+  for (int k = 0; k < after.orientations.components(); ++k) {
+    const double of_wall = after.orientations.components() > 1 && k == 0 ? 1 : 0;
+    columns_->input(SCREE_ORIENTATION_A, k, i) = after.orientations[k][pair.a];
+    columns_->input(SCREE_ORIENTATION_B, k, i) = is_wall ? of_wall : after.orientations[k][pair.b];
+  }
+}
+
+void StaticPairs::add_loads(std::size_t i, StaticLoads& loads) {
+  const ContactGeometry& geometry = geometries_[i];
+  const bool flat = geometry.dimension == 2;
+  Vec3 force = columns_->output_vector(SCREE_FORCE, i), couple = {};
+  if (flat) force[2] = 0;
+  if (law_.instance().writes_couple) {
+    couple = columns_->output_vector(SCREE_COUPLE, i);
+    if (flat) couple = {{0, 0, couple[0]}};
+  }
+  const StaticPair& pair = pairs_[i];
+  const Vec3 lever = cross(Vec3{{geometry.normal[0], geometry.normal[1], geometry.normal[2]}}, force);
+  loads.force[pair.a] += force;
+  loads.force[pair.b] += -1.0 * force;
+  loads.torque[pair.a] += couple - geometry.arm_a * lever;
+  loads.torque[pair.b] += -1.0 * couple - geometry.arm_b * lever;
+  largest_force_ = std::max(largest_force_, norm(force));
+}
+
+PairStatus StaticPairs::status_of(std::size_t i) {
+  const int sliding = law_.instance().sliding_column;
+  return sliding >= 0 && columns_->history(std::size_t(sliding), i) > 0 ? PairStatus::slides
+                                                                        : PairStatus::sticks;
+}
+
+void StaticPairs::evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads) {
+  largest_force_ = 0;
+  columns_.emplace(pairs_.size());
+  geometries_.clear();
+  next_history_.assign(history_.size(), 0.0);
+  next_status_.assign(pairs_.size(), PairStatus::open);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const PairPlace at(simulation_, pairs_[i], after, motion);
+    fill(i, at, after, motion);
+    geometries_.push_back(at.geometry(simulation_.dimension(), spins_, arms_of(law_)));
+  }
+  columns_->evaluate(law_, duration);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (!touches(i)) continue;
+    for (std::uint32_t k = 0; k < width(); ++k) next_history_[i * width() + k] = columns_->history(k, i);
+    next_status_[i] = status_of(i);
+    add_loads(i, loads);
+  }
+}
+
+void StaticPairs::add_stiffness(Entries& stiffness) {
+  std::vector<double> inverse_distance((pairs_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0), jacobian;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    inverse_distance[i] = geometries_[i].inverse_distance;
+    for (std::uint32_t k = 0; k < width(); ++k) columns_->history(k, i) = history_[i * width() + k];
+  }
+  jacobian_.evaluate(columns_->batch(duration), inverse_distance.data(), jacobian);
+  // Laws that integrate the spin by themselves; the dashpots of others are round-off.
+  const bool by_spin = law_.instance().reads & (1u << SCREE_RELATIVE_SPIN);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (!touches(i)) continue;
+    const ContactGeometry& of = geometries_[i];
+    const Vec3 force = columns_->output_vector(SCREE_FORCE, i);
+    const Eigen::Vector3d f(force[0], force[1], of.dimension == 2 ? 0 : force[2]);
+    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i), f);
+    if (by_spin)
+      block +=
+          1 / duration * of.of_bodies(of.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero());
+    stiffness.add({pairs_[i].a, pairs_[i].b}, block);
+  }
+}
+
+void StaticPairs::commit() {
+  history_.swap(next_history_);
+  status_.swap(next_status_);
+}
+
+std::size_t StaticPairs::count(PairStatus status) const {
+  return std::size_t(std::count(status_.begin(), status_.end(), status));
+}
+
+std::size_t StaticPairs::events() const {
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) changed += status_[i] != next_status_[i];
+  return changed;
+}
+
+void StaticPairs::append_touching(std::vector<TouchingPair>& all) const {
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    if (status_[i] != PairStatus::open)
+      all.push_back({pairs_[i].a, pairs_[i].b, law_number_, history_.data() + i * width(), width()});
+}
+
+}  // namespace scree::response

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "contact_geometry.hpp"
+#include "entries.hpp"
+#include "pair_place.hpp"
+#include "static_configuration.hpp"
+
+#include <optional>
+#include <vector>
+
+#include <scree/contact_columns.hpp>
+#include <scree/contact_jacobian.hpp>
+
+namespace scree::response {
+
+// Force (N) and torque (N m) on each body and, behind them, each wall.
+struct StaticLoads {
+  std::vector<Vec3> force, torque;
+};
+
+// State of a pair: what changes it is an event.
+enum class PairStatus : std::uint8_t { open, sticks, slides };
+
+// A pair that touches, its ends as in ContactList, its law and its history.
+struct TouchingPair {
+  std::uint32_t a, b, law;
+  const double* history;
+  std::uint32_t width;
+};
+
+// Pairs of one law, with their histories, for StaticContacts.
+class StaticPairs {
+ public:
+  // law: number in the scene; spins: as StaticContacts.
+  StaticPairs(const Simulation& simulation, std::uint32_t law, int spins);
+
+  // Sorted by (a, b). Those that were known keep their histories; others begin without.
+  void set_pairs(std::vector<StaticPair> pairs);
+  void set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history, bool sliding);
+  // As those of StaticContacts.
+  void evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads);
+  void add_stiffness(Entries& stiffness);
+  void commit();
+
+  std::uint32_t width() const { return law_.instance().history_width; }  // of a history
+  std::size_t events() const;
+  std::size_t count(PairStatus status) const;
+  double largest_force() const { return largest_force_; }
+  void append_touching(std::vector<TouchingPair>& all) const;
+
+ private:
+  bool touches(std::size_t i) { return columns_->input(SCREE_OVERLAP, 0, i) > 0; }
+  PairStatus status_of(std::size_t i);
+  void fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after, const StaticMotion& motion);
+  void set_orientations(std::size_t i, const StaticConfiguration& after);
+  void add_loads(std::size_t i, StaticLoads& loads);
+
+  const Simulation& simulation_;
+  ConfiguredLaw law_;
+  ContactJacobian jacobian_;
+  std::uint32_t law_number_;
+  int spins_;
+  std::vector<StaticPair> pairs_;
+  std::vector<double> history_, next_history_;  // (pairs, width)
+  std::vector<PairStatus> status_, next_status_;
+  // Of the last evaluation.
+  std::optional<ContactColumns> columns_;
+  std::vector<ContactGeometry> geometries_;
+  double largest_force_ = 0;  // (N)
+};
+
+}  // namespace scree::response
