@@ -61,11 +61,14 @@ TEST_CASE("response --quasi-static refuses what it cannot follow in one line and
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
     CHECK(!w.has("out"));
   };
+  refused("--elastic", "--quasi-static follows a load and finds no modes; leave --elastic,");
   refused("--set time.precision=mixed", "a quasi-static load takes double precision");
   refused("--set stage.cycles.set.box.x_low=velocity --set stage.cycles.set.box.velocity_x_low=1e-3",
           "wall box.x_low is moved with 0.001 m/s");
   refused("--set stage.compress.until.kinetic_over_elastic=1e-1 --set stage.compress.until.at_least=0",
           "the packing is not at rest at the start of the last stage");
+  CHECK(w.scree("response scene.toml --increments 9").err ==
+        "scree: --increments belongs to --quasi-static; add it, or leave --increments out\n");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));
   refused("", "the last stage is followed, and has no duration");
 }

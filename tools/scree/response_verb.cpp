@@ -24,7 +24,7 @@ struct ResponseArguments {
   int fewest_contacts = 0;
   bool contacts_slide = false;
   bool elastic = false, loads = false, quasi_static = false, overwrite = false, quiet = false;
-  unsigned increments = quasi_static::FollowOptions::increments_per_cycle;
+  unsigned increments = 0;  // 0: not given
   PluginOptions plugins;
 };
 
@@ -77,12 +77,22 @@ ExitStatus respond(const ResponseArguments& arguments) {
   return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;
 }
 
+// What belongs to the other kind of response.
+void refuse_mixture(const ResponseArguments& a) {
+  if (!a.quasi_static && a.increments > 0)
+    throw Error("--increments belongs to --quasi-static; add it, or leave --increments out");
+  if (a.quasi_static && (a.elastic || a.loads || a.density > 0 || !a.pictures.empty()))
+    throw Error(
+        "--quasi-static follows a load and finds no modes; leave --elastic, --loads, --density and --picture out, or call "
+        "twice");
+}
+
 ExitStatus follow(const ResponseArguments& arguments) {
   quasi_static::FollowOptions options;
   options.out = arguments.out;
   options.overwrite = arguments.overwrite;
   options.threads = arguments.threads;
-  options.increments = arguments.increments;
+  if (arguments.increments > 0) options.increments = arguments.increments;
   const quasi_static::Course course = [&] {
     ProgressBar bar(arguments.quiet);
     PluginHost host = make_host(arguments.plugins);
@@ -149,7 +159,10 @@ void add_response_verb(CommandLine& line) {
       "of the symmetric part of its stiffness; residuals are those with all of it.\n"
       "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40\n"
       "         scree response scenarios/mcnamara2008/biaxial.toml --quasi-static");
-  verb.action([a] { return a->quasi_static ? follow(*a) : respond(*a); });
+  verb.action([a] {
+    refuse_mixture(*a);
+    return a->quasi_static ? follow(*a) : respond(*a);
+  });
 }
 
 }  // namespace scree::tool

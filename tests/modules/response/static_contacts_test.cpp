@@ -1,0 +1,91 @@
+#include "static_contacts.hpp"
+
+#include "packings.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace scree::test {
+
+namespace {
+
+using namespace response;
+
+constexpr double share = 0.02;  // of a radius, by which bodies move in a step
+
+// A heap whose bodies move by themselves, and one that first touches it in the middle of the step.
+Scene moving_heap(int dimension, const std::string& plugin, const Values& law) {
+  Scene s = heap(dimension, law, plugin);
+  const Vec3 last = s.bodies.back().position;
+  const double gap = 0.5 * share;
+  s.bodies.push_back(
+      body(9, 1, heavy, last + Vec3{{s.bodies.back().radius + 1 + gap, 0, 0}}, {}, {}, dimension));
+  for (std::size_t i = 0; i < s.bodies.size(); ++i)
+    for (int k = 0; k < (dimension == 2 ? 3 : 6); ++k)
+      motion(s.bodies[i], dimension, k) = share * std::sin(1.0 + 2.3 * double(i) + 1.7 * k) / s.step;
+  s.bodies.back().velocity = s.bodies[s.bodies.size() - 2].velocity - Vec3{{2 * gap / s.step, 0, 0}};
+  return s;
+}
+
+// Largest difference of histories, and of forces, over the largest of each, after the same motion.
+void check_step(const Scene& scene) {
+  Simulation s(scene);
+  const Particles& p = s.particles();
+  const int spins = p.spin_axes().last - p.spin_axes().first;
+  StaticContacts contacts(s, spins);
+  StaticConfiguration after(s);
+  contacts.find_pairs(after, 0.2);
+  const WallEquations walls = s.linear_walls();
+  const std::vector<bool> all(p.size(), true);
+  const DegreesOfFreedom freedom(scene.dimension, spins, all, all, {false});
+  Eigen::VectorXd q(freedom.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (int k = 0; k < scene.dimension; ++k)
+      q[freedom.translation(i, k)] = scene.step * scene.bodies[i].velocity[k];
+    for (int k = 0; k < spins; ++k)
+      q[freedom.rotation(i, k)] = scene.step * scene.bodies[i].spin[scene.dimension == 2 ? 2 : k];
+  }
+  const StaticMotion motion(q, freedom, walls);
+  after.move(motion);
+  StaticLoads loads{std::vector<Vec3>(p.size() + 1), std::vector<Vec3>(p.size() + 1)};
+  contacts.evaluate(after, motion, loads);
+  contacts.commit();
+  contacts.find_pairs(after, 0.3);  // which keeps what is known
+  s.step();
+
+  const ContactList list = s.contact_list();
+  const std::vector<TouchingPair> touching = contacts.touching();
+  REQUIRE(touching.size() == list.size());
+  for (const TouchingPair& pair : touching) {
+    std::size_t c = 0;
+    while (c < list.size() && (list.a[c] != pair.a || list.b[c] != pair.b)) ++c;
+    REQUIRE(c < list.size());
+    for (std::uint32_t k = 0; k < pair.width; ++k)
+      CHECK(pair.history[k] == Approx(s.contact_history(list.pair[c], k)).margin(1e-13));
+  }
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int k = 0; k < scene.dimension; ++k)
+      CHECK(loads.force[i][k] == Approx(p.force()[k][i]).epsilon(1e-10).margin(1e-8));
+}
+
+}  // namespace
+
+// The kernel's step with the same motion, without dashpots: the same springs, whichever moves the pairs.
+TEST_CASE("an increment changes springs as a step of the kernel does") {
+  const Values springs = {{"normal_stiffness", {1e4}},
+                          {"normal_damping", {0}},
+                          {"tangential_stiffness", {1e3}},
+                          {"tangential_damping", {0}},
+                          {"static_friction", {0.5}}};
+  for (const int dimension : {2, 3}) {
+    INFO(dimension << " dimensions");
+    check_step(moving_heap(dimension, "linear_spring_dashpot", springs));
+  }
+  check_step(moving_heap(3, "sphere_path_independent", springs));
+  check_step(moving_heap(2, "disc_corrected",
+                         {{"normal_stiffness", {1e4}},
+                          {"normal_damping", {0}},
+                          {"tangential_stiffness", {1e3}},
+                          {"friction", {0.5}}}));
+}
+
+}  // namespace scree::test
