@@ -86,6 +86,9 @@ TEST_CASE("an increment changes springs as a step of the kernel does") {
                           {"normal_damping", {0}},
                           {"tangential_stiffness", {1e3}},
                           {"friction", {0.5}}}));
+  check_step(moving_heap(
+      3, "hertz_mindlin",
+      {{"youngs_modulus", {1e5}}, {"poissons_ratio", {0.25}}, {"restitution", {1}}, {"friction", {0.5}}}));
 }
 
 }  // namespace scree::test
