@@ -55,11 +55,9 @@ std::string text_report(const Course& c) {
       "{} bodies, {} degrees of freedom; {:g} to {:g} s in {} increments of at most {:g} s\n"
       "{} iterations of Newton's method; contacts opened, closed, began or ended to slide {} times\n",
       c.bodies, c.degrees_of_freedom, c.start, c.end, c.increments, c.increment, c.iterations, c.events);
-  double dynamic = 0;
-  for (const HandOver& h : c.hand_overs) dynamic += h.to - h.from;
   if (!c.hand_overs.empty())
     text += fmt::format("{:g} s of {:g} s by dynamics, in {} parts, where there was no equilibrium nearby\n",
-                        dynamic, c.end - c.start, c.hand_overs.size());
+                        c.dynamic_time(), c.end - c.start, c.hand_overs.size());
   text += fmt::format("{:.3g} s of wall time", c.wall);
   if (c.period > 0) text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.end - c.start));
   return text + "\n";

@@ -40,6 +40,23 @@ double period_of(const scenario::Plan& plan) {
   return stages.back().number("period", document::Range::positive("s"));
 }
 
+Sample sample_of(const QuasiStatic& packing, double time) {
+  return {.time = time,
+          .planes = packing.planes(),
+          .loads = packing.loads(),
+          .contacts = packing.touching(),
+          .sliding = packing.sliding()};
+}
+
+Sample sample_of(const Simulation& moving, double time) {
+  const std::vector<std::uint8_t> sliding = moving.contact_list().sliding;
+  return {.time = time,
+          .planes = moving.planes(),
+          .loads = moving.loads(),
+          .contacts = sliding.size(),
+          .sliding = std::size_t(std::count(sliding.begin(), sliding.end(), 1))};
+}
+
 class Follower {
  public:
   Follower(const scenario::Plan& plan, const FollowOptions& options, RunDirectory& directory)
@@ -56,11 +73,7 @@ class Follower {
     try {
       write_record("running", course_, directory_);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
-      sample({.time = packing_->time(),
-              .planes = packing_->planes(),
-              .loads = packing_->loads(),
-              .contacts = packing_->touching(),
-              .sliding = packing_->sliding()});
+      sample(sample_of(*packing_, packing_->time()));
       const auto intervals = std::size_t(std::ceil((course_.end - course_.start) / course_.increment - 1e-9));
       for (std::size_t k = 1; k <= intervals && proceeds(); ++k) {
         advance(k < intervals ? course_.start + double(k) * course_.increment : course_.end);
@@ -121,11 +134,7 @@ class Follower {
   // To a time (s), without dynamics where that can be.
   void advance(double time) {
     if (!dynamics_ && packing_->advance(time)) {
-      sample({.time = time,
-              .planes = packing_->planes(),
-              .loads = packing_->loads(),
-              .contacts = packing_->touching(),
-              .sliding = packing_->sliding()});
+      sample(sample_of(*packing_, time));
       return;
     }
     if (!dynamics_) hand_over();
@@ -150,14 +159,9 @@ class Follower {
   void take_back(double time) {
     auto packing = std::make_unique<QuasiStatic>(*dynamics_, quasi_static_options());
     const bool balanced = packing->advance(std::max(time, dynamics_->time()));
-    const std::vector<std::uint8_t> sliding = dynamics_->contact_list().sliding;
-    sample({.time = time,
-            .planes = balanced ? packing->planes() : dynamics_->planes(),
-            .loads = balanced ? packing->loads() : dynamics_->loads(),
-            .contacts = balanced ? packing->touching() : sliding.size(),
-            .sliding =
-                balanced ? packing->sliding() : std::size_t(std::count(sliding.begin(), sliding.end(), 1)),
-            .dynamic = true});
+    Sample reached = balanced ? sample_of(*packing, time) : sample_of(*dynamics_, time);
+    reached.dynamic = true;
+    sample(reached);
     if (!balanced) return;
     packing_ = std::move(packing);
     simulation_ = std::move(dynamics_);
@@ -189,9 +193,7 @@ class Follower {
   void save(const std::string& status) {
     if (!dynamics_) count();
     course_.wall = seconds_since(began_);
-    double dynamic = 0;
-    for (const HandOver& h : course_.hand_overs) dynamic += h.to - h.from;
-    if (dynamic > 0.5 * (course_.end - course_.start))
+    if (course_.dynamic_time() > 0.5 * (course_.end - course_.start))
       warn(
           "dynamics took more than half of the time: the packing has no equilibrium nearby for long; run it with scree run, or "
           "compress it further");

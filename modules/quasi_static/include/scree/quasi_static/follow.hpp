@@ -47,6 +47,12 @@ struct Course {
   run::InputHashes inputs;
   std::vector<std::string> warnings;  // "<what>; <cure>"
   std::string error;                  // one line, if it failed
+
+  double dynamic_time() const {  // (s) of all hand-overs
+    double sum = 0;
+    for (const HandOver& h : hand_overs) sum += h.to - h.from;
+    return sum;
+  }
 };
 
 // Runs the stages of a plan but the last, follows the last one through states of equilibrium (response::QuasiStatic), and
