@@ -1,6 +1,8 @@
 #pragma once
 
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace scree::test {
 
@@ -33,6 +35,13 @@ inline constexpr const char* discs =
 // Returns the text with the first occurrence of a part replaced.
 inline std::string with(std::string text, const std::string& part, const std::string& other) {
   return text.replace(text.find(part), part.size(), other);
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace scree::test

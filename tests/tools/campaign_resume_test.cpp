@@ -6,8 +6,8 @@ namespace {
 
 // Discs that collide for some seconds of wall time.
 std::string lengthy(const char* duration = "30") {
-  std::string scene = with(discs, "duration = 1e-4", std::string("duration = ") + duration);
-  return with(scene, "every = 2e-5", "every = 1e-2");
+  std::string scenario = with(discs, "duration = 1e-4", std::string("duration = ") + duration);
+  return with(scenario, "every = 2e-5", "every = 1e-2");
 }
 
 // Interrupts a campaign when the run has begun to write.

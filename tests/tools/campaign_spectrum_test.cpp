@@ -4,7 +4,6 @@ using namespace scree::test;
 
 namespace {
 
-const std::string chain = text_of(SCREE_TEST_SOURCE "/scenarios/sound/chain.toml");
 // Frequencies are proportional to the root of the stiffness.
 const std::string soft_and_stiff =
     "spectrum = 'linear'\n[set]\n\"contact.normal_stiffness\" = [1000, 4000]\n\"spectrum.to_hz\" = 70\n";

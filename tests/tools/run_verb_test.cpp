@@ -6,13 +6,6 @@ using namespace scree::test;
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::string expectation(const std::string& bound) {
   return std::string(discs) + "[[expect]]\nrequirement = 'Ten steps'\nquantity = 'steps'\n" + bound + "\n";
 }

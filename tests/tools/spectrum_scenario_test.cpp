@@ -6,15 +6,9 @@ using namespace scree::test;
 
 namespace {
 
-// The chain of the repository, over one of its peaks.
-const std::string chain = text_of(SCREE_TEST_SOURCE "/scenarios/sound/chain.toml");
 const std::string peak =
     "--set spectrum.from_hz=70 --set spectrum.to_hz=105 --set spectrum.periods=60 "
     "--set spectrum.analysed_periods=30 ";
-
-std::size_t lines_of(const std::string& text) {
-  return std::size_t(std::count(text.begin(), text.end(), '\n'));
-}
 
 }  // namespace
 
@@ -24,17 +18,17 @@ TEST_CASE("spectrum of a scenario takes all roads and prints what they found", "
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);
   CHECK(outcome.err.empty());
-  CHECK(lines_of(outcome.out) <= 27);
+  CHECK(lines_of(outcome.out).size() <= 27);
   for (const char* part : {"linear ", "pulse ", "sweep ", "particles.z_8, linear:",
                            "results in out: spectrum.csv, peaks.csv, sweep.csv, roads.csv"})
     CHECK(outcome.out.find(part) != std::string::npos);
   CHECK(w.text("out/spectrum.csv")
             .starts_with("road,frequency [Hz],particles.z_1.amplitude [1],particles.z_1.phase [rad],"));
   // Three roads with two columns each; the header.
-  CHECK(lines_of(w.text("out/peaks.csv")) == 7);
-  CHECK(lines_of(w.text("out/spectrum.csv")) == 1 + 3 * 71);
-  CHECK(lines_of(w.text("out/sweep.csv")) == 1 + 71);
-  CHECK(lines_of(w.text("out/roads.csv")) == 4);
+  CHECK(lines_of(w.text("out/peaks.csv")).size() == 7);
+  CHECK(lines_of(w.text("out/spectrum.csv")).size() == 1 + 3 * 71);
+  CHECK(lines_of(w.text("out/sweep.csv")).size() == 1 + 71);
+  CHECK(lines_of(w.text("out/roads.csv")).size() == 4);
   CHECK(nlohmann::json::parse(w.text("out/spectrum.json"))["status"] == "finished");
 #ifdef SCREE_TEST_PICTURES
   CHECK(w.has("out/charts/particles_z_8.png"));

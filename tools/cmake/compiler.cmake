@@ -40,8 +40,8 @@ if(SCREE_CCACHE)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
-# For libraries whose sources share the instances of Eigen and of the JSON reader, most of their time in the compiler: a
-# batch takes hardly longer than its longest file.
+# For targets whose sources share headers and instances of templates, most of their time in the compiler: eight files in
+# a batch take about two fifths of their time one by one.
 function(scree_compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
 endfunction()

@@ -43,9 +43,10 @@ void list_all(PluginHost& host) {
   std::vector<PluginHost::Broken> broken;
   const auto plugins = host.load_all(broken);
   for (const scree_kind kind : kinds) {
-    static constexpr const char* titles[] = {"", "contact laws, [[contact]]", "boundaries, [[boundary]]",
-                                             "body forces, [[body_force]]", "probes, [[probe]]"};
-    fmt::print("{}\n", titles[kind]);
+    static constexpr const char* title_of_kind[] = {"", "contact laws, [[contact]]",
+                                                    "boundaries, [[boundary]]", "body forces, [[body_force]]",
+                                                    "probes, [[probe]]"};
+    fmt::print("{}\n", title_of_kind[kind]);
     for (const scree_plugin* plugin : plugins)
       if (plugin->kind == std::uint32_t(kind)) fmt::print("  {:<24} {}\n", plugin->name, plugin->summary);
   }

@@ -16,11 +16,6 @@ namespace {
 constexpr double seconds_between_plain_lines = 5;
 constexpr int bar_width = 30;
 
-std::string time_left(double share, double wall) {
-  if (share <= 0 || wall < 0.5) return "";
-  return fmt::format(", {} left", duration_text(wall * (1 - share) / share));
-}
-
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -42,10 +37,17 @@ void ProgressBar::show(const run::Progress& p) {
 }
 
 void ProgressBar::show(double share, double wall, std::string_view what) {
+  if (share < first_share_) first_share_ = share, first_wall_ = wall;
   const int full = int(std::clamp(share, 0.0, 1.0) * bar_width);
   print(fmt::format("[{}{}] ", std::string(std::size_t(full), '#'),
                     std::string(std::size_t(bar_width - full), '.')),
         fmt::format("{:3.0f} %  {}{}", 100 * share, what, time_left(share, wall)), wall);
+}
+
+std::string ProgressBar::time_left(double share, double wall) const {
+  const double done = share - first_share_, taken = wall - first_wall_;
+  if (done <= 0 || taken < 0.5) return "";
+  return fmt::format(", {} left", duration_text(taken * (1 - share) / done));
 }
 
 void ProgressBar::print(const std::string& bar, const std::string& text, double wall) {

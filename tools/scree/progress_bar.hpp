@@ -24,10 +24,14 @@ class ProgressBar {
   void clear();
 
  private:
+  // From the progress since the first share shown: what is resumed begins above 0.
+  std::string time_left(double share, double wall) const;
   void print(const std::string& bar, const std::string& text, double wall);
 
   bool quiet_, terminal_;
   double next_plain_line_ = 0;  // (s) of wall time
+  double first_share_ = 2;      // above any share until one is shown
+  double first_wall_ = 0;       // (s)
 };
 
 // "1 h 05 min", "2 min 10 s", "8 s".

@@ -62,7 +62,7 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
   return options;
 }
 
-vibration::Vibration with_progress(const ResponseArguments& arguments) {
+vibration::Vibration solve_with_progress(const ResponseArguments& arguments) {
   ProgressBar bar(arguments.quiet);
   PluginHost host = make_host(arguments.plugins);
   return vibration::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host),
@@ -70,7 +70,7 @@ vibration::Vibration with_progress(const ResponseArguments& arguments) {
 }
 
 ExitStatus respond(const ResponseArguments& arguments) {
-  const vibration::Vibration vibration = with_progress(arguments);
+  const vibration::Vibration vibration = solve_with_progress(arguments);
   if (!arguments.quiet) fmt::print("{}", vibration::text_report(vibration));
   if (vibration.interrupted) fmt::print("interrupted; what was complete is saved\n");
   fmt::print("results in {}\n", vibration.directory.string());

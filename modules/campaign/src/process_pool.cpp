@@ -55,11 +55,11 @@ class SignalBlock {
                      dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0 &&
                      fcntl(alive, F_SETFD, 0) == 0;
   if (ready) execv(words[0], words);
-  constexpr std::string_view missing = "scree: the program cannot be started; install it again\n",
+  constexpr std::string_view no_program = "scree: the program cannot be started; install it again\n",
                              too_long =
                                  "scree: a value is too long for a command line (128 KiB); put it into the "
                                  "scenario instead of [set]\n";
-  const std::string_view line = errno == E2BIG ? too_long : missing;
+  const std::string_view line = errno == E2BIG ? too_long : no_program;
   if (write(log, line.data(), line.size()) < 0) _exit(126);
   _exit(127);
 }

@@ -16,7 +16,7 @@ struct RunQuantity {
   double (*value)(const Simulation&, const scree_energy&);
 };
 
-constexpr RunQuantity all[] = {
+constexpr RunQuantity quantities_of_run[] = {
     {"steps", [](const Simulation& s, const scree_energy&) { return double(s.steps()); }},
     {"time", [](const Simulation& s, const scree_energy&) { return s.time(); }},
     {"energy_residual", [](const Simulation& s, const scree_energy&) { return s.energy_residual(); }},
@@ -37,13 +37,13 @@ constexpr RunQuantity all[] = {
 std::vector<std::pair<std::string, double>> run_quantities(const Simulation& simulation) {
   const scree_energy energy = simulation.energy();
   std::vector<std::pair<std::string, double>> values;
-  for (const RunQuantity& q : all) values.emplace_back(q.name, q.value(simulation, energy));
+  for (const RunQuantity& q : quantities_of_run) values.emplace_back(q.name, q.value(simulation, energy));
   return values;
 }
 
 std::vector<std::string> run_quantity_names() {
   std::vector<std::string> names;
-  for (const RunQuantity& q : all) names.push_back(q.name);
+  for (const RunQuantity& q : quantities_of_run) names.push_back(q.name);
   return names;
 }
 

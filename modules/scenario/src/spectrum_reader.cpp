@@ -19,7 +19,7 @@ namespace {
 
 constexpr double most_frequencies = 100000;
 // Of a frequency, as of a stage.
-constexpr double max_steps = 1e12;
+constexpr double max_steps_of_sweep = 1e12;
 
 // The keys of a boundary that are functions of time in m.
 std::vector<std::string> displacements_of(const Parameters& boundary) {
@@ -156,11 +156,11 @@ void read_sweep(const document::Table& t, double step, SpectrumPlan& plan) {
                                          : SpectrumPlan::Direction::both;
   plan.periods = read(t, spectrum_keys.periods);
   plan.analysed_periods = read(t, spectrum_keys.analysed_periods);
-  if (const double steps = plan.periods / (plan.from_hz * step); !(steps <= max_steps))
+  if (const double steps = plan.periods / (plan.from_hz * step); !(steps <= max_steps_of_sweep))
     throw t.error(
         spectrum_keys.from_hz,
         fmt::format("{:g} periods of {:g} Hz take {:.3g} time steps", plan.periods, plan.from_hz, steps),
-        fmt::format("give a higher from_hz, or fewer periods, for at most {:g} steps", max_steps));
+        fmt::format("give a higher from_hz, or fewer periods, for at most {:g} steps", max_steps_of_sweep));
   if (plan.analysed_periods > plan.periods)
     throw t.error(
         t.has(spectrum_keys.analysed_periods) ? spectrum_keys.analysed_periods : spectrum_keys.periods,

@@ -19,9 +19,9 @@ namespace scree::spectrum {
 
 namespace {
 
-constexpr std::size_t most_poles = 6;   // of one fit
-constexpr double least_gain = 10;       // of Akaike's criterion, for another pole
-constexpr double least_over_error = 5;  // amplitude of another pole
+constexpr std::size_t most_poles = 6;        // of one fit
+constexpr double least_gain = 10;            // of Akaike's criterion, for another pole
+constexpr double least_pole_over_error = 5;  // amplitude of another pole
 
 Pole first_guess(const Response& response, std::size_t top) {
   const auto side = [&](int direction) {
@@ -53,7 +53,8 @@ std::vector<Range> ranges_of(const Response& response, const std::vector<std::si
 bool is_sound(const ModeFit& fit, const Response& response) {
   for (std::size_t k = 0; k < fit.poles.size(); ++k) {
     const Mode mode = mode_of(fit, k, response);
-    if (!is_within(fit.poles[k], response) || !(mode.amplitude > least_over_error * mode.amplitude_error))
+    if (!is_within(fit.poles[k], response) ||
+        !(mode.amplitude > least_pole_over_error * mode.amplitude_error))
       return false;
   }
   return fit.converged;
