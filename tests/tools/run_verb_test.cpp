@@ -58,6 +58,19 @@ TEST_CASE("run.json has the inputs and results of a run", "[tools]") {
   CHECK(record["expect"][0]["met"] == true);
 }
 
+TEST_CASE("a run without the energy audit reports no energy that it does not know", "[tools]") {
+  const Workspace w;
+  const Outcome outcome = w.run("--set time.energy_audit=false --set 'probe=[]'");
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, !Catch::Contains("energy residual"));
+  CHECK_THAT(outcome.out, Catch::Contains("momentum residual"));
+  const auto record = nlohmann::json::parse(w.text("out/run.json"));
+  for (const char* unknown :
+       {"energy_residual", "energy_created", "elastic_energy", "dissipated_energy", "work"})
+    CHECK(record[unknown].is_null());
+  CHECK(record["kinetic_energy"] > 0);
+}
+
 TEST_CASE("the program prints the size of the scene once", "[tools]") {
   const Workspace w;
   const Outcome outcome = w.run();

@@ -43,5 +43,5 @@ endif()
 # For targets whose sources share headers and instances of templates, most of their time in the compiler: eight files in
 # a batch take about two fifths of their time one by one.
 function(scree_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SCREE_BATCHES})
 endfunction()

@@ -4,6 +4,8 @@
 #include "verbs.hpp"
 #include "verdict_report.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,10 +38,10 @@ void print_result(const run::RunResult& r) {
   const auto quantity = [&](const char* name) { return quantity_of(r, name); };
   fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps per second; {:.3g} s for output\n",
              quantity("steps"), r.wall - r.output, 1e-6 * r.particle_steps_per_second, r.output);
-  fmt::print(
-      "energy residual {:.2g} of the turnover, momentum residual {:.2g}, largest overlap {:.3g} of the "
-      "radius\n",
-      quantity("energy_residual"), quantity("momentum_residual"), quantity("max_overlap_ratio"));
+  if (const double residual = quantity("energy_residual"); !std::isnan(residual))
+    fmt::print("energy residual {:.2g} of the turnover, ", residual);
+  fmt::print("momentum residual {:.2g}, largest overlap {:.3g} of the radius\n",
+             quantity("momentum_residual"), quantity("max_overlap_ratio"));
   fmt::print("state hash {:016x}\n", r.state_hash);
 }
 

@@ -21,6 +21,7 @@
 #include <scree/files/text.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/plan.hpp>
+#include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
 #include <scree/single_precision.hpp>
 #include <scree/snapshot/load_backend.hpp>
@@ -155,9 +156,7 @@ void check_audit(const document::Table& root, const Plan& plan) {
   for (const ProbePlan& probe : plan.probes)
     if (needs(probe, plan, SCREE_NEEDS_ENERGY)) refuse(fmt::format("the probe '{}'", probe.name));
   for (const Expectation& e : plan.expectations)
-    for (const char* name :
-         {"energy_residual", "energy_created", "elastic_energy", "dissipated_energy", "work"})
-      if (e.quantity == name) refuse(fmt::format("the [[expect]] of '{}'", name));
+    if (needs_energy_audit(e.quantity)) refuse(fmt::format("the [[expect]] of '{}'", e.quantity));
 }
 
 // Refused here, before anything is computed or written.
