@@ -73,6 +73,7 @@ class Simulation {
   const std::vector<scree_plane>& planes() const;
   const std::vector<scree_load>& loads() const;         // contact force on each plane (N)
   const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
+  const std::vector<std::uint32_t>& plane_materials() const;
   // Length along each axis (m) between the walls that enclose the bodies, or the period; NaN along an axis
   // that is not enclosed. Now, and at t = 0.
   Vec3 lengths() const;

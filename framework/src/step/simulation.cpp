@@ -192,6 +192,9 @@ const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
 const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
 const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }
 const std::vector<std::string>& Simulation::plane_names() const { return parts_->boundaries.plane_names(); }
+const std::vector<std::uint32_t>& Simulation::plane_materials() const {
+  return parts_->boundaries.plane_materials();
+}
 Vec3 Simulation::lengths() const { return enclosed_lengths(planes(), domain(), dimension()); }
 const Vec3& Simulation::lengths_at_start() const { return parts_->lengths_at_start; }
 const std::vector<std::string>& Simulation::taken_over() const { return parts_->taken_over; }

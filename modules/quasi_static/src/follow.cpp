@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <scree/files/try_each.hpp>
 #include <scree/quasi_static/follow.hpp>
 #include <scree/response/quasi_static.hpp>
+#include <scree/run/line_file.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/stage.hpp>
 
@@ -73,6 +75,8 @@ class Follower {
     try {
       write_record("running", course_, directory_);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      series_.emplace(directory_.add("series/quasi_static.csv"));
+      series_->add(box_->head());
       sample(sample_of(*packing_, packing_->time()));
       const auto intervals = std::size_t(std::ceil((course_.end - course_.start) / course_.increment - 1e-9));
       for (std::size_t k = 1; k <= intervals && proceeds(); ++k) {
@@ -175,8 +179,8 @@ class Follower {
   }
 
   void sample(const Sample& sample) {
-    if (text_.empty()) text_ = box_->head();
-    text_ += box_->line(sample);
+    series_->add(box_->line(sample));
+    series_->flush();
     times_.push_back(sample.time);
     strains_.push_back(box_->deviatoric_strain(sample));
   }
@@ -197,7 +201,6 @@ class Follower {
       warn(
           "dynamics took more than half of the time: the packing has no equilibrium nearby for long; run it with scree run, or "
           "compress it further");
-    directory_.write_file("series/quasi_static.csv", text_);
     draw_chart(course_, times_, strains_, directory_);
     write_record(status, course_, directory_);
   }
@@ -209,7 +212,7 @@ class Follower {
   std::unique_ptr<Simulation> simulation_, dynamics_;  // from which the packing came; that goes on instead
   std::unique_ptr<QuasiStatic> packing_;
   std::unique_ptr<BoxRow> box_;
-  std::string text_;
+  std::optional<run::LineFile> series_;
   std::vector<double> times_, strains_;
   Clock::time_point began_ = Clock::now();
 };

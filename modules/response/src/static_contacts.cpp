@@ -5,17 +5,6 @@
 
 namespace scree::response {
 
-namespace {
-
-std::uint32_t material_of_plane(const Simulation& simulation, std::size_t plane) {
-  const std::string& name = simulation.plane_names()[plane];
-  for (const Scene::Boundary& boundary : simulation.scene().boundaries)
-    if (name.starts_with(boundary.name + ".")) return boundary.material;
-  return 0;
-}
-
-}  // namespace
-
 StaticContacts::StaticContacts(const Simulation& simulation, int spins)
     : simulation_(simulation), spins_(spins) {
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
@@ -55,7 +44,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
       const Vec3 apart = at.position[a] - at.position[b];
       double distance = 0;
       for (int k = 0; k < p.dimension(); ++k) distance += apart[k] * simulation_.planes()[w].normal[k];
-      if (distance <= p.radius()[a] + gap) add(a, b, material_of_plane(simulation_, w), {});
+      if (distance <= p.radius()[a] + gap) add(a, b, simulation_.plane_materials()[w], {});
     }
   }
   for (std::size_t law = 0; law < laws_.size(); ++law) laws_[law]->set_pairs(std::move(pairs[law]));

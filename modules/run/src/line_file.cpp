@@ -1,5 +1,3 @@
-#include "line_file.hpp"
-
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -9,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/run/line_file.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::run {

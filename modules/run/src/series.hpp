@@ -1,10 +1,10 @@
 #pragma once
 
-#include "line_file.hpp"
-
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <scree/run/line_file.hpp>
 
 namespace scree::run {
 
