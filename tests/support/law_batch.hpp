@@ -35,12 +35,23 @@ class LawBatch {
   void evaluate(double step) { contact_.evaluate(law_, step); }
 
   // Of force and couple, rows as in ContactJacobian, with component k of a motion.
-  double derivative(int row, PairMotion motion, int k, double inverse_distance, double step) {
+  class Derivatives {
+   public:
+    Derivatives(const ConfiguredLaw& law, int dimension) : jacobian_(law, dimension) {}
+    double operator()(int row, PairMotion motion, int k) const {
+      return values_[std::size_t(row * jacobian_.columns() + jacobian_.first(motion) + k)];
+    }
+
+   private:
+    friend class LawBatch;
+    ContactJacobian jacobian_;
+    std::vector<double> values_;
+  };
+  Derivatives derivatives(double inverse_distance, double step) {
     const std::vector<double> inverse_distances(SCREE_LANES, inverse_distance);
-    const ContactJacobian jacobian(law_, dimension_);
-    std::vector<double> values;
-    jacobian.evaluate(contact_.batch(step), inverse_distances.data(), values);
-    return values[std::size_t(row * jacobian.columns() + jacobian.first(motion) + k)];
+    Derivatives all(law_, dimension_);
+    all.jacobian_.evaluate(contact_.batch(step), inverse_distances.data(), all.values_);
+    return all;
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "law_variants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -99,6 +100,8 @@ State moved(const State& state, PairMotion motion, int k, double amount) {
   return s;
 }
 
+int rows_of(int dimension) { return dimension == 2 ? 3 : 6; }
+
 void load(LawBatch& pair, const State& state, PairMotion motion, int k, double amount) {
   const int d = state.dimension;
   const State s = moved(state, motion, k, amount);
@@ -123,17 +126,25 @@ void load(LawBatch& pair, const State& state, PairMotion motion, int k, double a
     pair.history(std::size_t(d)) = (s.was_sliding ? 1 : -1) * std::sqrt(1e-3 * 1.9e-5);
 }
 
-double response(LawBatch& pair, int dimension, int row) {
-  return row < dimension ? pair.output(SCREE_FORCE, row) : pair.output(SCREE_COUPLE, row - dimension);
+using Rows = std::array<double, 6>;  // components of the force, then of the couple
+
+Rows response(LawBatch& pair, const State& state, PairMotion motion, int k, double amount) {
+  const int d = state.dimension;
+  load(pair, state, motion, k, amount);
+  pair.evaluate(step);
+  Rows rows = {};
+  for (int row = 0; row < rows_of(d); ++row)
+    rows[std::size_t(row)] = row < d ? pair.output(SCREE_FORCE, row) : pair.output(SCREE_COUPLE, row - d);
+  return rows;
 }
 
-double difference(LawBatch& pair, const State& state, int row, PairMotion motion, int k, double amount) {
-  const auto at = [&](double share) {
-    load(pair, state, motion, k, share * amount);
-    pair.evaluate(step);
-    return response(pair, state.dimension, row);
-  };
-  return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * amount);
+Rows difference(LawBatch& pair, const State& state, PairMotion motion, int k, double amount) {
+  const auto at = [&](double share) { return response(pair, state, motion, k, share * amount); };
+  const Rows near = at(1), near_below = at(-1), far = at(2), far_below = at(-2);
+  Rows slope = {};
+  for (std::size_t row = 0; row < slope.size(); ++row)
+    slope[row] = (8 * (near[row] - near_below[row]) - (far[row] - far_below[row])) / (12 * amount);
+  return slope;
 }
 
 // Typical size of a motion: overlap, overlap over radius, velocity, spin.
@@ -177,21 +188,22 @@ std::vector<State> states(int dimension, double slip_length) {
 // Largest deviation of the Jacobian from finite differences, relative to the largest derivative of its
 // column group; counts the states in which the contact slides.
 double largest_deviation(const Variant& variant, int dimension, int& sliding) {
-  const int rows = dimension == 2 ? 3 : 6;
   double worst = 0;
   for (const State& state : states(dimension, variant.slip)) {
     LawBatch pair(variant.law, variant.values, dimension);
+    load(pair, state, PairMotion::centres, 0, 0);
+    const LawBatch::Derivatives exact = pair.derivatives(1 / distance, step);
     for (int m = 0; m < pair_motions; ++m) {
       const auto motion = PairMotion(m);
       const double scale = scale_of(motion), force = variant.stiffness * state.overlap / scale;
-      for (int k = 0; k < motion_components(motion, dimension); ++k)
-        for (int row = 0; row < rows; ++row) {
-          load(pair, state, motion, k, 0);
-          const double exact = pair.derivative(row, motion, k, 1 / distance, step);
-          const double numeric = difference(pair, state, row, motion, k, 1e-3 * scale);
+      for (int k = 0; k < motion_components(motion, dimension); ++k) {
+        const Rows numeric = difference(pair, state, motion, k, 1e-3 * scale);
+        for (int row = 0; row < rows_of(dimension); ++row) {
           // Forces and couples have different units.
-          worst = std::max(worst, std::abs(exact - numeric) / (row < dimension ? force : force * 1e-3));
+          const double unit = row < dimension ? force : force * 1e-3;
+          worst = std::max(worst, std::abs(exact(row, motion, k) - numeric[std::size_t(row)]) / unit);
         }
+      }
     }
     load(pair, state, PairMotion::centres, 0, 0);
     pair.evaluate(step);
@@ -233,11 +245,13 @@ TEST_CASE("derivatives leave history and outputs as they are, and are 0 for pair
   pair.history(1) = 1e-5;
   pair.evaluate(step);
   const double force = pair.output(SCREE_FORCE), spring = pair.history(1);
-  CHECK(pair.derivative(0, PairMotion::centres, 0, 0, step) == -5000);
-  CHECK(pair.derivative(1, PairMotion::centres, 1, 0, step) == -1000);
+  const LawBatch::Derivatives touching = pair.derivatives(0, step);
+  CHECK(touching(0, PairMotion::centres, 0) == -5000);
+  CHECK(touching(1, PairMotion::centres, 1) == -1000);
   CHECK(pair.output(SCREE_FORCE) == force);
   CHECK(pair.history(1) == spring);
   pair.input(SCREE_OVERLAP) = -1e-4;
-  CHECK(pair.derivative(0, PairMotion::centres, 0, 0, step) == 0);
-  CHECK(pair.derivative(1, PairMotion::centres, 1, 0, step) == 0);
+  const LawBatch::Derivatives apart = pair.derivatives(0, step);
+  CHECK(apart(0, PairMotion::centres, 0) == 0);
+  CHECK(apart(1, PairMotion::centres, 1) == 0);
 }
