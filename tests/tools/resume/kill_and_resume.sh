@@ -15,7 +15,7 @@ cases=(
   "box --set time.integrator=position_verlet"
   "periodic --set time.integrator=position_verlet"
   "box --set time.integrator=predictor_corrector --set time.step=1e-5"
-  "box --set time.integrator=fourth_order --set stage.cycle.cycles=1"
+  "box --set time.integrator=fourth_order"
   "periodic --threads 2"
   "box --set time.precision=mixed --threads 2"
 )
