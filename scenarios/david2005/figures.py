@@ -3,7 +3,6 @@ spring, from a campaign of laws.toml or sizes.toml, and prints their numbers: me
 
 Usage: python3 scenarios/david2005/figures.py campaigns/laws [FOLDER for the picture, default: that of the campaign]
 Needs python3-matplotlib."""
-import csv
 import math
 import os
 import statistics
@@ -14,17 +13,12 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
+
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
 PLUGIN, FRICTION, COUNT = "contact.grains.plugin", "contact.grains.static_friction", "particles.lattice.count"
 LATE = 50  # cycles from which the slope is taken, if there are more
-
-
-def read(path):
-    """Rows of a table by the names of the columns, without units."""
-    with open(path, encoding="utf-8") as lines:
-        rows = list(csv.reader(lines))
-    names = [name.split(" [")[0] for name in rows[0]]
-    return [dict(zip(names, row)) for row in rows[1:]]
 
 
 class Run:
@@ -64,11 +58,9 @@ def mean_of(values):
 def groups_of(folder):
     """Runs by what varies beside the seed and the spring, and by the spring."""
     groups = {}
-    for row in read(os.path.join(folder, "table.csv")):
-        if row["status"] != "finished":
-            continue
+    for row in runs_of(folder):
         varied = f"μ = {row[FRICTION]}" if FRICTION in row else f"N = {math.prod(int(n) for n in row[COUNT].strip('[]').split(','))}" if COUNT in row else ""
-        groups.setdefault(varied, {}).setdefault(row[PLUGIN], []).append(Run(os.path.join(folder, row["run"])))
+        groups.setdefault(varied, {}).setdefault(row[PLUGIN], []).append(Run(row["path"]))
     return groups
 
 
@@ -113,8 +105,7 @@ def main():
         return 0 if len(sys.argv) in (2, 3) else 2
     groups = groups_of(sys.argv[1])
     if not groups:
-        print(f"{sys.argv[1]}: no run of the campaign is finished; run scree campaign first", file=sys.stderr)
-        return 1
+        no_runs(sys.argv[1], "scenarios/david2005/laws.toml")
     print_numbers(groups)
     draw(groups, os.path.join(sys.argv[2] if len(sys.argv) == 3 else sys.argv[1], "accumulation.png"))
     return 0

@@ -1,18 +1,15 @@
 """Prints the peaks of the packings of spectra.toml and the exponent of their frequencies in the stress, with its error from the seeds.
 
 Usage: python3 scenarios/lemrich2017/exponent.py campaigns/spectra"""
-import csv
 import math
 import os
 import statistics
 import sys
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
+
 NAMES = {0.25: "λ/4", 0.75: "3λ/4", 1.25: "5λ/4"}
-
-
-def read(path):
-    with open(path, encoding="utf-8") as lines:
-        return list(csv.DictReader(lines))
 
 
 def largest_peaks(path):
@@ -22,7 +19,7 @@ def largest_peaks(path):
         wavelengths = float(peak["wavelengths"])
         if wavelengths not in largest or float(peak["amplitude"]) > float(largest[wavelengths]["amplitude"]):
             largest[wavelengths] = peak
-    return {w: (float(p["frequency [Hz]"]), float(p["frequency_error [Hz]"]), float(p["quality"])) for w, p in largest.items()}
+    return {w: (float(p["frequency"]), float(p["frequency_error"]), float(p["quality"])) for w, p in largest.items()}
 
 
 def slope(points):
@@ -53,13 +50,13 @@ def main():
         print(__doc__)
         return 0 if len(sys.argv) == 2 else 2
     folder, packings = sys.argv[1], {}
-    for row in read(os.path.join(folder, "table.csv")):
-        if row["status"] == "finished":
-            packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(os.path.join(folder, row["run"], "peaks.csv"))
+    for row in runs_of(folder):
+        packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(os.path.join(row["path"], "peaks.csv"))
+    if not packings:
+        no_runs(folder, "scenarios/lemrich2017/spectra.toml")
     lacking = [f"{stress:g} Pa, seed {seed}" for (stress, seed), peaks in packings.items() if any(w not in peaks for w in NAMES)]
-    if lacking or not packings:
-        print(f"exponent.py: {folder}: {'no peak of some name: ' + '; '.join(lacking) if lacking else 'no finished run'};"
-              " run scree campaign scenarios/lemrich2017/spectra.toml", file=sys.stderr)
+    if lacking:
+        print(f"exponent.py: {folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found", file=sys.stderr)
         return 1
     print_peaks(packings)
     print_exponents(packings)

@@ -3,7 +3,6 @@
 Usage: python3 scenarios/lemrich2017/figures.py campaigns/drives [FOLDER for the pictures, default: that of the campaign]
 Needs python3-matplotlib."""
 import cmath
-import csv
 import math
 import os
 import sys
@@ -13,6 +12,9 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402 (the choice of the backend comes first)
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
+
 MODULUS = 65e9  # Pa, of the beads
 HEIGHT = 12.26e-3  # m, of the packing under 10 kPa, seed 1
 COLUMN = "strain.distance"
@@ -21,32 +23,27 @@ LAYERS_APART = 3  # of 14: the 0.214 of the height in figure 4
 LEAST_QUALITY = 2  # below it, a maximum is no resonance: the packing is shaken loose
 
 
-def read(path):
-    with open(path, encoding="utf-8") as lines:
-        return list(csv.DictReader(lines))
-
-
 class Sweep:
     """One run of the campaign: a stress, a drive, the response and its peak 3λ/4."""
 
-    def __init__(self, folder, row):
+    def __init__(self, row):
         self.stress = float(row["boundary.bottom.stress"])
         self.case = row["case"]
         self.amplitude = float(row["spectrum.amplitude"])
-        spectrum = read(os.path.join(folder, row["run"], "spectrum.csv"))
-        self.frequencies = [float(r["frequency [Hz]"]) for r in spectrum]
-        self.response = [float(r[f"{COLUMN}.amplitude [1/m]"]) for r in spectrum]
+        spectrum = read(os.path.join(row["path"], "spectrum.csv"))
+        self.frequencies = [float(r["frequency"]) for r in spectrum]
+        self.response = [float(r[f"{COLUMN}.amplitude"]) for r in spectrum]
         self.largest = max(range(len(self.response)), key=self.response.__getitem__)
-        peaks = [r for r in read(os.path.join(folder, row["run"], "peaks.csv")) if r["column"] == COLUMN]
-        self.peak = min(peaks, key=lambda r: abs(float(r["frequency [Hz]"]) - self.frequencies[self.largest]), default=None)
-        self.layers = self.read_layers(os.path.join(folder, row["run"], "shapes.csv"))
+        peaks = [r for r in read(os.path.join(row["path"], "peaks.csv")) if r["column"] == COLUMN]
+        self.peak = min(peaks, key=lambda r: abs(float(r["frequency"]) - self.frequencies[self.largest]), default=None)
+        self.layers = self.read_layers(os.path.join(row["path"], "shapes.csv"))
 
     def read_layers(self, path):
         """Complex displacements of the layers at the peak, over that of the drive."""
         if self.peak is None or not os.path.exists(path):
             return []
-        return [cmath.rect(float(r["amplitude [m/m]"]), float(r["phase [rad]"])) for r in read(path)
-                if r["column"] == COLUMN and r["frequency [Hz]"] == self.peak["frequency [Hz]"]]
+        return [cmath.rect(float(r["amplitude"]), float(r["phase"])) for r in read(path)
+                if r["column"] == COLUMN and r["frequency"] == self.peak["frequency"]]
 
     def top(self):
         """Frequency (Hz) and response (1/m) of the maximum, by a parabola through the three highest points."""
@@ -63,14 +60,12 @@ class Sweep:
     def quality(self):
         return float(self.peak["quality"]) if self.peak else math.nan
 
-
     def resonates(self):
         return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
 
 
 def sweeps_of(folder):
-    rows = [r for r in read(os.path.join(folder, "table.csv")) if r["status"] == "finished"]
-    return sorted((Sweep(folder, row) for row in rows), key=lambda s: (s.stress, s.amplitude))
+    return sorted((Sweep(row) for row in runs_of(folder)), key=lambda s: (s.stress, s.amplitude))
 
 
 def draw_sweeps(sweeps, height, path):
@@ -158,9 +153,7 @@ def main():
     out = sys.argv[2] if len(sys.argv) > 2 else folder
     sweeps = sweeps_of(folder)
     if not sweeps:
-        print(f"figures.py: {folder}: no finished sweep in table.csv; run scree campaign scenarios/lemrich2017/drives.toml",
-              file=sys.stderr)
-        return 1
+        no_runs(folder, "scenarios/lemrich2017/drives.toml")
     print_table(sweeps)
     lowest = [s for s in sweeps if s.stress == sweeps[0].stress]
     draw_sweeps(lowest, HEIGHT, os.path.join(out, "sweeps.png"))

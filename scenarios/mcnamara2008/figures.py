@@ -11,12 +11,14 @@ import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
-from series import DROPPED, Paths, line_through, read, runs_of, slope_of, strains  # noqa: E402
+from series import DROPPED, Paths, line_through, slope_of, strains  # noqa: E402
+from tables import no_runs, read, runs_of  # noqa: E402 (series adds the folder above)
 
 LOAD = 0.15  # Δσ/p
 FRICTION = 0.2
 STIFFNESS = 100.0  # N/m, of discs and walls
-BLUE, ORANGE, GREEN, RED, GREY = "#1b3a6b", "#d98e04", "#49a078", "#c0392b", "#888888"
+BLUE, ORANGE, GREEN, RED, GREY, PURPLE = "#1b3a6b", "#d98e04", "#49a078", "#c0392b", "#888888", "#a569bd"
+WALLS = {"wall1": "left wall", "wall2": "right wall", "wall3": "lower wall", "wall4": "upper wall"}
 MARKS = "os^dv<>ph*"
 SETTLING = "11"  # packing of long.toml that shakes down
 PHASE = "stage.cycles.set.box.stress_x_high.phase_deg"
@@ -26,6 +28,11 @@ def label(axes, title, x, y):
     axes.set_title(title, loc="left", fontsize=10)
     axes.set(xlabel=x, ylabel=y)
     axes.grid(color="#eeeeee")
+
+
+def bodies_of(contact):
+    """A contact "3_7" or "3_wall1" in words."""
+    return " and ".join(WALLS.get(part, f"disc {part}") for part in contact.split("_"))
 
 
 def save(figure, out, name):
@@ -45,7 +52,7 @@ def draw_slip(axes, paths):
         axes.plot(ends, [sign * FRICTION * e for e in ends], color="black", linestyle=":", label=r"$\pm\mu F_n$" if sign > 0 else None)
     axes.set_xlim(min(n) - 0.4 * (max(n) - min(n)), ends[1])
     axes.legend(frameon=False, fontsize=8)
-    label(axes, f"Sliding contact, disc {name.replace('_wall', ' and wall ').replace('_', ' and ')} (figure 3)", "$F_n$ / N", "$F_t$ / N")
+    label(axes, f"Sliding contact, {bodies_of(name)} (figure 3)", "$F_n$ / N", "$F_t$ / N")
     slides = {c: int(sum(v[2])) for c, v in paths.contacts.items() if sum(v[2])}
     print(f"contacts that slide in the last cycle: {', '.join(f'{c} in {k} of {len(n)} samples' for c, k in slides.items())}")
 
@@ -56,8 +63,8 @@ def draw_stick(axes, paths):
     for name, colour in zip(sticking, (BLUE, ORANGE, GREEN, RED, GREY)):
         n, t, _ = paths.contacts[name]
         about_means = [[v - sum(force) / len(force) for v in force] for force in (n, t)]
-        axes.plot(*about_means, color=colour, linewidth=1.2, label=name.replace("_wall", ", wall ").replace("_", ", "))
-    axes.legend(title="discs", frameon=False, fontsize=8, title_fontsize=8)
+        axes.plot(*about_means, color=colour, linewidth=1.2, label=bodies_of(name))
+    axes.legend(frameon=False, fontsize=8)
     label(axes, "Sticking contacts (figure 4)", "$F_n$ less its mean / N", "$F_t$ less its mean / N")
 
 
@@ -102,9 +109,9 @@ def draw_phases(axes, folder):
             phases = sorted(slopes)
             axes.plot(phases, [slopes[p] / amplitude for p in phases], MARKS[seed % len(MARKS)], markersize=5, fillstyle="none", label=f"{seed}: {amplitude:.1e}")
     axes.plot(range(0, 361), [math.sin(math.radians(p)) for p in range(0, 361)], color="black", linewidth=1, label=r"sin $\varphi$")
-    axes.legend(title="packing: A", frameon=False, fontsize=8, title_fontsize=8)
+    axes.legend(title="packing: A per cycle", frameon=False, fontsize=8, title_fontsize=8)
     axes.set_xticks(range(0, 361, 60))
-    label(axes, "Strain per cycle without slip (figure 5)", r"$\varphi$ / °", r"$\Delta\gamma$ / A")
+    label(axes, r"Strain per cycle without slip, $\Delta\sigma$ = 0.05 p (figure 5)", r"$\varphi$ / °", r"$\Delta\gamma$ / A")
 
 
 def draw_ellipses(axes, folder):
@@ -117,7 +124,7 @@ def draw_ellipses(axes, folder):
         axes.plot(n, t, color=colour, linewidth=1.2, label=case.split()[1])
         print(f"contact {widest}, {case}: area {paths.area(widest):.4e} N², over that at 90: {paths.area(widest) / runs['phase 90'].area(widest):.4f}")
     axes.legend(title=r"$\varphi$ / °", frameon=False, fontsize=8, title_fontsize=8)
-    label(axes, f"Contact of disc {widest.replace('_wall', ' and wall ').replace('_', ' and ')} (figure 6)", "$F_n$ / N", "$F_t$ / N")
+    label(axes, f"Contact of {bodies_of(widest)} (figure 6)", "$F_n$ / N", "$F_t$ / N")
 
 
 def draw_loads(folder, out):
@@ -141,7 +148,7 @@ def draw_laws(axes, runs):
         print(f"{case}: {len(ordered)} of {sum(r['case'] == case for r in runs)} ratchet, {sum(s > 0 for s in slopes)} with slopes above 0,"
               f" {ordered[-1]:.2e} to {ordered[0]:.2e}, geometric mean {mean:.2e}")
     axes.legend(frameon=False, fontsize=8)
-    label(axes, "Packings that ratchet (figure 13)", "rank", r"$|\Delta\gamma|$")
+    label(axes, "Packings that ratchet (figure 13)", "rank", r"$|\Delta\gamma|$ per cycle")
 
 
 def draw_steps(folder, out):
@@ -162,11 +169,11 @@ def draw_steps(folder, out):
         exponent = math.log(slopes[sizes[-1]] / slopes[sizes[0]]) / math.log(sizes[-1] / sizes[0])
         print(f"{law}, packing {seed}: " + ", ".join(f"{slopes[h]:.3e} at {h:g}" for h in sizes) + f"; exponent {exponent:.3f}")
         over_steps.loglog(sizes, [abs(slopes[h]) for h in sizes], ("x-" if law == "cundall_strack" else "o--"), fillstyle="none", linewidth=1, markersize=5,
-                          color=(BLUE, ORANGE, GREEN, RED, GREY, "black")[seeds.index(seed) % 6],
+                          color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6],
                           label=f"{seed}" if law == "cundall_strack" else None)
     over_steps.set_ylim(bottom=over_steps.get_ylim()[0] / 20)
     over_steps.legend(title="packing", frameon=False, fontsize=8, title_fontsize=8, ncols=3, loc="lower left")
-    label(over_steps, "Crosses: Cundall and Strack; circles: corrected (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$")
+    label(over_steps, "Crosses: Cundall and Strack; circles: corrected (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$ per cycle")
     save(figure, out, "steps.png")
 
 
@@ -175,8 +182,9 @@ def draw_strain(axes, path, title, logarithmic=False):
     if logarithmic:
         axes.semilogy(range(DROPPED, DROPPED + len(gamma) - 1), [abs(g - gamma[-1]) for g in gamma[:-1]], color=BLUE, linewidth=1)
         return label(axes, title, "cycle", r"$|\gamma$ less that of the last cycle$|$")
-    axes.plot(range(DROPPED, DROPPED + len(gamma)), gamma, "o-", markersize=3, linewidth=0.5, color=BLUE)
-    return label(axes, title, "cycle", rf"$\gamma$ less that of cycle {DROPPED}")
+    power = math.floor(math.log10(max(abs(g) for g in gamma)))
+    axes.plot(range(DROPPED, DROPPED + len(gamma)), [g / 10**power for g in gamma], "o-", markersize=3, linewidth=0.5, color=BLUE)
+    return label(axes, title, "cycle", rf"$\gamma$ less that of cycle {DROPPED} / 10$^{{{power}}}$")
 
 
 def draw_packing(axes, path):
@@ -191,27 +199,30 @@ def draw_packing(axes, path):
         ends += [(r + b["radius"] - math.hypot(x - b["x"], y - b["y"]), b["x"], b["y"]) for b in discs if b is not a]
         forces = [(STIFFNESS * overlap, to_x, to_y) for overlap, to_x, to_y in ends if overlap > 0]
         axes.add_patch(pyplot.Circle((x, y), r, facecolor="#eeeeee" if forces else ORANGE, edgecolor=GREY))
-        axes.annotate(f"{a['id']:.0f}", (x + 0.4 * r, y + 0.4 * r), ha="center", va="center", fontsize=8)
+        axes.annotate(f"{a['id']:.0f}", (x, y), ha="center", va="center", fontsize=8, zorder=3,
+                      bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
         for force, to_x, to_y in forces:
             axes.plot([x, to_x], [y, to_y], color=BLUE, linewidth=8 * force)
         if not forces:
             speed = math.hypot(a["vx"], a["vy"])
-            axes.annotate("", (x + 0.12 * a["vx"] / speed, y + 0.12 * a["vy"] / speed), (x, y), arrowprops={"arrowstyle": "->", "color": RED})
+            axes.annotate("", (x + 0.12 * a["vx"] / speed, y + 0.12 * a["vy"] / speed), (x, y),
+                          arrowprops={"arrowstyle": "->", "color": RED})
     axes.set(xlim=(-0.02, width + 0.02), ylim=(-0.02, height + 0.02), aspect="equal")
-    label(axes, "Its discs and normal forces (figure 16)", "$x$ / L", "$y$ / L")
+    label(axes, "Its discs and normal forces; arrow: velocity (figure 16)", "$x$ / L", "$y$ / L")
     axes.grid(False)
 
 
 def draw_rattlers(folder, out):
-    runs = {r["case"]: r["path"] for r in runs_of(os.path.join(folder, "rattlers"))}
+    rattlers = runs_of(os.path.join(folder, "rattlers"))
+    runs, packings = ({r["case"]: r[key] for r in rattlers} for key in ("path", "seed"))
     longest = {r["seed"]: r["path"] for r in runs_of(os.path.join(folder, "long"))}
     if not runs or SETTLING not in longest:
         return
     figure, ((outliers, packing), (periodic, settling)) = pyplot.subplots(2, 2, figsize=(10, 8.4))
-    draw_strain(outliers, runs["outliers"], "Collisions of a disc without contacts (figure 15)")
+    draw_strain(outliers, runs["outliers"], f"Collisions of a disc without contacts, packing {packings['outliers']} (figure 15)")
     draw_packing(packing, runs["outliers"])
     if "periodic" in runs:
-        draw_strain(periodic, runs["periodic"], "Cycles that alternate (figure 17)")
+        draw_strain(periodic, runs["periodic"], f"Cycles that alternate, packing {packings['periodic']} (figure 17)")
     for seed, path in longest.items():
         gamma = strains(path, DROPPED)[DROPPED:]
         print(f"packing {seed}: range of {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
@@ -225,6 +236,8 @@ def main():
         return 0 if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help") else 2
     folder = sys.argv[1]
     out = sys.argv[2] if len(sys.argv) > 2 else folder
+    if not any(runs_of(os.path.join(folder, name)) for name in ("paths", "elliptic", "steps", "rattlers")):
+        no_runs(folder, "scenarios/mcnamara2008/paths.toml")
     for draw in (draw_cycle, draw_loads, draw_steps, draw_rattlers):
         draw(folder, out)
     return 0

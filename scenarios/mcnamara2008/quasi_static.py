@@ -13,7 +13,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
-from series import line_through, read  # noqa: E402
+from series import line_through  # noqa: E402
+from tables import read  # noqa: E402 (series adds the folder above)
 
 CYCLES, DROPPED = 30, 10
 PERIODS = (10, 20, 40, 80, 160)  # τ
@@ -66,7 +67,7 @@ def draw(axes, roads, exact, value, title, unit):
         shown = [(c, error) for c, error in shown if error > 0]
         axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=label)
         for c, error in shown:
-            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(6, 5), fontsize=8)
+            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(7, 7), fontsize=8)
     axes.set_title(title, loc="left", fontsize=10)
     axes.set(xlabel="wall time of a cycle / ms", ylabel=unit)
     axes.grid(color="#eeeeee")
@@ -86,7 +87,7 @@ def main(scree, folder, packing="5", *overrides):
     roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
     figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.4))
     draw(axes[0], roads, exact, lambda c: c.first, f"Strain after a cycle, packing {packing}", "relative difference from 640 increments")
-    draw(axes[1], roads, exact, lambda c: c.slope, "Strain per cycle, cycles 10 to 30", "relative difference from 640 increments")
+    draw(axes[1], roads, exact, lambda c: c.slope, f"Strain per cycle, cycles 10 to 30, packing {packing}", "relative difference from 640 increments")
     figure.tight_layout()
     picture = os.path.join(folder, "quasi-static.png")
     figure.savefig(picture, dpi=80)

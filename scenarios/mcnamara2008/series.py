@@ -1,27 +1,13 @@
 """Series of the campaigns of this folder, for figures.py: strain over the cycles, its straight line, and paths of contacts."""
-import csv
 import math
 import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from tables import read  # noqa: E402 (of the folder above)
 
 PERIOD = 10.0  # s
 DROPPED = 29  # cycles before the first that counts
-
-
-def read(path):
-    """Rows of a table by the names of the columns, without units."""
-    with open(path, encoding="utf-8") as lines:
-        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    names = [name.split(" [")[0] for name in rows[0]]
-    return [dict(zip(names, row)) for row in rows[1:]]
-
-
-def runs_of(folder):
-    """Rows of the finished runs of a campaign, with the path of each."""
-    table = os.path.join(folder, "table.csv")
-    rows = read(table) if os.path.exists(table) else []
-    for row in rows:
-        row["path"] = os.path.join(folder, row["run"])
-    return [row for row in rows if row["status"] == "finished"]
 
 
 def strains(path, dropped, step=1):

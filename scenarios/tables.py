@@ -1,0 +1,26 @@
+"""Tables and campaigns that scree writes, for the scripts of the folders beside this file."""
+import csv
+import os
+import sys
+
+
+def read(path):
+    """Rows of a table by the names of the columns, without units."""
+    with open(path, encoding="utf-8") as lines:
+        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    names = [name.split(" [")[0] for name in rows[0]]
+    return [dict(zip(names, row)) for row in rows[1:]]
+
+
+def runs_of(folder):
+    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign."""
+    table = os.path.join(folder, "table.csv")
+    rows = read(table) if os.path.exists(table) else []
+    for row in rows:
+        row["path"] = os.path.join(folder, row["run"])
+    return [row for row in rows if row["status"] == "finished"]
+
+
+def no_runs(folder, campaign):
+    """Ends the script with one line: which campaign comes first."""
+    sys.exit(f"{os.path.basename(sys.argv[0])}: {folder}: no finished run of a campaign; run scree campaign {campaign} first")
