@@ -16,6 +16,8 @@ def largest_peaks(path):
     """Of each number of wavelengths the peak with the largest amplitude."""
     largest = {}
     for peak in read(path):
+        if not peak["wavelengths"]:
+            continue
         wavelengths = float(peak["wavelengths"])
         if wavelengths not in largest or float(peak["amplitude"]) > float(largest[wavelengths]["amplitude"]):
             largest[wavelengths] = peak

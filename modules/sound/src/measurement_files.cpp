@@ -64,7 +64,7 @@ std::string peak_table(const Measurement& m) {
 
 // Whether a peak has a name that no larger one of the same road and column has.
 bool is_largest_of_name(const Measurement& m, const Resonance& peak) {
-  return !peak.shape.empty() &&
+  return !name_of(peak).empty() &&
          std::none_of(m.resonances.begin(), m.resonances.end(), [&](const Resonance& r) {
            return r.road == peak.road && r.column == peak.column && name_of(r) == name_of(peak) &&
                   r.mode.amplitude > peak.mode.amplitude;
@@ -81,7 +81,7 @@ Json peaks_of(const Measurement& m) {
         of_column[is_largest_of_name(m, r) ? name_of(r) : fmt::format("peak_{}", of_column.size() + 1)];
     for (std::size_t k = 0; k < scenario::peak_numbers.size(); ++k)
       if (const double x = number_of(r, k); !std::isnan(x)) peak[scenario::peak_numbers[k]] = x;
-    if (!r.shape.empty()) peak["name"] = name_of(r);
+    if (const std::string name = name_of(r); !name.empty()) peak["name"] = name;
   }
   return peaks;
 }
@@ -188,17 +188,19 @@ void write_tables(const Measurement& m, const run::RunDirectory& directory) {
 
 namespace {
 
-// Shapes of the peaks of the first road and column that have any.
+bool is_named(const Resonance& r) { return !name_of(r).empty(); }
+
+// Shapes of the peaks of the first road and column that have any with a name.
 void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   constexpr std::size_t most_curves = 6;
   snapshot::ChartSpec chart;
   chart.title = m.title + ": shapes of the peaks";
-  chart.x_label = "layer, from one end to the other";
+  chart.x_label = "layer, in the order of the probe";
   chart.y_label = "displacement over the largest";
-  const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(),
-                                         [](const Resonance& r) { return !r.shape.empty(); });
+  const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(), is_named);
   for (const Resonance& r : m.resonances) {
-    if (r.road != first.road || r.column != first.column || chart.series.size() == most_curves) continue;
+    if (r.road != first.road || r.column != first.column || !is_named(r)) continue;
+    if (chart.series.size() == most_curves) break;
     snapshot::ChartSeries curve;
     curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
     for (std::size_t k = 0; k < r.shape.size(); ++k) curve.x.push_back(double(k + 1));
@@ -246,7 +248,8 @@ void draw_charts(const Measurement& m, const run::RunDirectory& directory,
       report(fmt::format("chart '{}' was not drawn: {}", name, error.what()));
     }
   };
-  if (has_shapes(m)) draw("shapes", [&] { draw_shapes(m, directory); });
+  if (std::any_of(m.resonances.begin(), m.resonances.end(), is_named))
+    draw("shapes", [&] { draw_shapes(m, directory); });
   for (std::size_t c = 0; c < responding(m.observed); ++c)
     draw(m.observed[c].name, [&] { draw_curves(m, c, directory); });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <limits>
 #include <vector>
 
 namespace scree::sound {
@@ -10,8 +11,9 @@ struct ModeShape {
   // In the phase in which the layers move most, over the largest; its sign is such that the largest is above 0.
   std::vector<double> displacement;
   // Wavelengths between the ends: 0.25, 0.75, ... where one end is an antinode, else 0.5, 1, ... A node at each end, or
-  // an antinode at one, with a sign change for each node between.
-  double wavelengths = 0;
+  // an antinode at one, with a sign change for each node between. NaN if there is no standing wave: the wave that comes
+  // back from an end has less than a quarter of the amplitude of that which goes there.
+  double wavelengths = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Of three layers or more. Layers that move less than a tenth of the largest displacement are in no phase.

@@ -42,8 +42,20 @@ TEST_CASE("a shape is in the phase in which the layers move most, its largest 1"
     CHECK(mode_shape(layers).displacement[k] == Approx(shape[k]).epsilon(1e-12));
 }
 
-TEST_CASE("layers at rest have no shape but no nodes either", "[sound]") {
+TEST_CASE("a wave of which less than a quarter comes back has no wavelengths", "[sound]") {
+  for (const double returned : {0.0, 0.2, 0.3, 1.0}) {
+    std::vector<std::complex<double>> layers;
+    for (int k = 0; k < 10; ++k) {
+      const double phase = 2 * std::numbers::pi * (k + 0.5) / 10;
+      layers.push_back(std::polar(1.0, phase) + std::polar(returned, -phase));
+    }
+    CAPTURE(returned);
+    CHECK(std::isnan(mode_shape(layers).wavelengths) == (returned < 0.25));
+  }
+}
+
+TEST_CASE("layers at rest have no shape and no wavelengths", "[sound]") {
   const ModeShape shape = mode_shape(std::vector<std::complex<double>>(5, 0.0));
   CHECK(shape.displacement == std::vector<double>(5, 0.0));
-  CHECK(shape.wavelengths == 0.5);
+  CHECK(std::isnan(shape.wavelengths));
 }

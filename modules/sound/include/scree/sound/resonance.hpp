@@ -16,7 +16,7 @@ struct Resonance {
   spectrum::Mode mode;
   // f0 − that of the nearest peak of the first road (Hz); 0 for the first road, NaN if it has none.
   double difference = 0;
-  // Wavelengths between the ends of the packing, 0.25 of λ/4: from the shape, not the order (mode_shape.hpp); NaN without one.
+  // Wavelengths between the ends of the packing, 0.25 of λ/4: from the shape, not the order (mode_shape.hpp); NaN without a standing wave.
   double wavelengths = 0;
   // Displacements of layers at the nearest frequency, over that of the drive; or empty.
   std::vector<std::complex<double>> layers;
@@ -29,9 +29,9 @@ constexpr std::size_t fewest_frequencies_of_peaks = 16;
 // finite, have none. `observed`: of the columns of the roads.
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed);
-// "λ/4", "3λ/4", "λ", ...; "" without a shape.
+// "λ/4", "3λ/4", "λ", ...; "" without a standing wave.
 std::string name_of(const Resonance& resonance);
-// A number of a peak, by its place in scenario::peak_numbers; wavelengths are NaN without a shape.
+// A number of a peak, by its place in scenario::peak_numbers; wavelengths are NaN without a standing wave.
 double number_of(const Resonance& resonance, std::size_t number);
 // The same of the peak that a quantity names: of several with the same name, the highest. NaN if there is none.
 double value_of(const scenario::PeakQuantity& quantity, const std::vector<RoadSpectrum>& roads,
