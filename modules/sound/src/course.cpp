@@ -1,6 +1,7 @@
 #include "course.hpp"
 
 #include "linear.hpp"
+#include "measurement_charts.hpp"
 #include "measurement_files.hpp"
 #include "pulse.hpp"
 

@@ -10,7 +10,6 @@
 #include <scree/files/csv_line.hpp>
 #include <scree/run/input_hashes_json.hpp>
 #include <scree/run/verdict_json.hpp>
-#include <scree/snapshot/load_backend.hpp>
 
 namespace scree::sound {
 
@@ -62,15 +61,6 @@ std::string peak_table(const Measurement& m) {
   return text;
 }
 
-// Whether a peak has a name that no larger one of the same road and column has.
-bool is_largest_of_name(const Measurement& m, const Resonance& peak) {
-  return !name_of(peak).empty() &&
-         std::none_of(m.resonances.begin(), m.resonances.end(), [&](const Resonance& r) {
-           return r.road == peak.road && r.column == peak.column && name_of(r) == name_of(peak) &&
-                  r.mode.amplitude > peak.mode.amplitude;
-         });
-}
-
 // By road, column and name, so that those of several packings can be compared: peaks.linear.strain.strain.3λ/4.frequency. Peaks
 // without a name have their number: peaks.pulse.strain.strain.peak_1.frequency.
 Json peaks_of(const Measurement& m) {
@@ -110,24 +100,16 @@ std::string road_table(const Measurement& m) {
   return text;
 }
 
-bool is_sweep(const RoadSpectrum& road) { return road.road.starts_with("sweep"); }
-
-// In a chart with other roads, pulses are dashed lines over those below them.
-snapshot::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double scale, bool beside_others) {
-  snapshot::ChartSeries curve;
-  curve.name = road.road == "sweep_down" ? "sweep down" : road.road;
-  if (road.road == "pulse" && beside_others) curve.line = snapshot::LineStyle::dashed;
-  if (is_sweep(road)) curve.line = snapshot::LineStyle::none, curve.markers = true;
-  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
-    const double amplitude = std::abs(road.columns[c].response[k]);
-    if (!(amplitude > 0 && std::isfinite(amplitude))) continue;  // not possible on a logarithmic axis
-    curve.x.push_back(scale * road.frequencies[k]);
-    curve.y.push_back(amplitude);
-  }
-  return curve;
-}
-
 }  // namespace
+
+// Whether a peak has a name that no larger one of the same road and column has.
+bool is_largest_of_name(const Measurement& m, const Resonance& peak) {
+  return !name_of(peak).empty() &&
+         std::none_of(m.resonances.begin(), m.resonances.end(), [&](const Resonance& r) {
+           return r.road == peak.road && r.column == peak.column && name_of(r) == name_of(peak) &&
+                  r.mode.amplitude > peak.mode.amplitude;
+         });
+}
 
 std::string unit_of_response(const scenario::ObservedColumn& column) {
   if (column.relative || column.unit.empty()) return "1/m";
@@ -184,74 +166,6 @@ void write_tables(const Measurement& m, const run::RunDirectory& directory) {
   directory.write_file("peaks.csv", peak_table(m));
   directory.write_file("roads.csv", road_table(m));
   if (has_shapes(m)) directory.write_file("shapes.csv", shape_table(m));
-}
-
-namespace {
-
-bool is_named(const Resonance& r) { return !name_of(r).empty(); }
-
-// Shapes of the peaks of the first road and column that have any with a name.
-void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
-  constexpr std::size_t most_curves = 6;
-  snapshot::ChartSpec chart;
-  chart.title = m.title + ": shapes of the peaks";
-  chart.x_label = "layer, in the order of the probe";
-  chart.y_label = "displacement over the largest";
-  const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(), is_named);
-  for (const Resonance& r : m.resonances) {
-    if (r.road != first.road || r.column != first.column || !is_named(r)) continue;
-    if (chart.series.size() == most_curves) break;
-    snapshot::ChartSeries curve;
-    curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
-    for (std::size_t k = 0; k < r.shape.size(); ++k) curve.x.push_back(double(k + 1));
-    curve.y = r.shape;
-    curve.markers = true;
-    chart.series.push_back(std::move(curve));
-  }
-  snapshot::load_backend()->chart(chart, directory.add("charts/shapes.png"));
-}
-
-// The curves of all roads of a column.
-void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& directory) {
-  double highest = 0;
-  for (const RoadSpectrum& road : m.roads)
-    if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
-  const bool in_khz = highest >= 1e4;
-  snapshot::ChartSpec chart;
-  chart.title = m.title;
-  chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
-  const std::string unit = unit_of_response(m.observed[c]);
-  chart.y_label = unit == "1" ? m.observed[c].name + " per drive"
-                              : fmt::format("{} per drive ({})", m.observed[c].name, unit);
-  chart.log_y = true;
-  // The marks of sweeps are below the lines.
-  for (const bool sweeps : {true, false})
-    for (const RoadSpectrum& road : m.roads)
-      if (snapshot::ChartSeries curve = curve_of(road, c, in_khz ? 1e-3 : 1, m.roads.size() > 1);
-          is_sweep(road) == sweeps && !curve.x.empty())
-        chart.series.push_back(std::move(curve));
-  if (chart.series.empty()) return;
-  std::string name = m.observed[c].name;
-  name[name.rfind('.')] = '_';
-  snapshot::load_backend()->chart(chart, directory.add("charts/" + name + ".png"));
-}
-
-}  // namespace
-
-void draw_charts(const Measurement& m, const run::RunDirectory& directory,
-                 const std::function<void(const std::string&)>& report) {
-  if (!snapshot::has_pictures()) return;
-  const auto draw = [&](const std::string& name, const auto& chart) {
-    try {
-      chart();
-    } catch (const std::exception& error) {
-      report(fmt::format("chart '{}' was not drawn: {}", name, error.what()));
-    }
-  };
-  if (std::any_of(m.resonances.begin(), m.resonances.end(), is_named))
-    draw("shapes", [&] { draw_shapes(m, directory); });
-  for (std::size_t c = 0; c < responding(m.observed); ++c)
-    draw(m.observed[c].name, [&] { draw_curves(m, c, directory); });
 }
 
 }  // namespace scree::sound

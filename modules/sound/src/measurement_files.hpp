@@ -2,7 +2,6 @@
 
 #include "sweep_point.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,11 +18,11 @@ void write_record(const std::string& status, const Measurement& measurement,
 std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
                         const std::vector<SweepPoint>& points);
 
-// spectrum.csv, peaks.csv, roads.csv and, with pictures, a chart of each column.
+// spectrum.csv, peaks.csv, roads.csv and, if there are any, shapes.csv.
 void write_tables(const Measurement& measurement, const run::RunDirectory& directory);
-// Charts that cannot be drawn are reported, in one line each.
-void draw_charts(const Measurement& measurement, const run::RunDirectory& directory,
-                 const std::function<void(const std::string&)>& report);
+
+// Whether a peak has a name that no larger one of the same road and column has.
+bool is_largest_of_name(const Measurement& measurement, const Resonance& peak);
 
 // Unit of a column per drive: "1/m" of a strain.
 std::string unit_of_response(const scenario::ObservedColumn& column);

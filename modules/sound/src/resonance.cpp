@@ -30,12 +30,9 @@ double nearest_difference(double frequency, const std::vector<spectrum::Mode>& m
 
 void set_shape(const RoadSpectrum& road, const std::vector<scenario::ObservedColumn>& observed,
                Resonance& resonance) {
-  const auto& f = road.frequencies;
-  const auto nearest = std::min_element(f.begin(), f.end(), [&](double a, double b) {
-    return std::abs(a - resonance.mode.frequency) < std::abs(b - resonance.mode.frequency);
-  });
+  const std::size_t nearest = road.nearest(resonance.mode.frequency);
   for (std::size_t c = responding(observed); c < observed.size(); ++c)
-    resonance.layers.push_back(road.columns[c].response[std::size_t(nearest - f.begin())]);
+    resonance.layers.push_back(road.columns[c].response[nearest]);
   if (resonance.layers.empty()) return;
   const ModeShape shape = mode_shape(resonance.layers);
   resonance.wavelengths = shape.wavelengths;

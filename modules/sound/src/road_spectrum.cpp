@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include <scree/sound/road_spectrum.hpp>
 
 namespace scree::sound {
@@ -16,6 +19,13 @@ void transfer_column(const StateTransfer& state, RoadSpectrum::Column& column) {
 }
 
 }  // namespace
+
+std::size_t RoadSpectrum::nearest(double frequency) const {
+  const auto next = std::min_element(frequencies.begin(), frequencies.end(), [&](double a, double b) {
+    return std::abs(a - frequency) < std::abs(b - frequency);
+  });
+  return std::size_t(next - frequencies.begin());
+}
 
 void RoadSpectrum::transfer(const StateTransfer& state) {
   state.value("road", "", road);

@@ -30,6 +30,9 @@ struct RoadSpectrum {
   double wall = 0;                 // (s)
   std::vector<std::string> notes;  // "<what>; <cure>"
 
+  // Place of the frequency next to this one (Hz). There is at least one.
+  std::size_t nearest(double frequency) const;
+
   void transfer(const StateTransfer& state);
 };
 
