@@ -51,6 +51,26 @@ TEST_CASE("where a packing has no equilibrium nearby, response --quasi-static go
   CHECK(std::uint64_t(record["dynamic_steps"]) > 0);
 }
 
+TEST_CASE("a load that jumps, that does not change, or is hardly seen is named by response --quasi-static",
+          "[tools]") {
+  const Workspace w(biaxial);
+  const auto warned = [&](const std::string& arguments, const std::string& problem) {
+    const Outcome outcome = w.scree(
+        "response scene.toml --quasi-static --set stage.cycles.cycles=1 --overwrite --out out " + arguments);
+    INFO(outcome.err << outcome.out);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.find(problem) != std::string::npos);
+    return w.record("out", "response.json");
+  };
+  const nlohmann::json jump =
+      warned("--set stage.cycles.set.box.stress_y_high.from=5",
+             "the packing is not in balance with the loads at the start of the last stage");
+  CHECK(jump["hand_overs"][0]["from"] == jump["start"]);
+  CHECK(double(jump["hand_overs"][0]["to"]) > double(jump["start"]));
+  warned("--set stage.cycles.set.box.stress_y_high=1", "no load on a wall changes in the last stage");
+  warned("--increments 3", "3 increments of a period leave most of its loads out; give at least 8");
+}
+
 TEST_CASE("response --quasi-static refuses what it cannot follow in one line and writes nothing", "[tools]") {
   const Workspace w(biaxial);
   const auto refused = [&](const std::string& arguments, const std::string& problem) {
@@ -61,12 +81,15 @@ TEST_CASE("response --quasi-static refuses what it cannot follow in one line and
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
     CHECK(!w.has("out"));
   };
-  refused("--elastic", "--quasi-static follows a load and finds no modes; leave --elastic,");
+  refused("--elastic", "--quasi-static follows a load and finds no modes; leave --elastic out");
   refused("--set time.precision=mixed", "a quasi-static load takes double precision");
   refused("--set stage.cycles.set.box.x_low=velocity --set stage.cycles.set.box.velocity_x_low=1e-3",
           "wall box.x_low is moved with 0.001 m/s");
-  refused("--set stage.compress.until.kinetic_over_elastic=1e-1 --set stage.compress.until.at_least=0",
-          "the packing is not at rest at the start of the last stage");
+  refused("--sliding", "--quasi-static follows a load and finds no modes; leave --sliding out");
+  refused(
+      "--set stage.cycles.set.box.y_high=displacement "
+      "--set 'stage.cycles.set.box.displacement_y_high={from=0,to=1e-3,period=10}'",
+      "wall box.y_high is moved with ");
   CHECK(w.scree("response scene.toml --increments 9").err ==
         "scree: --increments belongs to --quasi-static; add it, or leave --increments out\n");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));

@@ -10,6 +10,7 @@
 
 #include <scree/accuracy/report.hpp>
 #include <scree/accuracy/study.hpp>
+#include <scree/files/text.hpp>
 #include <scree/snapshot/load_backend.hpp>
 
 namespace scree::tool {
@@ -71,7 +72,7 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
     fmt::print("{}", accuracy::text_report(study));
   std::fflush(stdout);
   accuracy::write_report(study, plan.title.empty() ? plan.source.stem().string() : plan.title, directory);
-  fmt::print("results in {}\n", directory.path().string());
+  fmt::print("results in {}\n", files::escaped(directory.path().string()));
   const bool any = std::any_of(study.outcomes.begin(), study.outcomes.end(),
                                [](const accuracy::Outcome& o) { return o.problem.empty(); });
   if (study.interrupted) return ExitStatus::interrupted;

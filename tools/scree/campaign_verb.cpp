@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <scree/campaign/report.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::tool {
 
@@ -66,8 +67,8 @@ ExitStatus run_campaign(const CampaignArguments& a) {
   fmt::print("{}{}", campaign::text_report(c, result), campaign::leftover_report(directory.leftovers(c)));
   const std::filesystem::path& path = directory.files().path();
   if (std::filesystem::exists(path / "table.csv"))
-    fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n", path.string(),
-               c.seeds.size() > 1 ? ", means.csv" : "");
+    fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n",
+               files::escaped(path.string()), c.seeds.size() > 1 ? ", means.csv" : "");
   if (result.interrupted) {
     fmt::print("interrupted; run the same command again to continue\n");
     return ExitStatus::interrupted;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
+
 namespace scree::tool {
 
 namespace {
@@ -34,7 +36,8 @@ ExitStatus report_measurement(bool quiet,
   if (measurement.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
                measurement.directory.string());
-  fmt::print("results in {}: {}\n", measurement.directory.string(), written_in(measurement.directory));
+  fmt::print("results in {}: {}\n", files::escaped(measurement.directory.string()),
+             written_in(measurement.directory));
   if (measurement.interrupted) return ExitStatus::interrupted;
   return met ? ExitStatus::success : ExitStatus::failure;
 }

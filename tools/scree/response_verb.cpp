@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
 #include <scree/quasi_static/follow.hpp>
 #include <scree/snapshot/render_options.hpp>
 #include <scree/vibration/vibration.hpp>
@@ -73,7 +74,7 @@ ExitStatus respond(const ResponseArguments& arguments) {
   const vibration::Vibration vibration = solve_with_progress(arguments);
   if (!arguments.quiet) fmt::print("{}", vibration::text_report(vibration));
   if (vibration.interrupted) fmt::print("interrupted; what was complete is saved\n");
-  fmt::print("results in {}\n", vibration.directory.string());
+  fmt::print("results in {}\n", files::escaped(vibration.directory.string()));
   return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;
 }
 
@@ -81,10 +82,24 @@ ExitStatus respond(const ResponseArguments& arguments) {
 void refuse_mixture(const ResponseArguments& a) {
   if (!a.quasi_static && a.increments > 0)
     throw Error("--increments belongs to --quasi-static; add it, or leave --increments out");
-  if (a.quasi_static && (a.elastic || a.loads || a.density > 0 || !a.pictures.empty()))
-    throw Error(
-        "--quasi-static follows a load and finds no modes; leave --elastic, --loads, --density and --picture out, or call "
-        "twice");
+  if (!a.quasi_static) return;
+  const ResponseArguments none;
+  const std::pair<const char*, bool> of_modes[] = {
+      {"--elastic", a.elastic},
+      {"--loads", a.loads},
+      {"--density", a.density != none.density},
+      {"--density-to", a.density_to_hz != none.density_to_hz},
+      {"--picture", !a.pictures.empty()},
+      {"--view", !a.view.empty()},
+      {"--modes", a.modes != none.modes},
+      {"--near", a.near_hz != none.near_hz},
+      {"--fewest-contacts", a.fewest_contacts != none.fewest_contacts},
+      {"--sliding", a.contacts_slide},
+      {"--residual", a.residual_limit != none.residual_limit}};
+  for (const auto& [name, given] : of_modes)
+    if (given)
+      throw Error(
+          fmt::format("--quasi-static follows a load and finds no modes; leave {} out, or call twice", name));
 }
 
 ExitStatus follow(const ResponseArguments& arguments) {
@@ -101,7 +116,7 @@ ExitStatus follow(const ResponseArguments& arguments) {
   }();
   if (!arguments.quiet) fmt::print("{}", quasi_static::text_report(course));
   if (course.interrupted) fmt::print("interrupted; what was complete is saved\n");
-  fmt::print("results in {}\n", course.directory.string());
+  fmt::print("results in {}\n", files::escaped(course.directory.string()));
   return course.interrupted ? ExitStatus::interrupted : ExitStatus::success;
 }
 

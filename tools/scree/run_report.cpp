@@ -54,7 +54,7 @@ std::string content_of(const std::filesystem::path& path) {
 }
 
 void print_places(const std::filesystem::path& directory) {
-  fmt::print("results in {}\n", directory.string());
+  fmt::print("results in {}\n", files::escaped(directory.string()));
   for (const auto& [name, what] :
        {std::pair{"series", "time series (CSV)"},
         {"snapshots", "ParaView files (.vtp, .pvd)"},

@@ -55,8 +55,8 @@ class Boundaries {
   scree_boundary_energy energy() const;
   // Largest mid-step speed of a plane along its normal (m/s); infinite if any is not finite.
   double largest_speed() const;
-  // How forces move the planes at a time (s). Throws Error as Simulation::linear_walls does.
-  WallEquations linear_walls(double time) const;
+  // How forces move planes at a time (s), with the planes where they are given. Throws Error as Simulation::linear_walls does.
+  WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
   void add_to_hash(class StateHash& hash) const;
   // Takes over the walls of boundary `from` of a state for the boundary of a name, whose plug-in and
   // parameters are those of the state.
@@ -83,7 +83,8 @@ class Boundaries {
   void list_planes(const Member& member);
   void start(Member& member);
   void check_walls_against_domain() const;
-  void linearise(const Member& member, double time, WallEquations& equations) const;
+  void linearise(const Member& member, double time, const std::vector<scree_plane>& at,
+                 WallEquations& equations) const;
   scree_boundary_step step_of(Member& member, double time, double step, scree_boundary_energy& energy);
   // With these planes and numbers of state, of the boundary or copies of them.
   scree_boundary_step step_of(const Member& member, std::span<scree_plane> planes, std::span<double> state,

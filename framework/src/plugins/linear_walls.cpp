@@ -10,22 +10,23 @@
 
 namespace scree {
 
-WallEquations Boundaries::linear_walls(double time) const {
+WallEquations Boundaries::linear_walls(double time, const std::vector<scree_plane>& planes) const {
   WallEquations equations;
-  for (const scree_plane& plane : planes_) {
+  for (const scree_plane& plane : planes) {
     scree_linear_plane prescribed = {};
     std::copy_n(plane.normal, 3, prescribed.direction);
     equations.walls.push_back(prescribed);
   }
-  equations.stiffness.assign(planes_.size() * planes_.size(), 0.0);
+  equations.stiffness.assign(planes.size() * planes.size(), 0.0);
   for (const Member& member : members_)
-    if (member.plugin.interface().linear) linearise(member, time, equations);
+    if (member.plugin.interface().linear) linearise(member, time, planes, equations);
   return equations;
 }
 
-void Boundaries::linearise(const Member& member, double time, WallEquations& equations) const {
+void Boundaries::linearise(const Member& member, double time, const std::vector<scree_plane>& at,
+                           WallEquations& equations) const {
   const std::size_t first = member.first_plane, count = member.plugin.instance().plane_count;
-  const auto own = planes_.begin() + std::ptrdiff_t(first);
+  const auto own = at.begin() + std::ptrdiff_t(first);
   // Copies, into which the plug-in may write.
   std::vector<scree_plane> planes(own, own + std::ptrdiff_t(count));
   std::vector<double> state = member.state, stiffness(count * count, 0.0);
@@ -42,7 +43,7 @@ void Boundaries::linearise(const Member& member, double time, WallEquations& equ
                               member.plugin_name(), names_[first + w], problem));
     if (stated.planes[w].free)
       std::copy(row.begin(), row.end(),
-                equations.stiffness.begin() + std::ptrdiff_t((first + w) * planes_.size() + first));
+                equations.stiffness.begin() + std::ptrdiff_t((first + w) * at.size() + first));
   }
 }
 

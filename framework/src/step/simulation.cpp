@@ -202,8 +202,10 @@ const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
 
-WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time()); }
-WallEquations Simulation::linear_walls(double time) const { return parts_->boundaries.linear_walls(time); }
+WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time(), planes()); }
+WallEquations Simulation::linear_walls(double time, const std::vector<scree_plane>& planes) const {
+  return parts_->boundaries.linear_walls(time, planes);
+}
 
 ContactList Simulation::contact_list() const {
   const SimulationParts& p = *parts_;

@@ -5,6 +5,7 @@
 #include <scree/campaign/campaign.hpp>
 #include <scree/document/document.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/scenario/quantities.hpp>
 
 namespace scree::campaign {
 
@@ -69,9 +70,13 @@ void check_point(const Campaign& campaign, const Point& point, PluginHost& host)
         fmt::format("{}: {} has no [spectrum] to measure; add one, or remove spectrum from [campaign]",
                     campaign.scenario_place, campaign.scenario.string()));
   const std::vector<std::string> known = scenario::quantity_names(plan.probes, plan.scene.dimension);
-  for (const std::string& name : campaign.collect)
+  for (const std::string& name : campaign.collect) {
     if (const auto problem = scenario::quantity_problem(name, known))
       throw Error(fmt::format("{}: {}", campaign.collect_place, *problem));
+    if (!plan.scene.audit && scenario::needs_energy_audit(name))
+      throw Error(fmt::format("{}: '{}' needs the energy audit; set time.energy_audit = true, or remove it",
+                              campaign.collect_place, name));
+  }
 }
 
 std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host) {

@@ -77,7 +77,7 @@ class Follower {
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
       series_.emplace(directory_.add("series/quasi_static.csv"));
       series_->add(box_->head());
-      sample(sample_of(*packing_, packing_->time()));
+      sample(dynamics_ ? sample_of(*dynamics_, course_.start) : sample_of(*packing_, course_.start));
       const auto intervals = std::size_t(std::ceil((course_.end - course_.start) / course_.increment - 1e-9));
       for (std::size_t k = 1; k <= intervals && proceeds(); ++k) {
         advance(k < intervals ? course_.start + double(k) * course_.increment : course_.end);
@@ -120,19 +120,45 @@ class Follower {
     course_.increment = whole / options_.increments;
     course_.bodies = simulation_->particles().size();
     try {
+      judge_loads();
       packing_ = std::make_unique<QuasiStatic>(*simulation_, quasi_static_options());
-      box_ = std::make_unique<BoxRow>(simulation_->dimension(), simulation_->planes());
-      if (!packing_->advance(course_.start))
-        throw Error(
-            "the packing is not at rest at the start of the last stage; let it come to rest in the stage before (until)");
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
     }
+    box_ = std::make_unique<BoxRow>(simulation_->dimension(), simulation_->planes());
     course_.degrees_of_freedom = packing_->degrees_of_freedom();
+    if (!packing_->advance(course_.start) && proceeds()) begin_with_dynamics();
+  }
+
+  // Without equilibrium at the start: the load jumps there, or the packing has not come to rest.
+  void begin_with_dynamics() {
+    warn(
+        "the packing is not in balance with the loads at the start of the last stage, and dynamics go on from there; begin the "
+        "loads with their present values, and let the packing come to rest in the stage before (until)");
+    packing_.reset();
+    dynamics_ = std::move(simulation_);
+    course_.hand_overs.push_back({course_.start, course_.start});
+  }
+
+  // Loads that the road cannot follow are refused, and those that need not be followed named, before anything is written.
+  void judge_loads() {
+    const std::size_t times = std::size_t(std::ceil((course_.end - course_.start) / course_.increment));
+    const auto loads_at = [&](std::size_t k) {
+      const double time = course_.start + double(k) * course_.increment;
+      return response::loads_of_walls(*simulation_, std::min(time, course_.end));
+    };
+    bool changes = false;
+    const std::vector<double> first = loads_at(0);
+    for (std::size_t k = 1; k <= times; ++k) changes = loads_at(k) != first || changes;
+    if (!changes)
+      warn("no load on a wall changes in the last stage; give a stress or force that changes with time");
+    if (course_.period > 0 && options_.increments < FollowOptions::fewest_per_cycle)
+      warn(fmt::format("{} increments of a period leave most of its loads out; give at least {}",
+                       options_.increments, FollowOptions::fewest_per_cycle));
   }
 
   response::QuasiStaticOptions quasi_static_options() const {
-    return {.longest_increment = course_.increment};
+    return {.longest_increment = course_.increment, .proceed = [this] { return proceeds(); }};
   }
 
   // To a time (s), without dynamics where that can be.
@@ -141,6 +167,7 @@ class Follower {
       sample(sample_of(*packing_, time));
       return;
     }
+    if (!proceeds()) return;
     if (!dynamics_) hand_over();
     const Clock::time_point begin = Clock::now();
     course_.dynamic_steps +=
@@ -148,7 +175,7 @@ class Follower {
                        [this] { return proceeds(); });
     course_.hand_overs.back().to = dynamics_->time();
     course_.dynamic_wall += seconds_since(begin);
-    take_back(time);
+    if (proceeds()) take_back(time);
   }
 
   // From where the packing has no equilibrium nearby.
@@ -163,6 +190,7 @@ class Follower {
   void take_back(double time) {
     auto packing = std::make_unique<QuasiStatic>(*dynamics_, quasi_static_options());
     const bool balanced = packing->advance(std::max(time, dynamics_->time()));
+    if (!proceeds()) return;
     Sample reached = balanced ? sample_of(*packing, time) : sample_of(*dynamics_, time);
     reached.dynamic = true;
     sample(reached);
@@ -201,7 +229,11 @@ class Follower {
       warn(
           "dynamics took more than half of the time: the packing has no equilibrium nearby for long; run it with scree run, or "
           "compress it further");
-    draw_chart(course_, times_, strains_, directory_);
+    try {
+      draw_chart(course_, times_, strains_, directory_);
+    } catch (const std::exception& error) {
+      warn(fmt::format("the chart was not drawn: {}", error.what()));
+    }
     write_record(status, course_, directory_);
   }
 

@@ -66,7 +66,8 @@ std::optional<Eigen::VectorXd> solution(Eigen::SparseMatrix<double> stiffness,
 Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
     : simulation_(simulation),
       tolerance_(tolerance),
-      freedom_(all_motions(simulation, spins_of(simulation.particles()), simulation.linear_walls())),
+      walls_at_start_(simulation.linear_walls()),
+      freedom_(all_motions(simulation, spins_of(simulation.particles()), walls_at_start_)),
       contacts_(simulation, freedom_.spins()),
       body_forces_(linearise_body_forces(simulation, freedom_.spins())),
       at_start_(StaticConfiguration(simulation).position),
@@ -78,18 +79,19 @@ Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
   contacts_.find_pairs(StaticConfiguration(simulation), pair_gap * smallest_radius_);
 }
 
-Balance Equilibrium::find(const StaticConfiguration& from, const WallEquations& walls, const Vector& guess) {
-  Search search = {from, walls, {false, guess, from, {}}};
+Balance Equilibrium::find(const StaticConfiguration& from, double time, const Vector& guess,
+                          const std::function<bool()>& proceed) {
+  Search search = {from, time, {false, guess, from, {}}, {}};
   Balance& balance = search.balance;
   if (guess.size() == 0) balance.motion = Vector::Zero(freedom_.size());
   double grounding = least_grounding;
   Vector residual = evaluate(search);
-  for (int iteration = 0; iteration < most_iterations && residual.allFinite(); ++iteration) {
+  for (int iteration = 0; iteration < most_iterations && residual.allFinite() && proceed(); ++iteration) {
     ++iterations_;
     balance.found =
-        residual.cwiseProduct(scale_).lpNorm<Eigen::Infinity>() <= tolerance_ * largest_force(walls);
+        residual.cwiseProduct(scale_).lpNorm<Eigen::Infinity>() <= tolerance_ * largest_force(search.walls);
     if (balance.found) break;
-    const std::optional<Vector> step = newton_step(walls, residual, grounding);
+    const std::optional<Vector> step = newton_step(search.walls, residual, grounding);
     if (!step) break;
     const double share = move_along(search, *step, residual);
     grounding = share > 0.1 ? std::max(least_grounding, 0.1 * grounding) : 100 * grounding;
@@ -121,9 +123,10 @@ double Equilibrium::move_along(Search& search, const Vector& step, Vector& resid
 
 Equilibrium::Vector Equilibrium::evaluate(Search& search) {
   Balance& balance = search.balance;
-  const StaticMotion motion(balance.motion, freedom_, search.walls);
+  const StaticMotion motion(balance.motion, freedom_, walls_at_start_);
   balance.at = search.from;
   balance.at.move(motion);
+  search.walls = simulation_.linear_walls(search.time, balance.at.planes(simulation_));
   balance.loads.force.assign(at_start_.size(), Vec3{});
   balance.loads.torque.assign(at_start_.size(), Vec3{});
   contacts_.evaluate(balance.at, motion, balance.loads);
@@ -154,11 +157,8 @@ void Equilibrium::add_walls(const Search& search, Vector& residual) const {
   const std::size_t bodies = freedom_.bodies();
   for (std::size_t w = 0; w < freedom_.walls(); ++w) {
     if (freedom_.wall(w) == DegreesOfFreedom::none) continue;
-    double force = walls.walls[w].pressing_force + along(walls, w, search.balance.loads.force[bodies + w]);
-    for (std::size_t other = 0; other < freedom_.walls(); ++other)
-      force -= walls.stiffness_of(w, other) *
-               along(walls, other, search.balance.at.position[bodies + other] - at_start_[bodies + other]);
-    residual[freedom_.wall(w)] = force;
+    residual[freedom_.wall(w)] =
+        walls.walls[w].pressing_force + along(walls, w, search.balance.loads.force[bodies + w]);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "static_contacts.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,9 +30,10 @@ class Equilibrium {
   const StaticContacts& contacts() const { return contacts_; }
   std::size_t iterations() const { return iterations_; }  // so far
 
-  // From a configuration, under loads on walls as they state. guess: a motion, or empty. Motions that leave the known pairs of
-  // contacts behind are not looked for.
-  Balance find(const StaticConfiguration& from, const WallEquations& walls, const Eigen::VectorXd& guess);
+  // From a configuration, under the loads on walls at a time (s). guess: a motion, or empty. Motions that leave the known pairs of
+  // contacts behind are not looked for, and nothing once `proceed` returns false.
+  Balance find(const StaticConfiguration& from, double time, const Eigen::VectorXd& guess,
+               const std::function<bool()>& proceed);
   // The balance that was found becomes the present state.
   void accept(const Balance& balance);
 
@@ -42,8 +44,9 @@ class Equilibrium {
   // One search.
   struct Search {
     const StaticConfiguration& from;
-    const WallEquations& walls;
+    double time;  // (s)
     Balance balance;
+    WallEquations walls;  // where the last evaluation has them
   };
   // Forces and torques that are not in balance after the motion.
   Vector evaluate(Search& search);
@@ -66,6 +69,7 @@ class Equilibrium {
 
   const Simulation& simulation_;
   double tolerance_;
+  WallEquations walls_at_start_;
   DegreesOfFreedom freedom_;
   StaticContacts contacts_;
   std::vector<BodyForceTerms> body_forces_;

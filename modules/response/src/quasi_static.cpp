@@ -11,6 +11,20 @@
 
 namespace scree::response {
 
+std::vector<double> loads_of_walls(const Simulation& simulation, double time) {
+  const WallEquations equations = simulation.linear_walls(time, simulation.planes());
+  std::vector<double> loads;
+  for (std::size_t w = 0; w < equations.walls.size(); ++w) {
+    const scree_linear_plane& wall = equations.walls[w];
+    if (wall.speed != 0)
+      throw Error(fmt::format(
+          "wall {} is moved with {:g} m/s at t = {:g} s; set its control to \"stress\" or \"force\": a quasi-static load is by these",
+          simulation.plane_names()[w], wall.speed, time));
+    loads.push_back(wall.pressing_force);
+  }
+  return loads;
+}
+
 class QuasiStatic::Packing {
  public:
   Packing(const Simulation& simulation, const QuasiStaticOptions& options)
@@ -23,7 +37,7 @@ class QuasiStatic::Packing {
       throw Error("a quasi-static load needs an increment above 0 s; give one");
     if (options_.shortest_increment <= 0) options_.shortest_increment = options_.longest_increment / 64;
     next_increment_ = options_.longest_increment;
-    walls_at(time_);
+    loads_of_walls(simulation_, time_);
   }
 
   bool advance(double time) {
@@ -47,15 +61,7 @@ class QuasiStatic::Packing {
   State state() const {
     return static_state(simulation_, time_, configuration_, equilibrium_.contacts().touching(), loads_);
   }
-  std::vector<scree_plane> planes() const {
-    std::vector<scree_plane> all = simulation_.planes();
-    for (std::size_t w = 0; w < all.size(); ++w)
-      for (int k = 0; k < 3; ++k) {
-        all[w].point[k] = configuration_.position[bodies() + w][k];
-        all[w].velocity[k] = all[w].mid_velocity[k] = 0;
-      }
-    return all;
-  }
+  std::vector<scree_plane> planes() const { return configuration_.planes(simulation_); }
   std::vector<scree_load> wall_loads() const {
     std::vector<scree_load> all;
     for (std::size_t w = 0; w < simulation_.planes().size(); ++w) {
@@ -66,27 +72,18 @@ class QuasiStatic::Packing {
   }
 
  private:
-  WallEquations walls_at(double time) const {
-    WallEquations walls = simulation_.linear_walls(time);
-    for (std::size_t w = 0; w < walls.walls.size(); ++w)
-      if (walls.walls[w].speed != 0)
-        throw Error(fmt::format(
-            "wall {} is moved with {:g} m/s at t = {:g} s; a quasi-static load is by stresses or forces on walls",
-            simulation_.plane_names()[w], walls.walls[w].speed, time));
-    return walls;
-  }
-
   // Takes an increment to a time, halved until there is an equilibrium at its end. Returns false if there is none.
   bool take(double time) {
     for (;;) {
       const double increment = time - time_;
-      Balance balance = equilibrium_.find(configuration_, walls_at(time), increment * rate_);
+      Balance balance = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
       if (balance.found) {
         accept(std::move(balance), time, increment);
         return true;
       }
-      if (increment < 1.5 * options_.shortest_increment) return false;
-      time = time_ + std::max(0.5 * increment, options_.shortest_increment);
+      if (increment < 1.5 * options_.shortest_increment || !options_.proceed()) return false;
+      next_increment_ = std::max(0.5 * increment, options_.shortest_increment);
+      time = time_ + next_increment_;
     }
   }
 
@@ -99,8 +96,7 @@ class QuasiStatic::Packing {
     loads_ = std::move(balance.loads);
     time_ = time;
     balanced_ = true;
-    next_increment_ =
-        std::min(options_.longest_increment, std::max(2 * increment, options_.shortest_increment));
+    next_increment_ = std::min(options_.longest_increment, 2 * next_increment_);
   }
 
   const Simulation& simulation_;

@@ -35,6 +35,17 @@ StaticConfiguration::StaticConfiguration(const Simulation& simulation)
   }
 }
 
+std::vector<scree_plane> StaticConfiguration::planes(const Simulation& simulation) const {
+  std::vector<scree_plane> all = simulation.planes();
+  const std::size_t bodies = position.size() - all.size();
+  for (std::size_t w = 0; w < all.size(); ++w)
+    for (int k = 0; k < 3; ++k) {
+      all[w].point[k] = position[bodies + w][k];
+      all[w].velocity[k] = all[w].mid_velocity[k] = 0;
+    }
+  return all;
+}
+
 void StaticConfiguration::move(const StaticMotion& motion) {
   for (std::size_t i = 0; i < position.size(); ++i) position[i] += motion.displacement[i];
   if (orientations)

@@ -23,6 +23,8 @@ struct StaticConfiguration {
   Orientations orientations;   // if a law reads them
 
   explicit StaticConfiguration(const Simulation& simulation);
+  // Those of the simulation where this configuration has them, at rest.
+  std::vector<scree_plane> planes(const Simulation& simulation) const;
   void move(const StaticMotion& motion);
 };
 

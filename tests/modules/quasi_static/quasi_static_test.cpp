@@ -61,6 +61,19 @@ double unbalanced(const Simulation& s) {
   return largest;
 }
 
+// Largest difference between the force of the contacts on a wall that loads move and its load where it is (N).
+double unbalanced_walls(const Simulation& s, const QuasiStatic& packing) {
+  const WallEquations equations = s.linear_walls(packing.time(), packing.planes());
+  double largest = 0;
+  for (std::size_t w = 0; w < equations.walls.size(); ++w) {
+    const scree_linear_plane& wall = equations.walls[w];
+    double force = wall.pressing_force;
+    for (int k = 0; k < 3; ++k) force += wall.direction[k] * packing.loads()[w].force[k];
+    if (wall.free) largest = std::max(largest, std::abs(force));
+  }
+  return largest;
+}
+
 void check_balance(const Prepared& prepared, double period, const std::vector<double>& shares) {
   const double start = prepared.simulation->time();
   QuasiStatic packing(*prepared.simulation, {.longest_increment = period / 40});
@@ -73,6 +86,7 @@ void check_balance(const Prepared& prepared, double period, const std::vector<do
     // The tolerance of the search, 1e-11 of the largest contact force, which is at most some loads; the round-off of overlaps, 1e-16 R
     // of 1e-3 R, is less.
     CHECK(1e10 * unbalanced(*moving) < largest_load(*moving));
+    CHECK(1e10 * unbalanced_walls(*prepared.simulation, packing) < largest_load(*moving));
   }
 }
 

@@ -13,7 +13,7 @@
 namespace scree::quasi_static {
 
 struct FollowOptions {
-  static constexpr unsigned increments_per_cycle = 40;
+  static constexpr unsigned increments_per_cycle = 40, fewest_per_cycle = 8;
 
   std::filesystem::path out;  // empty: runs/<stem of the scenario>-response, numbered if it exists
   bool overwrite = false;
@@ -57,7 +57,7 @@ struct Course {
 
 // Runs the stages of a plan but the last, follows the last one through states of equilibrium (response::QuasiStatic), and
 // writes the directory: series/quasi_static.csv, a chart, response.json. Where there is no equilibrium next to the
-// present one, dynamics go on until there is. Throws Error (bad_input) before anything is written if the last stage
+// present one, dynamics go on until there is. Also at its start. Throws Error (bad_input) before anything is written if the last stage
 // has no duration, a law no derivative, or walls are moved otherwise than by stresses and forces; or as a run does.
 Course follow(const scenario::Plan& plan, const FollowOptions& options);
 

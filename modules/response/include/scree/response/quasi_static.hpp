@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,11 +16,16 @@ struct QuasiStaticOptions {
   double shortest_increment = 0;  // (s) 0: 1/64 of the longest
   // Largest residual of a force over the largest contact force, and of a torque over that times the radius.
   double tolerance = 1e-11;
+  std::function<bool()> proceed = [] { return true; };  // called between Newton steps; false: go no further
 };
 
 struct QuasiStaticCounts {
   std::size_t increments = 0, iterations = 0, events = 0;
 };
+
+// Pressing forces (N) on the walls of a simulation at a time (s), with the walls where they are. Throws Error if a wall is moved by a
+// program other than of a stress or force.
+std::vector<double> loads_of_walls(const Simulation& simulation, double time);
 
 // Follows a packing through states of equilibrium, without inertia and without dashpots, as the programs of its walls load it:
 // in each increment, positions, rotations and the springs at its end are those for which all forces and torques are in
@@ -32,7 +38,7 @@ class QuasiStatic {
   ~QuasiStatic();
 
   // Goes on to a time (s) of the present stage, not before the present one. Returns false, at a time before it, where there
-  // is no equilibrium next to the present one: the packing moves on by inertia alone.
+  // is no equilibrium next to the present one, where the packing moves on by inertia alone, or where `proceed` returned false.
   bool advance(double time);
 
   double time() const;
