@@ -172,8 +172,8 @@ def draw_steps(folder, out):
                           color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6],
                           label=f"{seed}" if law == "cundall_strack" else None)
     over_steps.set_ylim(bottom=over_steps.get_ylim()[0] / 20)
-    over_steps.legend(title="packing", frameon=False, fontsize=8, title_fontsize=8, ncols=3, loc="lower left")
-    label(over_steps, "Crosses: Cundall and Strack; circles: corrected (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$ per cycle")
+    over_steps.legend(title="crosses: Cundall and Strack, circles: corrected, of packings", frameon=False, fontsize=8, title_fontsize=8, ncols=3, loc="lower left")
+    label(over_steps, "Strain per cycle over the step (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$ per cycle")
     save(figure, out, "steps.png")
 
 
