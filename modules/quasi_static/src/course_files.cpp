@@ -13,6 +13,8 @@ namespace scree::quasi_static {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double most_whole_cycles = 4;  // drawn one after the other; of more, the first and the last
+
 void write_record(const std::string& status, const Course& c, const run::RunDirectory& directory) {
   Json json = {{"version", SCREE_VERSION}, {"status", status}, {"title", c.title}};
   if (!c.error.empty()) json["error"] = c.error;
@@ -35,6 +37,19 @@ void write_record(const std::string& status, const Course& c, const run::RunDire
   directory.write_file("response.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+namespace {
+
+// The part of a course between two times (s), over the time since `zero`.
+snapshot::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains,
+                              double from, double to, double zero) {
+  snapshot::ChartSeries curve;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (times[k] >= from && times[k] <= to) curve.x.push_back(times[k] - zero), curve.y.push_back(strains[k]);
+  return curve;
+}
+
+}  // namespace
+
 void draw_chart(const Course& course, const std::vector<double>& times, const std::vector<double>& strains,
                 const run::RunDirectory& directory) {
   const bool drawn = strains.size() > 1 &&
@@ -42,11 +57,20 @@ void draw_chart(const Course& course, const std::vector<double>& times, const st
   if (!drawn || !snapshot::has_pictures()) return;
   snapshot::ChartSpec chart;
   chart.title = course.title + ", quasi-static";
-  chart.x_label = "time (s)";
   chart.y_label = "strain along x less that along y";
-  snapshot::ChartSeries curve;
-  curve.x = times, curve.y = strains;
-  chart.series.push_back(std::move(curve));
+  const double end = times.back(), slack = 1e-9 * course.period;
+  if (course.period > 0 && end - course.start >= most_whole_cycles * course.period) {
+    const double cycles = std::floor((end - course.start) / course.period + 1e-9);
+    chart.x_label = "time in the cycle (s)";
+    for (const double cycle : {1.0, cycles}) {
+      const double from = course.start + (cycle - 1) * course.period;
+      chart.series.push_back(part_of(times, strains, from - slack, from + course.period + slack, from));
+      chart.series.back().name = fmt::format("cycle {:g}", cycle);
+    }
+  } else {
+    chart.x_label = "time (s)";
+    chart.series.push_back(part_of(times, strains, course.start, end, 0));
+  }
   snapshot::load_backend()->chart(chart, directory.add("charts/strain.png"));
 }
 

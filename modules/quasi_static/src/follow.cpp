@@ -29,6 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 // Steps of the stages before that are taken at once.
 constexpr std::uint64_t steps_at_once = 1000;
+constexpr std::size_t most_loads_judged =
+    10'000;  // before the first increment; the others with their increments
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -127,7 +129,9 @@ class Follower {
     }
     box_ = std::make_unique<BoxRow>(simulation_->dimension(), simulation_->planes());
     course_.degrees_of_freedom = packing_->degrees_of_freedom();
-    if (!packing_->advance(course_.start) && proceeds()) begin_with_dynamics();
+    const bool balanced = packing_->advance(course_.start);
+    if (!proceeds()) throw Error("interrupted before the load was followed", ExitStatus::interrupted);
+    if (!balanced) begin_with_dynamics();
   }
 
   // Without equilibrium at the start: the load jumps there, or the packing has not come to rest.
@@ -142,10 +146,10 @@ class Follower {
 
   // Loads that the road cannot follow are refused, and those that need not be followed named, before anything is written.
   void judge_loads() {
-    const std::size_t times = std::size_t(std::ceil((course_.end - course_.start) / course_.increment));
+    const double length = course_.end - course_.start;
+    const std::size_t times = std::min(most_loads_judged, std::size_t(std::ceil(length / course_.increment)));
     const auto loads_at = [&](std::size_t k) {
-      const double time = course_.start + double(k) * course_.increment;
-      return response::loads_of_walls(*simulation_, std::min(time, course_.end));
+      return response::loads_of_walls(*simulation_, course_.start + double(k) / double(times) * length);
     };
     bool changes = false;
     const std::vector<double> first = loads_at(0);

@@ -76,6 +76,7 @@ class QuasiStatic::Packing {
   bool take(double time) {
     for (;;) {
       const double increment = time - time_;
+      loads_of_walls(simulation_, time);
       Balance balance = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
       if (balance.found) {
         accept(std::move(balance), time, increment);
