@@ -97,7 +97,9 @@ std::vector<Group> fitted(const Response& whole, std::vector<Group> groups) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       Group& group = groups[g];
       const Response response = alone(whole, groups, g, group.range);
-      group.fit = fit_modes(response, round > 0 && group.fit.converged ? group.fit.poles : group.range.poles);
+      if (round > 0 && group.fit.converged) group.fit = fit_modes(response, group.fit.poles);
+      // Poles of an earlier round may lie where the fit does not come to rest any more.
+      if (round == 0 || !group.fit.converged) group.fit = fit_modes(response, group.range.poles);
       if (round >= refined_from) refine(group.fit, response);
     }
   return groups;
