@@ -37,7 +37,7 @@ class QuasiStatic::Packing {
       throw Error("a quasi-static load needs an increment above 0 s; give one");
     if (options_.shortest_increment <= 0) options_.shortest_increment = options_.longest_increment / 64;
     next_increment_ = options_.longest_increment;
-    loads_of_walls(simulation_, time_);
+    loads_of_walls(simulation_, time_);  // throws where a program moves a wall
   }
 
   bool advance(double time) {
@@ -76,7 +76,7 @@ class QuasiStatic::Packing {
   bool take(double time) {
     for (;;) {
       const double increment = time - time_;
-      loads_of_walls(simulation_, time);
+      loads_of_walls(simulation_, time);  // throws where a program moves a wall
       Balance balance = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
       if (balance.found) {
         accept(std::move(balance), time, increment);

@@ -14,6 +14,8 @@ namespace scree::sound {
 
 namespace {
 
+constexpr std::size_t most_peaks = 6;  // of a chart
+
 bool is_sweep(const RoadSpectrum& road) { return road.road.starts_with("sweep"); }
 
 // In a chart with other roads, pulses are dashed lines over those below them.
@@ -35,7 +37,6 @@ bool is_named(const Resonance& r) { return !name_of(r).empty(); }
 
 // Shapes of the peaks of the first road and column that have any with a name.
 void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
-  constexpr std::size_t most_curves = 6;
   snapshot::ChartSpec chart;
   chart.title = m.title + ": shapes of the peaks";
   chart.x_label = "layer, in the order of the probe";
@@ -43,7 +44,7 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(), is_named);
   for (const Resonance& r : m.resonances) {
     if (r.road != first.road || r.column != first.column || !is_named(r)) continue;
-    if (chart.series.size() == most_curves) break;
+    if (chart.series.size() == most_peaks) break;
     snapshot::ChartSeries curve;
     curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
     for (std::size_t k = 0; k < r.shape.size(); ++k) curve.x.push_back(double(k + 1));
@@ -58,7 +59,8 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
 void add_peaks(const Measurement& m, std::size_t c, double scale, snapshot::ChartSpec& chart) {
   const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
                                   [&](const Resonance& r) { return r.column == c && is_named(r); });
-  for (auto r = first; r != m.resonances.end(); ++r) {
+  const std::size_t most = chart.series.size() + most_peaks;
+  for (auto r = first; r != m.resonances.end() && chart.series.size() < most; ++r) {
     if (r->column != c || r->road != first->road || !is_largest_of_name(m, *r)) continue;
     const RoadSpectrum& road = m.roads[r->road];
     const double frequency = r->mode.frequency;
