@@ -29,8 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 // Steps of the stages before that are taken at once.
 constexpr std::uint64_t steps_at_once = 1000;
-constexpr std::size_t most_loads_judged =
-    10'000;  // before the first increment; the others with their increments
+// Loads that are judged before the first increment; the others with their increments.
+constexpr std::size_t most_loads_judged = 10'000;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();

@@ -2,6 +2,7 @@
 
 #include "names.hpp"
 #include "spectrum_keys.hpp"
+#include "stage_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,6 @@ namespace scree::scenario {
 namespace {
 
 constexpr double most_frequencies = 100000;
-// Of a frequency, as of a stage.
-constexpr double max_steps_of_sweep = 1e12;
 
 // The keys of a boundary that are functions of time in m.
 std::vector<std::string> displacements_of(const Parameters& boundary) {
@@ -156,11 +155,11 @@ void read_sweep(const document::Table& t, double step, SpectrumPlan& plan) {
                                          : SpectrumPlan::Direction::both;
   plan.periods = read(t, spectrum_keys.periods);
   plan.analysed_periods = read(t, spectrum_keys.analysed_periods);
-  if (const double steps = plan.periods / (plan.from_hz * step); !(steps <= max_steps_of_sweep))
+  if (const double steps = plan.periods / (plan.from_hz * step); !(steps <= most_steps))
     throw t.error(
         spectrum_keys.from_hz,
         fmt::format("{:g} periods of {:g} Hz take {:.3g} time steps", plan.periods, plan.from_hz, steps),
-        fmt::format("give a higher from_hz, or fewer periods, for at most {:g} steps", max_steps_of_sweep));
+        fmt::format("give a higher from_hz, or fewer periods, for at most {:g} steps", most_steps));
   if (plan.analysed_periods > plan.periods)
     throw t.error(
         t.has(spectrum_keys.analysed_periods) ? spectrum_keys.analysed_periods : spectrum_keys.periods,

@@ -15,18 +15,14 @@ namespace scree::scenario {
 
 namespace {
 
-// At one microsecond per step, faster than almost any scene, this takes twelve days.
-constexpr double max_steps_of_stage = 1e12;
-
 void check_steps(const document::Table& t, std::string_view key, double seconds, double step) {
   const double steps = seconds / step;
   if (steps < 0.999)
     throw t.error(key, fmt::format("{:g} s is shorter than the time step of {:g} s", seconds, step),
                   "increase it, or decrease time.step");
-  if (steps > max_steps_of_stage)
-    throw t.error(
-        key, fmt::format("{:g} s takes {:.3g} time steps of {:g} s", seconds, steps, step),
-        fmt::format("give a shorter time or a longer step, for at most {:g} steps", max_steps_of_stage));
+  if (steps > most_steps)
+    throw t.error(key, fmt::format("{:g} s takes {:.3g} time steps of {:g} s", seconds, steps, step),
+                  fmt::format("give a shorter time or a longer step, for at most {:g} steps", most_steps));
 }
 
 void read_condition(const document::Table& until, double step, Stage& stage) {

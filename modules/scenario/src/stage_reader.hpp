@@ -9,6 +9,9 @@
 
 namespace scree::scenario {
 
+// Of a stage, or of one frequency of a sweep. At one microsecond per step, faster than almost any scene, this takes twelve days.
+inline constexpr double most_steps = 1e12;
+
 // Reads the [[stage]]s, or makes one stage of [time] duration. A change by a stage persists in the following
 // stages. The scene must be complete except for what depends on the stages.
 std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances,
