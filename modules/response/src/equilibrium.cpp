@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/KLUSupport>
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
 
 namespace scree::response {
 
 namespace {
 
 // Systems up to this size are solved by a dense factorisation.
-constexpr Eigen::Index largest_dense = 200;
+constexpr Eigen::Index largest_dense = 100;
 // Newton iterations of an increment.
 constexpr int most_iterations = 40;
 // Smallest share of a Newton step, and by how much the residual must fall over the share.
@@ -56,7 +56,7 @@ std::optional<Eigen::VectorXd> solution(Eigen::SparseMatrix<double> stiffness,
   ground.diagonal() = diagonal;
   stiffness += ground;
   stiffness.makeCompressed();
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(stiffness);
+  Eigen::KLU<Eigen::SparseMatrix<double>> factors(stiffness);
   if (factors.info() != Eigen::Success) return std::nullopt;
   return factors.solve(load);
 }
