@@ -18,6 +18,7 @@ namespace {
 struct CampaignArguments {
   std::string file, out;
   unsigned jobs = 0, threads = 1;  // jobs 0: as many as the processor takes
+  std::vector<std::string> overrides;
   bool list = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
@@ -60,7 +61,7 @@ campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::Camp
 
 ExitStatus run_campaign(const CampaignArguments& a) {
   PluginHost host = make_host(a.plugins);
-  const campaign::Campaign c = campaign::branched(campaign::read_campaign(a.file), host);
+  const campaign::Campaign c = campaign::branched(campaign::read_campaign(a.file, a.overrides), host);
   if (a.list) return list_points(c, a, host);
   campaign::CampaignDirectory directory(directory_of(a), c, true);
   const campaign::Execution result = execute_with_bar(c, directory, a, host);
@@ -89,6 +90,10 @@ void add_campaign_verb(CommandLine& line) {
   verb.option("--out", a->out, "Directory of the campaign; default campaigns/<file>").shown_as("DIR");
   verb.option("--jobs", a->jobs, "Concurrent runs (default: processors / threads)").between(1, 512);
   verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
+  verb.option(
+          "--set", a->overrides,
+          "A line of [set], in place of that of the file; campaign.KEY of [campaign], prepare.KEY of [prepare]")
+      .shown_as("KEY=VALUE");
   verb.flag("--list", a->list, "List each preparation and run with its status; run nothing");
   verb.flag("--overwrite", a->overwrite, "Begin all runs anew, also finished and interrupted ones");
   verb.flag("--quiet", a->quiet, "No progress, only the summary");
@@ -112,7 +117,7 @@ void add_campaign_verb(CommandLine& line) {
       "  [prepare]                               # run first, for each seed; all runs begin from its final state\n"
       "  scenario = \"settle.toml\"\n"
       "  set.time.step = 1e-5                    # for the preparations; a list is a value\n"
-      "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2");
+      "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2 --set campaign.seeds=[1]");
   verb.action([a] { return run_campaign(*a); });
 }
 

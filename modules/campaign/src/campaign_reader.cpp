@@ -89,7 +89,7 @@ void check_sources(const Campaign& c) {
   for (const Case& one : c.cases)
     for (const Setting& setting : one.settings) {
       check(setting);
-      if (keys.contains(setting.key)) throw set_elsewhere(setting, "[set]");
+      if (keys.contains(setting.key)) throw set_elsewhere(setting, "[set] or --set");
     }
 }
 
@@ -114,11 +114,34 @@ void check_count(const Table& root, const Campaign& c) {
                    "give fewer values or seeds, or several campaigns");
 }
 
+// Overrides of the command line, by what they change.
+struct Overrides {
+  std::vector<std::string> campaign;     // as for Document
+  std::vector<std::string> preparation;  // without "prepare."
+  std::vector<std::string> runs;
+
+  explicit Overrides(const std::vector<std::string>& all) {
+    const std::string of_preparation = "prepare.";
+    for (const std::string& text : all) {
+      if (text.starts_with("campaign."))
+        campaign.push_back(text);
+      else if (text.starts_with(of_preparation))
+        preparation.push_back(text.substr(of_preparation.size()));
+      else
+        runs.push_back(text);
+    }
+  }
+};
+
 // The points of [prepare] are named by branched().
 std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campaign& c,
-                                                 const std::string& seeds_place) {
+                                                 const std::string& seeds_place,
+                                                 const std::vector<std::string>& overrides) {
   const auto table = root.optional_table("prepare");
   if (!table) {
+    if (!overrides.empty())
+      throw Error(fmt::format("--set prepare.{}: the campaign has no [prepare]; leave \"prepare.\" out",
+                              one_line(overrides.front())));
     for (const Case& one : c.cases)
       if (!one.preparation.empty())
         throw Error(fmt::format(
@@ -132,6 +155,7 @@ std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campai
   preparation->scenario_place = table->place("scenario");
   check_scenario(*preparation);
   if (const auto set = table->optional_table("set")) preparation->fixed = read_case_settings(*set);
+  for (const std::string& text : overrides) replace_setting(preparation->fixed, text);
   preparation->seeds = c.seeds;
   if (std::any_of(c.cases.begin(), c.cases.end(), [](const Case& one) { return !one.preparation.empty(); }))
     for (const Case& one : c.cases) preparation->cases.push_back({one.name, one.preparation, {}});
@@ -162,9 +186,10 @@ std::string read_roads(const Table& table) {
 
 }  // namespace
 
-Campaign read_campaign(const std::filesystem::path& path) {
+Campaign read_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const Overrides given(overrides);
   const Document document =
-      Document::load(path, {}, "write a campaign: [campaign] with scenario = \"<file>\", [set]");
+      Document::load(path, given.campaign, "write a campaign: [campaign] with scenario = \"<file>\", [set]");
   const Table root = document.root(), table = root.table("campaign");
   Campaign c;
   c.source = path;
@@ -180,10 +205,11 @@ Campaign read_campaign(const std::filesystem::path& path) {
                       "remove it; their peaks are in the table");
   c.seeds = read_seeds(table);
   Settings settings = read_settings(root.table_or_empty("set"));
+  for (const std::string& text : given.runs) replace_setting(settings, text);
   c.fixed = std::move(settings.fixed);
   c.parameters = std::move(settings.parameters);
   c.cases = read_cases(root);
-  c.preparation = read_preparation(root, c, table.place("seeds"));
+  c.preparation = read_preparation(root, c, table.place("seeds"), given.preparation);
   document.refuse_unused();
   check_sources(c);
   check_count(root, c);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/document/document.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 
@@ -21,6 +22,13 @@ class Reader {
 
   Settings take() { return std::move(settings_); }
 
+  void read_value(const Table& table, const std::string& key, const std::string& path) {
+    if (lists_vary_ && table.is_array(key))
+      settings_.parameters.push_back(read_parameter(table, key, path));
+    else
+      settings_.fixed.push_back({path, table.toml(key), table.place(key)});
+  }
+
   void read(const Table& table, const std::string& above) {
     for (const std::string& key : table.keys()) {
       const std::string path = above + key;
@@ -30,10 +38,7 @@ class Reader {
       }
       if (!taken_.insert(path).second)
         throw table.error(key, fmt::format("'{}' is set twice", one_line(path)), "keep one of the two");
-      if (lists_vary_ && table.is_array(key))
-        settings_.parameters.push_back(read_parameter(table, key, path));
-      else
-        settings_.fixed.push_back({path, table.toml(key), table.place(key)});
+      read_value(table, key, path);
     }
   }
 
@@ -60,6 +65,30 @@ class Reader {
   std::set<std::string> taken_;
 };
 
+// In place of the one with its key, since the order of parameters is that of the names of runs; or behind all.
+template <class T>
+void put(std::vector<T>& all, T one) {
+  const auto known =
+      std::find_if(all.begin(), all.end(), [&](const T& other) { return other.key == one.key; });
+  if (known == all.end())
+    all.push_back(std::move(one));
+  else
+    *known = std::move(one);
+}
+
+// One "KEY=VALUE" of the command line.
+Settings read_override(const std::string& text, bool lists_vary) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error(fmt::format("--set {}: is not KEY=VALUE; write --set time.step=1e-5", one_line(text)));
+  // The path is a single key here.
+  const std::string key = text.substr(0, equals), quote = key.find('\'') == std::string::npos ? "'" : "\"";
+  const auto document = document::Document::parse("", "--set", {quote + key + quote + text.substr(equals)});
+  Reader reader(lists_vary);
+  reader.read_value(document.root(), key, key);
+  return reader.take();
+}
+
 }  // namespace
 
 Settings read_settings(const Table& table) {
@@ -72,6 +101,23 @@ std::vector<Setting> read_case_settings(const Table& table) {
   Reader reader(false);
   reader.read(table, "");
   return reader.take().fixed;
+}
+
+void replace_setting(Settings& settings, const std::string& text) {
+  Settings read = read_override(text, true);
+  if (!read.fixed.empty()) {
+    const std::string& key = read.fixed.front().key;
+    std::erase_if(settings.parameters, [&](const Parameter& p) { return p.key == key; });
+    put(settings.fixed, std::move(read.fixed.front()));
+  } else {
+    const std::string& key = read.parameters.front().key;
+    std::erase_if(settings.fixed, [&](const Setting& s) { return s.key == key; });
+    put(settings.parameters, std::move(read.parameters.front()));
+  }
+}
+
+void replace_setting(std::vector<Setting>& settings, const std::string& text) {
+  put(settings, std::move(read_override(text, false).fixed.front()));
 }
 
 }  // namespace scree::campaign

@@ -21,4 +21,10 @@ Settings read_settings(const document::Table& table);
 // Settings of a case: a list is a value.
 std::vector<Setting> read_case_settings(const document::Table& table);
 
+// "KEY=VALUE" of the command line, as a line of [set], in place of what the settings have for KEY. Throws Error as read_settings, and
+// for a text without KEY or VALUE.
+void replace_setting(Settings& settings, const std::string& text);
+// The same among settings in which a list is a value.
+void replace_setting(std::vector<Setting>& settings, const std::string& text);
+
 }  // namespace scree::campaign

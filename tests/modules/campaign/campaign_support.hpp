@@ -18,13 +18,15 @@ class CampaignFolder {
     folder_.write("scene.toml", scene);
     folder_.write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n" + rest);
   }
-  campaign::Campaign read() const { return campaign::read_campaign(folder_ / "campaign.toml"); }
+  campaign::Campaign read(const std::vector<std::string>& overrides = {}) const {
+    return campaign::read_campaign(folder_ / "campaign.toml", overrides);
+  }
   const TemporaryFolder& folder() const { return folder_; }
 
   // Error message for the campaign or its first refused run, without the path of the folder.
-  std::string refusal() const {
+  std::string refusal(const std::vector<std::string>& overrides = {}) const {
     std::string line = message([&] {
-      const campaign::Campaign read_in = read();
+      const campaign::Campaign read_in = read(overrides);
       for (const campaign::Point& point : read_in.points) {
         campaign::inputs_of(read_in, point, host());
         campaign::check_point(read_in, point, host());

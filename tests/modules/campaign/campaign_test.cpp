@@ -102,11 +102,48 @@ TEST_CASE("an error in a campaign file is reported with position and cure", "[ca
   starts(refusal("seeds = [1]\n[set]\nscene.seed = 1\n"),
          "campaign.toml:5:14: 'scene.seed' is also set by seeds; ");
   starts(refusal("[set]\na.b = 1\n[[case]]\nname = 'x'\nset.a.b = 2\n"),
-         "campaign.toml:7:11: 'a.b' is also set by [set]; ");
+         "campaign.toml:7:11: 'a.b' is also set by [set] or --set; ");
   starts(refusal("[[case]]\nname = 'x'\n[[case]]\nname = 'x'\n"),
          "campaign.toml:6:8: the case name 'x' is already in use; ");
   starts(refusal("seeds = { count = 100000 }\n[set]\na.b = [1, 2]\n"),
          "campaign.toml:1:1: the campaign has more than 100000 runs; ");
+}
+
+TEST_CASE("values of the command line replace those of a campaign file", "[campaign]") {
+  const CampaignFolder folder(
+      "seeds = [1, 2, 3]\n"
+      "[set]\n"
+      "\"contact.normal_stiffness\" = [1e4, 2e4]\n"
+      "time.step = 1e-6\n"
+      "particles.random_velocity = [0.1, 0.2]\n");
+  const Campaign one = folder.read({"campaign.seeds=[2]", "contact.normal_stiffness=2e4", "time.step=2e-6"});
+  CHECK(names_of(one) == Texts{"random_velocity=0.1,seed=2", "random_velocity=0.2,seed=2"});
+  CHECK(one.points[0].overrides() == Texts{"time.step=2e-6", "contact.normal_stiffness=20000.0",
+                                           "particles.random_velocity=0.1", "scene.seed=2"});
+  // A shorter list has the same names of runs; a new key is another parameter.
+  const Campaign two =
+      folder.read({"campaign.seeds=[3]", "contact.normal_stiffness=[1e4]", "time.step=[1e-6, 2e-6]"});
+  CHECK(names_of(two) == Texts{"normal_stiffness=10000,random_velocity=0.1,step=1e-6,seed=3",
+                               "normal_stiffness=10000,random_velocity=0.1,step=2e-6,seed=3",
+                               "normal_stiffness=10000,random_velocity=0.2,step=1e-6,seed=3",
+                               "normal_stiffness=10000,random_velocity=0.2,step=2e-6,seed=3"});
+}
+
+TEST_CASE("values of the command line that do not fit a campaign are refused", "[campaign]") {
+  const CampaignFolder folder("seeds = [1]\n[[case]]\nname = 'x'\nset.contact.normal_stiffness = 2e4\n");
+  const auto refusal = [&](const std::string& text) { return folder.refusal({text}); };
+  starts(refusal("time.step"), "--set time.step: is not KEY=VALUE; ");
+  starts(refusal("=3"), "--set =3: is not KEY=VALUE; ");
+  starts(refusal("time.step="), "--set 'time.step'=: has no value; ");
+  starts(refusal("time.step=[]"), "--set 'time.step'=[]: the list of 'time.step' is empty; ");
+  starts(refusal("time.step=[1e-6, 1e-6]"),
+         "--set 'time.step'=[1e-6, 1e-6]: 1e-6 appears twice in the list of 'time.step'; ");
+  starts(refusal("time.stap=1"), "--set 'time.stap'=1: in run 'case=x,seed=1' ");
+  starts(refusal("campaign.sead=1"), "--set campaign.sead=1: unknown key 'sead' in [campaign]");
+  starts(refusal("prepare.time.step=1"), "--set prepare.time.step=1: the campaign has no [prepare]; ");
+  starts(refusal("scene.seed=1"), "--set 'scene.seed'=1: 'scene.seed' is also set by seeds; ");
+  starts(refusal("contact.normal_stiffness=3"),
+         "campaign.toml:6:32: 'contact.normal_stiffness' is also set by [set] or --set; ");
 }
 
 TEST_CASE("a missing scenario is refused at the key that names it", "[campaign]") {

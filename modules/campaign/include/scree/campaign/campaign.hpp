@@ -71,7 +71,9 @@ struct Campaign {
 
 // Reads a campaign file. Throws Error "file:line:column: what is wrong; what to do" for any error in it, and
 // if the scenario cannot be read.
-Campaign read_campaign(const std::filesystem::path& path);
+// overrides: "KEY=VALUE", a line of [set] in place of that of the file; "campaign.KEY=VALUE" of [campaign], "prepare.KEY=VALUE" of
+// what [prepare] sets.
+Campaign read_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 // Inputs of the run of a point, as stored in its record.
 struct Inputs {
