@@ -35,6 +35,13 @@ TEST_CASE("response --quasi-static follows the last stage, and cycles reads it",
   // 1.3 %, 40 by a quarter of that; the rate of the dynamics by as much.
   const double slope = w.record("out", "cycles.json")["fit"]["slope"];
   CHECK(slope == Approx(-2.857e-9).epsilon(0.01));
+
+  // What cycles has written goes with the results that it is of, and is replaced while they stay.
+  REQUIRE(w.scree("cycles out").status == 0);
+  REQUIRE(w.scree("response scene.toml --quasi-static --set stage.cycles.cycles=1 --overwrite --out out")
+              .status == 0);
+  CHECK(w.has("out/response.json"));
+  for (const char* name : {"out/cycles.csv", "out/cycles.json", "out/cycles.png"}) CHECK_FALSE(w.has(name));
 }
 
 TEST_CASE("where a packing has no equilibrium nearby, response --quasi-static goes on by dynamics",

@@ -10,6 +10,7 @@
 #include <scree/files/csv_line.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/run/written_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
 
 namespace scree::tool {
@@ -138,18 +139,28 @@ CyclesFiles::CyclesFiles(fs::path folder, const fs::path& source) : folder_(std:
                             source.string()));
 }
 
+fs::path CyclesFiles::path_of(const std::string& name) const {
+  const fs::path path = folder_ / name;
+  std::error_code failed;
+  const bool is_of_run = fs::exists(folder_ / run::WrittenFiles::file_name, failed);
+  // Files of earlier versions are there without being listed.
+  return is_of_run && !fs::exists(path, failed) ? run::WrittenFiles(folder_).add(name) : path;
+}
+
 void CyclesFiles::write(const CyclesResult& result) const {
   create(folder_);
-  files::write_atomically(folder_ / table_name, table_of(result));
-  files::write_atomically(folder_ / record_name, record_of(result));
-  fmt::print("{}\n{}\n", (folder_ / table_name).string(), (folder_ / record_name).string());
+  const fs::path table = path_of(table_name), record = path_of(record_name);
+  files::write_atomically(table, table_of(result));
+  files::write_atomically(record, record_of(result));
+  fmt::print("{}\n{}\n", table.string(), record.string());
   if (!snapshot::has_pictures()) {
     report(fmt::format("{}, so there is no chart; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
            ExitStatus::success);
     return;
   }
-  snapshot::load_backend()->chart(chart_of(result), folder_ / chart_name);
-  fmt::print("{}\n", (folder_ / chart_name).string());
+  const fs::path chart = path_of(chart_name);
+  snapshot::load_backend()->chart(chart_of(result), chart);
+  fmt::print("{}\n", chart.string());
 }
 
 void write_verdicts(const fs::path& folder, const std::vector<CyclesResult>& results) {

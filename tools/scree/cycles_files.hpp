@@ -21,7 +21,8 @@ struct CyclesResult {
   std::optional<Rattlers> rattlers = {};  // if they were looked for
 };
 
-// What `scree cycles` writes of one series: a table, a record and, with pictures, a chart. Earlier ones are replaced.
+// What `scree cycles` writes of one series: a table, a record and, with pictures, a chart. Earlier ones are replaced. In the directory
+// of a run they are listed with its files, and removed with them.
 class CyclesFiles {
  public:
   static constexpr const char* table_name = "cycles.csv";
@@ -35,6 +36,9 @@ class CyclesFiles {
   void write(const CyclesResult& result) const;
 
  private:
+  // Where a file is written; lists it.
+  std::filesystem::path path_of(const std::string& name) const;
+
   std::filesystem::path folder_;
 };
 
