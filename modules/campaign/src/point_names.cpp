@@ -15,6 +15,8 @@ namespace scree::campaign {
 namespace {
 
 constexpr std::size_t max_name_length = 120;  // (bytes) below the 255 of file systems
+// (bytes) A value that is longer, such as a list of probes, and has no alternative, says nothing in a name.
+constexpr std::size_t longest_lone_value = 40;
 
 // Converts a value to a readable part of a file name: "[5, 5, 8]" becomes "5_5_8", "1000.0" becomes "1000".
 std::string file_safe(std::string_view text) {
@@ -64,8 +66,11 @@ void name_points(const Campaign& campaign, std::vector<Point>& points) {
       exact_parts.push_back(label + "=" + value);
     };
     if (!point.case_name.empty()) add("case", point.case_name);
-    for (std::size_t k = 0; k < labels.size(); ++k)
-      add(labels[k], point.find(campaign.parameters[k].key)->value);
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+      const Parameter& parameter = campaign.parameters[k];
+      const std::string& value = point.find(parameter.key)->value;
+      if (parameter.values.size() > 1 || value.size() <= longest_lone_value) add(labels[k], value);
+    }
     if (point.seed) add("seed", std::to_string(*point.seed));
     point.name = parts.empty() ? "run" : fmt::format("{}", fmt::join(parts, ","));
     exact.push_back(fmt::format("{}", fmt::join(exact_parts, ",")));

@@ -51,6 +51,17 @@ TEST_CASE("a campaign without lists is one run", "[campaign]") {
   CHECK(c.title == "One");
 }
 
+TEST_CASE("a long value without alternatives is not in the names of runs", "[campaign]") {
+  const std::string probe = "{ plugin = 'energy', every = 1e-3, stages = ['one', 'two', 'three'] }";
+  CHECK(names_of(
+            CampaignFolder("seeds = [1]\n[set]\nprobe = [[" + probe + "]]\ntime.step = [1e-6]\n").read()) ==
+        Texts{"step=1e-6,seed=1"});
+  CHECK(names_of(CampaignFolder("[set]\nprobe = [[" + probe + "]]\n").read()) == Texts{"run"});
+  const Campaign two = CampaignFolder("[set]\nprobe = [[" + probe + "], []]\n").read();
+  CHECK(names_of(two)[0].starts_with("probe=plugin_energy_"));
+  CHECK(names_of(two)[1] == "probe=");
+}
+
 TEST_CASE("keys may be quoted, dotted or under headers; inline tables and inner lists are values",
           "[campaign]") {
   const Campaign c = CampaignFolder(
