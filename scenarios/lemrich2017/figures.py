@@ -1,6 +1,6 @@
-"""Draws figures 2 to 4 of Lemrich et al. (2017), and prints their numbers, from a campaign of drives.toml.
+"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of drives.toml, and prints their numbers.
 
-Usage: python3 scenarios/lemrich2017/figures.py campaigns/drives [FOLDER for the pictures, default: that of the campaign]
+Usage: python3 scenarios/lemrich2017/figures.py campaigns/sweeps|campaigns/drives [FOLDER for the pictures, default: that of the campaign]
 Needs python3-matplotlib."""
 import cmath
 import math
@@ -16,7 +16,6 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
 
 MODULUS = 65e9  # Pa, of the beads
-HEIGHT = 12.26e-3  # m, of the packing under 10 kPa, seed 1
 COLUMN = "strain.distance"
 COLOURS = ["#1b3a6b", "#2a7ab0", "#49a078", "#d98e04", "#c0392b", "#7d3c98"]
 LAYERS_APART = 3  # of 14: the 0.214 of the height in figure 4
@@ -24,9 +23,10 @@ LEAST_QUALITY = 2  # below it, a maximum is no resonance: the packing is shaken 
 
 
 class Sweep:
-    """One run of the campaign: a stress, a drive, the response and its peak 3λ/4."""
+    """One run of the campaign: a stress, a drive, the response and its highest peak."""
 
-    def __init__(self, row):
+    def __init__(self, row, folder):
+        self.height = height_of_packing(folder, row["path"])
         self.stress = float(row["boundary.bottom.stress"])
         self.case = row["case"]
         self.amplitude = float(row["spectrum.amplitude"])
@@ -64,20 +64,30 @@ class Sweep:
         return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
 
 
+def height_of_packing(folder, run):
+    """Of the prepared packing from which a run of the campaign begins (m)."""
+    with open(os.path.join(run, "scenario.toml"), encoding="utf-8") as scenario:
+        state = next(line.split('"')[1] for line in scenario if line.startswith("state ="))
+    prepared = os.path.join(folder, "prepare", os.path.basename(os.path.dirname(state)), "final_packing.csv")
+    with open(prepared, encoding="utf-8") as packing:
+        ends = {line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))}
+    return ends["upper"] - ends["lower"]
+
+
 def sweeps_of(folder):
-    return sorted((Sweep(row) for row in runs_of(folder)), key=lambda s: (s.stress, s.amplitude))
+    return sorted((Sweep(row, folder) for row in runs_of(folder)), key=lambda s: (s.stress, s.amplitude))
 
 
-def draw_sweeps(sweeps, height, path):
+def draw_sweeps(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(8, 5))
     for sweep, colour in zip(sweeps, COLOURS):
-        ratio = [r * height for r in sweep.response]
+        ratio = [r * sweep.height for r in sweep.response]
         axes.plot([f / 1e3 for f in sweep.frequencies], ratio, color=colour, marker="o", markersize=3, linewidth=1.3,
-                  label=f"{sweep.amplitude / height:.1e}")
+                  label=f"{sweep.amplitude / sweep.height:.1e}")
     axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
-    axes.set_title(f"Sweeps about 3λ/4 at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
+    axes.set_title(f"Sweeps at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
     axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False, loc="lower left", ncols=2)
-    axes.set_ylim(bottom=min(min(s.response) for s in sweeps) * height / 5)
+    axes.set_ylim(bottom=min(min(s.response) * s.height for s in sweeps) / 5)
     axes.grid(color="#eeeeee")
     figure.tight_layout()
     figure.savefig(path, dpi=120)
@@ -153,10 +163,12 @@ def main():
     out = sys.argv[2] if len(sys.argv) > 2 else folder
     sweeps = sweeps_of(folder)
     if not sweeps:
-        no_runs(folder, "scenarios/lemrich2017/drives.toml")
+        no_runs(folder, "scenarios/lemrich2017/sweeps.toml, or drives.toml,")
     print_table(sweeps)
     lowest = [s for s in sweeps if s.stress == sweeps[0].stress]
-    draw_sweeps(lowest, HEIGHT, os.path.join(out, "sweeps.png"))
+    if len(lowest) == len(sweeps):
+        draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
+        return 0
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
     shaped = [s for s in lowest if s.layers]
     if shaped:

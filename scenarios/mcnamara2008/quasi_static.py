@@ -1,10 +1,11 @@
 """Speed against error of a cyclic load by dynamics and without them, for a packing of biaxial.toml with slip.
 
 Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
-Runs SCREE with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10 to 640 increments a cycle, 30 cycles each, into FOLDER;
-prints the strain after a cycle and the strain per cycle of cycles 10 to 30, with their differences from those of the
-most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
+Runs SCREE with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10 to 640 increments a cycle, 30 cycles each or
+stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their
+differences from those of the most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
 import json
+import math
 import os
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from series import line_through  # noqa: E402
 from tables import read  # noqa: E402 (series adds the folder above)
 
 CYCLES, DROPPED = 30, 10
+CYCLES_KEY = "stage.cycles.cycles="
 PERIODS = (10, 20, 40, 80, 160)  # τ
 INCREMENTS = (10, 20, 40, 80, 160, 640)
 SCENARIO = os.path.join(os.path.dirname(os.path.abspath(__file__)), "biaxial.toml")
@@ -40,25 +42,30 @@ class Course:
         x, y = float(rows[0]["length_x"]), float(rows[0]["length_y"])
         self.name, self.seconds = name, seconds
         strains = [float(r["length_y"]) / y - float(r["length_x"]) / x for r in rows]
-        self.first, self.slope = strains[1], line_through(strains[DROPPED:])[0]
+        self.first = strains[1]
+        self.slope = line_through(strains[DROPPED:])[0] if len(strains) > DROPPED + 2 else math.nan
+
+
+def cycles_of(overrides):
+    return next((int(o.removeprefix(CYCLES_KEY)) for o in overrides if o.startswith(CYCLES_KEY)), None)
 
 
 def by_dynamics(scree, folder, overrides, period):
     out = os.path.join(folder, f"period-{period}")
     keys = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every", "probe.touching.every")
-    call(scree, ["run", SCENARIO], out, [*overrides, f"stage.cycles.cycles={CYCLES}", *(f"{k}={period}" for k in keys)])
+    call(scree, ["run", SCENARIO], out, [*overrides, *(f"{k}={period}" for k in keys)])
     run = record(out, "run.json")
     last = run["stages"][-1]
     share = last["steps"] / sum(stage["steps"] for stage in run["stages"])
-    return Course(f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / CYCLES)
+    return Course(f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / cycles_of(overrides))
 
 
 def without_dynamics(scree, folder, overrides, increments):
     out = os.path.join(folder, f"increments-{increments}")
     verb = ["response", SCENARIO, "--quasi-static", "--increments", str(increments)]
-    call(scree, verb, out, [*overrides, f"stage.cycles.cycles={CYCLES}"])
+    call(scree, verb, out, overrides)
     rows = read(os.path.join(out, "series", "quasi_static.csv"))[::increments]
-    return Course(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / CYCLES)
+    return Course(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / cycles_of(overrides))
 
 
 def draw(axes, roads, exact, value, title, unit):
@@ -77,6 +84,8 @@ def draw(axes, roads, exact, value, title, unit):
 
 def main(scree, folder, packing="5", *overrides):
     overrides = [f"scene.seed={packing}", *overrides]
+    if cycles_of(overrides) is None:
+        overrides.append(f"{CYCLES_KEY}{CYCLES}")
     dynamic = [by_dynamics(scree, folder, overrides, period) for period in PERIODS]
     static = [without_dynamics(scree, folder, overrides, increments) for increments in INCREMENTS]
     exact = static[-1]
@@ -85,9 +94,12 @@ def main(scree, folder, packing="5", *overrides):
             print(f"{label} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
                   f"({c.first / exact.first - 1:+.1e}), per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})")
     roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
-    figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.4))
-    draw(axes[0], roads, exact, lambda c: c.first, f"Strain after a cycle, packing {packing}", "relative difference from 640 increments")
-    draw(axes[1], roads, exact, lambda c: c.slope, f"Strain per cycle, cycles 10 to 30, packing {packing}", "relative difference from 640 increments")
+    values = [(lambda c: c.first, "Strain after a cycle")]
+    if not math.isnan(exact.slope):
+        values.append((lambda c: c.slope, f"Strain per cycle, cycles {DROPPED} to {cycles_of(overrides)}"))
+    figure, axes = pyplot.subplots(1, len(values), figsize=(5.5 * len(values), 4.4), squeeze=False)
+    for part, (value, title) in zip(axes[0], values):
+        draw(part, roads, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
     figure.tight_layout()
     picture = os.path.join(folder, "quasi-static.png")
     figure.savefig(picture, dpi=80)

@@ -41,8 +41,10 @@ void check_pairs(const document::Table& root, const PluginHost& host, const Scen
       "contact",
       fmt::format("no [[contact]] applies to '{}' and '{}'", files::one_line(scene.materials[pair / n]),
                   files::one_line(scene.materials[pair % n])),
-      fmt::format("add a [[contact]] with plugin = \"{}\"",
-                  fmt::join(host.names(SCREE_CONTACT_LAW), "\" or \"")));
+      scene.laws.empty()
+          ? fmt::format("add a [[contact]] with plugin = \"{}\"",
+                        fmt::join(host.names(SCREE_CONTACT_LAW), "\" or \""))
+          : "add one, or leave 'between' out of one, which then applies to all pairs without their own");
 }
 
 }  // namespace

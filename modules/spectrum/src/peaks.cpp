@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t most_poles = 6;        // of one fit
 constexpr double least_gain = 10;            // of Akaike's criterion, for another pole
 constexpr double least_pole_over_error = 5;  // amplitude of another pole
+constexpr double least_distance = 0.1;       // of two poles, over the spacing of frequencies
 
 Pole first_guess(const Response& response, std::size_t top) {
   const auto side = [&](int direction) {
@@ -49,6 +50,15 @@ std::vector<Range> ranges_of(const Response& response, const std::vector<std::si
   return ranges;
 }
 
+// Whether two poles are told apart by frequencies with the spacing of those in the width of the first. Two in one place, with amplitudes
+// that cancel, are what is left of a background.
+bool are_apart(const Pole& a, const Pole& b, const Response& response) {
+  const std::size_t within =
+      index_of(response, a.frequency + 0.5 * a.width) - index_of(response, a.frequency - 0.5 * a.width);
+  return std::hypot(a.frequency - b.frequency, 0.5 * (a.width - b.width)) * double(within) >
+         least_distance * a.width;
+}
+
 // Whether each pole is within the range and known well.
 bool is_sound(const ModeFit& fit, const Response& response) {
   for (std::size_t k = 0; k < fit.poles.size(); ++k) {
@@ -56,6 +66,8 @@ bool is_sound(const ModeFit& fit, const Response& response) {
     if (!is_within(fit.poles[k], response) ||
         !(mode.amplitude > least_pole_over_error * mode.amplitude_error))
       return false;
+    for (std::size_t other = 0; other < k; ++other)
+      if (!are_apart(fit.poles[k], fit.poles[other], response)) return false;
   }
   return fit.converged;
 }

@@ -47,3 +47,19 @@ TEST_CASE("a mode whose group no longer comes to rest from the poles of an earli
     CHECK(modes[2].frequency == Approx(39700).margin(300));
   }
 }
+
+// Twelve numbers of two poles 0.01 Hz apart, with opposite phases, fit 37 values of a single mode, 84 Hz wide, best of all.
+TEST_CASE("a mode is not split in two in one place", "[spectrum]") {
+  const Curve curve = curve_of("packing_113_kPa.csv", 60e3);
+  REQUIRE(curve.frequencies.size() > 300);
+  const std::vector<Mode> modes = find_modes(curve.frequencies, curve.response);
+  REQUIRE(modes.size() == 3);
+  // The maxima of the curve are at 10850, 32125 and 52250 Hz, 12.5 Hz apart at the first, 250 Hz at the others, which are 1 and 5 kHz wide.
+  CHECK(modes[0].frequency == Approx(10850).margin(10));
+  CHECK(modes[1].frequency == Approx(32125).margin(250));
+  CHECK(modes[2].frequency == Approx(52250).margin(600));
+  for (const Mode& mode : modes) {
+    CHECK(mode.frequency_error < 0.01 * mode.frequency);
+    CHECK(mode.amplitude_error < 0.5 * mode.amplitude);
+  }
+}
