@@ -7,6 +7,7 @@ import math
 import os
 import statistics
 import sys
+import tomllib
 
 import matplotlib
 
@@ -22,12 +23,14 @@ LATE = 50  # cycles from which the slope is taken, if there are more
 
 
 class Run:
-    """Deviatoric strain and stress of a run over its cycles of 1 s."""
+    """Deviatoric strain and stress of a run over its cycles."""
 
     def __init__(self, path):
         rows = read(os.path.join(path, "series", "box.csv"))
         times, self.strain, self.stress = ([float(r[c]) for r in rows] for c in ("time", "deviatoric_strain", "deviatoric_stress"))
-        self.per_cycle = round(1 / (times[1] - times[0]))
+        with open(os.path.join(path, "scenario.toml"), "rb") as scenario:
+            period = tomllib.load(scenario)["stage"][-1]["period"]
+        self.per_cycle = round(period / (times[1] - times[0]))
         self.accumulated = self.strain[:: self.per_cycle]
 
     def first_loop(self):
