@@ -33,6 +33,15 @@ void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
   scene.law_of[a * n + b] = scene.law_of[b * n + a] = law;
 }
 
+// Walls do not touch each other: pairs of materials that no body has take any law.
+void fill_pairs_of_walls(Scene& scene) {
+  const std::size_t n = scene.materials.size();
+  std::vector<bool> of_bodies(n, false);
+  for (const Body& body : scene.bodies) of_bodies[body.material] = true;
+  for (std::size_t pair = 0; pair < n * n && !scene.laws.empty(); ++pair)
+    if (scene.law_of[pair] == no_law && !of_bodies[pair / n] && !of_bodies[pair % n]) scene.law_of[pair] = 0;
+}
+
 void check_pairs(const document::Table& root, const PluginHost& host, const Scene& scene) {
   const auto open = std::find(scene.law_of.begin(), scene.law_of.end(), no_law);
   if (open == scene.law_of.end()) return;
@@ -64,6 +73,7 @@ void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, 
       for_the_rest = law;
   }
   if (for_the_rest) std::replace(scene.law_of.begin(), scene.law_of.end(), no_law, *for_the_rest);
+  fill_pairs_of_walls(scene);
   check_pairs(root, host, scene);
 }
 

@@ -37,3 +37,17 @@ TEST_CASE("with several materials every wall needs one", "[scenario]") {
   CHECK_THAT(refusal(silent), Catch::Contains("[[boundary]] has no 'material'"));
   CHECK(plan_of(with_materials_named(two_materials)).scene.boundaries[0].material == 1);
 }
+
+TEST_CASE("a material of walls alone needs no law with itself", "[scenario]") {
+  const std::string of_grains =
+      with(two_materials, "[[contact]]\n", "[[contact]]\nbetween = ['grain', 'grain']\n");
+  CHECK(plan_of(with_materials_named(of_grains) + second_law).scene.law_of ==
+        std::vector<std::uint32_t>{0, 1, 1, 0});
+  CHECK_THAT(refusal(with_materials_named(of_grains)),
+             Catch::Contains(
+                 "no [[contact]] applies to 'grain' and 'steel'; add one, or leave 'between' out of one"));
+  // Bodies of that material may touch each other.
+  CHECK_THAT(refusal(with(with_materials_named(of_grains) + second_law, "radius = 0.01\nmaterial = 'grain'\n",
+                          "radius = 0.01\nmaterial = 'steel'\n")),
+             Catch::Contains("no [[contact]] applies to 'steel' and 'steel'"));
+}
