@@ -2,6 +2,7 @@
 import csv
 import os
 import sys
+import tomllib
 
 
 def read(path):
@@ -19,6 +20,12 @@ def runs_of(folder):
     for row in rows:
         row["path"] = os.path.join(folder, row["run"])
     return [row for row in rows if row["status"] == "finished"]
+
+
+def scenario_of(run):
+    """The scenario of a run as it was taken."""
+    with open(os.path.join(run, "scenario.toml"), "rb") as scenario:
+        return tomllib.load(scenario)
 
 
 def no_runs(folder, campaign):

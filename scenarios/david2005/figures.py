@@ -7,7 +7,6 @@ import math
 import os
 import statistics
 import sys
-import tomllib
 
 import matplotlib
 
@@ -15,7 +14,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
+from tables import no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
 
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
 PLUGIN, FRICTION, COUNT = "contact.grains.plugin", "contact.grains.static_friction", "particles.lattice.count"
@@ -28,9 +27,7 @@ class Run:
     def __init__(self, path):
         rows = read(os.path.join(path, "series", "box.csv"))
         times, self.strain, self.stress = ([float(r[c]) for r in rows] for c in ("time", "deviatoric_strain", "deviatoric_stress"))
-        with open(os.path.join(path, "scenario.toml"), "rb") as scenario:
-            period = tomllib.load(scenario)["stage"][-1]["period"]
-        self.per_cycle = round(period / (times[1] - times[0]))
+        self.per_cycle = round(scenario_of(path)["stage"][-1]["period"] / (times[1] - times[0]))
         self.accumulated = self.strain[:: self.per_cycle]
 
     def first_loop(self):

@@ -3,6 +3,7 @@
 Usage: python3 scenarios/lemrich2017/figures.py campaigns/sweeps|campaigns/drives [FOLDER for the pictures, default: that of the campaign]
 Needs python3-matplotlib."""
 import cmath
+import json
 import math
 import os
 import sys
@@ -13,7 +14,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402 (the choice of the backend comes first)
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
+from tables import no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
@@ -26,7 +27,7 @@ class Sweep:
     """One run of the campaign: a stress, a drive, the response and its highest peak."""
 
     def __init__(self, row, folder):
-        self.height = height_of_packing(folder, row["path"])
+        self.prepared = os.path.join(folder, "prepare", os.path.basename(os.path.dirname(scenario_of(row["path"])["particles"]["state"])))
         self.stress = float(row["boundary.bottom.stress"])
         self.case = row["case"]
         self.amplitude = float(row["spectrum.amplitude"])
@@ -54,6 +55,12 @@ class Sweep:
         step = self.frequencies[k + 1] - self.frequencies[k]
         return self.frequencies[k] + shift * step, middle - 0.25 * (low - high) * shift
 
+    def height(self):
+        """Of the packing from which the sweep begins (m)."""
+        with open(os.path.join(self.prepared, "final_packing.csv"), encoding="utf-8") as packing:
+            ends = {line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))}
+        return ends["upper"] - ends["lower"]
+
     def local_strain(self):
         return self.top()[1] * self.amplitude
 
@@ -64,30 +71,21 @@ class Sweep:
         return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
 
 
-def height_of_packing(folder, run):
-    """Of the prepared packing from which a run of the campaign begins (m)."""
-    with open(os.path.join(run, "scenario.toml"), encoding="utf-8") as scenario:
-        state = next(line.split('"')[1] for line in scenario if line.startswith("state ="))
-    prepared = os.path.join(folder, "prepare", os.path.basename(os.path.dirname(state)), "final_packing.csv")
-    with open(prepared, encoding="utf-8") as packing:
-        ends = {line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))}
-    return ends["upper"] - ends["lower"]
-
-
 def sweeps_of(folder):
     return sorted((Sweep(row, folder) for row in runs_of(folder)), key=lambda s: (s.stress, s.amplitude))
 
 
 def draw_sweeps(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(8, 5))
+    height = sweeps[0].height()
     for sweep, colour in zip(sweeps, COLOURS):
-        ratio = [r * sweep.height for r in sweep.response]
+        ratio = [r * height for r in sweep.response]
         axes.plot([f / 1e3 for f in sweep.frequencies], ratio, color=colour, marker="o", markersize=3, linewidth=1.3,
-                  label=f"{sweep.amplitude / sweep.height:.1e}")
+                  label=f"{sweep.amplitude / height:.1e}")
     axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
     axes.set_title(f"Sweeps at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
     axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False, loc="lower left", ncols=2)
-    axes.set_ylim(bottom=min(min(s.response) * s.height for s in sweeps) / 5)
+    axes.set_ylim(bottom=min(min(s.response) for s in sweeps) * height / 5)
     axes.grid(color="#eeeeee")
     figure.tight_layout()
     figure.savefig(path, dpi=120)
@@ -165,12 +163,13 @@ def main():
     if not sweeps:
         no_runs(folder, "scenarios/lemrich2017/sweeps.toml, or drives.toml,")
     print_table(sweeps)
-    lowest = [s for s in sweeps if s.stress == sweeps[0].stress]
-    if len(lowest) == len(sweeps):
+    with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
+        of_band = os.path.basename(json.load(record)["file"]) == "sweeps.toml"
+    if of_band:
         draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
         return 0
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
-    shaped = [s for s in lowest if s.layers]
+    shaped = [s for s in sweeps if s.stress == sweeps[0].stress and s.layers]
     if shaped:
         draw_profile([shaped[0], shaped[len(shaped) // 2], shaped[-1]], os.path.join(out, "profile.png"))
     return 0

@@ -91,8 +91,9 @@ def main(scree, folder, packing="5", *overrides):
     exact = static[-1]
     for label, courses in (("period", dynamic), ("increments", static)):
         for c in courses:
+            per_cycle = "" if math.isnan(c.slope) else f", per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})"
             print(f"{label} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
-                  f"({c.first / exact.first - 1:+.1e}), per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})")
+                  f"({c.first / exact.first - 1:+.1e}){per_cycle}")
     roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
     values = [(lambda c: c.first, "Strain after a cycle")]
     if not math.isnan(exact.slope):

@@ -35,10 +35,11 @@ void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
 
 // Walls do not touch each other: pairs of materials that no body has take any law.
 void fill_pairs_of_walls(Scene& scene) {
+  if (scene.laws.empty()) return;
   const std::size_t n = scene.materials.size();
   std::vector<bool> of_bodies(n, false);
   for (const Body& body : scene.bodies) of_bodies[body.material] = true;
-  for (std::size_t pair = 0; pair < n * n && !scene.laws.empty(); ++pair)
+  for (std::size_t pair = 0; pair < n * n; ++pair)
     if (scene.law_of[pair] == no_law && !of_bodies[pair / n] && !of_bodies[pair % n]) scene.law_of[pair] = 0;
 }
 

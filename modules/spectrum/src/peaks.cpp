@@ -50,8 +50,8 @@ std::vector<Range> ranges_of(const Response& response, const std::vector<std::si
   return ranges;
 }
 
-// Whether two poles are told apart by frequencies with the spacing of those in the width of the first. Two in one place, with amplitudes
-// that cancel, are what is left of a background.
+// Whether two poles are told apart by frequencies with the spacing of those in the width of the first. Two that are nearer, with large amplitudes
+// that nearly cancel, fit any small deviation of a single mode.
 bool are_apart(const Pole& a, const Pole& b, const Response& response) {
   const std::size_t within =
       index_of(response, a.frequency + 0.5 * a.width) - index_of(response, a.frequency - 0.5 * a.width);
