@@ -1,7 +1,8 @@
-"""Draws strain accumulation over the cycles (figures 3 and 5 of David et al. 2005) and the first loop (figure 4) with each tangential
-spring, from a campaign of laws.toml or sizes.toml, and prints their numbers: means over the seeds ± standard error.
+"""Draws strain accumulation over the cycles for packings of several sizes and frictions (figures 3 and 5 of David et al. 2005) and their loops
+(figures 2 and 4) with each tangential spring, from a campaign of accumulation.toml, and prints their numbers: means over the seeds ± standard
+error.
 
-Usage: python3 scenarios/david2005/figures.py campaigns/laws [FOLDER for the picture, default: that of the campaign]
+Usage: python3 scenarios/david2005/figures.py campaigns/accumulation [FOLDER for the pictures, default: that of the campaign]
 Needs python3-matplotlib."""
 import math
 import os
@@ -17,7 +18,6 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from tables import no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
 
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
-PLUGIN, FRICTION, COUNT = "contact.grains.plugin", "contact.grains.static_friction", "particles.lattice.count"
 LATE = 50  # cycles from which the slope is taken, if there are more
 
 
@@ -25,9 +25,13 @@ class Run:
     """Deviatoric strain and stress of a run over its cycles."""
 
     def __init__(self, path):
+        scenario = scenario_of(path)
+        self.size = math.prod(scenario["particles"]["lattice"]["count"])
+        self.friction = scenario["contact"][0]["static_friction"]
+        self.spring = SPRINGS[scenario["contact"][0]["plugin"]]
         rows = read(os.path.join(path, "series", "box.csv"))
         times, self.strain, self.stress = ([float(r[c]) for r in rows] for c in ("time", "deviatoric_strain", "deviatoric_stress"))
-        self.per_cycle = round(scenario_of(path)["stage"][-1]["period"] / (times[1] - times[0]))
+        self.per_cycle = round(scenario["stage"][-1]["period"] / (times[1] - times[0]))
         self.accumulated = self.strain[:: self.per_cycle]
 
     def first_loop(self):
@@ -56,47 +60,84 @@ def mean_of(values):
 
 
 def groups_of(folder):
-    """Runs by what varies beside the seed and the spring, and by the spring."""
+    """Runs by size, friction and spring."""
     groups = {}
-    for row in runs_of(folder):
-        varied = f"μ = {row[FRICTION]}" if FRICTION in row else f"N = {math.prod(int(n) for n in row[COUNT].strip('[]').split(','))}" if COUNT in row else ""
-        groups.setdefault(varied, {}).setdefault(row[PLUGIN], []).append(Run(row["path"]))
-    return groups
+    for run in (Run(row["path"]) for row in runs_of(folder)):
+        groups.setdefault((run.size, run.friction, run.spring), []).append(run)
+    return dict(sorted(groups.items()))
 
 
 def print_numbers(groups):
-    print(f"{'':12} {'spring':16} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, second half':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
-    for varied, springs in groups.items():
-        for plugin, runs in springs.items():
-            numbers = [mean_of([f(r) for r in runs]) for f in (lambda r: r.accumulated[-1], Run.late_slope, Run.loop_area, lambda r: r.stiffness() / 1e3)]
-            texts = [f"{mean:.3g} ± {error:.1g}" for mean, error in numbers]
-            print(f"{varied:12} {SPRINGS[plugin]:16} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
+    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, second half':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
+    for (size, friction, spring), runs in groups.items():
+        quantities = (lambda r: r.accumulated[-1], Run.late_slope, Run.loop_area, lambda r: r.stiffness() / 1e3)
+        numbers = [mean_of([quantity(r) for r in runs]) for quantity in quantities]
+        texts = [f"{mean:.3g} ± {error:.1g}" for mean, error in numbers]
+        print(f"{size:7} {friction:5} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
 
 
-def draw(groups, file):
-    figure, (accumulation, loops) = pyplot.subplots(1, 2, figsize=(11, 4.6))
+def plot_accumulation(axes, groups, title, name_of):
+    """Means of the seeds, with standard errors after the last cycle."""
+    for at, (label, runs, look) in enumerate(with_looks(groups, name_of)):
+        last = min(len(r.accumulated) for r in runs) - 1
+        axes.plot(range(last + 1), [1e3 * statistics.fmean(r.accumulated[c] for r in runs) for c in range(last + 1)], label=label, **look)
+        mean, error = mean_of([1e3 * r.accumulated[last] for r in runs])
+        # Beside one another.
+        fill = "none" if look["linestyle"] == "--" else "full"
+        axes.errorbar(last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look)
+    axes.set(title=title, xlabel="cycle", ylabel="deviatoric strain at the least load / 10⁻³")
+
+
+def plot_loops(axes, groups, title, name_of, loop_of):
+    for label, runs, look in with_looks(groups, name_of):
+        strain, stress = loop_of(runs[0])
+        axes.plot([1e3 * e for e in strain], stress, label=label, **look)
+    axes.set(title=title, xlabel="deviatoric strain / 10⁻³", ylabel="deviatoric stress / Pa")
+
+
+def with_looks(groups, name_of):
+    """Groups with a colour for each name and a style for each spring; with a label where a name is new."""
+    names = list(dict.fromkeys(name_of(key) for key in groups))
     colours = pyplot.get_cmap("viridis")
-    for k, (varied, springs) in enumerate(groups.items()):
-        colour = colours(0.9 * k / max(len(groups) - 1, 1))
-        for plugin, runs in springs.items():
-            style = "-" if plugin == "linear_spring_dashpot" else "--"
-            cycles = range(min(len(r.accumulated) for r in runs))
-            means = [mean_of([1e3 * r.accumulated[c] for r in runs]) for c in cycles]
-            text = ", ".join(part for part in (varied, SPRINGS[plugin]) if part)
-            accumulation.plot(cycles, [m for m, _ in means], style, color=colour, label=text)
-            if len(runs) > 1:
-                low, high = ([m + sign * e for m, e in means] for sign in (-1, 1))
-                accumulation.fill_between(cycles, low, high, color=colour, alpha=0.15, linewidth=0)
-            strain, stress = runs[0].first_loop()
-            loops.plot([1e3 * e for e in strain], stress, style, color=colour)
-    accumulation.set(title="Strain at the least load, mean of the seeds", xlabel="cycle", ylabel="deviatoric strain / 10⁻³")
-    loops.set(title="First cycle, first seed", xlabel="deviatoric strain / 10⁻³", ylabel="deviatoric stress / Pa")
-    for axes in (accumulation, loops):
+    for key, runs in groups.items():
+        name, is_first = name_of(key), key[2] == SPRINGS["linear_spring_dashpot"]
+        colour = colours(0.9 * names.index(name) / max(len(names) - 1, 1))
+        yield name if is_first else None, runs, {"color": colour, "linestyle": "-" if is_first else "--", "linewidth": 1.2}
+
+
+def save(figure, panels, file):
+    figure.suptitle("Tangential springs: solid lines that of David et al., dashed lines painted points", fontsize=10)
+    for axes in panels:
         axes.grid(color="#eeeeee")
-    accumulation.legend(fontsize=8)
+        axes.legend(fontsize=8)
     figure.tight_layout()
     figure.savefig(file, dpi=80)
     print(file)
+
+
+def draw(groups, folder):
+    weakest = min(friction for _, friction, _ in groups)
+    sizes = {key: runs for key, runs in groups.items() if key[1] == weakest}
+    # Frictions are compared in one size, that of most groups.
+    compared = max(groups, key=lambda key: sum(other[0] == key[0] for other in groups))[0]
+    frictions = {key: runs for key, runs in groups.items() if key[0] == compared}
+    largest = {key: runs for key, runs in sizes.items() if key[0] == max(size for size, _, _ in sizes)}
+
+    def size_of(key):
+        return f"{key[0]} spheres"
+
+    def friction_of(key):
+        return f"μ = {key[1]}"
+
+    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5))
+    plot_accumulation(panels[0], sizes, f"Size, μ = {weakest}, mean of the seeds", size_of)
+    plot_accumulation(panels[1], frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of)
+    save(figure, panels, os.path.join(folder, "accumulation.png"))
+
+    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5))
+    plot_loops(panels[0], largest, f"All cycles, μ = {weakest}, first seed", size_of, lambda run: (run.strain, run.stress))
+    plot_loops(panels[1], frictions, f"First cycle, {compared} spheres, first seed", friction_of, Run.first_loop)
+    save(figure, panels, os.path.join(folder, "loops.png"))
 
 
 def main():
@@ -105,9 +146,9 @@ def main():
         return 0 if len(sys.argv) in (2, 3) else 2
     groups = groups_of(sys.argv[1])
     if not groups:
-        no_runs(sys.argv[1], "scenarios/david2005/laws.toml")
+        no_runs(sys.argv[1], "scenarios/david2005/accumulation.toml")
     print_numbers(groups)
-    draw(groups, os.path.join(sys.argv[2] if len(sys.argv) == 3 else sys.argv[1], "accumulation.png"))
+    draw(groups, sys.argv[-1])
     return 0
 
 

@@ -11,8 +11,15 @@ namespace {
 // and little else. They return in the next residuals if they matter.
 constexpr double smallest_angle = 0.03;
 
-Eigen::MatrixXcd product(const GalerkinBasis::Sparse& a, const Eigen::MatrixXcd& x) {
-  Eigen::MatrixXcd result(x.rows(), x.cols());
+using Matrix = GalerkinBasis::Matrix;
+using Columns = Eigen::Ref<const Matrix>;
+
+// Products of complex matrices: one instance of each in place of one for every type of expression, which take seconds to compile.
+Matrix product(const Columns& a, const Columns& b) { return a * b; }
+Matrix adjoint_product(const Columns& a, const Columns& b) { return a.adjoint() * b; }
+
+Matrix product(const GalerkinBasis::Sparse& a, const Matrix& x) {
+  Matrix result(x.rows(), x.cols());
   result.real() = a * Eigen::MatrixXd(x.real());
   result.imag() = a * Eigen::MatrixXd(x.imag());
   return result;
@@ -33,25 +40,23 @@ GalerkinBasis::GalerkinBasis(const Sparse& stiffness, const Sparse& damping, con
       mass_part_(capacity, capacity) {}
 
 void GalerkinBasis::remove_span(Matrix& columns) const {
-  if (size_ == 0) return;
-  const auto span = vectors_.leftCols(size_);
-  const Matrix shares = span.adjoint() * columns;
-  columns.noalias() -= span * shares;
+  if (size_ > 0) columns -= product(span(), adjoint_product(span(), columns));
 }
 
 void GalerkinBasis::extend(Matrix columns) {
   remove_span(columns);
-  const Eigen::SelfAdjointEigenSolver<Matrix> principal(Matrix(columns.adjoint() * columns));
+  const Eigen::SelfAdjointEigenSolver<Matrix> principal(adjoint_product(columns, columns));
   const Eigen::VectorXd& squares = principal.eigenvalues();
   const double least = smallest_angle * smallest_angle * squares[squares.size() - 1];
   const Eigen::Index added =
       std::min<Eigen::Index>(room(), (squares.array() > std::max(least, 1e-300)).count());
   if (added == 0) return;
-  Matrix more = columns * (principal.eigenvectors().rightCols(added) *
-                           squares.tail(added).cwiseSqrt().cwiseInverse().asDiagonal());
+  const Matrix directions =
+      principal.eigenvectors().rightCols(added) * squares.tail(added).cwiseSqrt().cwiseInverse().asDiagonal();
+  Matrix more = product(columns, directions);
   // What round-off left of the span, and of each other.
   remove_span(more);
-  const Eigen::LLT<Matrix> overlaps(Matrix(more.adjoint() * more));
+  const Eigen::LLT<Matrix> overlaps(adjoint_product(more, more));
   overlaps.matrixU().template solveInPlace<Eigen::OnTheRight>(more);
 
   const Eigen::Index from = size_, to = size_ + added;
@@ -59,12 +64,11 @@ void GalerkinBasis::extend(Matrix columns) {
   of_stiffness_.middleCols(from, added) = product(stiffness_, more);
   of_damping_.middleCols(from, added) = product(damping_, more);
   size_ = to;
-  const auto span = vectors_.leftCols(to);
-  stiffness_part_.block(0, from, to, added) = span.adjoint() * of_stiffness_.middleCols(from, added);
-  damping_part_.block(0, from, to, added) = span.adjoint() * of_damping_.middleCols(from, added);
-  mass_part_.block(0, from, to, added) = span.adjoint() * (mass_.asDiagonal() * more);
-  stiffness_part_.block(from, 0, added, from) = more.adjoint() * of_stiffness_.leftCols(from);
-  damping_part_.block(from, 0, added, from) = more.adjoint() * of_damping_.leftCols(from);
+  stiffness_part_.block(0, from, to, added) = adjoint_product(span(), of_stiffness_.middleCols(from, added));
+  damping_part_.block(0, from, to, added) = adjoint_product(span(), of_damping_.middleCols(from, added));
+  mass_part_.block(0, from, to, added) = adjoint_product(span(), Matrix(mass_.asDiagonal() * more));
+  stiffness_part_.block(from, 0, added, from) = adjoint_product(more, of_stiffness_.leftCols(from));
+  damping_part_.block(from, 0, added, from) = adjoint_product(more, of_damping_.leftCols(from));
   mass_part_.block(from, 0, added, from) = mass_part_.block(0, from, from, added).adjoint();
 }
 
@@ -73,16 +77,19 @@ Eigen::VectorXcd GalerkinBasis::coefficients(double omega, const Eigen::VectorXc
   const Matrix projected = stiffness_part_.topLeftCorner(size_, size_) +
                            i_omega * damping_part_.topLeftCorner(size_, size_) -
                            omega * omega * mass_part_.topLeftCorner(size_, size_);
-  return projected.partialPivLu().solve(vectors_.leftCols(size_).adjoint() * load);
+  return projected.partialPivLu().solve(adjoint_product(span(), load).col(0));
 }
 
-GalerkinBasis::Matrix GalerkinBasis::residuals(const Eigen::VectorXd& omega, const Matrix& loads,
-                                               const Matrix& coefficients) const {
+Matrix GalerkinBasis::vectors(const Matrix& coefficients) const { return product(span(), coefficients); }
+
+Matrix GalerkinBasis::residuals(const Eigen::VectorXd& omega, const Matrix& loads,
+                                const Matrix& coefficients) const {
   const std::complex<double> i(0, 1);
-  const Eigen::VectorXd square = omega.cwiseAbs2();
-  return loads - of_stiffness_.leftCols(size_) * coefficients -
-         of_damping_.leftCols(size_) * (coefficients * (i * omega).asDiagonal()) +
-         mass_.asDiagonal() * (vectors_.leftCols(size_) * (coefficients * square.asDiagonal()));
+  const Matrix velocities = coefficients * (i * omega).asDiagonal();
+  const Matrix accelerations = coefficients * (-omega.cwiseAbs2()).asDiagonal();
+  return loads - product(of_stiffness_.leftCols(size_), coefficients) -
+         product(of_damping_.leftCols(size_), velocities) -
+         mass_.asDiagonal() * product(span(), accelerations);
 }
 
 }  // namespace scree::response

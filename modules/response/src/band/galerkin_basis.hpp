@@ -21,11 +21,12 @@ class GalerkinBasis {
   void extend(Matrix columns);
   // Coefficients y of q = V y, from the equations projected on V.
   Eigen::VectorXcd coefficients(double omega, const Eigen::VectorXcd& load) const;
-  Matrix vectors(const Matrix& coefficients) const { return vectors_.leftCols(size_) * coefficients; }
+  Matrix vectors(const Matrix& coefficients) const;
   // f − A q of each column.
   Matrix residuals(const Eigen::VectorXd& omega, const Matrix& loads, const Matrix& coefficients) const;
 
  private:
+  auto span() const { return vectors_.leftCols(size_); }
   void remove_span(Matrix& columns) const;
 
   const Sparse &stiffness_, &damping_;
