@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/SparseLU>
+#include <Eigen/KLUSupport>
 
 #include <scree/response/frequency_response.hpp>
 
@@ -21,7 +21,7 @@ std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& dri
                                     const std::vector<double>& frequencies_hz,
                                     const std::atomic<bool>* stop) {
   const MassWeighted weighted(system);
-  Eigen::SparseLU<ComplexMatrix> factors;
+  Eigen::KLU<ComplexMatrix> factors;
   bool analysed = false;
   std::vector<HarmonicResponse> responses;
   for (const double frequency : frequencies_hz) {
