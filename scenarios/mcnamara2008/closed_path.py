@@ -1,0 +1,88 @@
+"""Draws forces of contacts on a closed path, without slip and rotation, under three laws (figures 8 to 10 of McNamara et al. 2008), and
+prints what each keeps of a round.
+
+Usage: python3 scenarios/mcnamara2008/closed_path.py runs/closed-path [FOLDER for the picture, default: that of the run]
+Needs a run of closed-path.toml and python3-matplotlib."""
+import math
+import os
+import sys
+
+from figures import BLUE, GREEN, GREY, ORANGE, label, pyplot, save
+from tables import read  # of the folder above, which figures.py adds
+
+LAWS = {2: ("Cundall and Strack", BLUE, "o"), 3: ("corrected", ORANGE, "s"), 4: ("painted points", GREEN, "^")}
+SAMPLES = 100  # per round
+STIFFNESS = 1.0  # N/m, of the tangential springs
+
+
+def forces(rows, disc):
+    """Normal and tangential force of the moved disc on another (N), t = n turned by +90 degrees."""
+    normal, tangential = [], []
+    for row in rows:
+        n = [row["x_1"] - row[f"x_{disc}"], row["y_1"] - row[f"y_{disc}"]]
+        distance = math.hypot(*n)
+        n = [component / distance for component in n]
+        force = [row[f"fx_{disc}"], row[f"fy_{disc}"]]
+        normal.append(-(force[0] * n[0] + force[1] * n[1]))
+        tangential.append(force[1] * n[0] - force[0] * n[1])
+    return normal, tangential
+
+
+def growth_of_a_round(rows, disc, points=4096):
+    """∮ ρ dθ of the circle that the moved disc follows, ρ and θ as seen from the other (m)."""
+    radius = rows[0]["x_1"]
+    x, y = rows[0][f"x_{disc}"], rows[0][f"y_{disc}"]
+    total = 0
+    for k in range(points):
+        angle = 2 * math.pi * k / points
+        along, aside = radius * math.cos(angle) - x, radius * math.sin(angle) - y
+        velocity = -radius * math.sin(angle), radius * math.cos(angle)
+        total += (along * velocity[1] - aside * velocity[0]) / math.hypot(along, aside) * 2 * math.pi / points
+    return total
+
+
+def draw(rows, out):
+    figure, (path, plane, rounds) = pyplot.subplots(1, 3, figsize=(13, 4.3))
+    path.plot([1e3 * r["x_1"] for r in rows[: SAMPLES + 1]], [1e3 * r["y_1"] for r in rows[: SAMPLES + 1]], color=GREY)
+    for disc, (law, colour, _) in LAWS.items():
+        side = [math.copysign(1, rows[0][f"{axis}_{disc}"]) for axis in "xy"]
+        path.annotate("", xy=[11 * s for s in side], xytext=(0, 0), arrowprops={"arrowstyle": "->", "color": colour})
+        path.text(15 * side[0], 13 * side[1], law, color=colour, ha="center", va="center", fontsize=8)
+    label(path, "Path of the moved disc, directions to the others", "x / mm", "y / mm")
+    path.set(xlim=(-25, 25), ylim=(-17, 17), aspect="equal")
+    for disc in (2, 4):
+        law, colour, _ = LAWS[disc]
+        normal, tangential = ([1e3 * f for f in part] for part in forces(rows, disc))
+        for first, style in ((0, "-"), (19, "--")):
+            part = slice(first * SAMPLES, (first + 1) * SAMPLES + 1)
+            plane.plot(normal[part], tangential[part], style, color=colour, label=f"{law}, round {first + 1}")
+    plane.set_ylim(-19, 38)
+    label(plane, "Forces of two contacts (figure 9)", "$F_n$ / mN", "$F_t$ / mN")
+    for disc, (law, colour, mark) in LAWS.items():
+        kept = [1e3 * f for f in forces(rows, disc)[1][::SAMPLES]]
+        rounds.plot(range(len(kept)), kept, mark, color=colour, markersize=5, fillstyle="none", label=law)
+    growth = 1e3 * STIFFNESS * growth_of_a_round(rows, 2)
+    rounds.plot([0, 20], [0, 20 * growth], color="black", linewidth=0.8, label=r"$k_t \oint \rho\, d\theta$ per round")
+    label(rounds, "Tangential force after whole rounds (figure 10)", "round", "$F_t$ / mN")
+    for axes in (plane, rounds):
+        axes.legend(frameon=False, fontsize=8, loc="upper left")
+    save(figure, out, "closed-path.png")
+
+
+def main():
+    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 0 if len(sys.argv) in (2, 3) else 2
+    table = os.path.join(sys.argv[1], "series", "particles.csv")
+    if not os.path.exists(table):
+        sys.exit(f"closed_path.py: {sys.argv[1]}: no run; run scree run scenarios/mcnamara2008/closed-path.toml --out {sys.argv[1]} first")
+    rows = [{name: float(value) for name, value in row.items()} for row in read(table)]
+    for disc, (law, _, _) in LAWS.items():
+        kept = forces(rows, disc)[1][::SAMPLES]
+        print(f"{law:20} {kept[1] / STIFFNESS:.6e} m after a round, {kept[-1] / STIFFNESS:.6e} m after {len(kept) - 1}; ∮ρ dθ = {growth_of_a_round(rows, disc):.6e} m")
+    draw(rows, sys.argv[-1])
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
