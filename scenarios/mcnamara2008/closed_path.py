@@ -7,8 +7,8 @@ import math
 import os
 import sys
 
-from figures import BLUE, GREEN, GREY, ORANGE, label, pyplot, save
-from tables import read  # of the folder above, which figures.py adds
+from series import read
+from style import BLUE, GREEN, GREY, ORANGE, label, pyplot, save
 
 LAWS = {2: ("Cundall and Strack", BLUE, "o"), 3: ("corrected", ORANGE, "s"), 4: ("painted points", GREEN, "^")}
 SAMPLES = 100  # per round

@@ -7,38 +7,22 @@ import math
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
-from series import DROPPED, Paths, line_through, slope_of, strains  # noqa: E402
-from tables import no_runs, read, runs_of  # noqa: E402 (series adds the folder above)
+from packing import draw_packing
+from series import DROPPED, Paths, line_through, slope_of, strains
+from style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, label, pyplot, save
+from tables import no_runs, runs_of  # of the folder above, which series.py adds
 
 LOAD = 0.15  # Δσ/p
 FRICTION = 0.2
-STIFFNESS = 100.0  # N/m, of discs and walls
-BLUE, ORANGE, GREEN, RED, GREY, PURPLE = "#1b3a6b", "#d98e04", "#49a078", "#c0392b", "#888888", "#a569bd"
 WALLS = {"wall1": "left wall", "wall2": "right wall", "wall3": "lower wall", "wall4": "upper wall"}
 MARKS = "os^dv<>ph*"
 SETTLING = "11"  # packing of long.toml that shakes down
 PHASE = "stage.cycles.set.box.stress_x_high.phase_deg"
 
 
-def label(axes, title, x, y):
-    axes.set_title(title, loc="left", fontsize=10)
-    axes.set(xlabel=x, ylabel=y)
-    axes.grid(color="#eeeeee")
-
-
 def bodies_of(contact):
     """A contact "3_7" or "3_wall1" in words."""
     return " and ".join(WALLS.get(part, f"disc {part}") for part in contact.split("_"))
-
-
-def save(figure, out, name):
-    figure.tight_layout()
-    figure.savefig(os.path.join(out, name), dpi=80)
-    print(os.path.join(out, name))
 
 
 def draw_slip(axes, paths):
@@ -185,31 +169,6 @@ def draw_strain(axes, path, title, logarithmic=False):
     power = math.floor(math.log10(max(abs(g) for g in gamma)))
     axes.plot(range(DROPPED, DROPPED + len(gamma)), [g / 10**power for g in gamma], "o-", markersize=3, linewidth=0.5, color=BLUE)
     return label(axes, title, "cycle", rf"$\gamma$ less that of cycle {DROPPED} / 10$^{{{power}}}$")
-
-
-def draw_packing(axes, path):
-    """Discs at the end, lines between them as wide as their normal forces, and the velocity of those without contacts."""
-    discs = [{k: float(v) for k, v in r.items() if k != "material"} for r in read(os.path.join(path, "final_packing.csv"))]
-    box = read(os.path.join(path, "series", "load.csv"))[-1]
-    width, height = float(box["length_x"]), float(box["length_y"])
-    axes.add_patch(pyplot.Rectangle((0, 0), width, height, fill=False, color="black"))
-    for a in discs:
-        x, y, r = a["x"], a["y"], a["radius"]
-        ends = [(r - x, 0, y), (r - width + x, width, y), (r - y, x, 0), (r - height + y, x, height)]
-        ends += [(r + b["radius"] - math.hypot(x - b["x"], y - b["y"]), b["x"], b["y"]) for b in discs if b is not a]
-        forces = [(STIFFNESS * overlap, to_x, to_y) for overlap, to_x, to_y in ends if overlap > 0]
-        axes.add_patch(pyplot.Circle((x, y), r, facecolor="#eeeeee" if forces else ORANGE, edgecolor=GREY))
-        axes.annotate(f"{a['id']:.0f}", (x, y), ha="center", va="center", fontsize=8, zorder=3,
-                      bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
-        for force, to_x, to_y in forces:
-            axes.plot([x, to_x], [y, to_y], color=BLUE, linewidth=8 * force)
-        if not forces:
-            speed = math.hypot(a["vx"], a["vy"])
-            axes.annotate("", (x + 0.12 * a["vx"] / speed, y + 0.12 * a["vy"] / speed), (x, y),
-                          arrowprops={"arrowstyle": "->", "color": RED})
-    axes.set(xlim=(-0.02, width + 0.02), ylim=(-0.02, height + 0.02), aspect="equal")
-    label(axes, "Its discs and normal forces; arrow: velocity (figure 16)", "$x$ / L", "$y$ / L")
-    axes.grid(False)
 
 
 def draw_rattlers(folder, out):

@@ -10,19 +10,14 @@ import os
 import subprocess
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
-from series import line_through  # noqa: E402
-from tables import read  # noqa: E402 (series adds the folder above)
+from series import line_through, read
+from style import BLUE, ORANGE, label, pyplot, save
 
 CYCLES, DROPPED = 30, 10
 CYCLES_KEY = "stage.cycles.cycles="
 PERIODS = (10, 20, 40, 80, 160)  # τ
 INCREMENTS = (10, 20, 40, 80, 160, 640)
 SCENARIO = os.path.join(os.path.dirname(os.path.abspath(__file__)), "biaxial.toml")
-BLUE, ORANGE = "#1b3a6b", "#d98e04"
 
 
 def call(scree, verb, out, overrides):
@@ -69,15 +64,13 @@ def without_dynamics(scree, folder, overrides, increments):
 
 
 def draw(axes, roads, exact, value, title, unit):
-    for (label, courses), colour, mark in zip(roads, (ORANGE, BLUE), "so"):
+    for (name, courses), colour, mark in zip(roads, (ORANGE, BLUE), "so"):
         shown = [(c, abs(value(c) / value(exact) - 1)) for c in courses]
         shown = [(c, error) for c, error in shown if error > 0]
-        axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=label)
+        axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
         for c, error in shown:
             axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(7, 7), fontsize=8)
-    axes.set_title(title, loc="left", fontsize=10)
-    axes.set(xlabel="wall time of a cycle / ms", ylabel=unit)
-    axes.grid(color="#eeeeee")
+    label(axes, title, "wall time of a cycle / ms", unit)
     axes.margins(0.12)
     axes.legend(frameon=False, fontsize=9)
 
@@ -89,10 +82,10 @@ def main(scree, folder, packing="5", *overrides):
     dynamic = [by_dynamics(scree, folder, overrides, period) for period in PERIODS]
     static = [without_dynamics(scree, folder, overrides, increments) for increments in INCREMENTS]
     exact = static[-1]
-    for label, courses in (("period", dynamic), ("increments", static)):
+    for name, courses in (("period", dynamic), ("increments", static)):
         for c in courses:
             per_cycle = "" if math.isnan(c.slope) else f", per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})"
-            print(f"{label} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
+            print(f"{name} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
                   f"({c.first / exact.first - 1:+.1e}){per_cycle}")
     roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
     values = [(lambda c: c.first, "Strain after a cycle")]
@@ -101,10 +94,7 @@ def main(scree, folder, packing="5", *overrides):
     figure, axes = pyplot.subplots(1, len(values), figsize=(5.5 * len(values), 4.4), squeeze=False)
     for part, (value, title) in zip(axes[0], values):
         draw(part, roads, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
-    figure.tight_layout()
-    picture = os.path.join(folder, "quasi-static.png")
-    figure.savefig(picture, dpi=80)
-    print(picture)
+    save(figure, folder, "quasi-static.png")
 
 
 if __name__ == "__main__":
