@@ -16,7 +16,7 @@ LOAD = 0.15  # Δσ/p
 FRICTION = 0.2
 WALLS = {"wall1": "left wall", "wall2": "right wall", "wall3": "lower wall", "wall4": "upper wall"}
 MARKS = "os^dv<>ph*"
-SETTLING = "11"  # packing of long.toml that shakes down
+SETTLING = "82"  # packing of long.toml that shakes down
 PHASE = "stage.cycles.set.box.stress_x_high.phase_deg"
 
 
@@ -181,7 +181,7 @@ def draw_rattlers(folder, out):
     draw_strain(outliers, runs["outliers"], f"Collisions of a disc without contacts, packing {packings['outliers']} (figure 15)")
     draw_packing(packing, runs["outliers"])
     if "periodic" in runs:
-        draw_strain(periodic, runs["periodic"], f"Cycles that alternate, packing {packings['periodic']} (figure 17)")
+        draw_strain(periodic, runs["periodic"], f"Cycles that repeat, packing {packings['periodic']} (figure 17)")
     for seed, path in longest.items():
         gamma = strains(path, DROPPED)[DROPPED:]
         print(f"packing {seed}: range of {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
