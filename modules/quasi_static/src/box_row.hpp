@@ -1,20 +1,13 @@
 #pragma once
 
+#include "sample.hpp"
+
 #include <string>
 #include <vector>
 
 #include <scree/plugin/abi.h>
 
 namespace scree::quasi_static {
-
-// A packing at one time, seen from its walls.
-struct Sample {
-  double time = 0;  // (s)
-  std::vector<scree_plane> planes;
-  std::vector<scree_load> loads;
-  std::size_t contacts = 0, sliding = 0;
-  bool dynamic = false;  // reached by dynamics
-};
 
 // Columns of a series, with units: as of the probe `box`, along the axes that have walls at both ends, then contacts, sliding,
 // dynamic.

@@ -21,7 +21,8 @@ void write_record(const std::string& status, const Course& c, const run::RunDire
   json["bodies"] = c.bodies;
   json["degrees_of_freedom"] = c.degrees_of_freedom;
   json["start"] = c.start;
-  json["end"] = c.end;
+  json["end"] = c.reached;
+  if (c.reached < c.end) json["planned_end"] = c.end;
   json["increment"] = c.increment;
   json["period"] = c.period;
   json["increments"] = c.increments;
@@ -78,12 +79,13 @@ std::string text_report(const Course& c) {
   std::string text = fmt::format(
       "{} bodies, {} degrees of freedom; {:g} to {:g} s in {} increments of at most {:g} s\n"
       "{} iterations of Newton's method; contacts opened, closed, began or ended to slide {} times\n",
-      c.bodies, c.degrees_of_freedom, c.start, c.end, c.increments, c.increment, c.iterations, c.events);
+      c.bodies, c.degrees_of_freedom, c.start, c.reached, c.increments, c.increment, c.iterations, c.events);
   if (!c.hand_overs.empty())
     text += fmt::format("{:g} s of {:g} s by dynamics, in {} parts, where there was no equilibrium nearby\n",
-                        c.dynamic_time(), c.end - c.start, c.hand_overs.size());
+                        c.dynamic_time(), c.reached - c.start, c.hand_overs.size());
   text += fmt::format("{:.3g} s of wall time", c.wall);
-  if (c.period > 0) text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.end - c.start));
+  if (c.period > 0 && c.reached > c.start)
+    text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.reached - c.start));
   return text + "\n";
 }
 

@@ -1,5 +1,7 @@
 #include "box_row.hpp"
 #include "course_files.hpp"
+#include "load_warnings.hpp"
+#include "sample.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -29,9 +31,6 @@ using Clock = std::chrono::steady_clock;
 
 // Steps of the stages before that are taken at once.
 constexpr std::uint64_t steps_at_once = 1000;
-// Loads that are judged before the first increment; the others with their increments.
-constexpr std::size_t most_loads_judged = 10'000;
-
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
@@ -42,23 +41,6 @@ double period_of(const scenario::Plan& plan) {
   const auto stages = document.root().tables("stage");
   if (stages.empty() || !stages.back().is_number("period")) return 0;
   return stages.back().number("period", document::Range::positive("s"));
-}
-
-Sample sample_of(const QuasiStatic& packing, double time) {
-  return {.time = time,
-          .planes = packing.planes(),
-          .loads = packing.loads(),
-          .contacts = packing.touching(),
-          .sliding = packing.sliding()};
-}
-
-Sample sample_of(const Simulation& moving, double time) {
-  const std::vector<std::uint8_t> sliding = moving.contact_list().sliding;
-  return {.time = time,
-          .planes = moving.planes(),
-          .loads = moving.loads(),
-          .contacts = sliding.size(),
-          .sliding = std::size_t(std::count(sliding.begin(), sliding.end(), 1))};
 }
 
 class Follower {
@@ -89,6 +71,10 @@ class Follower {
       course_.error = error.what();
       files::try_each([&] { save("failed"); });
       files::rethrow_as_failure(error);
+    } catch (const std::exception& error) {  // such as of memory
+      course_.error = error.what();
+      files::try_each([&] { save("failed"); });
+      throw;
     }
     course_.interrupted = !proceeds();
     save(course_.interrupted ? "interrupted" : "finished");
@@ -111,7 +97,7 @@ class Follower {
     StageRunner stages(*simulation_, plan_.stages);
     while (stages.current() + 1 < plan_.stages.size()) {
       stages.run(steps_at_once, [this] { return proceeds(); });
-      if (!proceeds()) throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
+      if (!proceeds()) throw interrupted("before the stages had ended");
       if (options_.on_progress) options_.on_progress(0, 0, plan_.stages[stages.current()].name);
     }
     began_ = Clock::now();
@@ -122,16 +108,24 @@ class Follower {
     course_.increment = whole / options_.increments;
     course_.bodies = simulation_->particles().size();
     try {
-      judge_loads();
+      for (const std::string& warning : load_warnings(*simulation_, course_, options_.increments))
+        warn(warning);
       packing_ = std::make_unique<QuasiStatic>(*simulation_, quasi_static_options());
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
     }
-    box_ = std::make_unique<BoxRow>(simulation_->dimension(), simulation_->planes());
     course_.degrees_of_freedom = packing_->degrees_of_freedom();
     const bool balanced = packing_->advance(course_.start);
-    if (!proceeds()) throw Error("interrupted before the load was followed", ExitStatus::interrupted);
+    if (!proceeds()) throw interrupted("before the load was followed");
+    box_ = std::make_unique<BoxRow>(simulation_->dimension(),
+                                    balanced ? packing_->planes() : simulation_->planes());
     if (!balanced) begin_with_dynamics();
+  }
+
+  Error interrupted(const std::string& when) const {
+    return Error(fmt::format("{}: interrupted {}; nothing was written, give the same call again",
+                             plan_.source.string(), when),
+                 ExitStatus::interrupted);
   }
 
   // Without equilibrium at the start: the load jumps there, or the packing has not come to rest.
@@ -139,26 +133,9 @@ class Follower {
     warn(
         "the packing is not in balance with the loads at the start of the last stage, and dynamics go on from there; begin the "
         "loads with their present values, and let the packing come to rest in the stage before (until)");
-    packing_.reset();
+    end_packing();
     dynamics_ = std::move(simulation_);
     course_.hand_overs.push_back({course_.start, course_.start});
-  }
-
-  // Loads that the road cannot follow are refused, and those that need not be followed named, before anything is written.
-  void judge_loads() {
-    const double length = course_.end - course_.start;
-    const std::size_t times = std::min(most_loads_judged, std::size_t(std::ceil(length / course_.increment)));
-    const auto loads_at = [&](std::size_t k) {
-      return response::loads_of_walls(*simulation_, course_.start + double(k) / double(times) * length);
-    };
-    bool changes = false;
-    const std::vector<double> first = loads_at(0);
-    for (std::size_t k = 1; k <= times; ++k) changes = loads_at(k) != first || changes;
-    if (!changes)
-      warn("no load on a wall changes in the last stage; give a stress or force that changes with time");
-    if (course_.period > 0 && options_.increments < FollowOptions::fewest_per_cycle)
-      warn(fmt::format("{} increments of a period leave most of its loads out; give at least {}",
-                       options_.increments, FollowOptions::fewest_per_cycle));
   }
 
   response::QuasiStaticOptions quasi_static_options() const {
@@ -184,36 +161,42 @@ class Follower {
 
   // From where the packing has no equilibrium nearby.
   void hand_over() {
-    count();
     course_.hand_overs.push_back({packing_->time(), packing_->time()});
-    dynamics_ = std::make_unique<Simulation>(
-        scene_in_stage(plan_.scene, plan_.stages, plan_.stages.size() - 1), packing_->state());
+    Scene scene = scene_in_stage(plan_.scene, plan_.stages, plan_.stages.size() - 1);
+    scene.threads = options_.threads;
+    dynamics_ = std::make_unique<Simulation>(scene, packing_->state());
+    end_packing();
   }
 
   // If the packing that moves has an equilibrium nearby, goes on from there.
   void take_back(double time) {
     auto packing = std::make_unique<QuasiStatic>(*dynamics_, quasi_static_options());
     const bool balanced = packing->advance(std::max(time, dynamics_->time()));
-    if (!proceeds()) return;
-    Sample reached = balanced ? sample_of(*packing, time) : sample_of(*dynamics_, time);
-    reached.dynamic = true;
-    sample(reached);
-    if (!balanced) return;
+    if (proceeds()) {
+      Sample reached = balanced ? sample_of(*packing, time) : sample_of(*dynamics_, time);
+      reached.dynamic = true;
+      sample(reached);
+    }
     packing_ = std::move(packing);
-    simulation_ = std::move(dynamics_);
+    if (balanced && proceeds())
+      simulation_ = std::move(dynamics_);
+    else
+      end_packing();
   }
 
   // Adds what the packing has counted.
-  void count() {
+  void end_packing() {
+    if (!packing_) return;
     course_.increments += packing_->counts().increments;
     course_.iterations += packing_->counts().iterations;
     course_.events += packing_->counts().events;
+    packing_.reset();
   }
 
   void sample(const Sample& sample) {
     series_->add(box_->line(sample));
     series_->flush();
-    times_.push_back(sample.time);
+    times_.push_back(course_.reached = sample.time);
     strains_.push_back(box_->deviatoric_strain(sample));
   }
 
@@ -227,9 +210,9 @@ class Follower {
   }
 
   void save(const std::string& status) {
-    if (!dynamics_) count();
+    end_packing();
     course_.wall = seconds_since(began_);
-    if (course_.dynamic_time() > 0.5 * (course_.end - course_.start))
+    if (course_.dynamic_time() > 0.5 * (course_.reached - course_.start))
       warn(
           "dynamics took more than half of the time: the packing has no equilibrium nearby for long; run it with scree run, or "
           "compress it further");

@@ -20,11 +20,12 @@ using Vector = Eigen::VectorXd;
 // A packing between its two walls, strained by the upper one.
 class StrainedPacking {
  public:
-  StrainedPacking(const Simulation& simulation, const AssemblyOptions& options)
+  StrainedPacking(const Simulation& simulation, const AssemblyOptions& options,
+                  const std::function<bool()>& proceed)
       : simulation_(simulation),
         walls_(wall_pair(simulation)),
         dimension_(simulation.dimension()),
-        packing_(simulation, {options.fewest_contacts, true, options.at_limit}) {}
+        packing_(simulation, {options.fewest_contacts, true, options.at_limit}, proceed) {}
 
   const WallPair& walls() const { return walls_; }
   std::size_t rattlers() const { return packing_.system().rattlers.size(); }
@@ -157,7 +158,7 @@ WallPair wall_pair(const Simulation& simulation) {
 
 ElasticModuli elastic_moduli(const Simulation& simulation, const AssemblyOptions& options,
                              const std::function<bool()>& proceed) {
-  StrainedPacking packing(simulation, options);
+  StrainedPacking packing(simulation, options, proceed);
   const auto next = [&](int axis) {
     if (!proceed())
       throw Error("interrupted before the elastic constants were known", ExitStatus::interrupted);

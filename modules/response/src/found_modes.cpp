@@ -39,7 +39,10 @@ class Search {
     search_.on_progress(0, "counting floppy modes");
     const std::unique_ptr<ShiftedFactors> below = system_.factorise(-rounding);
     result_.unstable = system_.count_below(*below);
-    if (search_.proceed()) result_.floppy = system_.count_below(rounding) - result_.unstable;
+    result_.counted = search_.proceed();
+    // One that is both within round-off counts once.
+    if (result_.counted)
+      result_.floppy = std::max(system_.count_below(rounding), result_.unstable) - result_.unstable;
     resting_ = result_.unstable + result_.floppy;
     find(*below, Index(result_.floppy), true);
     find_unstable();

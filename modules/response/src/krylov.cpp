@@ -118,6 +118,10 @@ class Lanczos {
     projected_.setZero();
     projected_.diagonal().head(kept) = values_.head(kept);
     size_ = kept;
+    // What is converged may be wanted before the next block.
+    shares_ = Matrix::Identity(kept, kept);
+    values_ = values_.head(kept).eval();
+    residuals_ = residuals_.head(kept).eval();
   }
 
   KrylovResult converged() const {

@@ -79,12 +79,16 @@ LoadResponse response_to(const StaticPacking& packing, const Particles& particle
 
 }  // namespace
 
-std::vector<LoadResponse> load_responses(const Simulation& simulation, const AssemblyOptions& options) {
-  const StaticPacking packing(simulation, options);
+std::vector<LoadResponse> load_responses(const Simulation& simulation, const AssemblyOptions& options,
+                                         const std::function<bool()>& proceed) {
+  const StaticPacking packing(simulation, options, proceed);
   std::vector<LoadResponse> all;
-  for (std::size_t w = 0; w < packing.system().freedom.walls(); ++w)
-    if (packing.system().freedom.wall(w) != DegreesOfFreedom::none)
-      all.push_back(response_to(packing, simulation.particles(), w));
+  for (std::size_t w = 0; w < packing.system().freedom.walls(); ++w) {
+    if (packing.system().freedom.wall(w) == DegreesOfFreedom::none) continue;
+    if (!proceed())
+      throw Error("interrupted before all responses to loads were known", ExitStatus::interrupted);
+    all.push_back(response_to(packing, simulation.particles(), w));
+  }
   if (all.empty())
     throw Error(
         "no wall is moved by forces, on which a load could grow; give a wall a stress or a force, or leave --loads out");

@@ -1,19 +1,22 @@
 #include "static_packing.hpp"
 
+#include <scree/error.hpp>
 #include <scree/response/found_modes.hpp>
 
 namespace scree::response {
 
 using Vector = Eigen::VectorXd;
 
-StaticPacking::StaticPacking(const Simulation& simulation, const AssemblyOptions& options)
+StaticPacking::StaticPacking(const Simulation& simulation, const AssemblyOptions& options,
+                             const std::function<bool()>& proceed)
     : system_(assemble(simulation, options)),
       undamped_(system_),
       inverse_(undamped_.factorise(-undamped_.rounding())),
       list_(simulation.contact_list()),
       terms_(linearise_contacts(simulation, system_.freedom.spins(), options.at_limit)),
       equations_(simulation.linear_walls()) {
-  const FoundModes found = find_modes(undamped_, {.count = 0});
+  const FoundModes found = find_modes(undamped_, {.count = 0, .proceed = proceed});
+  if (!proceed()) throw Error("interrupted while floppy modes were counted", ExitStatus::interrupted);
   floppy_ = found.shape.middleCols(Eigen::Index(found.first_floppy),
                                    Eigen::Index(found.first_vibrating - found.first_floppy));
 }

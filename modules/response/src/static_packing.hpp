@@ -3,6 +3,7 @@
 #include "contact_terms.hpp"
 #include "static_solution.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct PackingMotion {
 // Solves for the static displacements of a packing at rest, without its parts along floppy modes.
 class StaticPacking {
  public:
-  // Throws Error as assemble() does.
-  StaticPacking(const Simulation& simulation, const AssemblyOptions& options);
+  // Throws Error as assemble() does, or (interrupted) if `proceed` ends the search for floppy modes.
+  StaticPacking(const Simulation& simulation, const AssemblyOptions& options,
+                const std::function<bool()>& proceed);
 
   const LinearSystem& system() const { return system_; }
   const ContactList& list() const { return list_; }

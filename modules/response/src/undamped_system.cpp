@@ -56,7 +56,7 @@ std::size_t UndampedSystem::count_below(double square_frequency) const {
 }
 
 std::size_t UndampedSystem::count_below(const ShiftedFactors& factors) const {
-  return std::size_t(factors.negative()) - negative_massless_;
+  return std::max(std::size_t(factors.negative()), negative_massless_) - negative_massless_;
 }
 
 }  // namespace scree::response

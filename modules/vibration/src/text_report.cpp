@@ -23,7 +23,8 @@ std::string head(const Vibration& v) {
   std::string text = fmt::format(
       "{} bodies with {} contacts, {} degrees of freedom; {} rattlers are left out; asymmetry of K {:.2g}\n",
       v.bodies, v.contacts, v.degrees_of_freedom, v.rattlers.size(), v.asymmetry);
-  text += fmt::format("{} unstable modes, {} floppy modes", v.unstable, v.floppy);
+  text += v.counted ? fmt::format("{} unstable modes, {} floppy modes", v.unstable, v.floppy)
+                    : "unstable and floppy modes were not counted";
   if (!v.floppy_bodies.empty())
     text +=
         fmt::format(" of {} bodies: {} (floppy.csv)", v.floppy_bodies.size(), names_of(v, v.floppy_bodies));

@@ -1,5 +1,6 @@
 #include "mode_picture.hpp"
 #include "mode_properties.hpp"
+#include "mode_warnings.hpp"
 #include "search_checks.hpp"
 #include "vibration_files.hpp"
 
@@ -49,7 +50,11 @@ class Course {
     if (!run::run_stages(
             stages, [this] { return proceeds(); },
             [this](double share, const std::string& stage) { report(share, stage); }))
-      throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
+      throw Error(
+          fmt::format(
+              "{}: interrupted before the stages had ended; nothing was written, give the same call again",
+              plan_.source.string()),
+          ExitStatus::interrupted);
     began_ = Clock::now();
     check(*simulation);
     describe(*simulation);
@@ -64,8 +69,11 @@ class Course {
         directory_.discard();
         throw;
       }
-      save_failed(error);
+      save_failed(error.what());
       files::rethrow_as_failure(error);
+    } catch (const std::exception& error) {  // such as of memory
+      save_failed(error.what());
+      throw;
     }
   }
 
@@ -115,6 +123,7 @@ class Course {
     const double start = seconds();
     work();
     result_.seconds.emplace_back(name, seconds() - start);
+    write_tables(result_, directory_);
     done_ += cost;
   }
 
@@ -138,10 +147,14 @@ class Course {
                    .near_hz = options_.near_hz,
                    .proceed = [this] { return proceeds(); },
                    .on_progress = [this](double share, const std::string& what) { report(share, what); }});
-    result_.unstable = found.unstable, result_.floppy = found.floppy, result_.complete = found.complete;
+    result_.unstable = found.unstable, result_.floppy = found.floppy;
+    result_.counted = found.counted, result_.complete = found.complete;
     result_.modes = properties_of(found, *system_);
     result_.floppy_bodies = floppy_bodies(found, *system_);
-    if (proceeds()) warn_of_modes(found.of_full_stiffness);
+    if (proceeds())
+      for (const std::string& warning :
+           mode_warnings(result_, found.of_full_stiffness, options_.residual_limit))
+        warn(warning);
     for (const unsigned number : options_.pictures) draw(simulation, found, number);
   }
 
@@ -154,37 +167,22 @@ class Course {
       return;
     }
     const std::string name = fmt::format("images/mode_{}.png", number);
-    draw_mode(simulation, system_->freedom, found.shape.col(Eigen::Index(m)),
-              fmt::format("{}: mode {}, {:.6g} Hz", result_.title, number, result_.modes[m].frequency_hz),
-              options_.view, directory_.add(name));
-    result_.pictures.push_back(name);
+    try_to_draw(name, [&] {
+      draw_mode(simulation, system_->freedom, found.shape.col(Eigen::Index(m)),
+                fmt::format("{}: mode {}, {:.6g} Hz", result_.title, number, result_.modes[m].frequency_hz),
+                options_.view, directory_.add(name));
+      result_.pictures.push_back(name);
+    });
   }
 
-  void warn_of_modes(bool of_full_stiffness) {
-    if (!of_full_stiffness)
-      warn(
-          "unstable and floppy modes are those of the symmetric part of K, and with all of it some may be neither: its "
-          "asymmetry, by sliding contacts, is large; let the packing come to rest with less sliding");
-    if (result_.unstable > 0)
-      warn(fmt::format(
-          "the packing is unstable: {} modes grow (modes.csv); let it come to rest, or hold what is loose",
-          result_.unstable));
-    if (result_.floppy > 0)
-      warn(fmt::format(
-          "K is singular at 0 Hz: {} modes are floppy; see floppy.csv, or leave their bodies out by "
-          "--fewest-contacts",
-          result_.floppy));
-    std::string numbers;
-    for (const Mode& m : result_.modes)
-      if (m.kind == ModeKind::vibrating && m.residual > options_.residual_limit)
-        numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", m.number);
-    if (!numbers.empty())
-      warn(fmt::format(
-          "with the full, asymmetric K the residuals of the modes {} are above {:g}; take their frequencies as "
-          "approximate",
-          numbers, options_.residual_limit));
-    if (!result_.complete && !result_.modes.empty())
-      warn("the count of modes does not confirm that none is left out; ask for more with --modes");
+  // What was found stays without its pictures.
+  template <class Draw>
+  void try_to_draw(const std::string& name, const Draw& draw) {
+    try {
+      draw();
+    } catch (const std::exception& error) {
+      warn(fmt::format("{} was not drawn: {}", name, error.what()));
+    }
   }
 
   void take_constants(const Simulation& simulation) {
@@ -200,8 +198,9 @@ class Course {
   void take_loads(const Simulation& simulation) {
     report(0, "loads on walls");
     try {
-      result_.loads = response::load_responses(simulation, assembly_);
+      result_.loads = response::load_responses(simulation, assembly_, [this] { return proceeds(); });
     } catch (const Error& error) {
+      if (error.status() == ExitStatus::interrupted) return;
       warn(error.what());
     }
     for (const response::LoadResponse& load : result_.loads)
@@ -227,8 +226,8 @@ class Course {
     if (options_.on_warning) options_.on_warning(line);
   }
 
-  void save_failed(const Error& failure) {
-    result_.error = failure.what();
+  void save_failed(const std::string& failure) {
+    result_.error = failure;
     files::try_each([&] { write_tables(result_, directory_); },
                     [&] { write_record("failed", result_, directory_); });
   }
@@ -236,7 +235,7 @@ class Course {
   Vibration finish() {
     result_.interrupted = !proceeds();
     write_tables(result_, directory_);
-    draw_charts(result_, directory_);
+    try_to_draw("charts", [&] { draw_charts(result_, directory_); });
     write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
     return std::move(result_);
   }

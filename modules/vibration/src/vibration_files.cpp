@@ -177,8 +177,8 @@ void write_record(const std::string& status, const Vibration& v, const run::RunD
   json["contacts"] = v.contacts;
   json["degrees_of_freedom"] = v.degrees_of_freedom;
   json["asymmetry"] = v.asymmetry;
-  json["unstable_modes"] = v.unstable;
-  json["floppy_modes"] = v.floppy;
+  json["unstable_modes"] = v.counted ? Json(v.unstable) : Json();
+  json["floppy_modes"] = v.counted ? Json(v.floppy) : Json();
   json["complete"] = v.complete;
   json["modes"] = json_of_modes(v);
   if (v.elastic) json["elastic"] = json_of(*v.elastic);

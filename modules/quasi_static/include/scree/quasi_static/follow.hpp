@@ -36,6 +36,7 @@ struct Course {
   std::string title;
   std::size_t bodies = 0, degrees_of_freedom = 0;
   double start = 0, end = 0, increment = 0;  // (s)
+  double reached = 0;                        // (s) before the end if it was interrupted or failed
   double period = 0;                         // (s) of the stage; 0 without
   std::size_t increments = 0, iterations = 0,
               events = 0;  // quasi-static; contacts that opened, closed, began or ended to slide

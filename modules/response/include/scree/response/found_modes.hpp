@@ -21,6 +21,7 @@ struct ModeSearch {
 // round-off), then those that vibrate. The latter are modes of the symmetric part of K, the others of all of K.
 struct FoundModes {
   std::size_t unstable = 0, floppy = 0;  // of the system: by the inertia of K, then with its asymmetry
+  bool counted = false;                  // whether `floppy` is known; not after an early end of the search
   std::size_t first_floppy = 0,
               first_vibrating = 0;   // among the columns; all unstable ones are found up to 200
   Eigen::VectorXd square_frequency;  // ω² (1/s²)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <scree/response/linear_system.hpp>
@@ -15,15 +16,14 @@ struct LoadedContact {
   double normal_change, tangential_change;  // (N/N)
 };
 
-// What a growing force on one wall does to a packing at rest, per force: the straight paths of bodies and contact forces,
-// x = x₀ + q k̂ L, while no contact opens, closes, begins or ends to slide (McNamara et al. 2008, equation A6).
+// What a growing force on one wall does to a packing at rest, per force: the straight paths of bodies and contact forces
+// while no contact opens, closes, begins or ends to slide (McNamara et al. 2008, equation A6).
 struct LoadResponse {
   std::size_t wall;  // on which the force grows, along its direction of motion
   std::vector<double>
       walls;  // (m/N) displacement of each wall along its direction; 0 of those that no force moves
   std::vector<std::uint32_t> bodies;  // that are held
-  // (m/N), behind the dimensions (rad/N): (bodies, dimension + spins)
-  std::vector<double> displacement;
+  std::vector<double> displacement;   // (m/N; rad/N of rotations) (bodies, dimension + spins)
   // Of held bodies. Tangential forces are n × f in 2D; in 3D the magnitude, whose change is that along the force, or all of it
   // where there is none.
   std::vector<LoadedContact> contacts;
@@ -33,7 +33,10 @@ struct LoadResponse {
   static constexpr double largest_residual = 1e-6;
 };
 
-// One for each wall that forces move and a held body touches. Throws Error as assemble() does, or if no such wall is there.
-std::vector<LoadResponse> load_responses(const Simulation& simulation, const AssemblyOptions& options = {});
+// One for each wall that forces move and a held body touches. Throws Error as assemble() does, if no such wall is there, or (interrupted)
+// if `proceed` says so.
+std::vector<LoadResponse> load_responses(
+    const Simulation& simulation, const AssemblyOptions& options = {},
+    const std::function<bool()>& proceed = [] { return true; });
 
 }  // namespace scree::response

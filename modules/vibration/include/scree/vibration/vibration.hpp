@@ -45,6 +45,7 @@ struct Vibration {
   std::vector<std::int64_t> rattlers;                            // names of bodies that are left out
   double asymmetry = 0;                                          // |K − Kᵀ|/|K|
   std::size_t unstable = 0, floppy = 0;                          // modes of the packing
+  bool counted = false;                                          // whether these are known
   std::vector<Mode> modes;  // unstable, floppy, vibrating ones that were found
   std::vector<Participant>
       floppy_bodies;      // kinetic energy in all floppy modes, their sum is `floppy`; from 0.01 on

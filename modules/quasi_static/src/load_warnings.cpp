@@ -1,0 +1,35 @@
+#include "load_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/response/quasi_static.hpp>
+
+namespace scree::quasi_static {
+
+// Loads that are looked at; the others are checked with their increments.
+constexpr std::size_t most_loads = 10'000;
+
+std::vector<std::string> load_warnings(const Simulation& simulation, const Course& course,
+                                       unsigned increments) {
+  const double length = course.end - course.start;
+  const std::size_t times = std::min(most_loads, std::size_t(std::ceil(length / course.increment)));
+  const auto loads_at = [&](std::size_t k) {
+    return response::loads_of_walls(simulation, course.start + double(k) / double(times) * length);
+  };
+  bool changes = false;
+  const std::vector<double> first = loads_at(0);
+  for (std::size_t k = 1; k <= times; ++k) changes = loads_at(k) != first || changes;
+  std::vector<std::string> warnings;
+  if (!changes)
+    warnings.push_back(
+        "no load on a wall changes in the last stage; give a stress or force that changes with time");
+  if (course.period > 0 && increments < FollowOptions::fewest_per_cycle)
+    warnings.push_back(fmt::format("{} increments of a period leave most of its loads out; give at least {}",
+                                   increments, FollowOptions::fewest_per_cycle));
+  return warnings;
+}
+
+}  // namespace scree::quasi_static
