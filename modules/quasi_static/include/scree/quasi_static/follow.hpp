@@ -20,9 +20,9 @@ struct FollowOptions {
   unsigned threads = 1;  // of the stages before
   unsigned increments =
       increments_per_cycle;  // of a period of the last stage, or of that stage if it has none
-  std::function<void(double share, double wall, const std::string& what)> on_progress;
-  std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
-  const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: what is complete is saved
+  std::function<void(double share, double wall, const std::string& what)> on_progress = {};
+  std::function<void(const std::string&)> on_warning = {};  // one line "<what>; <cure>"
+  const std::atomic<bool>* stop = nullptr;                  // set by Ctrl-C: what is complete is saved
 };
 
 // A part of the stage that was left to dynamics, since the packing had no equilibrium next to the present one.

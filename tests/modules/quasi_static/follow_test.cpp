@@ -1,0 +1,88 @@
+#include "plan_support.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <scree/error.hpp>
+#include <scree/quasi_static/follow.hpp>
+
+// What is written of a load that is followed through states of equilibrium.
+
+namespace scree::test {
+
+namespace {
+
+scenario::Plan box_of_discs(const std::string& seed) {
+  return scenario::read_plan(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml",
+                             {"scene.seed=" + seed, "stage.cycles.cycles=2", "time.step=1e-3"}, host());
+}
+
+// Rows of a series by columns, without the line of names.
+std::vector<std::vector<double>> rows_of(const std::filesystem::path& file) {
+  std::istringstream text(text_of(file));
+  std::vector<std::vector<double>> rows;
+  std::string line, cell;
+  std::getline(text, line);
+  while (std::getline(text, line)) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+constexpr std::size_t time_column = 0, strain_xx = 5, strain_yy = 6;
+
+}  // namespace
+
+TEST_CASE("a quasi-static course that is interrupted says how far it came") {
+  const TemporaryFolder folder;
+  std::atomic<bool> stop = false;
+  const quasi_static::Course course = quasi_static::follow(
+      box_of_discs("12"),
+      {.out = folder / "out",
+       .increments = 20,
+       .on_progress = [&](double share, double, const std::string&) { stop = share > 0.3; },
+       .stop = &stop});
+  CHECK(course.interrupted);
+  CHECK(course.reached > course.start);
+  CHECK(course.reached < course.end);
+  const auto rows = rows_of(folder / "out/series/quasi_static.csv");
+  REQUIRE(rows.size() > 5);
+  CHECK(rows.back()[time_column] == course.reached);
+  const auto record = nlohmann::json::parse(text_of(folder / "out/response.json"));
+  CHECK(record["status"] == "interrupted");
+  CHECK(record["end"] == course.reached);
+  CHECK(record["planned_end"] == course.end);
+  CHECK(record["increments"] == rows.size());  // with that to the balance at the start
+}
+
+TEST_CASE("quasi-static strains count from the balance at the start") {
+  const TemporaryFolder folder;
+  quasi_static::follow(box_of_discs("12"), {.out = folder / "out", .increments = 8});
+  const auto rows = rows_of(folder / "out/series/quasi_static.csv");
+  CHECK(rows.front()[strain_xx] == 0);
+  CHECK(rows.front()[strain_yy] == 0);
+  CHECK(nlohmann::json::parse(text_of(folder / "out/response.json")).contains("planned_end") == false);
+}
+
+TEST_CASE("a quasi-static course that is interrupted before the load writes nothing and says so") {
+  const TemporaryFolder folder;
+  const std::atomic<bool> stop = true;
+  try {
+    quasi_static::follow(box_of_discs("12"), {.out = folder / "out", .stop = &stop});
+    FAIL("not interrupted");
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::interrupted);
+    CHECK_THAT(error.what(),
+               Catch::Contains("biaxial.toml: interrupted before the stages had ended; nothing was "
+                               "written, give the same call again"));
+  }
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace scree::test
