@@ -1,5 +1,6 @@
 #include "movie.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -41,8 +42,52 @@ struct Pipe {
   }
 };
 
+// A file that is removed at the end.
+struct TemporaryLog {
+  std::string path = (fs::temp_directory_path() / "scree-movie-XXXXXX").string();
+  int descriptor = mkostemp(path.data(), O_CLOEXEC);
+  TemporaryLog() {
+    if (descriptor < 0)
+      throw Error(fmt::format("{}: cannot be written ({}); free space there", path, std::strerror(errno)),
+                  ExitStatus::failure);
+  }
+  ~TemporaryLog() {
+    close(descriptor);
+    unlink(path.c_str());
+  }
+  TemporaryLog(const TemporaryLog&) = delete;
+  TemporaryLog& operator=(const TemporaryLog&) = delete;
+};
+
+// Writing to a program that has ended is an error, not the end of this one.
+struct NoPipeSignal {
+  void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
+  NoPipeSignal() = default;
+  ~NoPipeSignal() { std::signal(SIGPIPE, before); }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+};
+
+// A program that is waited for.
+struct Process {
+  pid_t id = -1;
+  Process() = default;
+  ~Process() { wait(); }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  // Its status, once.
+  int wait() {
+    int status = 0;
+    while (id > 0 && waitpid(id, &status, 0) < 0 && errno == EINTR) {
+    }
+    id = -1;
+    return status;
+  }
+};
+
 // The pictures are its standard input; its messages go to a file.
-pid_t start_ffmpeg(const Pipe& pictures, int frames_per_second, const fs::path& movie, const fs::path& log) {
+pid_t start_ffmpeg(const Pipe& pictures, int frames_per_second, const fs::path& movie,
+                   const TemporaryLog& log) {
   const std::string rate = std::to_string(frames_per_second), target = fs::absolute(movie).string();
   // Even sizes and this pixel format are what common players take.
   const char* words[] = {"ffmpeg",   "-y",         "-loglevel",    "error",
@@ -52,7 +97,7 @@ pid_t start_ffmpeg(const Pipe& pictures, int frames_per_second, const fs::path& 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, pictures.ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  posix_spawn_file_actions_adddup2(&actions, log.descriptor, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   pid_t process = -1;
   const int failed = posix_spawnp(&process, words[0], &actions, nullptr, const_cast<char**>(words), environ);
@@ -98,20 +143,17 @@ void require_ffmpeg(const fs::path& movie) {
 }
 
 void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, const fs::path& movie) {
-  const fs::path log = fs::temp_directory_path() / fmt::format("scree-movie-{}.log", getpid());
-  Pipe input;
-  const auto before = std::signal(SIGPIPE, SIG_IGN);
-  const pid_t process = start_ffmpeg(input, frames_per_second, movie, log);
+  const NoPipeSignal no_signal;
+  const TemporaryLog log;
+  Process ffmpeg;
+  Pipe input;  // closed before the wait
+  ffmpeg.id = start_ffmpeg(input, frames_per_second, movie, log);
   input.close_end(0);
   for (const fs::path& picture : pictures)
     if (!send(input.ends[1], files::read_text(picture))) break;
   input.close_end(1);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  std::signal(SIGPIPE, before);
-  const std::string message = last_line(log);
-  fs::remove(log);
+  const int status = ffmpeg.wait();
+  const std::string message = last_line(log.path);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw Error(fmt::format("{}: ffmpeg failed ({}); give a name that ends in .mp4 in a folder that exists",
                             movie.string(), message.empty() ? "without a message" : message),

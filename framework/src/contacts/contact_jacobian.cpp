@@ -147,11 +147,13 @@ void ContactJacobian::evaluate(const scree_contact_batch& batch, const double* i
       std::fill(response.begin(), response.end(), 0.0);
       law_.instance().differentiate(law_.storage(), &batch, &tangent);
       const int column = first(PairMotion(m)) + k;
-      for (std::uint32_t i = 0; i < batch.count; ++i)
+      for (std::uint32_t i = 0; i < batch.count; ++i) {
+        double* const of_pair = jacobian.data() + i * std::size_t(rows() * columns());
         for (int row = 0; row < rows(); ++row) {
           const int output = row < dimension_ ? SCREE_FORCE + row : SCREE_COUPLE + row - dimension_;
-          jacobian[std::size_t((int(i) * rows() + row) * columns() + column)] = tangent.output[output][i];
+          of_pair[row * columns() + column] = tangent.output[output][i];
         }
+      }
     }
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include <scree/error.hpp>
+#include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/sound/trial.hpp>
 
@@ -22,18 +23,14 @@ std::vector<RoadSpectrum> taken(Road road, const Start& start) {
 }
 
 // The state behind the stages, whose steps are added; nothing if it was stopped.
-std::optional<State> after_stages(const scenario::Plan& plan, const std::atomic<bool>* stop,
-                                  std::uint64_t& steps) {
-  const auto simulation = run::set_up(plan);
-  const std::uint64_t before = simulation->steps();
-  StageRunner runner(*simulation, plan.stages);
-  while (!runner.finished()) {
-    if (stop && *stop) return std::nullopt;
-    constexpr std::uint64_t steps_between_looks = 1000;
-    runner.run(steps_between_looks, [stop] { return !(stop && *stop); });
-  }
-  steps += simulation->steps() - before;
-  return simulation->state();
+std::optional<State> after_stages(Simulation& simulation, const scenario::Plan& plan,
+                                  const std::atomic<bool>* stop, std::uint64_t& steps) {
+  const std::uint64_t before = simulation.steps();
+  StageRunner runner(simulation, plan.stages);
+  const auto proceed = [stop] { return !(stop && *stop); };
+  if (!run::run_stages(runner, proceed, [](double, const std::string&) {})) return std::nullopt;
+  steps += simulation.steps() - before;
+  return simulation.state();
 }
 
 }  // namespace
@@ -41,11 +38,13 @@ std::optional<State> after_stages(const scenario::Plan& plan, const std::atomic<
 SpectrumTrial try_roads(const scenario::Plan& plan, const std::vector<Road>& roads,
                         const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
-  const auto began = Clock::now();
   SpectrumTrial trial;
   if (const auto problem = scenario::sampling_problem(plan.spectrum->to_hz, plan.scene.step))
     throw Error(*problem + "; give a shorter step");
-  std::optional<State> state = after_stages(plan, stop, trial.steps);
+  auto simulation = run::set_up(plan);
+  const auto began = Clock::now();
+  std::optional<State> state = after_stages(*simulation, plan, stop, trial.steps);
+  simulation.reset();
   trial.stopped = !state;
   if (trial.stopped) return trial;
   const Start start{plan, scene_in_stage(plan.scene, plan.stages, plan.stages.size()), std::move(*state),

@@ -38,7 +38,7 @@ struct Quantity {
 struct Outcome {
   Setting setting;
   std::string problem;  // why there are no results; empty if there are
-  double wall = 0;      // (s) of the time loop, minimum over repeats
+  double wall = 0;      // (s) of the time loop, and of the roads to a peak; minimum over repeats
   std::uint64_t steps = 0;
   std::vector<double> values, errors;  // of each quantity; errors are relative
   // The largest error of all quantities.

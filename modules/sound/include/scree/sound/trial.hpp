@@ -15,11 +15,11 @@ struct SpectrumTrial {
   std::vector<RoadSpectrum> roads;
   std::vector<Resonance> resonances;
   std::uint64_t steps = 0;  // of the stages and the roads
-  double wall = 0;          // (s) of both
+  double wall = 0;          // (s) of both, without the set-up
   bool stopped = false;     // before its end
 };
 
-// Runs the stages and takes the roads on one thread until `stop`, which may be null, says stop. Throws Error as measure()
+// Runs the stages and takes the roads on one thread until `*stop` is true; `stop` may be null. Throws Error as measure()
 // does.
 SpectrumTrial try_roads(const scenario::Plan& plan, const std::vector<Road>& roads,
                         const std::atomic<bool>* stop);
