@@ -28,6 +28,18 @@ def scenario_of(run):
         return tomllib.load(scenario)
 
 
+def arguments(usage, least, most):
+    """The arguments of the script. Ends it with its usage for --help, and where there are too few or too many."""
+    given = sys.argv[1:]
+    if given and given[0] in ("-h", "--help"):
+        print(usage)
+        sys.exit(0)
+    if not least <= len(given) <= most:
+        print(usage, file=sys.stderr)
+        sys.exit(2)
+    return given
+
+
 def no_runs(folder, campaign):
     """Ends the script with one line: which campaign comes first."""
     sys.exit(f"{os.path.basename(sys.argv[0])}: {folder}: no finished run of a campaign; run scree campaign {campaign} first")

@@ -15,10 +15,10 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
+from tables import arguments, no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
 
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
-LATE = 50  # cycles from which the slope is taken, if there are more
+LATE = 50  # cycles
 
 
 class Run:
@@ -49,9 +49,10 @@ class Run:
         return (stress[top] - stress[0]) / (strain[top] - strain[0])
 
     def late_slope(self):
-        """Strain per cycle in the second half."""
+        """Strain per cycle from cycle LATE on, or in the second half of fewer than twice as many."""
         from_cycle = min(LATE, len(self.accumulated) // 2)
-        return (self.accumulated[-1] - self.accumulated[from_cycle]) / (len(self.accumulated) - 1 - from_cycle)
+        cycles = len(self.accumulated) - 1 - from_cycle
+        return (self.accumulated[-1] - self.accumulated[from_cycle]) / cycles if cycles > 0 else math.nan
 
 
 def mean_of(values):
@@ -68,7 +69,7 @@ def groups_of(folder):
 
 
 def print_numbers(groups):
-    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, second half':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
+    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, late':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
     for (size, friction, spring), runs in groups.items():
         quantities = (lambda r: r.accumulated[-1], Run.late_slope, Run.loop_area, lambda r: r.stiffness() / 1e3)
         numbers = [mean_of([quantity(r) for r in runs]) for quantity in quantities]
@@ -141,16 +142,13 @@ def draw(groups, folder):
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        return 0 if len(sys.argv) in (2, 3) else 2
-    groups = groups_of(sys.argv[1])
+    folder, *out = arguments(__doc__, 1, 2)
+    groups = groups_of(folder)
     if not groups:
-        no_runs(sys.argv[1], "scenarios/david2005/accumulation.toml")
+        no_runs(folder, "scenarios/david2005/accumulation.toml")
     print_numbers(groups)
-    draw(groups, sys.argv[-1])
-    return 0
+    draw(groups, *(out or [folder]))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -7,7 +7,7 @@ import statistics
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import no_runs, read, runs_of  # noqa: E402 (of the folder above)
+from tables import arguments, no_runs, read, runs_of  # noqa: E402 (of the folder above)
 
 NAMES = {0.25: "λ/4", 0.75: "3λ/4", 1.25: "5λ/4"}
 
@@ -48,10 +48,7 @@ def print_exponents(packings):
 
 
 def main():
-    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        return 0 if len(sys.argv) == 2 else 2
-    folder, packings = sys.argv[1], {}
+    (folder,), packings = arguments(__doc__, 1, 1), {}
     for row in runs_of(folder):
         packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(os.path.join(row["path"], "peaks.csv"))
     if not packings:
@@ -61,7 +58,8 @@ def main():
         print(f"exponent.py: {folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found", file=sys.stderr)
         return 1
     print_peaks(packings)
-    print_exponents(packings)
+    if len({stress for stress, _ in packings}) > 1:
+        print_exponents(packings)
     return 0
 
 

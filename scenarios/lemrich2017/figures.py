@@ -3,6 +3,7 @@
 Usage: python3 scenarios/lemrich2017/figures.py campaigns/sweeps|campaigns/drives [FOLDER for the pictures, default: that of the campaign]
 Needs python3-matplotlib."""
 import cmath
+import itertools
 import json
 import math
 import os
@@ -14,7 +15,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402 (the choice of the backend comes first)
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
+from tables import arguments, no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
@@ -78,7 +79,7 @@ def sweeps_of(folder):
 def draw_sweeps(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(8, 5))
     height = sweeps[0].height()
-    for sweep, colour in zip(sweeps, COLOURS):
+    for sweep, colour in zip(sweeps, itertools.cycle(COLOURS)):
         ratio = [r * height for r in sweep.response]
         axes.plot([f / 1e3 for f in sweep.frequencies], ratio, color=colour, marker="o", markersize=3, linewidth=1.3,
                   label=f"{sweep.amplitude / height:.1e}")
@@ -93,7 +94,7 @@ def draw_sweeps(sweeps, path):
 
 def draw_collapse(sweeps, path):
     figure, (plain, scaled) = pyplot.subplots(1, 2, figsize=(11, 5))
-    for case, colour in zip(dict.fromkeys(s.case for s in sweeps), COLOURS):
+    for case, colour in zip(dict.fromkeys(s.case for s in sweeps), itertools.cycle(COLOURS)):
         chosen = [s for s in sweeps if s.case == case and s.resonates()]
         style = {"color": colour, "marker": "o", "linewidth": 1.2, "label": case}
         plain.plot([s.local_strain() for s in chosen], [s.top()[0] / 1e3 for s in chosen], **style)
@@ -154,11 +155,8 @@ def print_table(sweeps):
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        return 0 if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help") else 2
-    folder = sys.argv[1]
-    out = sys.argv[2] if len(sys.argv) > 2 else folder
+    folder, *others = arguments(__doc__, 1, 2)
+    out = others[0] if others else folder
     sweeps = sweeps_of(folder)
     if not sweeps:
         no_runs(folder, "scenarios/lemrich2017/sweeps.toml, or drives.toml,")
@@ -166,14 +164,13 @@ def main():
     with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
         of_band = os.path.basename(json.load(record)["file"]) == "sweeps.toml"
     if of_band:
-        draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
-        return 0
+        return draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
     shaped = [s for s in sweeps if s.stress == sweeps[0].stress and s.layers]
     if shaped:
         draw_profile([shaped[0], shaped[len(shaped) // 2], shaped[-1]], os.path.join(out, "profile.png"))
-    return 0
+    return None
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

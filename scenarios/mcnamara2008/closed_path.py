@@ -7,7 +7,7 @@ import math
 import os
 import sys
 
-from series import read
+from series import arguments, read
 from style import BLUE, GREEN, GREY, ORANGE, label, pyplot, save
 
 LAWS = {2: ("Cundall and Strack", BLUE, "o"), 3: ("corrected", ORANGE, "s"), 4: ("painted points", GREEN, "^")}
@@ -70,19 +70,16 @@ def draw(rows, out):
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        return 0 if len(sys.argv) in (2, 3) else 2
-    table = os.path.join(sys.argv[1], "series", "particles.csv")
+    folder, *out = arguments(__doc__, 1, 2)
+    table = os.path.join(folder, "series", "particles.csv")
     if not os.path.exists(table):
-        sys.exit(f"closed_path.py: {sys.argv[1]}: no run; run scree run scenarios/mcnamara2008/closed-path.toml --out {sys.argv[1]} first")
+        sys.exit(f"closed_path.py: {folder}: no run; run scree run scenarios/mcnamara2008/closed-path.toml --out {folder} first")
     rows = [{name: float(value) for name, value in row.items()} for row in read(table)]
     for disc, (law, _, _) in LAWS.items():
         kept = forces(rows, disc)[1][::SAMPLES]
         print(f"{law:20} {kept[1] / STIFFNESS:.6e} m after a round, {kept[-1] / STIFFNESS:.6e} m after {len(kept) - 1}; ∮ρ dθ = {growth_of_a_round(rows, disc):.6e} m")
-    draw(rows, sys.argv[-1])
-    return 0
+    draw(rows, *(out or [folder]))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

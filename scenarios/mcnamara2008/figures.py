@@ -5,12 +5,11 @@ Each picture needs its campaigns: cycle.png paths; ellipse.png elliptic, paths; 
 Needs python3-matplotlib."""
 import math
 import os
-import sys
 
 from packing import draw_packing
 from series import DROPPED, Paths, line_through, slope_of, strains
 from style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, label, pyplot, save
-from tables import no_runs, runs_of  # of the folder above, which series.py adds
+from tables import arguments, no_runs, runs_of  # of the folder above, which series.py adds
 
 LOAD = 0.15  # Δσ/p
 FRICTION = 0.2
@@ -190,17 +189,13 @@ def draw_rattlers(folder, out):
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        return 0 if len(sys.argv) > 1 and sys.argv[1] in ("-h", "--help") else 2
-    folder = sys.argv[1]
-    out = sys.argv[2] if len(sys.argv) > 2 else folder
+    folder, *others = arguments(__doc__, 1, 2)
+    out = others[0] if others else folder
     if not any(runs_of(os.path.join(folder, name)) for name in ("paths", "elliptic", "steps", "rattlers")):
         no_runs(folder, "scenarios/mcnamara2008/paths.toml")
     for draw in (draw_cycle, draw_loads, draw_steps, draw_rattlers):
         draw(folder, out)
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

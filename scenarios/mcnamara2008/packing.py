@@ -42,7 +42,7 @@ def draw_packing(axes, path):
         for overlap, name, to_x, to_y in contacts:
             draw_force(axes, (x, y), (to_x, to_y), STIFFNESS * overlap, abs(tangential.get((f"{a['id']:.0f}", name), 0)))
         if not contacts:
-            speed = math.hypot(a["vx"], a["vy"])
+            speed = math.hypot(a["vx"], a["vy"]) or 1
             axes.annotate("", (x + 0.12 * a["vx"] / speed, y + 0.12 * a["vy"] / speed), (x, y),
                           arrowprops={"arrowstyle": "->", "color": RED})
     axes.set(xlim=(-0.02, width + 0.02), ylim=(-0.02, height + 0.02), aspect="equal")

@@ -8,9 +8,8 @@ import json
 import math
 import os
 import subprocess
-import sys
 
-from series import line_through, read
+from series import arguments, line_through, read
 from style import BLUE, ORANGE, label, pyplot, save
 
 CYCLES, DROPPED = 30, 10
@@ -98,6 +97,4 @@ def main(scree, folder, packing="5", *overrides):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main(*arguments(__doc__, 2, math.inf))

@@ -1,0 +1,105 @@
+"""Scripts of the scenarios on small campaigns whose numbers are known. Those that draw are skipped without matplotlib."""
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCENARIOS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenarios")
+DRAWS = unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs python3-matplotlib")
+
+
+def call(script, *arguments):
+    words = [sys.executable, "-B", os.path.join(SCENARIOS, script), *arguments]
+    return subprocess.run(words, capture_output=True, text=True, check=False)
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+class Exponent(unittest.TestCase):
+    def test_of_frequencies_that_grow_by_a_power(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = ["run,boundary.bottom.stress,seed,status"]
+            for seed, power in ((1, 0.15), (2, 0.19)):
+                for stress in (1e4, 1e5):
+                    name = f"s{seed}_{stress:g}"
+                    rows.append(f"{name},{stress},{seed},finished")
+                    first = 7000 * (stress / 1e4) ** power
+                    peaks = [f"{first * (4 * w)},1,10,{2 - w},{w}" for w in (0.25, 0.75, 1.25)]
+                    head = "frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths"
+                    # A smaller peak of the same name is left out.
+                    write(os.path.join(folder, name, "peaks.csv"), "\n".join([head, *peaks, "1234,1,10,0.01,0.25"]) + "\n")
+            write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+            done = call("lemrich2017/exponent.py", folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # Mean of the powers, and half their difference.
+        self.assertEqual(len(re.findall(r"n = 0\.1700 ± 0\.0200 \(seeds: 0\.1500, 0\.1900\)", done.stdout)), 3, done.stdout)
+        self.assertIn("1 : 3.000 : 5.000", done.stdout)
+
+    def test_without_a_campaign(self):
+        done = call("lemrich2017/exponent.py", "nowhere")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("run scree campaign scenarios/lemrich2017/spectra.toml first", done.stderr)
+
+
+class Accumulation(unittest.TestCase):
+    SCENARIO = """[particles]
+lattice = { count = [2, 2, 2] }
+[[contact]]
+plugin = "PLUGIN"
+static_friction = 0.1
+[[stage]]
+period = 1
+"""
+
+    @DRAWS
+    def test_strain_area_and_slope_of_known_loops(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = ["run,status"]
+            for plugin, factor in (("linear_spring_dashpot", 1), ("sphere_path_independent", 2)):
+                for seed in (1, 2):
+                    name = f"{plugin}_{seed}"
+                    rows.append(f"{name},finished")
+                    write(os.path.join(folder, name, "scenario.toml"), self.SCENARIO.replace("PLUGIN", plugin))
+                    write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed))
+            write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+            done = call("david2005/figures.py", folder)
+            pictures = [os.path.exists(os.path.join(folder, name)) for name in ("accumulation.png", "loops.png")]
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(pictures, [True, True])
+        first, second = done.stdout.splitlines()[1:3]
+        # Ten cycles of 1e-4 and 2e-4; in the first, ∮σ dε = 100/2 1e-3 − 50/2 5e-4 Pa, and 100 Pa at a strain of 1e-3.
+        self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± 0 +100 ± 0")
+        self.assertRegex(second, r"8 +0\.1 painted points +2 +0\.003 ± 0\.001")
+
+    @staticmethod
+    def loops(factor, seed, cycles=10):
+        lines, strain = ["time [s],deviatoric_strain,deviatoric_stress [Pa]"], 0.0
+        for cycle in range(cycles):
+            for quarter, (left, stress) in enumerate(((0, 0), (1e-3, 100), (1e-3, 50), (5e-4, 0))):
+                lines.append(f"{cycle + quarter / 4},{strain + left},{stress}")
+            strain += 1e-4 * factor * seed
+        lines.append(f"{cycles},{strain},0")
+        return "\n".join(lines) + "\n"
+
+
+class Help(unittest.TestCase):
+    @DRAWS
+    def test_of_every_script(self):
+        for script in ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py",
+                       "mcnamara2008/quasi_static.py"):
+            for arguments, status in ((["--help"], 0), ([], 2)):
+                done = call(script, *arguments)
+                with self.subTest(script=script, arguments=arguments):
+                    self.assertEqual(done.returncode, status)
+                    self.assertIn(f"Usage: python3 scenarios/{script}", done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
