@@ -15,9 +15,10 @@ namespace scree::response {
 
 namespace {
 
-// Displacement along the slip, over the overlap. Springs at the limit of friction are as long as it allows; this makes them longer,
-// or shorter, by more than the round-off of that length, so that the law finds them sliding, or sticking.
-constexpr double slip = 1e-9;
+// Displacements along the slip, over the overlap: springs at the limit of friction are made longer, or shorter, until the law finds
+// them sliding, or sticking. The least is above the round-off of their lengths; more is needed where the normal force of the last step
+// was another than that at rest, by its velocity.
+constexpr double least_slip = 1e-9, largest_slip = 1, growth_of_slip = 4;
 // Depth over the overlap by which loading and unloading are told apart: above round-off, and too little to change who slips.
 constexpr double depth = 1e-11;
 // Difference of their stiffnesses, over the largest, from which a contact has two.
@@ -61,11 +62,7 @@ class LawContacts {
     }
     ContactColumns at_rest = columns;
     at_rest.evaluate(law_, simulation_.step_length());
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-      if (at_limit_ == AtLimit::stick)
-        move_along_slip(columns, at_rest, i, -slip);
-      else if (list_.sliding[contacts_[i]])
-        move_along_slip(columns, at_rest, i, slip);
+    columns = at_side_of_limit(columns, at_rest);
 
     std::vector<double> jacobian = jacobians(columns, inverse_distance, 0);
     const std::vector<bool> one_way = take_means(columns, inverse_distance, jacobian);
@@ -83,6 +80,36 @@ class LawContacts {
   }
 
  private:
+  // With springs that make contacts slide, or stick, as they are to.
+  ContactColumns at_side_of_limit(const ContactColumns& columns, const ContactColumns& at_rest) const {
+    const bool slides = at_limit_ == AtLimit::slide;
+    std::vector<double> slip(contacts_.size(), least_slip);
+    while (true) {
+      ContactColumns moved = columns;
+      for (std::size_t i = 0; i < contacts_.size(); ++i)
+        if (!slides || list_.sliding[contacts_[i]])
+          move_along_slip(moved, at_rest, i, slides ? slip[i] : -slip[i]);
+      if (!lengthen_slips(moved, slides, slip)) return moved;
+    }
+  }
+
+  // Of the contacts that are still on the other side of the limit. Returns whether there are any.
+  bool lengthen_slips(const ContactColumns& moved, bool slides, std::vector<double>& slip) const {
+    const int column = law_.instance().sliding_column;
+    if (column < 0) return false;
+    ContactColumns after = moved;
+    after.evaluate(law_, simulation_.step_length());
+    bool any = false;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const bool concerned = !slides || list_.sliding[contacts_[i]];
+      if (!concerned || (after.history(std::size_t(column), i) > 0) == slides || slip[i] >= largest_slip)
+        continue;
+      slip[i] *= growth_of_slip;
+      any = true;
+    }
+    return any;
+  }
+
   // With all contacts deeper by a share of the overlap.
   std::vector<double> jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
                                 double share) const {

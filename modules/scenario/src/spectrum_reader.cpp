@@ -192,6 +192,11 @@ void check_noise(const document::Table& t, double step, const SpectrumPlan& plan
                   fmt::format("noise of {:g} s has fewer than {:g} segments of {:g} s", plan.longest_pulse,
                               fewest_segments, segment_steps / plan.step_hz),
                   "give a longer longest_pulse, or a larger step_hz");
+  if (const auto problem = sampling_problem(plan.to_hz + SpectrumPlan::band_margin * plan.from_hz, step))
+    throw t.error(
+        spectrum_keys.to_hz,
+        fmt::format("noise has {:g} of from_hz more than the band: {}", SpectrumPlan::band_margin, *problem),
+        "give a shorter time.step, or a lower to_hz");
   if (plan.longest_pulse > most_steps * step)
     throw t.error(t.has(spectrum_keys.longest_pulse) ? spectrum_keys.longest_pulse : spectrum_keys.step_hz,
                   fmt::format("noise of {:g} s has more than {:g} steps", plan.longest_pulse, most_steps),

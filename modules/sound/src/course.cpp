@@ -48,7 +48,11 @@ Measurement Course::begin() {
   // What is there stays until something can take its place.
   StageRunner runner(*simulation, plan_.stages);
   if ((plan_.stages.empty() || options_.overwrite) && !run_stages(*simulation, runner))
-    throw Error("interrupted before the stages had ended", ExitStatus::interrupted);
+    throw Error(
+        fmt::format(
+            "{}: interrupted before the stages had ended; nothing was written, give the same call again",
+            plan_.source.string()),
+        ExitStatus::interrupted);
   if (start_) check_start(*simulation);
   directory_.create();
   try {
@@ -63,8 +67,11 @@ Measurement Course::begin() {
       directory_.discard();
       throw;
     }
-    save_failed(error, false);
+    if (error.status() != ExitStatus::interrupted) save_failed(files::record_line(error, false));
     files::rethrow_as_failure(error);
+  } catch (const std::exception& error) {  // such as of memory
+    save_failed(error.what());
+    throw;
   }
 }
 
@@ -81,14 +88,16 @@ Measurement Course::resume(const State& state) {
     take_roads();
     return finish();
   } catch (const Error& error) {
-    save_failed(error, true);
+    if (error.status() != ExitStatus::interrupted) save_failed(files::record_line(error, true));
     files::rethrow_as_failure(error);
+  } catch (const std::exception& error) {
+    save_failed(error.what());
+    throw;
   }
 }
 
-void Course::save_failed(const Error& failure, bool went_on) {
-  if (failure.status() == ExitStatus::interrupted) return;
-  result_.error = files::record_line(failure, went_on);
+void Course::save_failed(const std::string& failure) {
+  result_.error = failure;
   room_.release();
   files::try_each(
       [&] {
@@ -164,7 +173,7 @@ bool Course::has(const std::string& road) const {
 void Course::take_roads() {
   if (!sweep_) {
     take_short(Road::linear, [this](const Start& start) {
-      if (!add_linear(start, unfinished_))
+      if (!add_linear(start, unfinished_, [this] { save_unfinished(); }))
         throw Error("interrupted in the linear response", ExitStatus::interrupted);
       return std::exchange(unfinished_, {});
     });
@@ -182,10 +191,17 @@ void Course::take_short(Road road, const std::function<RoadSpectrum(const Start&
   } catch (const Error& error) {
     if (error.status() == ExitStatus::interrupted) return;
     if (asked_.size() == 1) throw;
+    if (road == Road::linear) unfinished_ = {};
     warn(fmt::format("{} (the road {} is left out)", error.what(), name));
     asked_.erase(std::find(asked_.begin(), asked_.end(), road));
     left_out_.push_back(name);
   }
+}
+
+void Course::save_unfinished() {
+  if (seconds() - last_state_ < seconds_between_states) return;
+  last_state_ = seconds();
+  save_without_sweep();
 }
 
 void Course::take_sweep() {
@@ -218,9 +234,8 @@ Measurement Course::finish() {
   result_.interrupted = !proceeds();
   // Without a sweep, that with which resume goes on.
   if (result_.interrupted && !sweep_) {
-    transfer(StateTransfer::saving_to(start_->state).below("spectrum"));
-    write_state(start_->state);
-    if (!unfinished_.frequencies.empty()) result_.roads.push_back(unfinished_);
+    save_without_sweep();
+    if (!unfinished_.frequencies.empty()) result_.roads.push_back(without_linearity(unfinished_));
   }
   result_.resonances = resonances_of(result_.roads, result_.observed);
   judge();

@@ -44,8 +44,11 @@ class Course {
   void save();
   void write_sweep_table();
   void write_state(const State& state);
-  // What is complete stays. went_on: in a directory that has to stay the same.
-  void save_failed(const Error& failure, bool went_on);
+  // The same for a road of a part of the frequencies, now and then.
+  void save_unfinished();
+  void save_without_sweep();
+  // What is complete stays.
+  void save_failed(const std::string& failure);
   void transfer(const StateTransfer& state);
   void warn(const std::string& line);
   void judge();

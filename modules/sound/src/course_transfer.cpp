@@ -16,6 +16,11 @@ void Course::save() {
   write_state(state);
 }
 
+void Course::save_without_sweep() {
+  transfer(StateTransfer::saving_to(start_->state).below("spectrum"));
+  write_state(start_->state);
+}
+
 void Course::write_state(const State& state) { state_file::write_state(directory_.add(state_name), state); }
 
 void Course::write_sweep_table() {
@@ -29,6 +34,7 @@ void Course::transfer(const StateTransfer& state) {
   for (const Road road : asked_) asked.push_back(road_names[std::size_t(road)]);
   state.rows("asked", "", asked);
   state.rows("left_out", "", left_out_);
+  state.rows("warnings", "", result_.warnings);
   asked_.clear();
   for (const Road road : {Road::linear, Road::pulse, Road::sweep})
     if (std::find(asked.begin(), asked.end(), road_names[std::size_t(road)]) != asked.end())

@@ -132,7 +132,8 @@ bool add_batch(const Start& start, Simulation& simulation, const DrivenWalls& wa
 
 // Adds those of `wanted` that the road lacks. Returns false after a stop.
 bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
-                     const std::vector<double>& wanted, RoadSpectrum& road) {
+                     const std::vector<double>& wanted, const std::function<void()>& on_part,
+                     RoadSpectrum& road) {
   while (true) {
     const std::vector<double> left = missing(wanted, road.frequencies),
                               batch = first_batch(left, simulation.particles().size());
@@ -142,16 +143,17 @@ bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWal
     };
     on_progress(0);
     if (!add_batch(start, simulation, walls, batch, on_progress, road)) return false;
+    on_part();
     if (batch.size() == left.size()) return true;
   }
 }
 
 // Narrow maxima get more frequencies from what is known at those before, so that a road that was stopped goes on with the same.
 bool add_all_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
-                         RoadSpectrum& road) {
+                         const std::function<void()>& on_part, RoadSpectrum& road) {
   std::vector<double> wanted = start.spectrum().frequencies();
   for (int refinement = 0;; ++refinement) {
-    if (!add_frequencies(start, simulation, walls, wanted, road)) return false;
+    if (!add_frequencies(start, simulation, walls, wanted, on_part, road)) return false;
     if (!start.spectrum().adaptive || refinement == most_refinements) return true;
     const std::vector<double> further = frequencies_about_maxima(start.spectrum(), part_of(road, wanted));
     if (further.empty()) return true;
@@ -209,7 +211,12 @@ void check_linear(const Start& start) {
           column.place, column.name));
 }
 
-bool add_linear(const Start& start, RoadSpectrum& road) {
+RoadSpectrum without_linearity(RoadSpectrum road) {
+  for (RoadSpectrum::Column& column : road.columns) column.linearity.clear();
+  return road;
+}
+
+bool add_linear(const Start& start, RoadSpectrum& road, const std::function<void()>& on_part) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const scenario::SpectrumPlan& plan = start.spectrum();
@@ -218,11 +225,11 @@ bool add_linear(const Start& start, RoadSpectrum& road) {
   const DrivenWalls walls(start);
   road.road = "linear";
   road.columns.resize(plan.observed.size());
-  const bool complete = add_all_frequencies(start, simulation, walls, road);
+  const bool complete = add_all_frequencies(start, simulation, walls, on_part, road);
   road.wall += std::chrono::duration<double>(Clock::now() - began).count();
   if (!complete) return false;
   check_columns(start, simulation, walls, road);
-  for (RoadSpectrum::Column& column : road.columns) column.linearity.clear();
+  road = without_linearity(std::move(road));
   return true;
 }
 

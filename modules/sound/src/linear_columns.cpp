@@ -38,12 +38,18 @@ LinearColumns::LinearColumns(const scenario::Plan& plan, const Simulation& simul
   for (std::size_t i = 0; i < simulation.particles().size(); ++i)
     smallest_ =
         i == 0 ? simulation.particles().radius()[i] : std::min(smallest_, simulation.particles().radius()[i]);
+  radius_ = Eigen::VectorXd::Ones(freedom.size());
+  for (std::size_t i = 0; i < freedom.bodies(); ++i)
+    for (int k = 0; k < freedom.spins(); ++k)
+      if (const Eigen::Index r = freedom.rotation(i, k); r != response::DegreesOfFreedom::none)
+        radius_[r] = simulation.particles().radius()[i];
 }
 
 std::pair<std::vector<Complex>, std::vector<double>> LinearColumns::along(
     const response::HarmonicResponse& motion) {
-  // The wall moves by 1 m.
-  const double share = largest_share * smallest_ / std::max(1.0, motion.amplitude.cwiseAbs().maxCoeff());
+  // The wall moves by 1 m; rotations move surfaces by themselves times the radius.
+  const double furthest = motion.amplitude.cwiseAbs().cwiseProduct(radius_).maxCoeff();
+  const double share = largest_share * smallest_ / std::max(1.0, furthest);
   const std::vector<Complex> whole = difference(motion, share);
   const std::vector<Complex> half = difference(motion, 0.5 * share);
   std::vector<double> change;

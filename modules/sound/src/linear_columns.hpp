@@ -30,7 +30,8 @@ class LinearColumns {
   Observer observer_;
   DisplacedView view_;
   std::vector<double> rest_;
-  double smallest_ = 0;  // (m) radius
+  double smallest_ = 0;     // (m) radius
+  Eigen::VectorXd radius_;  // (m) of the bodies whose rotations are degrees of freedom, and 1 elsewhere
 };
 
 // Whether the columns of a probe may follow from positions and velocities of bodies and walls alone.

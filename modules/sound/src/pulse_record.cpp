@@ -21,14 +21,12 @@ constexpr double ricker_lead = 2.2;  // periods
 // Of the run without a pulse and the first with one, in the steps of all three.
 constexpr double share_of_driven = 2.0 / 3;
 
-// The frequencies of a chirp and of noise begin and end beside the band by this share of its lowest frequency; a chirp rises and falls there.
-constexpr double band_margin = 0.5;
-
 double gaussian_width(const SpectrumPlan& plan) { return 0.25 / plan.to_hz; }
 double ricker_frequency(const SpectrumPlan& plan) { return 0.5 * (plan.from_hz + plan.to_hz); }
 
 Wave chirp(const SpectrumPlan& plan, double amplitude) {
-  const double margin = band_margin * plan.from_hz, low = plan.from_hz - margin, high = plan.to_hz + margin;
+  const double margin = SpectrumPlan::band_margin * plan.from_hz, low = plan.from_hz - margin,
+               high = plan.to_hz + margin;
   const double rise = margin / (high - low) * plan.chirp_duration;
   return {Program::chirp, 0, amplitude, rise, low, high, plan.chirp_duration, 0};
 }
@@ -66,7 +64,7 @@ Wave PulseRecord::wave(double amplitude) const {
 Wave PulseRecord::noise(double amplitude) const {
   const SpectrumPlan& plan = start_.spectrum();
   const double step = start_.scene.step, rise = 1 / plan.from_hz, duration = plan.longest_pulse + 2 * rise;
-  const double margin = band_margin * plan.from_hz;
+  const double margin = SpectrumPlan::band_margin * plan.from_hz;
   if (amplitude == 0) return {Program::constant, 0};
   packing::Random random(start_.plan.seed);
   const std::vector<double> values = spectrum::band_noise(

@@ -27,6 +27,8 @@ struct SpectrumPlan {
   enum class Direction { up, down, both };
   enum class Detrending { period_average, polynomial };
   enum class Pulse { gaussian, ricker, chirp, noise };
+  // The frequencies of a chirp and of noise begin and end beside the band by this share of from_hz; a chirp rises and falls there.
+  static constexpr double band_margin = 0.5;
 
   std::string boundary, key;  // of the displacement that takes the wave
   std::string drive_place;    // file:line:column, for messages
