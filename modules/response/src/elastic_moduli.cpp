@@ -105,7 +105,8 @@ class StrainedPacking {
   static double median(std::vector<double>& values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    // Of an even number the mean of two, so that the sign of a displacement does not count.
+    return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
   }
 
   const Simulation& simulation_;

@@ -187,50 +187,54 @@ class Search {
   }
 
   void find_lowest(const ShiftedFactors& below) {
-    const std::size_t under = resting_;
-    find_counted(below, 0, [&](double distance) { return system_.count_below(distance) - under; });
+    find_counted(below, [&](double distance) { return system_.count_below(distance) - resting_; });
   }
 
   void find_near() {
-    const double omega = 2 * std::numbers::pi * search_.near_hz, shift = omega * omega;
-    const std::unique_ptr<ShiftedFactors> factors = system_.factorise(shift);
-    const std::size_t under = resting_;
-    find_counted(*factors, shift, [&](double distance) {
-      const std::size_t first =
-          shift - distance > system_.rounding() ? system_.count_below(shift - distance) : under;
-      return system_.count_below(shift + distance) - first;
+    const std::unique_ptr<ShiftedFactors> factors = system_.factorise(omega() * omega());
+    find_counted(*factors, [&](double distance) {
+      const double low = std::max(omega() - distance, 0.0), high = omega() + distance;
+      const std::size_t first = low * low > system_.rounding() ? system_.count_below(low * low) : resting_;
+      return system_.count_below(high * high) - first;
     });
+  }
+
+  bool is_near() const { return search_.near_hz > 0; }
+  double omega() const { return 2 * std::numbers::pi * search_.near_hz; }
+  // Of a vibrating mode from where modes are wanted: of ω from that frequency (1/s), or ω² from 0 (1/s²).
+  double distance_of(double square) const {
+    return is_near() ? std::abs(std::sqrt(std::max(square, 0.0)) - omega()) : std::abs(square);
   }
 
   // Modes nearest to the shift, until as many are found as there are within a distance, counted by `count_within`.
   template <class Count>
-  void find_counted(const ShiftedFactors& factors, double shift, const Count& count_within) {
-    const bool both_sides = shift > 0;
+  void find_counted(const ShiftedFactors& factors, const Count& count_within) {
     Index wanted = Index(search_.count) + spare;
     for (int round = 0; round < most_rounds && search_.proceed(); ++round) {
-      find(factors, wanted, both_sides);
+      find(factors, wanted, is_near());
       const Index found = modes_.cols() - held_;
       if (found == 0 || !search_.proceed()) return;
-      const auto [distance, within] = last_gap(shift);
+      const auto [distance, within] = last_gap();
       if (within == 0) return;
       search_.on_progress(1, "counting modes");
       const Index counted = Index(count_within(distance));
       result_.complete = counted == within;
       if (counted <= within) return;
-      wanted = counted - within;
+      // Modes come by the distance of their ω², in which those below a frequency are nearer than those above.
+      wanted = (is_near() ? 2 : 1) * (counted - within);
     }
   }
 
-  // A distance from the shift in a gap between modes, as far out as wanted, and how many are nearer.
-  std::pair<double, Index> last_gap(double shift) const {
+  // A distance in a gap between modes, as far out as wanted, and how many are nearer.
+  std::pair<double, Index> last_gap() const {
     std::vector<double> distances;
     for (std::size_t k = std::size_t(held_); k < squares_.size(); ++k)
-      distances.push_back(std::abs(squares_[k] - shift));
+      distances.push_back(distance_of(squares_[k]));
     std::sort(distances.begin(), distances.end());
     const std::size_t all = system_.modes() - resting_;
-    if (distances.size() == all) return {2 * std::max(system_.largest(), shift), Index(all)};
+    if (distances.size() == all) return {2 * std::max(distance_of(system_.largest()), omega()), Index(all)};
     for (std::size_t k = std::min(distances.size() - 1, search_.count); k > 0; --k)
-      if (const double gap = distances[k] - distances[k - 1]; gap > smallest_gap * (shift + distances[k]))
+      if (const double gap = distances[k] - distances[k - 1]; gap > smallest_gap * (omega() + distances[k]))
         return {distances[k - 1] + 0.5 * gap, Index(k)};
     return {0, 0};
   }
@@ -247,11 +251,9 @@ class Search {
   std::vector<Index> chosen() const {
     std::vector<Index> order(squares_.size());
     std::iota(order.begin(), order.end(), Index(0));
-    const double omega = 2 * std::numbers::pi * search_.near_hz, shift = omega * omega;
     const auto square = [&](Index k) { return squares_[std::size_t(k)]; };
-    std::stable_sort(order.begin() + held_, order.end(), [&](Index a, Index b) {
-      return std::abs(square(a) - shift) < std::abs(square(b) - shift);
-    });
+    std::stable_sort(order.begin() + held_, order.end(),
+                     [&](Index a, Index b) { return distance_of(square(a)) < distance_of(square(b)); });
     order.resize(std::min(order.size(), std::size_t(held_) + search_.count));
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return square(a) < square(b); });
     return order;

@@ -33,12 +33,16 @@ std::vector<double> without_others(std::span<const double> times, std::span<cons
                                    const std::vector<FoundLine>& lines, std::size_t number) {
   std::vector<double> rest(values.begin(), values.end());
   for (std::size_t n = 0; n < lines.size(); ++n)
-    for (std::size_t k = 0; n != number && k < times.size(); ++k)
-      rest[k] -= lines[n].amplitude * std::sin(two_pi * lines[n].frequency * times[k] + lines[n].phase);
+    if (n != number) subtract(lines[n], times, rest);
   return rest;
 }
 
 }  // namespace
+
+void subtract(const FoundLine& line, std::span<const double> times, std::vector<double>& values) {
+  for (std::size_t k = 0; k < times.size(); ++k)
+    values[k] -= line.amplitude * std::sin(two_pi * line.frequency * times[k] + line.phase);
+}
 
 FoundLine fitted_line(double frequency, std::span<const double> times, std::span<const double> values) {
   const double duration = times.back() - times.front(), middle = times.front() + 0.5 * duration;

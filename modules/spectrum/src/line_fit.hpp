@@ -11,6 +11,9 @@ namespace scree::spectrum {
 // A line whose frequency is fitted too, from one nearer than 1 / (2 length of the record). Throws Error as a lock-in does.
 FoundLine fitted_line(double frequency, std::span<const double> times, std::span<const double> values);
 
+// Takes a line out of a record.
+void subtract(const FoundLine& line, std::span<const double> times, std::vector<double>& values);
+
 // What others leave in a line falls by its share in them, some 0.05 at five resolutions, with each round.
 inline constexpr std::size_t rounds_together = 6;
 

@@ -45,6 +45,13 @@ double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
   return spectrum.frequency(k) + spectrum.resolution * (above ? distance : -distance);
 }
 
+// Whether a fit found what the spectrum shows at its bin, and not what another line left there.
+bool is_at(const FoundLine& line, const AmplitudeSpectrum& spectrum, std::size_t k) {
+  constexpr double least_share = 0.5, furthest = 2;  // of the amplitude; (resolutions)
+  return line.amplitude > least_share * spectrum.amplitude[k] &&
+         std::abs(line.frequency - spectrum.frequency(k)) < furthest * spectrum.resolution;
+}
+
 bool stands_out(const FoundLine& line) { return !(line.amplitude < least_over_error * line.amplitude_error); }
 
 }  // namespace
@@ -58,15 +65,17 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
   const auto report = [&](double share) {
     if (on_progress) on_progress(share);
   };
-  // Each candidate is fitted once, the lines that are found several times.
+  // Each candidate is fitted once, in what stronger ones leave, the lines that are found several times.
+  std::vector<double> rest(values.begin(), values.end());
   const double fits = double(most * (1 + rounds_together));
   for (const std::size_t k : bins) {
     if (lines.size() == most) break;
     report(double(lines.size()) / fits);
     try {
-      const FoundLine line = fitted_line(interpolated(spectrum, k), times, values);
-      const bool stayed = std::abs(line.frequency - spectrum.frequency(k)) < 2 * spectrum.resolution;
-      if (stayed && stands_out(line)) lines.push_back(line);
+      const FoundLine line = fitted_line(interpolated(spectrum, k), times, rest);
+      if (!is_at(line, spectrum, k)) continue;
+      subtract(line, times, rest);
+      lines.push_back(line);
     } catch (const Error&) {
       // The record is too short for this line, which then is not one to be told.
     }

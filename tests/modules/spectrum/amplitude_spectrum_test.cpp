@@ -71,6 +71,42 @@ TEST_CASE("lines are found to a small part of the resolution, the strongest firs
   CHECK(lines[1].amplitude == Approx(0.2).epsilon(1e-9));
 }
 
+TEST_CASE("lines of equal strength that are three resolutions apart are told apart", "[strongest_lines]") {
+  for (const double apart : {3.2, 4.0, 5.0, 6.0}) {
+    CAPTURE(apart);
+    const double first = 60.3, second = first + apart / 10;  // of a record of 10 s
+    const auto made =
+        record(0.0025, 4001, [&](double t) { return sine(1, first, 0.4, t) + sine(1, second, -1, t); });
+    auto lines = strongest_lines(made.times, made.values, made.spectrum(), 5);
+    REQUIRE(lines.size() == 2);
+    if (lines[0].frequency > lines[1].frequency) std::swap(lines[0], lines[1]);
+    // Less than 0.1 of a line, and of a resolution of 0.1 Hz, is left in the other by each of seven fits.
+    CHECK(std::abs(lines[0].frequency - first) < 1e-8);
+    CHECK(std::abs(lines[1].frequency - second) < 1e-8);
+    for (const FoundLine& line : lines) CHECK(std::abs(line.amplitude - 1) < 1e-7);
+  }
+}
+
+TEST_CASE("weak lines beside strong ones are found, also at steps that differ", "[strongest_lines]") {
+  const auto values = [](double t) {
+    return sine(1, 37.3, 0.4, t) + sine(0.003, 91.7, -1, t) + sine(0.001, 400, 2, t);
+  };
+  const auto made = record(0.001, 2000, values);
+  std::vector<double> times = made.times;
+  std::mt19937_64 random(7);
+  for (double& t : times) t += 1e-4 * (2 * double(random() >> 11) * 0x1p-53 - 1);
+  const bool equal = GENERATE(true, false);
+  CAPTURE(equal);
+  std::vector<double> x;
+  for (const double t : equal ? made.times : times) x.push_back(values(t));
+  const auto lines = strongest_lines(equal ? made.times : times, x, made.spectrum(), 3);
+  REQUIRE(lines.size() == 3);
+  // The fits leave 1 / (pi 108 resolutions) of each other in the first of seven, and round-off.
+  CHECK(std::abs(lines[1].frequency - 91.7) < 1e-9);
+  CHECK(std::abs(lines[1].amplitude - 0.003) < 1e-12);
+  CHECK(std::abs(lines[2].amplitude - 0.001) < 1e-12);
+}
+
 TEST_CASE("white noise has no lines, and frequencies of lines in it scatter as their error says",
           "[strongest_lines]") {
   std::mt19937_64 random(4);
