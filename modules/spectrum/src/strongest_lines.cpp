@@ -45,7 +45,9 @@ double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
   return spectrum.frequency(k) + spectrum.resolution * (above ? distance : -distance);
 }
 
-bool stands_out(const FoundLine& line) { return !(line.amplitude < least_over_error * line.amplitude_error); }
+bool stands_out(const FoundLine& line) {
+  return line.amplitude > 0 && !(line.amplitude < least_over_error * line.amplitude_error);
+}
 
 }  // namespace
 
