@@ -9,14 +9,18 @@ def read(path):
     """Rows of a table by the names of the columns, without units."""
     with open(path, encoding="utf-8") as lines:
         rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    names = [name.split(" [")[0] for name in rows[0]]
+    names = [name.split(" [")[0] for name in rows[0]] if rows else []
     return [dict(zip(names, row)) for row in rows[1:]]
 
 
-def runs_of(folder):
-    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign."""
+def runs_of(folder, *columns):
+    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign. Ends the script with one line if
+    its table lacks one of the columns."""
     table = os.path.join(folder, "table.csv")
     rows = read(table) if os.path.exists(table) else []
+    for column in columns:
+        if rows and column not in rows[0]:
+            sys.exit(f"{os.path.basename(sys.argv[0])}: {table}: there is no column '{column}'; give the folder of a campaign that varies it")
     for row in rows:
         row["path"] = os.path.join(folder, row["run"])
     return [row for row in rows if row["status"] == "finished"]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <scree/plugin/wall_motion.hpp>
 
@@ -15,7 +16,7 @@ struct Plane {
 
   std::array<double, 3> point = {};
   std::array<double, 3> normal = {};
-  std::array<double, 3> direction = {};
+  std::array<double, 3> direction = {std::numeric_limits<double>::quiet_NaN()};  // NaN: not given
   int control = -1;
   double area = 0;  // (m²)
   double mass = 0;  // (kg) 0 unless forces move the plane
@@ -67,7 +68,9 @@ struct Plane {
   void prepare(const scree::Setup& setup) {
     using scree::WallMotion;
     if (!make_unit(normal)) return setup.refuse("normal has length 0; give a vector such as [0, 0, 1]");
-    if (!make_unit(direction)) direction = normal;
+    if (std::isnan(direction[0])) direction = normal;
+    if (!make_unit(direction))
+      return setup.refuse("direction has length 0; give a vector such as [0, 0, 1], or leave it out");
     const bool moved_otherwise = motion.velocity.given() || pressing_stress.given() ||
                                  pressing_force.given() || motion.superposed.given();
     if (control < 0 && !motion.displacement.given() && moved_otherwise)

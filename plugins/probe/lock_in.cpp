@@ -32,7 +32,7 @@ struct LockInProbe {
     d.number("frequency_hz", frequency, "Hz", scree::positive, "f").required();
     d.number("from", from, "s", scree::non_negative, "start of the record");
     d.number("periods", periods, "", scree::positive, "length of the record in periods of f").required();
-    d.number("samples_per_period", samples_per_period, "", {.minimum = 3},
+    d.number("samples_per_period", samples_per_period, "", {.minimum = 3, .maximum = 1e6},
              "samples at the steps nearest to these; every step if a period has fewer");
     d.integer("harmonics", harmonics, "", {.minimum = 1, .maximum = 3}, "largest h");
     d.choice("detrend", detrend, "polynomial|period_average",
@@ -42,9 +42,9 @@ struct LockInProbe {
     d.number("origin", origin, "s", scree::any_number, "t_0, to which phases refer");
   }
   void prepare(const scree::Setup& setup) const {
-    if (!(samples_per_period > 2 * harmonics))
+    if (samples_per_period < 2 * harmonics + 1)
       setup.refuse(
-          "samples_per_period is not above twice the harmonics; give more of them, or fewer harmonics");
+          "samples_per_period is not above twice the harmonics by 1 or more; give more of them, or fewer harmonics");
   }
 
   void describe(scree_probe_instance& instance) const {
@@ -77,6 +77,12 @@ struct LockInProbe {
           "%d times the frequency of %g Hz is above half of the sampling rate, one sample in each step of "
           "%g s; give a shorter time.step, a lower frequency or fewer harmonics",
           harmonics, frequency, view.step_length);
+    const double samples = periods * std::min(samples_per_period, 1 / (frequency * view.step_length));
+    if (const int unknowns = drift_degree + 1 + 2 * harmonics; samples < unknowns)
+      return problem(
+          "%g periods have %.3g samples for %d unknowns of drift and harmonics; give more periods or "
+          "samples_per_period, or fewer harmonics",
+          periods, samples, unknowns);
     if (from >= view.end_time)
       return problem(
           "from = %g s is not before %g s, when the run or the stages of the probe end, so that there are no samples; "

@@ -38,8 +38,7 @@ def print_peaks(packings):
         print(f"{stress / 1e3:12g} {seed:>4}  {columns}   1 : {peaks[0.75][0] / first:.3f} : {peaks[1.25][0] / first:.3f}")
 
 
-def print_exponents(packings):
-    seeds = sorted({seed for _, seed in packings})
+def print_exponents(packings, seeds):
     for wavelengths, name in NAMES.items():
         slopes = [slope([(math.log(stress), math.log(peaks[wavelengths][0])) for (stress, s), peaks in packings.items() if s == seed])
                   for seed in seeds]
@@ -49,7 +48,7 @@ def print_exponents(packings):
 
 def main():
     (folder,), packings = arguments(__doc__, 1, 1), {}
-    for row in runs_of(folder):
+    for row in runs_of(folder, "boundary.bottom.stress"):
         packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(os.path.join(row["path"], "peaks.csv"))
     if not packings:
         no_runs(folder, "scenarios/lemrich2017/spectra.toml")
@@ -58,8 +57,12 @@ def main():
         print(f"exponent.py: {folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found", file=sys.stderr)
         return 1
     print_peaks(packings)
-    if len({stress for stress, _ in packings}) > 1:
-        print_exponents(packings)
+    seeds = sorted({seed for _, seed in packings})
+    single = [seed for seed in seeds if sum(s == seed for _, s in packings) < 2]
+    if single:
+        print(f"exponent.py: {folder}: no exponent from one stress, of seed {', '.join(single)}; let the campaign finish two or more", file=sys.stderr)
+        return 1
+    print_exponents(packings, seeds)
     return 0
 
 

@@ -73,7 +73,7 @@ class Sweep:
 
 
 def sweeps_of(folder):
-    return sorted((Sweep(row, folder) for row in runs_of(folder)), key=lambda s: (s.stress, s.amplitude))
+    return sorted((Sweep(row, folder) for row in runs_of(folder, "boundary.bottom.stress", "spectrum.amplitude", "case")), key=lambda s: (s.stress, s.amplitude))
 
 
 def draw_sweeps(sweeps, path):

@@ -4,7 +4,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import arguments, read  # noqa: E402 (of the folder above)
+from tables import arguments, read  # noqa: E402, F401 (of the folder above, for the scripts too)
 
 PERIOD = 10.0  # s
 DROPPED = 29  # cycles before the first that counts

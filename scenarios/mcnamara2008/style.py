@@ -4,7 +4,7 @@ import os
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
+from matplotlib import pyplot  # noqa: E402, F401 (the choice of the backend comes first)
 
 BLUE, ORANGE, GREEN, RED, GREY, PURPLE = "#1b3a6b", "#d98e04", "#49a078", "#c0392b", "#888888", "#a569bd"
 

@@ -42,10 +42,23 @@ class Exponent(unittest.TestCase):
         self.assertEqual(len(re.findall(r"n = 0\.1700 ± 0\.0200 \(seeds: 0\.1500, 0\.1900\)", done.stdout)), 3, done.stdout)
         self.assertIn("1 : 3.000 : 5.000", done.stdout)
 
-    def test_without_a_campaign(self):
-        done = call("lemrich2017/exponent.py", "nowhere")
+    def refused(self, table, line):
+        with tempfile.TemporaryDirectory() as folder:
+            if table is not None:
+                write(os.path.join(folder, "table.csv"), table)
+            for run in "ab":
+                peaks = [f"{100 * w},1,10,5,{w}" for w in (0.25, 0.75, 1.25)]
+                write(os.path.join(folder, run, "peaks.csv"), "\n".join(["frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths", *peaks]))
+            done = call("lemrich2017/exponent.py", folder)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-        self.assertIn("run scree campaign scenarios/lemrich2017/spectra.toml first", done.stderr)
+        self.assertIn(line, done.stderr)
+
+    def test_of_tables_that_have_no_exponent(self):
+        self.refused(None, "run scree campaign scenarios/lemrich2017/spectra.toml first")
+        self.refused("", "run scree campaign scenarios/lemrich2017/spectra.toml first")
+        self.refused("run,seed,status\na,1,finished\n", "there is no column 'boundary.bottom.stress'; give the folder of a campaign that varies it")
+        self.refused("run,boundary.bottom.stress [Pa],seed,status\na,1e4,1,finished\nb,16e4,1,failed\n",
+                     "no exponent from one stress, of seed 1; let the campaign finish two or more")
 
 
 class Accumulation(unittest.TestCase):

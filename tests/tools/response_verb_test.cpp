@@ -88,6 +88,7 @@ TEST_CASE("response refuses frequencies at which there is no mode to find", "[to
   };
   refused("--near 1e300", "all modes are below ", "give a lower --near");
   refused("--density 5 --density-to 1e-300", "no mode below ", "give a higher --density-to");
+  refused("--density 5 --density-to 1e200", "1e+200 Hz is above 1e+100 Hz", "give a lower --density-to");
 }
 
 // A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a load.

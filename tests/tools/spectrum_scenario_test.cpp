@@ -50,6 +50,19 @@ TEST_CASE("a sweep that Ctrl-C ends goes on with resume, to the same table", "[t
   CHECK(w.text("out/spectrum.csv") == w.text("whole/spectrum.csv"));
 }
 
+TEST_CASE("a spectrum that ends in its stages names no files that it has not", "[tools]") {
+  const Workspace w(with(chain, "ids = [1, 8]", "ids = [1, 8]\nevery = 1"));
+  const Outcome outcome =
+      w.shell("'" SCREE_TEST_PROGRAM
+              "' spectrum scene.toml --quiet --out out --set time.duration=1000 &\nrun=$!\n"
+              "until test -s out/spectrum.json; do sleep 0.01; done; sleep 0.2\n"
+              "kill -INT $run; wait $run; echo status $?");
+  INFO(outcome.err << outcome.out);
+  CHECK(outcome.out ==
+        "interrupted; results so far are saved, go on with: scree resume out\nresults in out\nstatus 130\n");
+  CHECK(!w.has("out/spectrum.csv"));
+}
+
 TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothing", "[tools]") {
   const Workspace w(chain);
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {

@@ -20,9 +20,10 @@ sound::Measurement with_progress(bool quiet,
 }
 
 std::string written_in(const std::filesystem::path& directory) {
-  std::string names = "spectrum.csv, peaks.csv";
-  for (const char* name : {"shapes.csv", "sweep.csv", "roads.csv", "charts"})
-    if (std::filesystem::exists(directory / name)) names += fmt::format(", {}", name);
+  std::string names;
+  for (const char* name : {"spectrum.csv", "peaks.csv", "shapes.csv", "sweep.csv", "roads.csv", "charts"})
+    if (std::filesystem::exists(directory / name))
+      names += fmt::format("{}{}", names.empty() ? ": " : ", ", name);
   return names;
 }
 
@@ -36,7 +37,7 @@ ExitStatus report_measurement(bool quiet,
   if (measurement.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
                measurement.directory.string());
-  fmt::print("results in {}: {}\n", files::escaped(measurement.directory.string()),
+  fmt::print("results in {}{}\n", files::escaped(measurement.directory.string()),
              written_in(measurement.directory));
   if (measurement.interrupted) return ExitStatus::interrupted;
   return met ? ExitStatus::success : ExitStatus::failure;

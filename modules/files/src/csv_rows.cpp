@@ -66,6 +66,8 @@ void CsvRows::read_header() {
   if (!found) fail(1, "there is no header", "name the columns in the first line, such as 'time [s],strain'");
   if (line().find(';') != line().npos && line().find(',') == line().npos)
     fail(1, "the columns are separated by semicolons", "separate them by commas, with decimal points");
+  if (line().find('\t') != line().npos && line().find(',') == line().npos)
+    fail(1, "the columns are separated by tabs", "separate them by commas, with decimal points");
   for (const Token& cell : cells()) {
     columns_.push_back(column_of(cell.text));
     labels_.push_back(one_line(columns_.back().name));

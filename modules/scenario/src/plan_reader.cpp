@@ -1,6 +1,7 @@
 #include "body_file.hpp"
 #include "checkpoint_reader.hpp"
 #include "contact_reader.hpp"
+#include "drive_sampling.hpp"
 #include "output_reader.hpp"
 #include "particles_reader.hpp"
 #include "plugin_parameters.hpp"
@@ -218,6 +219,8 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   read_time(root, plan);
   check_precision(root, plan.scene);
   plan.stages = read_stages(root, plan.scene, instances, plan.warnings);
+  for (const std::string& line : undersampled_drives(plan.scene, plan.stages))
+    plan.warnings.push_back(fmt::format("{}: {}", plan.source.string(), line));
   plan.scene.spin = any_later(plan, &exerts_torque);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);

@@ -38,7 +38,7 @@ std::vector<double> read_rows(const document::Table& t) {
   return data;
 }
 
-constexpr std::size_t most_steps = 100000;
+constexpr std::size_t most_sines = 100000;
 
 double frequency(const document::Table& t, const char* key) {
   return t.number(key, document::Range::positive("Hz"));
@@ -52,8 +52,8 @@ std::vector<double> read_sweep(const document::Table& t, double mean, double amp
     throw t.error("periods", fmt::format("{:g} periods are not a whole number", periods),
                   "give a whole number");
   const double steps = std::floor(std::abs(to - from) / spacing * (1 + 1e-12)) + 1;
-  if (steps > double(most_steps))
-    throw t.error("step_hz", fmt::format("{:g} frequencies are more than {}", steps, most_steps),
+  if (steps > double(most_sines))
+    throw t.error("step_hz", fmt::format("{:g} frequencies are more than {}", steps, most_sines),
                   "give a larger step_hz");
   std::vector<double> data = {Program::sweep, mean, amplitude, rise, 0};
   double time = 0;
@@ -70,7 +70,7 @@ std::vector<double> read_sweep(const document::Table& t, double mean, double amp
 std::vector<double> read_noise(const document::Table& t, double mean, double rise) {
   const double low = frequency(t, "low_hz"), high = frequency(t, "high_hz");
   if (!(high > low)) throw t.error("high_hz", "the band is empty", "give a high_hz above low_hz");
-  const auto sines = std::size_t(t.integer("sines", 256, document::Range::between(1, most_steps)));
+  const auto sines = std::size_t(t.integer("sines", 256, document::Range::between(1, most_sines)));
   packing::Random random(std::uint64_t(t.integer("seed", 1, document::Range::non_negative())));
   const double spacing = (high - low) / double(sines), rms = t.number("rms");
   std::vector<double> data = {Program::noise,      mean,   rms * std::sqrt(2 / double(sines)), rise,

@@ -52,7 +52,7 @@ struct SpectrumKeys : TableKeys {
   NumberKey longest_pulse = number("longest_pulse", Range::positive("s"),
                                    "after which the record of a pulse ends anyway", "default 30 / step_hz");
   IntegerKey fewest_contacts =
-      integer("fewest_contacts", Range::at_least(1), "that hold a body in the linear response",
+      integer("fewest_contacts", Range::between(1, 100), "that hold a body in the linear response",
               "default 2, and one more than dimensions without tangential forces");
   ChoiceKey sliding_contacts = choice_or_first(
       "sliding_contacts", {"stick", "slide"},

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <scree/plugin/program.hpp>
+#include <scree/scenario/keys.hpp>
 #include <scree/scene_checks.hpp>
 
 namespace scree::scenario {
@@ -99,6 +100,13 @@ void read_changes(const document::Table& t, const Scene& scene, std::vector<Stag
   }
 }
 
+// A misspelt table, such as [[stages]] or [spectra], is named before the duration that would stand in its place.
+void refuse_unknown_tables(const document::Table& root) {
+  for (const TableDescription& table : describe_tables())
+    if (table.name.find('.') == std::string::npos) root.accept(table.name);
+  root.refuse_unused();
+}
+
 }  // namespace
 
 double read_steps(const document::Table& table, const Key& key, double step) {
@@ -125,6 +133,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
                      "keep [[stage]] or time.duration");
   const bool needs_none = root.has("spectrum") && !time.has(time_keys.duration);
   if (stages.empty() && !needs_none) {
+    if (!time.has(time_keys.duration)) refuse_unknown_tables(root);
     Stage stage;
     stage.name = "run";
     stage.duration = read_steps(time, time_keys.duration, scene.step);

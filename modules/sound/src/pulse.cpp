@@ -89,6 +89,7 @@ RoadSpectrum pulse_spectrum(const Start& start) {
   add(full, half, plan, road);
   for (std::size_t c = 0; c < plan.observed.size(); ++c)
     if (!plan.observed[c].of_shape) note_change(c, plan, road);
+  road.note_silent(plan.observed);
   road.wall = std::chrono::duration<double>(Clock::now() - began).count();
   return road;
 }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include <scree/sound/road_spectrum.hpp>
 
 namespace scree::sound {
@@ -25,6 +27,20 @@ std::size_t RoadSpectrum::nearest(double frequency) const {
     return std::abs(a - frequency) < std::abs(b - frequency);
   });
   return std::size_t(next - frequencies.begin());
+}
+
+void RoadSpectrum::note_silent(const std::vector<scenario::ObservedColumn>& observed) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const auto& response = columns[c].response;
+    const bool silent =
+        !response.empty() && std::none_of(response.begin(), response.end(),
+                                          [](const std::complex<double>& h) { return std::abs(h) > 0; });
+    if (silent && !observed[c].of_shape)
+      notes.push_back(fmt::format(
+          "{}: the wave does not reach {}, which is 0 at all frequencies; compress the packing, observe another column, "
+          "or give a larger spectrum.amplitude",
+          road, observed[c].name));
+  }
 }
 
 void RoadSpectrum::transfer(const StateTransfer& state) {

@@ -222,6 +222,7 @@ RoadSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size_t
         "{}: at {} of {} frequencies the response was not steady after {:g} periods; give a larger "
         "tolerance or more periods",
         name, unsteady, points.size(), longest * start_.spectrum().periods));
+  road.note_silent(start_.spectrum().observed);
   double all_steps = 0;
   for (const SweepPoint& point : points_) all_steps += double(point.steps);
   road.wall = road.steps ? wall_ * double(road.steps) / all_steps : 0;

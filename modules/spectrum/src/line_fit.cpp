@@ -26,7 +26,9 @@ double correction(double frequency, std::span<const double> times, std::span<con
     right += (values[k] - values[0]) * column;
   }
   const Column fit = gram.selfadjointView<Eigen::Lower>().ldlt().solve(right);
-  return (fit[0] * fit[3] - fit[1] * fit[2]) / (fit[0] * fit[0] + fit[1] * fit[1]) / (two_pi * half);
+  const double square = fit[0] * fit[0] + fit[1] * fit[1];
+  // Without a sine no frequency is nearer.
+  return square > 0 ? (fit[0] * fit[3] - fit[1] * fit[2]) / square / (two_pi * half) : 0;
 }
 
 std::vector<double> without_others(std::span<const double> times, std::span<const double> values,

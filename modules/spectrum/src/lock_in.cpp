@@ -59,7 +59,9 @@ class Fit {
     line.phase = wrapped(at_start + 2 * std::numbers::pi * (turns - std::floor(turns)));
     const double cosine = std::cos(at_start), sine = std::sin(at_start);
     line.amplitude_error = std::sqrt(noise * variance(s, cosine, sine));
-    line.phase_error = std::sqrt(noise * variance(s, -sine, cosine)) / line.amplitude;
+    const double across = std::sqrt(noise * variance(s, -sine, cosine));
+    line.phase_error = line.amplitude > 0 || std::isnan(across) ? across / line.amplitude
+                                                                : std::numeric_limits<double>::infinity();
     line.noise_density = 2 * noise * (state_[last] - state_[start]) / state_[count];
     return line;
   }

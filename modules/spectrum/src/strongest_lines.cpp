@@ -52,7 +52,9 @@ bool is_at(const FoundLine& line, const AmplitudeSpectrum& spectrum, std::size_t
          std::abs(line.frequency - spectrum.frequency(k)) < furthest * spectrum.resolution;
 }
 
-bool stands_out(const FoundLine& line) { return !(line.amplitude < least_over_error * line.amplitude_error); }
+bool stands_out(const FoundLine& line) {
+  return line.amplitude > 0 && !(line.amplitude < least_over_error * line.amplitude_error);
+}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "scree/spectrum/time_series.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,8 +11,17 @@ namespace scree::spectrum {
 
 namespace {
 
-// Squares of values and inverse steps are finite.
-constexpr double largest = 1e150, shortest = 1e-150;
+// Squares of values and inverse steps are finite and not 0.
+constexpr double largest = 1e150, smallest = 1e-150;
+
+// Of values all of which are tiny the squares, and with them the errors, would be 0.
+void check_size(const files::CsvRows& rows, const std::vector<double>& values) {
+  double size = 0;
+  for (const double value : values) size = std::max(size, std::abs(value));
+  if (size > 0 && size < smallest)
+    rows.fail(1, fmt::format("no value is above {}", size),
+              fmt::format("give another unit, in which one is above {}", smallest));
+}
 
 }  // namespace
 
@@ -41,8 +51,9 @@ TimeSeries read_time_series(const std::filesystem::path& file, const std::string
               fmt::format("the file ends after {} sample{}", series.times.size(),
                           series.times.size() == 1 ? "" : "s"),
               fmt::format("give {} or more", least));
-  if (!(series.duration() > shortest))
+  if (!(series.duration() > smallest))
     rows.fail(1, fmt::format("the times span {} s", series.duration()), "check the unit of the times, s");
+  check_size(rows, series.values);
   return series;
 }
 

@@ -13,6 +13,8 @@ namespace scree::vibration {
 
 namespace {
 
+constexpr double largest_hz = 1e100;  // its square, of which matrices are shifted, is finite
+
 double frequency_of(double square) { return std::sqrt(square) / (2 * std::numbers::pi); }
 
 void check_memory(const response::UndampedSystem& system, unsigned modes) {
@@ -37,6 +39,10 @@ void check_search(const response::UndampedSystem& system, const VibrationOptions
   if (options.density > 0 && options.density_to_hz > 0 && options.density_to_hz <= floppy)
     throw Error(fmt::format("no mode below {:g} Hz can be told from a floppy one; give a higher --density-to",
                             floppy));
+  if (!(options.density_to_hz <= largest_hz))
+    throw Error(
+        fmt::format("{:g} Hz is above {:g} Hz, and all modes are below {:g} Hz; give a lower --density-to",
+                    options.density_to_hz, largest_hz, highest));
   check_memory(system, options.modes);
 }
 

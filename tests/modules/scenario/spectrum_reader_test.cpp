@@ -82,6 +82,7 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
           "noise of 1.5 s has fewer than 8 segments of 0.2 s", "a longer longest_pulse");
   refuses({"spectrum.direction='left'"}, "direction", "up");
   refuses({"spectrum.adaptive=true", "spectrum.direction='both'"}, "takes each frequency once", "direction");
+  refuses({"spectrum.fewest_contacts=4294967297"}, "fewest_contacts", "from 1 to 100");
   refuses({"spectrum.zzz=1"}, "zzz", "known keys");
 }
 

@@ -3,6 +3,8 @@
 #include "chain.hpp"
 #include "pulse.hpp"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
@@ -167,4 +169,22 @@ TEST_CASE("a sweep up and down has a spectrum for each direction", "[sound]") {
   CHECK(spectra[1].road == "sweep_down");
   CHECK(spectra[0].frequencies == spectra[1].frequencies);
   CHECK(spectra[0].columns[0].response != spectra[1].columns[0].response);
+}
+
+TEST_CASE("a column that the wave does not reach is noted by pulse and sweep", "[sound]") {
+  // Beads on one axis do not move sideways.
+  const scenario::Plan plan =
+      plan_of(with(Chain().text(few), "'particles.z_8']", "'particles.z_8', 'particles.x_8']"));
+  for (const RoadSpectrum& road : {sweep(start_of(plan)), pulse_spectrum(start_of(plan))}) {
+    const auto noted = std::count_if(road.notes.begin(), road.notes.end(), [](const std::string& note) {
+      return note.find("the wave does not reach ") != std::string::npos;
+    });
+    CAPTURE(road.road, road.notes);
+    CHECK(noted == 1);
+    CHECK(
+        std::count(road.notes.begin(), road.notes.end(),
+                   road.road +
+                       ": the wave does not reach particles.x_8, which is 0 at all frequencies; compress the "
+                       "packing, observe another column, or give a larger spectrum.amplitude") == 1);
+  }
 }

@@ -136,6 +136,16 @@ TEST_CASE("hardly a random walk has a line", "[strongest_lines]") {
   CHECK(lines <= 5);  // 1 expected; more than 5 once in 1600 times
 }
 
+TEST_CASE("a line beside an offset whose round-off takes all the rest is found", "[strongest_lines]") {
+  // At 1e15 numbers are 1/8 apart, so that candidates of the round-off alone may leave nothing to be fitted.
+  const auto made = record(0.001, 400, [](double t) { return 1e15 + sine(2, 50, 0.3, t); });
+  const auto lines = strongest_lines(made.times, made.values, made.spectrum(), 5);
+  REQUIRE(!lines.empty());
+  CHECK(lines[0].frequency == Approx(50).epsilon(1e-3));
+  CHECK(lines[0].amplitude == Approx(2).margin(0.125));
+  for (const FoundLine& line : lines) CHECK(line.amplitude > 0);
+}
+
 TEST_CASE("values at unequal times are put on equal steps within the stated bound", "[amplitude_spectrum]") {
   const auto times = scree::test::random_times(1000, 0.01, 5);
   std::vector<double> x;

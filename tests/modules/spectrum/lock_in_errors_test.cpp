@@ -1,6 +1,7 @@
 #include "signals.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -140,4 +141,8 @@ TEST_CASE("a record of few periods has errors too, and one without spare samples
   CHECK(scatter.share() == Approx(0.68).margin(0.05));
   const Line line = lock_in(equal_times(3, 0.3), equal_times(3, 1), options).lines[0];
   CHECK(std::isnan(line.amplitude_error));
+  const Line none = lock_in(equal_times(60, 0.05), std::vector<double>(60, 3.0), options).lines[0];
+  CHECK(none.amplitude == 0);
+  CHECK(none.amplitude_error == 0);
+  CHECK(none.phase_error == std::numeric_limits<double>::infinity());
 }

@@ -43,6 +43,11 @@ TEST_CASE("times and values of which nothing can be said are refused with their 
         ":1:1: the first column has the unit 'ms'; give times in s there");
   CHECK(refusal("time,x\n0,1\n") == ":2:1: the file ends after 1 sample; give 2 or more");
   CHECK(refusal("time,x\n0,-1e151\n1,0\n").starts_with(":2:1: -1e+151 is beyond 1e+150; "));
+  CHECK(refusal("time,x\n0,1e-151\n1,-1e-160\n") ==
+        ":3:1: no value is above 1e-151; give another unit, in which one is above 1e-150");
+  CHECK(refusal("time,x\n0,0\n1,0\n") == "");
+  CHECK(refusal("time,x\n0,1e-160\n1,1\n") == "");
+  CHECK(refusal("time\tx\n0\t1\n1\t0\n").starts_with(":1:1: the columns are separated by tabs; "));
   CHECK(refusal("time,x\n0,1\n1e-200,1\n") ==
         ":3:1: the times span 1e-200 s; check the unit of the times, s");
 }

@@ -128,6 +128,10 @@ TEST_CASE("a plane can move in its own direction and must have a nonzero normal"
   Scene bad = scene(3, 1e-3, {}, elastic);
   add_boundary(bad, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 0}}});
   CHECK_THROWS_WITH(Simulation(bad), Catch::Contains("normal has length 0"));
+
+  Scene still = scene(3, 1e-3, {}, elastic);
+  add_boundary(still, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"direction", {0, 0, 0}}});
+  CHECK_THROWS_WITH(Simulation(still), Catch::Contains("direction has length 0"));
 }
 
 TEST_CASE("a normal may have any length", "[plane]") {

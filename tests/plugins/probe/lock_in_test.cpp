@@ -191,6 +191,14 @@ TEST_CASE("a lock-in refuses what cannot give an amplitude, with the cure", "[lo
   CHECK(refused(eight_periods, 2.25) == "no error");
   CHECK(refused(with(eight_periods, {{"samples_per_period", {6}}})).find("not above twice the harmonics") !=
         std::string::npos);
+  // 6.5 samples a period may fall on the same 6 phases of each, which do not tell three harmonics apart.
+  CHECK(refused(with(eight_periods, {{"samples_per_period", {6.5}}})).find("not above twice the harmonics") !=
+        std::string::npos);
+  CHECK_THROWS_WITH(lock_in({{"samples_per_period", {1e9}}}), Catch::Contains("from 3 to 1e+06"));
+  CHECK(
+      refused({{"frequency_hz", {frequency}}, {"periods", {0.15}}}) ==
+      "probe lock_in: 0.15 periods have 7.5 samples for 8 unknowns of drift and harmonics; give more periods or "
+      "samples_per_period, or fewer harmonics");
   CHECK_THROWS_WITH(lock_in({{"harmonics", {4}}}), Catch::Contains("from 1 to 3"));
   CHECK_THROWS_WITH(lock_in({{"harmonics", {1.5}}}), Catch::Contains("give a whole number"));
 }

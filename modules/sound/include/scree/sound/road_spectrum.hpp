@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <scree/scenario/peak_quantity.hpp>
+#include <scree/scenario/spectrum_plan.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree::sound {
@@ -32,6 +33,9 @@ struct RoadSpectrum {
 
   // Place of the frequency next to this one (Hz). There is at least one.
   std::size_t nearest(double frequency) const;
+
+  // Adds a note for each column of `observed` that is 0 at all frequencies.
+  void note_silent(const std::vector<scenario::ObservedColumn>& observed);
 
   void transfer(const StateTransfer& state);
 };

@@ -16,7 +16,7 @@ struct TimeSeries {
 };
 
 // Reads two columns of a file, row by row; nothing else of it is kept. column: its name, with its unit or without. Throws Error
-// "file:line:column: ..." for a missing column, an empty or a text cell, NaN, numbers beyond 1e150, times that do not increase, and fewer than `least`
+// "file:line:column: ..." for a missing column, an empty or a text cell, NaN, numbers beyond 1e150, values of which none reaches 1e-150 unless all are 0, times that do not increase, and fewer than `least`
 // rows (2 or more).
 TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least);
 
