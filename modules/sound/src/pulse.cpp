@@ -52,6 +52,16 @@ void note_change(std::size_t c, const scenario::SpectrumPlan& plan, RoadSpectrum
       plan.amplitude, plan.observed[c].name, change / largest));
 }
 
+// The response of a packing that moves on its own is that of many states.
+void note_motion(const PulseRecord& undriven, const PulseRecord& full, std::size_t c,
+                 const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
+  if (!(undriven.largest(c) > full.largest(c))) return;
+  road.notes.push_back(fmt::format(
+      "pulse: without the pulse {} changes by {:.2g}, with it by {:.2g} more: the packing is not at rest; let it come to rest in a stage "
+      "before (until), or give a larger spectrum.amplitude",
+      plan.observed[c].name, undriven.largest(c), full.largest(c)));
+}
+
 // A record that ends before its pulse has no spectrum.
 void check_length(const PulseRecord& record, const scenario::SpectrumPlan& plan) {
   if (plan.longest_pulse >= record.end_of_pulse()) return;
@@ -88,7 +98,10 @@ RoadSpectrum pulse_spectrum(const Start& start) {
       plan.pulse == scenario::SpectrumPlan::Pulse::noise ? add_noise_response : add_pulse_response;
   add(full, half, plan, road);
   for (std::size_t c = 0; c < plan.observed.size(); ++c)
-    if (!plan.observed[c].of_shape) note_change(c, plan, road);
+    if (!plan.observed[c].of_shape) {
+      note_motion(undriven, full, c, plan, road);
+      note_change(c, plan, road);
+    }
   road.note_silent(plan.observed);
   road.wall = std::chrono::duration<double>(Clock::now() - began).count();
   return road;

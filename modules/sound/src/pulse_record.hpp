@@ -38,6 +38,8 @@ class PulseRecord {
   }
   // The value of a column at the start.
   double at_start(std::size_t column) const { return at_start_[column]; }
+  // Largest deviation of a column: of the undriven run from the start, else from the undriven run.
+  double largest(std::size_t column) const { return largest(column, 0, samples()); }
   // Estimate of the integral of |column| behind the record if it goes on to decay as in its last half; infinite if it
   // did not.
   double beyond(std::size_t column) const;

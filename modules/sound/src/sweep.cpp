@@ -2,6 +2,7 @@
 
 #include "steady_state.hpp"
 #include "sweep_grid.hpp"
+#include "tone_halves.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -109,11 +110,17 @@ bool Sweep::measure_last_periods(SweepPoint& point) {
   const SpectrumPlan& plan = start_.spectrum();
   const bool averaged = plan.detrending == SpectrumPlan::Detrending::period_average;
   Tone tone(plan, point.frequency, plan.analysed_periods, averaged);
+  ToneHalves halves(plan, point.frequency, (plan.periods - 0.5 * plan.analysed_periods) / point.frequency);
   const std::uint64_t first = steps_at(point.frequency, plan.periods - plan.analysed_periods);
-  if (!record(tone, point.frequency, first, steps_at(point.frequency, plan.periods))) return false;
+  const auto add = [&](double time, double drive, const std::vector<double>& values) {
+    tone.add(time, drive, values);
+    halves.add(time, drive, values);
+  };
+  if (!record(add, point.frequency, first, steps_at(point.frequency, plan.periods))) return false;
   point.drive = tone.amplitude();
   point.columns = tone.columns();
   point.periods = plan.periods;
+  point.is_steady = !halves.differ(scales());
   return true;
 }
 
@@ -126,7 +133,10 @@ bool Sweep::measure_until_steady(SweepPoint& point) {
     Tone tone(plan, point.frequency, block_periods, false);
     const std::uint64_t first = steps_at(point.frequency, point.periods);
     point.periods += block_periods;
-    if (!record(tone, point.frequency, first, steps_at(point.frequency, point.periods))) return false;
+    const auto add = [&](double time, double drive, const std::vector<double>& values) {
+      tone.add(time, drive, values);
+    };
+    if (!record(add, point.frequency, first, steps_at(point.frequency, point.periods))) return false;
     point.drive = tone.amplitude();
     steady.add(tone.columns());
   } while (!steady.is_reached() && point.periods + block_periods <= longest * plan.periods);
@@ -143,7 +153,7 @@ std::vector<double> Sweep::scales() const {
   return largest;
 }
 
-bool Sweep::record(Tone& tone, double frequency, std::uint64_t first, std::uint64_t last) {
+bool Sweep::record(const AddSample& add, double frequency, std::uint64_t first, std::uint64_t last) {
   const double step = start_.scene.step,
                interval = 1 / (frequency * start_.spectrum().samples_per_period * step);
   std::uint64_t latest = last + 1;
@@ -152,7 +162,7 @@ bool Sweep::record(Tone& tone, double frequency, std::uint64_t first, std::uint6
     if (at > last) break;
     if (at < first || at == latest) continue;
     if (!advance_to(tone_first_ + at)) return false;
-    tone.add(double(at) * step, drive_at(frequency, double(at) * step), observer_.values(*simulation_));
+    add(double(at) * step, drive_at(frequency, double(at) * step), observer_.values(*simulation_));
     report_progress();
     latest = at;
   }
@@ -217,11 +227,13 @@ RoadSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size_t
       road.columns[c].error.push_back(point.columns[c].error);
     }
   }
+  const SpectrumPlan& plan = start_.spectrum();
   if (unsteady)
     road.notes.push_back(fmt::format(
-        "{}: at {} of {} frequencies the response was not steady after {:g} periods; give a larger "
+        "{}: at {} of {} frequencies the response was not steady after {:g} periods{}; give a larger "
         "tolerance or more periods",
-        name, unsteady, points.size(), longest * start_.spectrum().periods));
+        name, unsteady, points.size(), (plan.adaptive ? longest : 1) * plan.periods,
+        plan.adaptive ? "" : ", since that of the second half of the analysed periods is another one"));
   road.note_silent(start_.spectrum().observed);
   double all_steps = 0;
   for (const SweepPoint& point : points_) all_steps += double(point.steps);

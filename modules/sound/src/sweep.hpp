@@ -45,8 +45,10 @@ class Sweep {
   std::optional<SweepPoint> measure(double frequency);
   bool measure_last_periods(SweepPoint& point);
   bool measure_until_steady(SweepPoint& point);
+  // Called with time (s) since the start of the frequency, drive (m), and values of the columns.
+  using AddSample = std::function<void(double, double, const std::vector<double>&)>;
   // Samples the steps from one to another of the present tone.
-  bool record(Tone& tone, double frequency, std::uint64_t first, std::uint64_t last);
+  bool record(const AddSample& add, double frequency, std::uint64_t first, std::uint64_t last);
   bool advance_to(std::uint64_t step);
   double drive_at(double frequency, double time) const;
   std::vector<double> scales() const;

@@ -21,7 +21,7 @@ struct SweepPoint {
   std::uint64_t steps = 0;  // at this frequency
   double drive = 0;         // (m) amplitude of the wall
   double periods = 0;       // that it took
-  bool is_steady = true;    // false if an adaptive sweep gave up before it was
+  bool is_steady = true;  // false if an adaptive sweep gave up before it was, or halves of a fixed one differ
   std::vector<Column> columns;
 
   void transfer(const StateTransfer& state);

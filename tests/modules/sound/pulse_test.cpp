@@ -3,6 +3,8 @@
 #include "chain.hpp"
 #include "pulse_record.hpp"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
@@ -144,4 +146,21 @@ TEST_CASE("a pulse too high for a linear response is noted with the change at ha
   CHECK(road.notes[1].starts_with(
       "pulse: at half the amplitude of 0.001 m the response of particles.z_8 changes by"));
   CHECK(road.notes[1].ends_with("; give a lower spectrum.amplitude"));
+}
+
+TEST_CASE("a pulse into a packing that is not at rest is warned of", "[sound]") {
+  std::string text =
+      Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 10\ndecay = 1e-2\nlongest_pulse = 0.2\n");
+  // A fifth more than the contacts bear.
+  const std::string gravity = "[0, 0, -10]";
+  text.replace(text.find(gravity), gravity.size(), "[0, 0, -12]");
+  const scenario::Plan plan = plan_of(text);
+  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  const RoadSpectrum road = pulse_spectrum(start);
+  REQUIRE_FALSE(road.notes.empty());
+  const auto note = std::find_if(road.notes.begin(), road.notes.end(), [](const std::string& line) {
+    return line.starts_with("pulse: without the pulse particles.z_8 changes by ");
+  });
+  REQUIRE(note != road.notes.end());
+  CHECK_THAT(*note, Catch::Contains("the packing is not at rest; let it come to rest in a stage before"));
 }

@@ -188,3 +188,16 @@ TEST_CASE("a column that the wave does not reach is noted by pulse and sweep", "
                        "packing, observe another column, or give a larger spectrum.amplitude") == 1);
   }
 }
+
+TEST_CASE("a sweep whose periods are too few for a steady response says so", "[sound]") {
+  const auto notes = [](const std::string& periods) {
+    const scenario::Plan plan = plan_of(Chain().text("from_hz = 100\nto_hz = 140\nstep_hz = 40\n" + periods));
+    return try_roads(plan, {Road::sweep}, nullptr).roads.at(0).notes;
+  };
+  // Modes of the chain decay by exp(−(drag/m + ω² damping/k) t/2), at 100 Hz by a half in 5 periods.
+  CHECK(notes("periods = 100\nanalysed_periods = 60\n").empty());
+  const std::vector<std::string> few = notes("periods = 10\nanalysed_periods = 6\nrise_periods = 2\n");
+  REQUIRE(few.size() == 1);
+  CHECK(few[0].starts_with("sweep: at 2 of 2 frequencies the response was not steady after 10 periods"));
+  CHECK(few[0].ends_with("; give a larger tolerance or more periods"));
+}
