@@ -83,6 +83,7 @@ def plot_accumulation(axes, groups, title, name_of):
         last = min(len(r.accumulated) for r in runs) - 1
         axes.plot(range(last + 1), [1e3 * statistics.fmean(r.accumulated[c] for r in runs) for c in range(last + 1)], label=label, **look)
         mean, error = mean_of([1e3 * r.accumulated[last] for r in runs])
+        error = None if math.isnan(error) else error
         # Beside one another.
         fill = "none" if look["linestyle"] == "--" else "full"
         axes.errorbar(last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look)

@@ -3,6 +3,7 @@
 #include "linear.hpp"
 #include "measurement_charts.hpp"
 #include "measurement_files.hpp"
+#include "missing_peaks.hpp"
 #include "pulse.hpp"
 
 #include <algorithm>
@@ -238,6 +239,9 @@ Measurement Course::finish() {
     if (!unfinished_.frequencies.empty()) result_.roads.push_back(without_linearity(unfinished_));
   }
   result_.resonances = resonances_of(result_.roads, result_.observed);
+  if (!result_.interrupted)
+    for (const std::string& line : missing_peaks(result_.roads, result_.resonances, result_.observed))
+      warn(line);
   judge();
   write_tables(result_, directory_);
   draw_charts(result_, directory_, [this](const std::string& line) { warn(line); });

@@ -266,3 +266,17 @@ TEST_CASE("an overriding empty text or list leaves the shapes out", "[sound]") {
     CHECK(scenario::read_plan(path, {empty}, host()).spectrum->observed.size() == 2);
   }
 }
+
+TEST_CASE("a highest response that no peak fits is named", "[sound]") {
+  const auto warned = [](const std::string& frequencies) {
+    Bench bench(Chain{.damping = 0.02}.text(frequencies + "fewest_contacts = 1\n"));
+    bench.options.roads = {Road::linear};
+    const std::vector<std::string> lines = measure(bench.plan, bench.options).warnings;
+    return std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.starts_with("linear: the highest response of particles.z_8, at ");
+    });
+  };
+  // λ/4 of the chain is at 29.4 Hz, and (drag/m + ω² damping/k)/2π = 1.7 Hz wide.
+  CHECK(warned("from_hz = 10\nto_hz = 160\nstep_hz = 0.4\n") == 0);
+  CHECK(warned("from_hz = 10\nto_hz = 160\nstep_hz = 3\n") == 1);
+}

@@ -184,3 +184,33 @@ TEST_CASE("a measurement that goes on and cannot write records the cure for its 
   std::filesystem::remove(bench.options.out / "peaks.csv");
   CHECK(!resume_measurement(bench.options, host()).interrupted);
 }
+
+TEST_CASE("a measurement that goes on keeps the warnings of the roads before", "[sound]") {
+  std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+  // Observes a column that has no linear response.
+  const std::string observed = "observe = ['particles.z_1', 'particles.z_8']";
+  text.replace(text.find(observed), observed.size(),
+               "observe = ['particles.z_1', 'energy.kinetic_translation']");
+  text.insert(text.find("[spectrum]"), "[[probe]]\nplugin = 'energy'\nevery = 1e-3\n");
+  Bench bench(text);
+  bench.options.roads = {Road::linear, Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double, double, const std::string& what) {
+    stop = what.starts_with("sweep");
+  };
+  const Measurement first = measure(bench.plan, bench.options);
+  REQUIRE(first.interrupted);
+  const auto left_out = [](const Measurement& m) {
+    return std::count_if(m.warnings.begin(), m.warnings.end(), [](const std::string& line) {
+      return line.find("(the road linear is left out)") != std::string::npos;
+    });
+  };
+  CHECK(left_out(first) == 1);
+  CHECK(std::none_of(first.roads.begin(), first.roads.end(),
+                     [](const RoadSpectrum& road) { return road.road == "linear"; }));
+  stop = false;
+  bench.options.on_progress = {};
+  CHECK(left_out(resume_measurement(bench.options, host())) == 1);
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <scree/sound/resonance.hpp>
+
+namespace scree::sound {
+
+// "<what>; <cure>" for each road and column whose highest response, within the band, has no peak: most often there are too few
+// frequencies in its width for a fit.
+std::vector<std::string> missing_peaks(const std::vector<RoadSpectrum>& roads,
+                                       const std::vector<Resonance>& resonances,
+                                       const std::vector<scenario::ObservedColumn>& observed);
+
+}  // namespace scree::sound
