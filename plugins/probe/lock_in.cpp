@@ -23,7 +23,7 @@ struct LockInProbe {
   static constexpr scree::About about = {
       "lock_in", "amplitude and phase of a column of another probe at a frequency, with their errors",
       "x(t) = drift + Σ_h A_h sin(2π h f (t − t_0) + φ_h), h = 1, 2, 3, by least squares;\n"
-      "amplitude, phase: A_1, φ_1; amplitude_2, phase_2, ...: of the harmonics; mean: of the drift;\n"
+      "amplitude, phase: A_1, φ_1; amplitude_2, phase_2, ...: of the harmonics; mean: of the drift, after detrending by period_average of what is left;\n"
       "..._error: standard errors by the noise near h f; residual: root mean square of x minus the fit",
       "modules/spectrum"};
 

@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 using run::RunDirectory;
 
-std::string status_in(const fs::path& directory) {
+// A text of spectrum.json, or nothing.
+std::string recorded(const fs::path& directory, const char* name) {
   const auto json = nlohmann::json::parse(files::read_text(directory / "spectrum.json"), nullptr, false);
-  return json.is_object() && json.contains("status") && json["status"].is_string()
-             ? json["status"].get<std::string>()
-             : "";
+  return json.is_object() && json.contains(name) && json[name].is_string() ? json[name].get<std::string>()
+                                                                           : "";
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ Measurement go_on(const MeasurementOptions& options, PluginHost& host) {
     throw Error(fmt::format("{}: contains no spectrum; give the directory of one", options.out.string()));
   RunDirectory directory(options.out, RunDirectory::Existing::keep, RunDirectory::Kind::spectrum);
   directory.take();
-  if (status_in(options.out) == "finished")
+  if (recorded(options.out, "status") == "finished")
     throw Error(
         fmt::format("{}: the spectrum is finished; give --overwrite with the scenario to measure it again",
                     options.out.string()));
@@ -59,6 +59,11 @@ Measurement go_on(const MeasurementOptions& options, PluginHost& host) {
   const State state = state_file::read_state(file);
   std::string text;
   StateTransfer::restoring_from(state).below("spectrum").value("scenario", "", text);
+  if (const std::string own = recorded(options.out, "scenario"); !own.empty() && own != text)
+    throw Error(fmt::format(
+        "{}: is the state of another spectrum than that in spectrum.json; put back the one of this directory, or measure the "
+        "scenario again with --overwrite",
+        file.string()));
   const scenario::Plan plan =
       scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
   return Course(plan, options, directory).resume(state);

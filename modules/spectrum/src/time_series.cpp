@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,27 @@ namespace {
 
 // Squares of values and inverse steps are finite and not 0.
 constexpr double largest = 1e150, smallest = 1e-150;
+
+// A unit at the end of a name, as in "time (ms)" and "time_ms", if it is one of time other than s; or nothing.
+std::string unit_in(const std::string& name) {
+  static const std::set<std::string> units = {"ms", "us", "µs", "ns", "min", "h"};
+  const std::size_t before = name.find_last_of("_ (/");
+  if (before == std::string::npos) return "";
+  std::string last = name.substr(before + 1);
+  if (last.ends_with(')')) last.pop_back();
+  return units.contains(last) ? last : "";
+}
+
+void check_unit(const files::CsvRows& rows) {
+  const auto& [name, unit] = rows.columns()[0];
+  if (!unit.empty() && unit != "s")
+    rows.fail(1, fmt::format("the first column has the unit {}", files::quote_token(unit)),
+              "give times in s there");
+  if (const std::string named = unit_in(name); unit.empty() && !named.empty())
+    rows.fail(
+        1, fmt::format("the first column, {}, has the unit {} in its name", files::quote_token(name), named),
+        "give times in s there, or another name");
+}
 
 // Of values all of which are tiny the squares, and with them the errors, would be 0.
 void check_size(const files::CsvRows& rows, const std::vector<double>& values) {
@@ -28,9 +50,7 @@ void check_size(const files::CsvRows& rows, const std::vector<double>& values) {
 TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least) {
   files::CsvRows rows(file);
   const std::size_t number = rows.column(column);
-  if (const std::string& unit = rows.columns()[0].unit; !unit.empty() && unit != "s")
-    rows.fail(1, fmt::format("the first column has the unit {}", files::quote_token(unit)),
-              "give times in s there");
+  check_unit(rows);
   TimeSeries series{rows.columns()[number].name, rows.columns()[number].unit, {}, {}};
   const auto read = [&](std::size_t cell) {
     const double value = rows.number(cell);

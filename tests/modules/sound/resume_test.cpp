@@ -214,3 +214,25 @@ TEST_CASE("a measurement that goes on keeps the warnings of the roads before", "
   bench.options.on_progress = {};
   CHECK(left_out(resume_measurement(bench.options, host())) == 1);
 }
+
+TEST_CASE("the state of another spectrum is refused", "[sound]") {
+  const auto interrupted = [](Bench& bench, std::atomic<bool>& stop) {
+    bench.options.roads = {Road::sweep};
+    bench.options.stop = &stop;
+    bench.options.on_progress = [&](double, double, const std::string&) { stop = true; };
+    measure(bench.plan, bench.options);
+    bench.options.on_progress = {};
+    stop = false;
+  };
+  const std::string text = "from_hz = 100\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nto_hz = ";
+  Bench one(Chain().text(text + "110\n")), other(Chain().text(text + "120\n"));
+  std::atomic<bool> stop = false;
+  interrupted(one, stop);
+  interrupted(other, stop);
+  std::filesystem::copy_file(other.options.out / "state.h5", one.options.out / "state.h5",
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK_THAT(
+      message([&] { resume_measurement(one.options, host()); }),
+      Catch::Contains("state.h5: is the state of another spectrum than that in spectrum.json; put back"));
+  CHECK(resume_measurement(other.options, host()).roads.size() == 1);
+}

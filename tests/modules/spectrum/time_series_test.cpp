@@ -41,6 +41,10 @@ TEST_CASE("times and values of which nothing can be said are refused with their 
   CHECK(refusal("time,x\n0,1\n0,1\n").starts_with(":3:1: time 0 follows 0; "));
   CHECK(refusal("time [ms],x\n0,1\n1,1\n") ==
         ":1:1: the first column has the unit 'ms'; give times in s there");
+  for (const char* name : {"time (ms)", "time_ms", "t/ms"})
+    CHECK_THAT(refusal(std::string(name) + ",x\n0,1\n1,1\n"),
+               Catch::Contains("has the unit ms in its name; give times in s there, or another name"));
+  CHECK(refusal("time_of_ms_run,x\n0,1\n1,1\n") == "");
   CHECK(refusal("time,x\n0,1\n") == ":2:1: the file ends after 1 sample; give 2 or more");
   CHECK(refusal("time,x\n0,-1e151\n1,0\n").starts_with(":2:1: -1e+151 is beyond 1e+150; "));
   CHECK(refusal("time,x\n0,1e-151\n1,-1e-160\n") ==
