@@ -3,6 +3,7 @@
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,6 +55,22 @@ void read_end(const document::Table& t, double step, Stage& stage) {
     stage.duration = read(t, stage_keys.cycles) * period;
     check_steps(t, "cycles", *stage.duration, step);
   }
+}
+
+// Once in a cycle, what is sampled is then at another phase of the load in each.
+void warn_of_phases(const document::Table& t, double step, std::vector<std::string>& warnings) {
+  if (!t.has(stage_keys.cycles) || !(read(t, stage_keys.cycles) > 1)) return;
+  constexpr double round_off = 1e-6;  // steps
+  const double period = read_steps(t, stage_keys.period, step), steps = period / step;
+  if (std::abs(steps - std::round(steps)) <= round_off) return;
+  warnings.push_back(
+      t.error(
+           "period",
+           fmt::format(
+               "a period of {:g} s is {:.10g} steps, so that samples once in a cycle are at another phase of the load in each",
+               period, steps),
+           fmt::format("give time.step = {:.17g}", period / std::ceil(steps)))
+          .what());
 }
 
 // Functions of time of an instance that vary and that a stage does not set anew.
@@ -125,6 +142,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     stage.name = t.string(stage_keys.name, fmt::format("stage {}", stages.size() + 1));
     names.add(t, stage.name);
     read_end(t, scene.step, stage);
+    warn_of_phases(t, scene.step, warnings);
     read_changes(t, scene, instances.all, stage, warnings);
     stages.push_back(std::move(stage));
   }

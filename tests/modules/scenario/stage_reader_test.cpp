@@ -134,6 +134,23 @@ TEST_CASE("a stage that restarts functions of time of a boundary which it does n
                              "again at 0; set these too"));
 }
 
+TEST_CASE("cycles whose period is no number of steps are warned of", "[scenario]") {
+  const std::string box = with(discs, "duration = 1e-4\n", "");
+  const auto warnings = [&](const std::string& stage) {
+    return plan_of(box + "[[stage]]\n" + stage, {"time.step=1e-5"}).warnings;
+  };
+  CHECK(warnings("cycles = 5\nperiod = 0.01\n").empty());
+  CHECK(warnings("cycles = 1\nperiod = 0.010003\n").empty());
+  const std::vector<std::string> found = warnings("cycles = 5\nperiod = 0.010003\n");
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0],
+             Catch::Contains(
+                 "a period of 0.010003 s is 1000.3 steps, so that samples once in a cycle are at another "
+                 "phase of the load in each; give time.step = 9.993006993006"));
+  CHECK(plan_of(box + "[[stage]]\ncycles = 5\nperiod = 0.010003\n", {"time.step=9.993006993006993e-6"})
+            .warnings.empty());
+}
+
 TEST_CASE("a stage cannot change what describes the start of a boundary", "[scenario]") {
   const std::string scene =
       with(discs, "duration = 1e-4\n", "") +
