@@ -97,7 +97,7 @@ Verb CommandLine::verb(const std::string& name, const std::string& help) {
   return Verb(app_->add_subcommand(name, help), status_);
 }
 
-// A verb that does not exist deserves a better answer than "unexpected argument".
+// For a verb that does not exist the nearest one is named, in place of "unexpected argument".
 void CommandLine::check_verb_name(const std::string& name) const {
   std::vector<std::string> verbs;
   for (const CLI::App* verb : app_->get_subcommands([](const CLI::App*) { return true; }))

@@ -185,7 +185,7 @@ std::optional<Equilibrium::Vector> Equilibrium::newton_step(const WallEquations&
   return step;
 }
 
-// Bodies that hardly anything holds do not decide for all others how far they move.
+// Limits the motion of each body by itself, so that loosely held ones do not shorten the step of all others.
 void Equilibrium::shorten(Vector& step) const {
   const double allowed = longest_step * smallest_radius_;
   const auto limit = [&](Eigen::Index first, int count) {

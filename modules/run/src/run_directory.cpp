@@ -180,7 +180,7 @@ void RunDirectory::discard() {
   try {
     if (written_) written_->return_to(0);
   } catch (const Error&) {
-    // The error for which the directory is discarded is the one to tell.
+    // The error for which the directory is discarded is the one to report.
   }
   lock_.reset();
 }

@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// Whether the path is relative and stays below its directory as far as its text tells.
+// Whether the path is relative and stays below its directory by its text alone.
 bool stays_below(const std::string& file) {
   const fs::path path(file);
   const auto is_odd = [](const fs::path& part) { return part.empty() || part == "." || part == ".."; };

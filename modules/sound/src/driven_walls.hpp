@@ -10,14 +10,14 @@ namespace scree::sound {
 class DrivenWalls {
  public:
   DrivenWalls() = default;  // for transfer()
-  // Asks a copy of the simulation. Throws Error if the drive moves no wall.
+  // From the velocities of walls in a copy of the simulation. Throws Error if the drive moves no wall.
   explicit DrivenWalls(const Start& start);
 
   // Displacement of each wall (m) for a drive of 1 m.
   const std::vector<Vec3>& motion() const { return motion_; }
-  // Whether nothing but the drive moves them, so that their position tells the drive.
+  // Whether nothing but the drive moves them, so that the drive follows from their position.
   bool are_prescribed() const { return prescribed_; }
-  // The drive (m) that the position of the walls tells; only if they are prescribed.
+  // The drive (m) that follows from the position of the walls; only if they are prescribed.
   double drive_of(const std::vector<scree_plane>& planes) const;
   void transfer(const StateTransfer& state);
 

@@ -9,7 +9,7 @@
 
 namespace scree::sound {
 
-// What all roads begin from, and who watches them.
+// What all roads begin from, with the callbacks for progress and stop.
 struct Start {
   const scenario::Plan& plan;
   Scene scene;  // with the parameters of the last stage

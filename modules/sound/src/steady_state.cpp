@@ -14,7 +14,7 @@ std::complex<double> SteadyState::limit(std::size_t column, std::size_t last) co
   const std::complex<double> a = blocks_[last - 2][column].response, b = blocks_[last - 1][column].response,
                              c = blocks_[last][column].response;
   const std::complex<double> curvature = (c - b) - (b - a);
-  // Differences that are all round-off or noise tell nothing of a transient.
+  // From differences that are all round-off or noise no transient follows.
   if (std::abs(c - b) > std::abs(b - a) || std::abs(curvature) == 0) return c;
   return c - (c - b) * (c - b) / curvature;
 }

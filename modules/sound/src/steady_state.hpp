@@ -7,7 +7,7 @@
 namespace scree::sound {
 
 // The steady response to which those of successive blocks of periods lead. The transient of one mode multiplies its part by
-// the same complex number from block to block, so that three blocks tell the limit (Aitken's Δ² process); the change
+// the same complex number from block to block, so that the limit follows from three blocks (Aitken's Δ² process); the change
 // of the limit from one block to the next is its error.
 class SteadyState {
  public:

@@ -27,7 +27,7 @@ class Sweep {
   // Goes on from a state that save() wrote.
   Sweep(const Start& start, const State& state);
 
-  // Measures until all frequencies are done or the start says stop; calls `measured` after each frequency, when the
+  // Measures until all frequencies are done or `Start::stop` is true; calls `measured` after each frequency, when the
   // simulation can be saved. What is incomplete is dropped.
   void run(const std::function<void()>& measured);
   // The simulation and the points so far. Only after a frequency.

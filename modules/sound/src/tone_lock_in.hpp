@@ -27,7 +27,7 @@ class ToneLockIn {
     double error = 0;  // standard error of |value|
     double mean = 0;   // of the samples
   };
-  // Throws Error if the samples do not tell the tone apart.
+  // Throws Error if the samples do not determine the tone.
   Amplitude result() const;
 
  private:

@@ -52,7 +52,7 @@ class WindowIteration {
     if (!settle_unloaded()) return 0;
     Matrix directions = inverse(loads_of(frequencies(few_of(all_open()))));
     if (!directions.allFinite()) return 0;
-    // In single precision, and between frequencies, only iteration tells.
+    // In single precision, and between frequencies, only the iteration shows whether it converges.
     if (window_.count == 1 && directions.norm() * norm > largest_amplification) return 0;
     directions = unit(std::move(directions));
     basis_.extend(directions);

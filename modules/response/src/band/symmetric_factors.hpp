@@ -19,7 +19,7 @@ class SymmetricFactors {
   using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
   // Entries of A below the diagonal in the order of elimination are read. on_pivot is called with each block of D. Incomplete, and
-  // not to be used, once `stop`, which may be null, says stop.
+  // not to be used, once `*stop` is true; `stop` may be null.
   SymmetricFactors(const Elimination& plan, const Eigen::SparseMatrix<T>& a,
                    const std::atomic<bool>* stop = nullptr,
                    const std::function<void(const Matrix&)>& on_pivot = {})

@@ -23,7 +23,7 @@ Handle create_file(const std::filesystem::path& file) {
   checked(H5Pset_userblock(creation, Seal::size), "room for the seal");
   // What HDF5 1.8 and later read: shorter than what its first versions do, and with its own checksums.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "version of the format");
-  // Nobody else knows the file yet, and some network file systems have no locks.
+  // No other process knows the file yet, and some network file systems have no locks.
   checked(H5Pset_file_locking(access, false, true), "locks");
   return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "new file"};
 }

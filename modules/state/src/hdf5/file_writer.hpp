@@ -10,7 +10,7 @@
 
 namespace scree::state_file {
 
-// Attributes of a dataset: its unit, "1" also where a state has none, and then what tells the two apart.
+// Attributes of a dataset: its unit, "1" also where a state has none, and then an attribute that distinguishes the two.
 // Not "unit", as readers of H5MD take only units of chemistry by that name.
 inline constexpr const char* unit_attribute = "units";
 inline constexpr const char* label_attribute = "label";

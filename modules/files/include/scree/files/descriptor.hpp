@@ -21,7 +21,7 @@ class Descriptor {
 };
 
 // Opens a file for writing, created empty: what has its name is removed first, so that no link is followed. Closed
-// to processes started by this one. If it cannot, the descriptor is not open, and errno tells why.
+// to processes started by this one. If it cannot, the descriptor is not open, and errno has the reason.
 Descriptor create_file(const char* path);
 
 // The same for a file that is written on at its end, if there is one.

@@ -4,7 +4,7 @@
 
 namespace scree::files {
 
-// Calls every function, even if others throw; exceptions are discarded. For what is saved behind an error, which is the one to tell.
+// Calls every function, even if others throw; exceptions are discarded. For what is saved behind an error, which is the one to report.
 template <class... Work>
 void try_each(const Work&... work) {
   const auto attempt = [](const auto& one) {

@@ -27,7 +27,7 @@ struct HarmonicResponse {
 
 // Solves A q = f, A = K + iωC − ω²M, f = force − (K_w + iωC_w − ω²M_w) walls, by a factorisation at each
 // frequency.
-// Throws Error if the drive has another size, or if A is singular. Frequencies behind that at which `stop` says stop are left out.
+// Throws Error if the drive has another size, or if A is singular. Frequencies behind that at which `*stop` is true are left out.
 std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& drive,
                                     const std::vector<double>& frequencies_hz,
                                     const std::atomic<bool>* stop = nullptr);

@@ -22,7 +22,7 @@ inline std::size_t responding(const std::vector<ObservedColumn>& observed) {
   return count;
 }
 
-// The response of a packing to a driven wall over frequency, as [spectrum] asks for it.
+// The response of a packing to a driven wall over frequency, as [spectrum] describes it.
 struct SpectrumPlan {
   enum class Direction { up, down, both };
   enum class Detrending { period_average, polynomial };
@@ -51,7 +51,7 @@ struct SpectrumPlan {
   std::vector<double> frequencies() const;
 };
 
-// What is wrong with a highest frequency (Hz) and a time step (s); nothing if a sample per step tells its sine.
+// What is wrong with a highest frequency (Hz) and a time step (s); nothing if a sample per step determines its sine.
 std::optional<std::string> sampling_problem(double to_hz, double step);
 
 }  // namespace scree::scenario

@@ -25,7 +25,7 @@ inline ScaledUnit scaled_unit(double largest, const std::string& unit) {
   };
   static constexpr Prefix prefixes[] = {{1e-9, "G"}, {1e-6, "M"}, {1e-3, "k"}, {1, ""},
                                         {1e3, "m"},  {1e6, "µ"},  {1e9, "n"}};
-  const bool fits = largest >= 0.1 && (largest < 1000 || unit == "s");  // nobody counts in ks
+  const bool fits = largest >= 0.1 && (largest < 1000 || unit == "s");  // ks is not in use
   if (!takes_prefix(unit) || !(largest > 0) || fits) return {1, unit};
   for (const Prefix& prefix : prefixes)
     if (largest * prefix.factor >= 1) return {prefix.factor, prefix.symbol + unit};

@@ -8,7 +8,7 @@ namespace scree::spectrum {
 
 // A lock-in fits, by least squares and sample by sample,
 //   x(t) = drift + sum over h = 1..harmonics of A_h sin(2 pi h f (t - origin) + phi_h).
-// Sample times may have any distances, if they tell the terms apart.
+// Sample times may have any distances, if they determine the terms.
 //
 // drift: a polynomial of degree d (Legendre polynomials of 2 (t - t0) / duration - 1), fitted with the rest, so that such a
 // drift changes no amplitude. What a polynomial leaves of another drift, r(t), changes A_1 by at most
@@ -35,7 +35,7 @@ struct Line {
   double frequency = 0;        // (Hz)
   double amplitude = 0;        // (unit of x) 0 or more
   double phase = 0;            // (rad) of a sine, in (-pi, pi]
-  double amplitude_error = 0;  // (unit of x) standard error; NaN if the record is too short to tell
+  double amplitude_error = 0;  // (unit of x) standard error; NaN if the record is too short for one
   double phase_error = 0;      // (rad) the same; large compared with 1: the phase is unknown
   double noise_density =
       0;  // (unit of x)^2/Hz, one-sided, near the line: amplitude_error^2 T for many periods
@@ -63,7 +63,7 @@ class LockIn {
 
   std::size_t samples() const;  // so far
 
-  // Throws Error if there are too few samples or if their times do not tell the terms apart.
+  // Throws Error if there are too few samples or if their times do not determine the terms.
   LockInResult result() const;
 
  private:
