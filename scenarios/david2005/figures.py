@@ -90,10 +90,10 @@ def plot_accumulation(axes, groups, title, name_of):
     axes.set(title=title, xlabel="cycle", ylabel="deviatoric strain at the least load / 10⁻³")
 
 
-def plot_loops(axes, groups, title, name_of, loop_of):
+def plot_loops(axes, groups, title, name_of, loop_of, width=1.2):
     for label, runs, look in with_looks(groups, name_of):
         strain, stress = loop_of(runs[0])
-        axes.plot([1e3 * e for e in strain], stress, label=label, **look)
+        axes.plot([1e3 * e for e in strain], stress, label=label, **(look | {"linewidth": width}))
     axes.set(title=title, xlabel="deviatoric strain / 10⁻³", ylabel="deviatoric stress / Pa")
 
 
@@ -131,15 +131,19 @@ def draw(groups, folder):
     def friction_of(key):
         return f"μ = {key[1]}"
 
-    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5))
-    plot_accumulation(panels[0], sizes, f"Size, μ = {weakest}, mean of the seeds", size_of)
-    plot_accumulation(panels[1], frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of)
-    save(figure, panels, os.path.join(folder, "accumulation.png"))
+    # Without other frictions one panel each.
+    count = 2 if len({friction for _, friction, _ in frictions}) > 1 else 1
+    figure, panels = pyplot.subplots(1, count, figsize=(1 + 5.5 * count, 5), squeeze=False)
+    plot_accumulation(panels[0][0], sizes, f"Size, μ = {weakest}, mean of the seeds", size_of)
+    if count > 1:
+        plot_accumulation(panels[0][1], frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of)
+    save(figure, panels[0], os.path.join(folder, "accumulation.png"))
 
-    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5))
-    plot_loops(panels[0], largest, f"All cycles, μ = {weakest}, first seed", size_of, lambda run: (run.strain, run.stress))
-    plot_loops(panels[1], frictions, f"First cycle, {compared} spheres, first seed", friction_of, Run.first_loop)
-    save(figure, panels, os.path.join(folder, "loops.png"))
+    figure, panels = pyplot.subplots(1, count, figsize=(1 + 5.5 * count, 5), squeeze=False)
+    plot_loops(panels[0][0], largest, f"All cycles, μ = {weakest}, first seed", size_of, lambda run: (run.strain, run.stress), 0.4)
+    if count > 1:
+        plot_loops(panels[0][1], frictions, f"First cycle, {compared} spheres, first seed", friction_of, Run.first_loop)
+    save(figure, panels[0], os.path.join(folder, "loops.png"))
 
 
 def main():

@@ -72,6 +72,7 @@ class Executor {
       fill();
       constexpr double poll_interval = 0.2;  // (s)
       for (const ProcessPool::Ended& ended : pool_.wait(poll_interval)) take(ended);
+      save_periodically();
       if (stopped()) interrupt();
       report();
     }
@@ -148,7 +149,7 @@ class Executor {
     job.outcome = outcome_of(job, ended.how);
     finish(job);
     if (prepares(job)) follow(job);
-    save_periodically();
+    table_is_old_ = true;
   }
 
   void finish(Job& job) {
@@ -212,8 +213,9 @@ class Executor {
   // Keeps the tables up to date during the campaign, also in case the computer fails.
   void save_periodically() {
     constexpr double seconds_between_tables = 10;
-    if (wall() - last_table_ < seconds_between_tables) return;
+    if (!table_is_old_ || wall() - last_table_ < seconds_between_tables) return;
     last_table_ = wall();
+    table_is_old_ = false;
     write_report(campaign_, result_, directory_);
   }
 
@@ -231,7 +233,8 @@ class Executor {
   bool points_checked_ = false;
   bool interrupted_ = false;  // the runs have received SIGINT
   Clock::time_point started_ = Clock::now();
-  double last_table_ = 0;  // (s) of wall time
+  double last_table_ = 0;      // (s) of wall time
+  bool table_is_old_ = false;  // runs ended since it was written
 };
 
 }  // namespace
