@@ -40,7 +40,7 @@ class Search {
     const std::unique_ptr<ShiftedFactors> below = system_.factorise(-rounding);
     result_.unstable = system_.count_below(*below);
     result_.counted = search_.proceed();
-    // One that is both within round-off counts once.
+    // By round-off there may be fewer below `rounding` than below its opposite.
     if (result_.counted)
       result_.floppy = std::max(system_.count_below(rounding), result_.unstable) - result_.unstable;
     resting_ = result_.unstable + result_.floppy;
