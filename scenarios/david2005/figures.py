@@ -100,11 +100,13 @@ def plot_loops(axes, groups, title, name_of, loop_of, width=1.2):
 def with_looks(groups, name_of):
     """Groups with a colour for each name and a style for each spring; with a label where a name is new."""
     names = list(dict.fromkeys(name_of(key) for key in groups))
-    colours = pyplot.get_cmap("viridis")
+    colours, labelled = pyplot.get_cmap("viridis"), set()
     for key, runs in groups.items():
-        name, is_first = name_of(key), key[2] == SPRINGS["linear_spring_dashpot"]
+        name = name_of(key)
         colour = colours(0.9 * names.index(name) / max(len(names) - 1, 1))
-        yield name if is_first else None, runs, {"color": colour, "linestyle": "-" if is_first else "--", "linewidth": 1.2}
+        style = "-" if key[2] == SPRINGS["linear_spring_dashpot"] else "--"
+        yield None if name in labelled else name, runs, {"color": colour, "linestyle": style, "linewidth": 1.2}
+        labelled.add(name)
 
 
 def save(figure, panels, file):

@@ -31,6 +31,7 @@ using Clock = std::chrono::steady_clock;
 
 // Steps of the stages before that are taken at once.
 constexpr std::uint64_t steps_at_once = 1000;
+
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
@@ -102,7 +103,7 @@ class Follower {
     }
     began_ = Clock::now();
     course_.period = period_of(plan_);
-    course_.start = simulation_->time();
+    course_.start = course_.reached = simulation_->time();
     course_.end = course_.start + *plan_.stages.back().duration;
     const double whole = course_.period > 0 ? course_.period : *plan_.stages.back().duration;
     course_.increment = whole / options_.increments;
