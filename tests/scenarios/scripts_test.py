@@ -62,7 +62,11 @@ class Exponent(unittest.TestCase):
 
 
 class Accumulation(unittest.TestCase):
-    SCENARIO = """[particles]
+    SCENARIO = """[scene]
+seed = SEED
+[time]
+step = 1e-3
+[particles]
 lattice = { count = [2, 2, 2] }
 [[contact]]
 plugin = "PLUGIN"
@@ -74,14 +78,7 @@ period = 1
     @DRAWS
     def test_strain_area_and_slope_of_known_loops(self):
         with tempfile.TemporaryDirectory() as folder:
-            rows = ["run,status"]
-            for plugin, factor in (("linear_spring_dashpot", 1), ("sphere_path_independent", 2)):
-                for seed in (1, 2):
-                    name = f"{plugin}_{seed}"
-                    rows.append(f"{name},finished")
-                    write(os.path.join(folder, name, "scenario.toml"), self.SCENARIO.replace("PLUGIN", plugin))
-                    write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed))
-            write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+            self.campaign(folder, (1, 2))
             done = call("david2005/figures.py", folder)
             pictures = [os.path.exists(os.path.join(folder, name)) for name in ("accumulation.png", "loops.png")]
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -90,6 +87,34 @@ period = 1
         # Ten cycles of 1e-4 and 2e-4; in the first, ∮σ dε = 100/2 1e-3 − 50/2 5e-4 Pa, and 100 Pa at a strain of 1e-3.
         self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± 0 +100 ± 0")
         self.assertRegex(second, r"8 +0\.1 painted points +2 +0\.003 ± 0\.001")
+
+    @DRAWS
+    def test_that_a_table_keeps_runs_of_earlier_campaigns(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = os.path.join(folder, "kept")
+            os.mkdir(out)
+            first, second, other = (os.path.join(folder, name) for name in ("first", "second", "other"))
+            self.campaign(first, (1,))
+            self.campaign(second, (2,))
+            self.campaign(other, (3,), "period = 2")
+            call("david2005/figures.py", first, out)
+            merged = call("david2005/figures.py", second, out)
+            refused = call("david2005/figures.py", other, out)
+        self.assertEqual(merged.returncode, 0, merged.stderr)
+        self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± [^ ]+ +100 ± 0")
+        self.assertEqual((refused.returncode, refused.stderr.count("\n")), (1, 1), refused.stderr)
+        self.assertIn("its runs have another period than those of", refused.stderr)
+
+    def campaign(self, folder, seeds, period="period = 1"):
+        rows = ["run,status"]
+        for plugin, factor in (("linear_spring_dashpot", 1), ("sphere_path_independent", 2)):
+            for seed in seeds:
+                name = f"{plugin}_{seed}"
+                rows.append(f"{name},finished")
+                scenario = self.SCENARIO.replace("PLUGIN", plugin).replace("SEED", str(seed)).replace("period = 1", period)
+                write(os.path.join(folder, name, "scenario.toml"), scenario)
+                write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed))
+        write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
 
     @staticmethod
     def loops(factor, seed, cycles=10):
