@@ -44,6 +44,42 @@ TEST_CASE("response --quasi-static follows the last stage, and cycles reads it",
   for (const char* name : {"out/cycles.csv", "out/cycles.json", "out/cycles.png"}) CHECK_FALSE(w.has(name));
 }
 
+TEST_CASE("resume goes on with quasi-static loads that were interrupted, and names what it cannot go on with",
+          "[tools]") {
+  const Workspace w(biaxial);
+  const std::string follow =
+      "response scene.toml --quasi-static --set scene.seed=12 --set stage.cycles.cycles=";
+  REQUIRE(w.scree(follow + "1 --out out").status == 0);
+  const auto refused = [&](const std::string& arguments, const std::string& problem) {
+    const Outcome outcome = w.scree("resume " + arguments);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(problem) != std::string::npos);
+    CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+  };
+  refused("out", "out: the response is finished; give --overwrite with the scenario");
+  refused("out --until 3", "out: holds a response, which goes on as it began; give no --set, --until");
+  // As one that was killed is left behind: behind its last complete cycle.
+  const std::string whole = w.text("out/series/quasi_static.csv");
+  w.write("out/series/quasi_static.csv", whole + "1e9,1,1");
+  nlohmann::json record = w.record("out", "response.json");
+  record["status"] = "running";
+  w.write("out/response.json", record.dump());
+  const Outcome resumed = w.scree("resume out");
+  INFO(resumed.err << resumed.out);
+  CHECK(resumed.status == 0);
+  CHECK(w.text("out/series/quasi_static.csv") == whole);
+  CHECK(w.record("out", "response.json")["status"] == "finished");
+  // The state of another load.
+  REQUIRE(w.scree(follow + "2 --out other").status == 0);
+  record["scenario"] = w.record("other", "response.json")["scenario"];
+  w.write("out/response.json", record.dump());
+  refused("out", "state.h5: is the state of another response than that in response.json; put back");
+  // Modes have no state.
+  REQUIRE(std::filesystem::remove(w / "out/state.h5"));
+  refused("out", "out: there is no state with which the response could go on; give --overwrite");
+}
+
 TEST_CASE("where a packing has no equilibrium nearby, response --quasi-static goes on by dynamics",
           "[tools]") {
   const Workspace w(biaxial);

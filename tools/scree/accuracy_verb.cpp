@@ -71,7 +71,7 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
   else
     fmt::print("{}", accuracy::text_report(study));
   std::fflush(stdout);
-  accuracy::write_report(study, plan.title.empty() ? plan.source.stem().string() : plan.title, directory);
+  accuracy::write_report(study, plan.heading(), directory);
   fmt::print("results in {}\n", files::escaped(directory.path().string()));
   const bool any = std::any_of(study.outcomes.begin(), study.outcomes.end(),
                                [](const accuracy::Outcome& o) { return o.problem.empty(); });

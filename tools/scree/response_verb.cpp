@@ -1,3 +1,4 @@
+#include "course_report.hpp"
 #include "verbs.hpp"
 #include "watched_work.hpp"
 
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <scree/files/text.hpp>
-#include <scree/quasi_static/follow.hpp>
 #include <scree/snapshot/render_options.hpp>
 #include <scree/vibration/vibration.hpp>
 
@@ -103,21 +103,14 @@ void refuse_mixture(const ResponseArguments& a) {
 }
 
 ExitStatus follow(const ResponseArguments& arguments) {
-  quasi_static::FollowOptions options;
-  options.out = arguments.out;
-  options.overwrite = arguments.overwrite;
-  options.threads = arguments.threads;
-  if (arguments.increments > 0) options.increments = arguments.increments;
-  const quasi_static::Course course = [&] {
-    ProgressBar bar(arguments.quiet);
+  return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {
+    options.out = arguments.out;
+    options.overwrite = arguments.overwrite;
+    options.threads = arguments.threads;
+    if (arguments.increments > 0) options.increments = arguments.increments;
     PluginHost host = make_host(arguments.plugins);
-    return quasi_static::follow(scenario::read_plan(arguments.scenario, arguments.overrides, host),
-                                watched(options, bar));
-  }();
-  if (!arguments.quiet) fmt::print("{}", quasi_static::text_report(course));
-  if (course.interrupted) fmt::print("interrupted; what was complete is saved\n");
-  fmt::print("results in {}\n", files::escaped(course.directory.string()));
-  return course.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+    return quasi_static::follow(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+  });
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "course_report.hpp"
 #include "measurement_report.hpp"
 #include "run_report.hpp"
 #include "verbs.hpp"
@@ -21,22 +22,34 @@ struct ResumeArguments {
   PluginOptions plugins;
 };
 
-// What changes a run changes no spectrum.
-void refuse_changes(const ResumeArguments& arguments) {
+// What changes a run changes no other results.
+void refuse_changes(const ResumeArguments& arguments, const char* results) {
   if (!arguments.overrides.empty() || arguments.until > 0 || !arguments.checkpoint_every.empty())
     throw Error(fmt::format(
-        "{}: holds a spectrum, which goes on as it began; give no --set, --until and --checkpoint-every",
-        arguments.directory));
+        "{}: holds a {}, which goes on as it began; give no --set, --until and --checkpoint-every",
+        arguments.directory, results));
+}
+
+// Where they are, and with how many threads they go on.
+template <class Options>
+Options in_place_of(const ResumeArguments& arguments, Options options) {
+  options.out = arguments.directory;
+  options.threads = arguments.threads;
+  return options;
 }
 
 ExitStatus resume(const ResumeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   if (sound::is_measurement(arguments.directory)) {
-    refuse_changes(arguments);
+    refuse_changes(arguments, "spectrum");
     return report_measurement(arguments.quiet, [&](sound::MeasurementOptions options) {
-      options.out = arguments.directory;
-      options.threads = arguments.threads;
-      return sound::resume_measurement(options, host);
+      return sound::resume_measurement(in_place_of(arguments, options), host);
+    });
+  }
+  if (quasi_static::is_response(arguments.directory)) {
+    refuse_changes(arguments, "response");
+    return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {
+      return quasi_static::resume_following(in_place_of(arguments, options), host);
     });
   }
   run::ResumeChanges changes;
@@ -45,9 +58,7 @@ ExitStatus resume(const ResumeArguments& arguments) {
   if (!arguments.checkpoint_every.empty())
     changes.checkpoint_every = wall_time_option("--checkpoint-every", arguments.checkpoint_every);
   const run::RunResult result = with_progress(arguments.quiet, [&](run::RunOptions options) {
-    options.out = arguments.directory;
-    options.threads = arguments.threads;
-    return run::resume_run(options, changes, host);
+    return run::resume_run(in_place_of(arguments, options), changes, host);
   });
   return report_run(result, arguments.quiet);
 }
@@ -55,9 +66,11 @@ ExitStatus resume(const ResumeArguments& arguments) {
 }  // namespace
 
 void add_resume_verb(CommandLine& line) {
-  Verb verb = line.verb("resume", "Go on with a run or a spectrum from its latest state, to the same bits");
+  Verb verb = line.verb(
+      "resume",
+      "Go on with a run, a spectrum or a quasi-static load from its latest state, to the same bits");
   auto arguments = std::make_shared<ResumeArguments>();
-  verb.option("directory", arguments->directory, "Directory of the run or spectrum").required();
+  verb.option("directory", arguments->directory, "Directory of the run, spectrum or response").required();
   verb.option("--until", arguments->until,
               "Time (s) at which the last stage is to end; prolongs a finished run")
       .above_zero()

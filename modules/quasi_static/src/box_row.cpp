@@ -15,9 +15,15 @@ constexpr const char* names[] = {"x", "y", "z"};
 
 }  // namespace
 
-BoxRow::BoxRow(int dimension, const std::vector<scree_plane>& planes) : dimension_(dimension) {
-  for (int k = 0; k < dimension; ++k)
-    if (const double at_start = length(planes, k); at_start > 0) axes_.push_back({k, at_start});
+BoxRow::BoxRow(const std::vector<double>& at_start) : dimension_(int(at_start.size())) {
+  for (int k = 0; k < dimension_; ++k)
+    if (at_start[std::size_t(k)] > 0) axes_.push_back({k, at_start[std::size_t(k)]});
+}
+
+std::vector<double> BoxRow::lengths(int dimension, const std::vector<scree_plane>& planes) {
+  std::vector<double> all;
+  for (int k = 0; k < dimension; ++k) all.push_back(length(planes, k));
+  return all;
 }
 
 double BoxRow::length(const std::vector<scree_plane>& planes, int axis) {

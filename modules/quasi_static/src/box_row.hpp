@@ -13,12 +13,14 @@ namespace scree::quasi_static {
 // dynamic.
 class BoxRow {
  public:
-  BoxRow(int dimension, const std::vector<scree_plane>& planes);
+  // at_start: as lengths().
+  explicit BoxRow(const std::vector<double>& at_start);
 
   std::string head() const;  // line of a CSV file
   std::string line(const Sample& sample) const;
   // Along an axis (m), and 0 if it has no walls.
   static double length(const std::vector<scree_plane>& planes, int axis);
+  static std::vector<double> lengths(int dimension, const std::vector<scree_plane>& planes);
   // L_y/L_y0 − L_x/L_x0, or NaN without these walls.
   double deviatoric_strain(const Sample& sample) const;
 

@@ -1,6 +1,6 @@
 #include "contact_terms.hpp"
 
-#include "contact_geometry.hpp"
+#include "pair_at_rest.hpp"
 
 #include <algorithm>
 
@@ -141,62 +141,41 @@ class LawContacts {
     return differ;
   }
 
-  bool is_wall(std::size_t c) const { return list_.b[c] >= simulation_.particles().size(); }
-
-  ContactGeometry geometry(std::size_t c) const {
+  PairAtRest pair(std::size_t c) const {
     const Particles& p = simulation_.particles();
-    const double radius_a = p.radius()[list_.a[c]], radius_b = is_wall(c) ? 0 : p.radius()[list_.b[c]];
-    const double distance = radius_a + radius_b - list_.overlap[c];
-    const bool to_contact_point = law_.instance().arms == SCREE_ARM_CONTACT_POINT;
-    const double reach = to_contact_point ? distance : radius_a + radius_b;
-    return {.dimension = simulation_.dimension(),
-            .spins = spins_,
-            .normal = Eigen::Map<const Eigen::Vector3d>(list_.normal.data() + 3 * c),
-            .arm_a = 0.5 * (reach + radius_a - radius_b),
-            .arm_b = is_wall(c) ? 0 : 0.5 * (reach - radius_a + radius_b),
-            .inverse_distance = is_wall(c) ? 0 : 1 / distance,
-            .arms_change = to_contact_point};
+    PairAtRest pair(p, list_.a[c], list_.b[c]);
+    pair.distance = pair.radius_a + pair.radius_b - list_.overlap[c];
+    pair.normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
+    pair.separation = pair.to_wall() ? from_wall(pair) : pair.distance * pair.normal;
+    return pair;
+  }
+  // As SCREE_SEPARATION.
+  Vec3 from_wall(const PairAtRest& pair) const {
+    const Particles& p = simulation_.particles();
+    const Domain& domain = simulation_.domain();
+    Vec3 from = {};
+    for (int k = 0; k < p.dimension(); ++k) {
+      const double crossed = domain.periodic[std::size_t(k)] ? domain.length(k) * p.image[k][pair.a] : 0;
+      from[k] = p.position()[k][pair.a] - simulation_.planes()[pair.b - p.size()].point[k] + crossed;
+    }
+    return from;
+  }
+  ContactGeometry geometry(std::size_t c) const {
+    return pair(c).geometry(simulation_.dimension(), spins_, scree_arms(law_.instance().arms));
   }
 
   // A contact of bodies at rest.
   void fill(ContactColumns& columns, std::size_t i) const {
     const Particles& p = simulation_.particles();
-    const std::size_t c = contacts_[i], a = list_.a[c], b = list_.b[c];
-    for (int k = 0; k < 3; ++k) columns.input(SCREE_NORMAL, k, i) = list_.normal[3 * c + std::size_t(k)];
+    const std::size_t c = contacts_[i];
+    pair(c).set_inputs(p, p.orientations, law_.instance().reads, columns, i);
+    // That of the list, which is exact.
     columns.input(SCREE_OVERLAP, 0, i) = list_.overlap[c];
-    const double inverse_mass = p.inverse_mass()[a] + (is_wall(c) ? 0 : p.inverse_mass()[b]);
-    columns.input(SCREE_REDUCED_MASS, 0, i) = 1 / inverse_mass;
-    columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) =
-        is_wall(c) ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]);
     for (std::uint32_t k = 0; k < law_.instance().history_width; ++k)
       columns.history(k, i) = simulation_.contact_history(list_.pair[c], k);
-    columns.input(SCREE_RADII, 0, i) = p.radius()[a];
-    columns.input(SCREE_RADII, 1, i) = is_wall(c) ? 0 : p.radius()[b];
-    columns.set(SCREE_SEPARATION, separation(c), i);
-    if (!reads_orientations()) return;
-    for (int k = 0; k < p.orientations.components(); ++k) {
-      columns.input(SCREE_ORIENTATION_A, k, i) = p.orientations[k][a];
-      const double of_wall = p.orientations.components() > 1 && k == 0 ? 1 : 0;
-      columns.input(SCREE_ORIENTATION_B, k, i) = is_wall(c) ? of_wall : p.orientations[k][b];
-    }
   }
 
   bool reads_orientations() const { return law_.instance().reads & (1u << SCREE_ORIENTATION_A); }
-
-  // As SCREE_SEPARATION.
-  Vec3 separation(std::size_t c) const {
-    const Particles& p = simulation_.particles();
-    const std::size_t a = list_.a[c], b = list_.b[c];
-    const Vec3 normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
-    if (!is_wall(c)) return (p.radius()[a] + p.radius()[b] - list_.overlap[c]) * normal;
-    const Domain& domain = simulation_.domain();
-    Vec3 from_wall = {};
-    for (int k = 0; k < p.dimension(); ++k) {
-      const double crossed = domain.periodic[std::size_t(k)] ? domain.length(k) * p.image[k][a] : 0;
-      from_wall[k] = p.position()[k][a] - simulation_.planes()[b - p.size()].point[k] + crossed;
-    }
-    return from_wall;
-  }
 
   // The tangential force on a is opposite to its slip. share: of the overlap. The velocity keeps a dashpot on the same side of the
   // limit as the spring.

@@ -6,16 +6,13 @@ namespace scree::response {
 
 PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
                      const StaticMotion& motion)
-    : separation(after.position[pair.a] - after.position[pair.b] + pair.shift),
+    : PairAtRest(simulation.particles(), pair.a, pair.b),
       moved(motion.displacement[pair.a] - motion.displacement[pair.b]),
       turned_a(motion.rotation[pair.a]),
       turned_b(motion.rotation[pair.b]) {
-  const Particles& p = simulation.particles();
-  const bool is_wall = pair.b >= p.size();
-  radius_a = p.radius()[pair.a];
-  radius_b = is_wall ? 0 : p.radius()[pair.b];
-  if (is_wall) {
-    const scree_plane& plane = simulation.planes()[pair.b - p.size()];
+  separation = after.position[pair.a] - after.position[pair.b] + pair.shift;
+  if (to_wall()) {
+    const scree_plane& plane = simulation.planes()[pair.b - simulation.particles().size()];
     for (int k = 0; k < 3; ++k) normal[k] = plane.normal[k];
     mid_normal = normal;
     distance = dot(separation, normal);
@@ -33,31 +30,14 @@ double PairPlace::touched() const {
   return overlap() < approach ? std::max(overlap(), 0.0) / approach : 1;
 }
 
-PairPlace::Arms PairPlace::arms_at(double at_distance, scree_arms arms) const {
-  const double reach = arms == SCREE_ARM_CONTACT_POINT ? at_distance : radius_a + radius_b;
-  const double difference = radius_a - radius_b;
-  return {0.5 * (reach + difference), radius_b > 0 ? 0.5 * (reach - difference) : 0};
-}
-
 Vec3 PairPlace::slip(const Vec3& along, double at_distance, scree_arms arms) const {
-  const Arms arm = arms_at(at_distance, arms);
+  const LeverArms arm = lever_arms(arms, at_distance);
   return moved + cross(along, arm.a * turned_a + arm.b * turned_b);
 }
 
 Vec3 PairPlace::tangential_increment(scree_arms arms) const {
   const Vec3 displaced = slip(mid_normal, mid_distance, arms);
   return touched() * (displaced - dot(displaced, mid_normal) * mid_normal);
-}
-
-ContactGeometry PairPlace::geometry(int dimension, int spins, scree_arms arms) const {
-  const Arms arm = arms_at(distance, arms);
-  return {.dimension = dimension,
-          .spins = spins,
-          .normal = Eigen::Map<const Eigen::Vector3d>(normal.component),
-          .arm_a = arm.a,
-          .arm_b = arm.b,
-          .inverse_distance = radius_b > 0 ? 1 / distance : 0,
-          .arms_change = arms == SCREE_ARM_CONTACT_POINT};
 }
 
 }  // namespace scree::response

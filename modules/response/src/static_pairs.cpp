@@ -49,38 +49,16 @@ void StaticPairs::set_history(std::uint32_t a, std::uint32_t b, const std::vecto
 void StaticPairs::fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after,
                        const StaticMotion& motion) {
   const Particles& p = simulation_.particles();
-  const StaticPair& pair = pairs_[i];
-  const bool is_wall = pair.b >= p.size();
   ContactColumns& columns = *columns_;
-  columns.set(SCREE_NORMAL, at.normal, i);
-  columns.input(SCREE_OVERLAP, 0, i) = at.overlap();
+  at.set_inputs(p, after.orientations, law_.instance().reads, columns, i);
   columns.set(SCREE_RELATIVE_VELOCITY, 1 / duration * at.slip(arms_of(law_)), i);
   columns.set(SCREE_TANGENTIAL_INCREMENT, at.tangential_increment(arms_of(law_)), i);
-  const Vec3 spin = 1 / duration * (motion.rotation[pair.a] - motion.rotation[pair.b]);
+  const Vec3 spin = 1 / duration * (motion.rotation[at.a] - motion.rotation[at.b]);
   if (p.dimension() == 2)
     columns.input(SCREE_RELATIVE_SPIN, 0, i) = spin[2];
   else
     columns.set(SCREE_RELATIVE_SPIN, spin, i);
-  columns.input(SCREE_REDUCED_MASS, 0, i) =
-      1 / (p.inverse_mass()[pair.a] + (is_wall ? 0 : p.inverse_mass()[pair.b]));
-  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) =
-      is_wall ? at.radius_a : 1 / (1 / at.radius_a + 1 / at.radius_b);
-  columns.input(SCREE_RADII, 0, i) = at.radius_a;
-  columns.input(SCREE_RADII, 1, i) = at.radius_b;
-  columns.set(SCREE_SEPARATION, at.separation, i);
   for (std::uint32_t k = 0; k < width(); ++k) columns.history(k, i) = history_[i * width() + k];
-  set_orientations(i, after);
-}
-
-void StaticPairs::set_orientations(std::size_t i, const StaticConfiguration& after) {
-  if (!(law_.instance().reads & (1u << SCREE_ORIENTATION_A))) return;
-  const StaticPair& pair = pairs_[i];
-  const bool is_wall = pair.b >= simulation_.particles().size();
-  for (int k = 0; k < after.orientations.components(); ++k) {
-    const double of_wall = after.orientations.components() > 1 && k == 0 ? 1 : 0;
-    columns_->input(SCREE_ORIENTATION_A, k, i) = after.orientations[k][pair.a];
-    columns_->input(SCREE_ORIENTATION_B, k, i) = is_wall ? of_wall : after.orientations[k][pair.b];
-  }
 }
 
 void StaticPairs::add_loads(std::size_t i, StaticLoads& loads) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact_geometry.hpp"
 #include "entries.hpp"
 #include "pair_place.hpp"
 #include "static_configuration.hpp"
@@ -52,7 +51,6 @@ class StaticPairs {
   bool touches(std::size_t i) { return columns_->input(SCREE_OVERLAP, 0, i) > 0; }
   PairStatus status_of(std::size_t i);
   void fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after, const StaticMotion& motion);
-  void set_orientations(std::size_t i, const StaticConfiguration& after);
   void add_loads(std::size_t i, StaticLoads& loads);
 
   const Simulation& simulation_;

@@ -23,10 +23,6 @@ namespace {
 
 constexpr double seconds_between_states = 60, seconds_between_tables = 1;
 
-std::string title_of(const scenario::Plan& plan) {
-  return plan.title.empty() ? plan.source.stem().string() : plan.title;
-}
-
 Scene last_scene(const scenario::Plan& plan, unsigned threads) {
   Scene scene = scene_in_stage(plan.scene, plan.stages, plan.stages.size());
   scene.threads = threads;
@@ -37,7 +33,7 @@ Scene last_scene(const scenario::Plan& plan, unsigned threads) {
 
 Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory)
     : plan_(plan), options_(options), directory_(directory), asked_(options.roads) {
-  result_.title = title_of(plan);
+  result_.title = plan.heading();
   result_.observed = plan.spectrum->observed;
   result_.directory = directory.path();
   result_.scenario = plan.resolved_text;

@@ -9,6 +9,7 @@
 
 #include <scree/run/run_directory.hpp>
 #include <scree/run/spare_room.hpp>
+#include <scree/run/unfinished.hpp>
 #include <scree/sound/measurement.hpp>
 
 namespace scree::sound {
@@ -16,7 +17,8 @@ namespace scree::sound {
 // One measurement from its start, or from its state, to its last file.
 class Course {
  public:
-  static constexpr const char* state_name = "state.h5";
+  static constexpr run::ResultKind results{run::RunDirectory::Kind::spectrum, "spectrum", "spectrum.json",
+                                           "state.h5", "spectrum"};
 
   Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory);
 

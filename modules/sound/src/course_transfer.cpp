@@ -21,7 +21,9 @@ void Course::save_without_sweep() {
   write_state(start_->state);
 }
 
-void Course::write_state(const State& state) { state_file::write_state(directory_.add(state_name), state); }
+void Course::write_state(const State& state) {
+  state_file::write_state(directory_.add(results.state), state);
+}
 
 void Course::write_sweep_table() {
   directory_.write_file("sweep.csv", sweep_table(plan_.spectrum->observed, sweep_->points()));

@@ -37,7 +37,7 @@ class Course {
                              : response::AtLimit::stick;
     if (options.fewest_contacts == 0 && plan.spectrum)
       assembly_.fewest_contacts = plan.spectrum->fewest_contacts;
-    result_.title = plan.title.empty() ? plan.source.stem().string() : plan.title;
+    result_.title = plan.heading();
     result_.directory = directory.path();
     result_.dimension = plan.scene.dimension;
     result_.scenario = plan.resolved_text;

@@ -62,6 +62,13 @@ struct Course {
 // has no duration, a law no derivative, or walls are moved otherwise than by stresses and forces; or as a run does.
 Course follow(const scenario::Plan& plan, const FollowOptions& options);
 
+// Whether a directory has the record of a response, quasi-static or other.
+bool is_response(const std::filesystem::path& directory);
+
+// Goes on with the course in options.out that was interrupted, from the end of its last complete cycle, to the same bits.
+// options: out, threads, callbacks and stop count. Throws Error (bad_input) if it is finished, or if there is no state.
+Course resume_following(const FollowOptions& options, PluginHost& host);
+
 // The result for people.
 std::string text_report(const Course& course);
 

@@ -84,7 +84,7 @@ struct Expectation {
 
 // A scenario file, read and checked. The PluginHost it was read with must outlive it.
 struct Plan {
-  std::string title;
+  std::string title;  // as given; empty: none
   std::filesystem::path source;
   std::vector<std::filesystem::path> inputs;  // files that were read: the source and a packing
   InputFiles files;                           // of a run that goes on: the plug-ins
@@ -108,6 +108,9 @@ struct Plan {
   std::string step_place;
   bool step_guard = true;             // refuse a time step that is too long
   std::vector<std::string> warnings;  // "<what>; <cure>" of what was read
+
+  // That of reports: the title, or else the name of the file.
+  std::string heading() const { return title.empty() ? source.stem().string() : title; }
 };
 
 // Names of all quantities for expectations: the numbers of run.json, and "<probe>.<column>.<statistic>".

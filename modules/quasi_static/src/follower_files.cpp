@@ -1,0 +1,106 @@
+#include "course_files.hpp"
+#include "follower.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <scree/run/input_hashes.hpp>
+#include <scree/state_file/state_file.hpp>
+
+namespace scree::quasi_static {
+
+namespace {
+
+constexpr double seconds_between_states = 60;
+
+void transfer_hand_overs(const StateTransfer& state, std::vector<HandOver>& all) {
+  std::vector<double> from, to;
+  for (const HandOver& h : all) from.push_back(h.from), to.push_back(h.to);
+  state.rows("from", "s", from);
+  state.rows("to", "s", to);
+  all.resize(from.size());
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = {from[k], to[k]};
+}
+
+void transfer_counts(const StateTransfer& state, Course& course) {
+  const auto count = [&](const char* name, std::size_t& number) {
+    std::uint64_t stored = number;
+    state.value(name, "1", stored);
+    number = stored;
+  };
+  count("bodies", course.bodies);
+  count("degrees_of_freedom", course.degrees_of_freedom);
+  count("increments", course.increments);
+  count("iterations", course.iterations);
+  count("events", course.events);
+  count("dynamic_steps", course.dynamic_steps);
+}
+
+}  // namespace
+
+// Written now and then, and when the course ends early.
+void Follower::keep(State state) {
+  series_bytes_ = series_->bytes();
+  const StateTransfer to = StateTransfer::saving_to(state).below(results.group);
+  transfer(to);
+  if (bool moves = bool(dynamics_)) to.value("moves", "1", moves);
+  kept_ = std::move(state);
+  if (interval_ > 0 && seconds() - last_state_ < seconds_between_states) return;
+  last_state_ = seconds();
+  write_kept_state();
+}
+
+void Follower::write_kept_state() {
+  if (kept_) state_file::write_state(directory_.add(results.state), *kept_);
+}
+
+void Follower::transfer(const StateTransfer& state) {
+  std::string scenario = plan_.resolved_text;
+  state.value("scenario", "", scenario);
+  const auto number = [&](const char* name, std::uint64_t now) {
+    state.value(name, "1", now);
+    return now;
+  };
+  interval_ = std::size_t(number("intervals_done", interval_));
+  per_cycle_ = unsigned(number("intervals_per_cycle", per_cycle_));
+  series_bytes_ = number("series_bytes", series_bytes_);
+  for (const auto& [name, time] : {std::pair{"start", &course_.start},
+                                   {"end", &course_.end},
+                                   {"reached", &course_.reached},
+                                   {"increment", &course_.increment},
+                                   {"period", &course_.period},
+                                   {"dynamic_wall", &course_.dynamic_wall}})
+    state.value(name, "s", *time);
+  double wall = seconds();
+  state.value("wall", "s", wall);
+  transfer_counts(state, course_);
+  transfer_hand_overs(state.below("hand_overs"), course_.hand_overs);
+  state.rows("lengths_at_start", "m", lengths_at_start_);
+  state.rows("times", "s", times_);
+  state.rows("strains", "1", strains_);
+  state.rows("warnings", "", course_.warnings);
+  const run::InputHashes inputs = run::transfer_inputs(state.below("inputs"), course_.inputs);
+  if (!state.restoring()) return;
+  course_.inputs = run::inputs_after(inputs, course_.inputs, [this](const std::string& line) { warn(line); });
+  box_ = std::make_unique<BoxRow>(lengths_at_start_);
+  wall_before_ = last_state_ = wall;
+}
+
+void Follower::save(const std::string& status) {
+  end_packing();
+  course_.wall = seconds();
+  if (course_.dynamic_time() > 0.5 * (course_.reached - course_.start))
+    warn(
+        "dynamics took more than half of the time: the packing has no equilibrium nearby for long; run it with scree run, or "
+        "compress it further");
+  if (status != "finished") write_kept_state();
+  try {
+    draw_chart(course_, times_, strains_, directory_);
+  } catch (const std::exception& error) {
+    warn(fmt::format("the chart was not drawn: {}", error.what()));
+  }
+  write_record(status, course_, directory_);
+}
+
+}  // namespace scree::quasi_static

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <scree/plugin_host.hpp>
+#include <scree/run/run_directory.hpp>
+#include <scree/scenario/plan.hpp>
+#include <scree/state.hpp>
+
+namespace scree::run {
+
+// Results with a record and one state from which they go on: spectra, responses.
+struct ResultKind {
+  RunDirectory::Kind directory;
+  const char* noun;    // for messages, such as "spectrum"
+  const char* record;  // file, with "status" and "scenario"
+  const char* state;   // file
+  const char* group;   // of the state, with the scenario as resolved
+};
+
+// Whether a directory has results of a kind.
+bool has_results(const std::filesystem::path& directory, const ResultKind& kind);
+
+// With what results go on.
+struct Unfinished {
+  State state;
+  scenario::Plan plan;
+};
+
+// The directory of such results, taken. Throws Error (bad_input) if it has none.
+RunDirectory directory_of(const std::filesystem::path& path, const ResultKind& kind);
+
+// What is in it. Throws Error (bad_input) if the results are finished, or if their state is missing or is that of others. The
+// host must outlive it.
+Unfinished unfinished_in(const RunDirectory& directory, const ResultKind& kind, PluginHost& host);
+
+}  // namespace scree::run

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/run/record_json.hpp>
+#include <scree/run/unfinished.hpp>
+#include <scree/scene_record.hpp>
+#include <scree/state_file/state_file.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& file) {
+  std::error_code failed;
+  return fs::exists(file, failed);
+}
+
+// A text of a record, or nothing.
+std::string text_of(const nlohmann::ordered_json& record, const char* name) {
+  return record.is_object() && record.contains(name) && record[name].is_string()
+             ? record[name].get<std::string>()
+             : "";
+}
+
+}  // namespace
+
+bool has_results(const fs::path& directory, const ResultKind& kind) {
+  return is_there(directory / kind.record);
+}
+
+RunDirectory directory_of(const fs::path& path, const ResultKind& kind) {
+  if (!has_results(path, kind))
+    throw Error(fmt::format("{}: contains no {}; give the directory of one", path.string(), kind.noun));
+  RunDirectory directory(path, RunDirectory::Existing::keep, kind.directory);
+  directory.take();
+  return directory;
+}
+
+Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, PluginHost& host) {
+  const fs::path& directory = from.path();
+  const auto record = parse_record(files::read_text(directory / kind.record));
+  if (text_of(record, "status") == "finished")
+    throw Error(fmt::format("{}: the {} is finished; give --overwrite with the scenario to take it again",
+                            directory.string(), kind.noun));
+  const fs::path file = directory / kind.state;
+  if (!is_there(file))
+    throw Error(fmt::format(
+        "{}: there is no state with which the {} could go on; give --overwrite with the scenario to take it again",
+        directory.string(), kind.noun));
+  State state = state_file::read_state(file);
+  std::string text;
+  StateTransfer::restoring_from(state).below(kind.group).value("scenario", "", text);
+  if (const std::string own = text_of(record, "scenario"); !own.empty() && own != text)
+    throw Error(fmt::format(
+        "{}: is the state of another {} than that in {}; put back the one of this directory, or give --overwrite with the "
+        "scenario to take it again",
+        file.string(), kind.noun, kind.record));
+  scenario::Plan plan =
+      scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
+  return {std::move(state), std::move(plan)};
+}
+
+}  // namespace scree::run

@@ -1,0 +1,32 @@
+#include "course_report.hpp"
+
+#include "watched_work.hpp"
+
+#include <fmt/format.h>
+
+#include <scree/files/text.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+quasi_static::Course with_progress(
+    bool quiet, const std::function<quasi_static::Course(quasi_static::FollowOptions)>& work) {
+  ProgressBar bar(quiet);
+  return work(watched(quasi_static::FollowOptions(), bar));
+}
+
+}  // namespace
+
+ExitStatus report_course(bool quiet,
+                         const std::function<quasi_static::Course(quasi_static::FollowOptions)>& work) {
+  const quasi_static::Course course = with_progress(quiet, work);
+  const std::string directory = files::escaped(course.directory.string());
+  if (!quiet) fmt::print("{}", quasi_static::text_report(course));
+  if (course.interrupted)
+    fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n", directory);
+  fmt::print("results in {}\n", directory);
+  return course.interrupted ? ExitStatus::interrupted : ExitStatus::success;
+}
+
+}  // namespace scree::tool
