@@ -55,6 +55,32 @@ TEST_CASE("a run of a campaign has the same bits as the same single run", "[tool
   CHECK(w.record("hand")["state_hash"] == w.record("out/duration=0.0002,seed=2")["state_hash"]);
 }
 
+TEST_CASE("several campaigns are run by one call, and checked before the first begins", "[tools]") {
+  const CampaignWorkspace w(two_by_two);
+  std::filesystem::create_directory(w / "more");
+  w.write("more/other.toml",
+          "[campaign]\nscenario = '../scene.toml'\nseeds = [3]\n[set]\ntime.duration = 1e-4\n");
+  const Outcome outcome = w.scree("campaign campaign.toml more/other.toml --out out --quiet");
+  INFO(outcome.err << outcome.out);
+  CHECK(outcome.status == 0);
+  CHECK(w.has("out/campaign/table.csv"));
+  CHECK(w.record("out/other/seed=3")["seed"] == 3);
+  CHECK(contains(w.scree("campaign campaign.toml more/other.toml --out out").out,
+                 "1 of them in an earlier call"));
+
+  w.write("more/campaign.toml", "[campaign]\nscenario = '../scene.toml'\nseeds = [3]\n");
+  const auto refused = [&](const std::string& files, const std::string& problem) {
+    const Outcome bad = w.scree("campaign campaign.toml " + files + " --out bad");
+    INFO(bad.err);
+    CHECK(bad.status == 2);
+    CHECK(contains(bad.err, problem));
+    CHECK_FALSE(w.has("bad"));
+  };
+  refused("more/campaign.toml",
+          "campaign.toml and more/campaign.toml have the same directory, bad/campaign; rename one");
+  refused("none.toml", "none.toml");
+}
+
 TEST_CASE("finished runs are not repeated, a changed value repeats only its runs", "[tools]") {
   const CampaignWorkspace w(two_by_two);
   REQUIRE(w.scree(call).status == 0);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -16,20 +17,23 @@ namespace scree::tool {
 namespace {
 
 struct CampaignArguments {
-  std::string file, out;
+  std::vector<std::string> files;
+  std::string out;
   unsigned jobs = 0, threads = 1;  // jobs 0: as many as the processor takes
   std::vector<std::string> overrides;
   bool list = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
 
-std::filesystem::path directory_of(const CampaignArguments& a) {
+// That of one of the files: with several of them, a folder of its own in --out.
+std::filesystem::path directory_of(const campaign::Campaign& c, const CampaignArguments& a) {
   constexpr auto kind = run::RunDirectory::Kind::campaign;
-  return a.out.empty() ? run::RunDirectory::default_for(a.file, kind) : std::filesystem::path(a.out);
+  if (a.out.empty()) return run::RunDirectory::default_for(c.source, kind);
+  return a.files.size() > 1 ? std::filesystem::path(a.out) / c.source.stem() : std::filesystem::path(a.out);
 }
 
 ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {
-  const campaign::CampaignDirectory directory(directory_of(a), c, false);
+  const campaign::CampaignDirectory directory(directory_of(c, a), c, false);
   fmt::print("{}{}", campaign::list_report(c, directory.preparations(c, host), directory.outcomes(c, host)),
              campaign::leftover_report(directory.leftovers(c)));
   return ExitStatus::success;
@@ -59,11 +63,9 @@ campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::Camp
   return campaign::execute(c, directory, options_of(a, bar), host);
 }
 
-ExitStatus run_campaign(const CampaignArguments& a) {
-  PluginHost host = make_host(a.plugins);
-  const campaign::Campaign c = campaign::branched(campaign::read_campaign(a.file, a.overrides), host);
+ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
   if (a.list) return list_points(c, a, host);
-  campaign::CampaignDirectory directory(directory_of(a), c, true);
+  campaign::CampaignDirectory directory(directory_of(c, a), c, true);
   const campaign::Execution result = execute_with_bar(c, directory, a, host);
   fmt::print("{}{}", campaign::text_report(c, result), campaign::leftover_report(directory.leftovers(c)));
   const std::filesystem::path& path = directory.files().path();
@@ -81,13 +83,41 @@ ExitStatus run_campaign(const CampaignArguments& a) {
   return met ? ExitStatus::success : ExitStatus::failure;
 }
 
+// All are read before the first begins. Throws Error (bad_input) if two have one directory.
+std::vector<campaign::Campaign> read_campaigns(const CampaignArguments& a, PluginHost& host) {
+  std::vector<campaign::Campaign> campaigns;
+  std::map<std::filesystem::path, std::string> taken;
+  for (const std::string& file : a.files) {
+    campaigns.push_back(campaign::branched(campaign::read_campaign(file, a.overrides), host));
+    const std::filesystem::path directory = directory_of(campaigns.back(), a);
+    if (const auto [other, is_new] = taken.try_emplace(directory, file); !is_new)
+      throw Error(fmt::format("{} and {} have the same directory, {}; rename one, or give two calls",
+                              other->second, file, directory.string()));
+  }
+  return campaigns;
+}
+
+// One after the other, whether they fail or not; the exit status is the worst.
+ExitStatus run_campaigns(const CampaignArguments& a) {
+  PluginHost host = make_host(a.plugins);
+  ExitStatus worst = ExitStatus::success;
+  for (const campaign::Campaign& c : read_campaigns(a, host)) {
+    worst = std::max(worst, run_campaign(c, a, host));
+    if (worst == ExitStatus::interrupted) break;
+  }
+  return worst;
+}
+
 }  // namespace
 
 void add_campaign_verb(CommandLine& line) {
   Verb verb = line.verb("campaign", "Run a scenario for many parameters and seeds, several runs at a time");
   auto a = std::make_shared<CampaignArguments>();
-  verb.option("file", a->file, "Campaign file (TOML): a scenario, seeds, lists of values").required();
-  verb.option("--out", a->out, "Directory of the campaign; default campaigns/<file>").shown_as("DIR");
+  verb.option("file", a->files,
+              "Campaign files (TOML), run one after the other: a scenario, seeds, lists of values")
+      .required();
+  verb.option("--out", a->out, "Directory of the campaign, of several <DIR>/<file>; default campaigns/<file>")
+      .shown_as("DIR");
   verb.option("--jobs", a->jobs, "Concurrent runs (default: processors / threads)").between(1, 512);
   verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
   verb.option(
@@ -118,7 +148,7 @@ void add_campaign_verb(CommandLine& line) {
       "  scenario = \"settle.toml\"\n"
       "  set.time.step = 1e-5                    # for the preparations; a list is a value\n"
       "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2 --set campaign.seeds=[1]");
-  verb.action([a] { return run_campaign(*a); });
+  verb.action([a] { return run_campaigns(*a); });
 }
 
 }  // namespace scree::tool
