@@ -85,6 +85,22 @@ TEST_CASE("invalid options are reported in one line", "[tools]") {
   check_refused(w, w.scree(""), "A subcommand is required; ", "see scree --help");
 }
 
+TEST_CASE("files of another kind are named with the command that takes them", "[tools]") {
+  const Workspace w;
+  w.write("many.toml", "[campaign]\nscenario = 'scene.toml'\nseeds = [1]\n");
+  for (const char* verb : {"run many.toml --out out", "check many.toml", "response many.toml --out out"})
+    check_refused(w, w.scree(verb), "many.toml:1:1: the file is a campaign, not a scenario; ",
+                  "scree campaign many.toml");
+  w.write("series.csv", "time [s],x\n0,1\n");
+  check_refused(w, w.scree("spectrum series.csv --out out"), "series.csv: is a time series; ",
+                "--csv series.csv --column NAME");
+  REQUIRE(w.scree("campaign many.toml --out several --quiet").status == 0);
+  const Outcome resumed = w.scree("resume several");
+  CHECK(resumed.status == 2);
+  CHECK(resumed.err.find("several: holds a campaign; repeat scree campaign with its file") !=
+        std::string::npos);
+}
+
 TEST_CASE("output that cannot be written is refused before the run", "[tools]") {
   const Workspace w;
   w.write("file", "mine");

@@ -152,7 +152,7 @@ TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
           "or another --period or --start");
   refused(strain + "--load stress --start 2.5", "box.csv: the load is 6 at 2.5 s, ",
           "with --start, and its --period");
-  refused(strain + "--drop 50", "box.csv: 60 cycles, of which 50 are dropped, are too few",
+  refused(strain + "--drop 50", "box.csv: 60 cycles, the first 50 of which are dropped: too few",
           "give 65 or more, or drop fewer");
   refused("--csv box.csv --load stress", "box.csv: --load and --start without a period", "give --period");
   w.write("t.csv", "time,x\n0,1\n1,nan\n");

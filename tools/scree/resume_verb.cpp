@@ -46,6 +46,10 @@ ExitStatus resume(const ResumeArguments& arguments) {
       return sound::resume_measurement(in_place_of(arguments, options), host);
     });
   }
+  if (std::filesystem::exists(std::filesystem::path(arguments.directory) / "campaign.json"))
+    throw Error(
+        fmt::format("{}: holds a campaign; repeat scree campaign with its file, which goes on with its runs",
+                    arguments.directory));
   if (quasi_static::is_response(arguments.directory)) {
     refuse_changes(arguments, "response");
     return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {

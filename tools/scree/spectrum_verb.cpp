@@ -187,6 +187,8 @@ ExitStatus spectrum_of(const SpectrumArguments& arguments) {
     throw Error("--resume without --out; give --out with the directory of the spectrum");
   if (!arguments.resume && arguments.scenario.empty())
     throw Error("neither a scenario nor --csv; give a scenario with [spectrum], or --csv FILE --column NAME");
+  if (arguments.scenario.ends_with(".csv"))
+    throw Error(fmt::format("{0}: is a time series; give it as --csv {0} --column NAME", arguments.scenario));
   return measure(arguments);
 }
 

@@ -19,9 +19,9 @@ namespace {
 void check(std::span<const double> strain, const ClassOptions& options) {
   const std::size_t cycles = strain.empty() ? 0 : strain.size() - 1;
   if (strain.size() < options.drop + least_cycles)
-    throw Error(
-        fmt::format("{} cycle{}, of which {} are dropped, are too few; give {} or more, or drop fewer",
-                    cycles, cycles == 1 ? "" : "s", options.drop, options.drop + least_cycles - 1));
+    throw Error(fmt::format(
+        "{} cycle{}, the first {} of which are dropped: too few for a verdict; give {} or more, or drop fewer",
+        cycles, cycles == 1 ? "" : "s", options.drop, options.drop + least_cycles - 1));
   for (std::size_t n = 0; n < strain.size(); ++n)
     if (!std::isfinite(strain[n]))
       throw Error(fmt::format("the strain of cycle {} is not finite; leave it out", n));

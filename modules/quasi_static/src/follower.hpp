@@ -56,6 +56,7 @@ class Follower {
   void warn(const std::string& line);
   void keep(State state);
   void write_kept_state();
+  void write_final_state();  // from which runs may begin
   void transfer(const StateTransfer& state);
   void save(const std::string& status);
   double seconds() const;  // of wall time, also before it was interrupted

@@ -87,7 +87,15 @@ void Follower::transfer(const StateTransfer& state) {
   wall_before_ = last_state_ = wall;
 }
 
+void Follower::write_final_state() {
+  const State state = packing_ ? packing_->state() : dynamics_->state();
+  state_file::write_state(directory_.add("final_state.h5"), state);
+  std::error_code failed;  // it is of no use, and replaced by the next course
+  std::filesystem::remove(directory_.path() / results.state, failed);
+}
+
 void Follower::save(const std::string& status) {
+  if (status == "finished") write_final_state();
   end_packing();
   course_.wall = seconds();
   if (course_.dynamic_time() > 0.5 * (course_.reached - course_.start))

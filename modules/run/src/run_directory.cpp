@@ -7,6 +7,7 @@
 
 #include <scree/files/place_error.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/run/record_json.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::run {
@@ -91,6 +92,19 @@ void check_list(const fs::path& path, const Layout& layout) {
   throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
 }
 
+// Whether scree resume goes on with what is there.
+bool goes_on(const fs::path& path, RunDirectory::Kind kind) {
+  if (kind == RunDirectory::Kind::study || kind == RunDirectory::Kind::campaign) return false;
+  std::error_code failed;
+  if (kind != RunDirectory::Kind::run && !fs::exists(path / "state.h5", failed)) return false;
+  try {
+    const auto record = parse_record(files::read_text(path / layout_of(kind).record));
+    return record.is_object() && record.contains("status") && record["status"] == "interrupted";
+  } catch (const Error&) {  // it cannot be read
+    return false;
+  }
+}
+
 void check_present(const fs::path& path, RunDirectory::Kind kind, RunDirectory::Existing existing) {
   const Layout& layout = layout_of(kind);
   std::error_code failed;
@@ -103,8 +117,10 @@ void check_present(const fs::path& path, RunDirectory::Kind kind, RunDirectory::
   else if (!fs::exists(path / layout.record, failed))
     throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
   if (existing == RunDirectory::Existing::refuse)
-    throw Error(fmt::format("{}: already contains {}; give another --out, or --overwrite to replace it",
-                            path.string(), with_article(layout)));
+    throw Error(fmt::format(
+        "{}: already contains {}; {}give another --out, or --overwrite to replace it", path.string(),
+        with_article(layout),
+        goes_on(path, kind) ? fmt::format("go on with it: scree resume {}, or ", path.string()) : ""));
 }
 
 }  // namespace

@@ -206,6 +206,9 @@ std::string text_for_any_folder(const document::Document& document, const std::f
 Plan read(const document::Document& document, const std::filesystem::path& path, std::vector<Body> bodies,
           PluginHost& host) {
   const document::Table root = document.root();
+  if (root.has("campaign"))
+    throw root.error("campaign", "the file is a campaign, not a scenario",
+                     fmt::format("run it with scree campaign {}", path.string()));
   Plan plan;
   plan.source = path;
   read_header(root, plan);

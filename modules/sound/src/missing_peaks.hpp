@@ -7,7 +7,7 @@
 
 namespace scree::sound {
 
-// "<what>; <cure>" for each road and column whose highest response, within the band, has no peak: most often there are too few
+// "<what>; <cure>" for each outstanding maximum of the response of a road and column that has no peak: most often there are too few
 // frequencies in its width for a fit.
 std::vector<std::string> missing_peaks(const std::vector<RoadSpectrum>& roads,
                                        const std::vector<Resonance>& resonances,

@@ -84,7 +84,8 @@ double value_of(const scenario::PeakQuantity& quantity, const std::vector<RoadSp
 }
 
 std::string name_of(const Resonance& resonance) {
-  if (std::isnan(resonance.wavelengths)) return "";
+  const bool stands_out = resonance.mode.amplitude > 2 * resonance.mode.amplitude_error;
+  if (std::isnan(resonance.wavelengths) || !stands_out) return "";
   int count = int(std::lround(4 * resonance.wavelengths)), of = 4;
   for (; of > 1 && count % 2 == 0; of /= 2) count /= 2;
   return (count == 1 ? "" : std::to_string(count)) + "λ" + (of == 1 ? "" : "/" + std::to_string(of));

@@ -40,11 +40,12 @@ void add_peaks(const Measurement& m, std::size_t column, std::vector<std::string
     const bool sought = std::any_of(m.roads.begin(), m.roads.end(), [](const RoadSpectrum& road) {
       return road.frequencies.size() >= fewest_frequencies_of_peaks;
     });
-    lines.push_back(
-        fmt::format("{}: no peaks{}", files::one_line(m.observed[column].name),
-                    sought ? ""
-                           : fmt::format(", which need {} frequencies or more; give a smaller step_hz",
-                                         fewest_frequencies_of_peaks)));
+    const std::string why = sought || m.interrupted
+                                ? ""
+                                : fmt::format(", which need {} frequencies or more; give a smaller step_hz",
+                                              fewest_frequencies_of_peaks);
+    lines.push_back(fmt::format("{}: no peaks{}{}", files::one_line(m.observed[column].name),
+                                m.interrupted ? " yet" : "", why));
     return;
   }
   std::string head = fmt::format("{}, {}: {:>6} {:>10}", files::one_line(m.observed[column].name),

@@ -212,10 +212,11 @@ TEST_CASE("noise is irregular, and the reason names all that was tried", "[class
 
 TEST_CASE("a strain that cannot be classified is refused in one line", "[classification]") {
   const auto flat = [](double) { return 0.0; };
-  CHECK(refusal(series(flat, 0, 1, 44)) ==
-        "43 cycles, of which 29 are dropped, are too few; give 44 or more, or drop fewer");
+  CHECK(
+      refusal(series(flat, 0, 1, 44)) ==
+      "43 cycles, the first 29 of which are dropped: too few for a verdict; give 44 or more, or drop fewer");
   CHECK(refusal(series(flat, 0, 1, 45)).empty());
-  CHECK(refusal({}).starts_with("0 cycles, of which 29 are dropped"));
+  CHECK(refusal({}).starts_with("0 cycles, the first 29 of which are dropped"));
   CHECK(refusal(series([](double n) { return n == 7 ? std::nan("") : 0; })) ==
         "the strain of cycle 7 is not finite; leave it out");
   ClassOptions options;

@@ -9,6 +9,7 @@
 
 #include <scree/error.hpp>
 #include <scree/quasi_static/follow.hpp>
+#include <scree/state_file/state_file.hpp>
 
 // What is written of a load that is followed through states of equilibrium.
 
@@ -58,6 +59,9 @@ TEST_CASE("a quasi-static course that is interrupted says how far it came") {
   CHECK(record["status"] == "interrupted");
   CHECK(record["end"] == course.reached);
   CHECK(record["planned_end"] == course.end);
+  CHECK_THAT(message([&] { quasi_static::follow(box_of_discs("12"), {.out = folder / "out"}); }),
+             Catch::Contains("already contains a response; go on with it: scree resume " +
+                             (folder / "out").string() + ", or give another --out"));
   // With those to the balance at the start, from the stages before and from the state of the first cycle.
   CHECK(record["increments"] == rows.size() + 1);
 }
@@ -85,6 +89,10 @@ TEST_CASE("a quasi-static course that is interrupted goes on to the same bits") 
   CHECK(second.dynamic_steps == whole.dynamic_steps);
   CHECK(second.increments == whole.increments);
   CHECK(second.events == whole.events);
+  for (const char* part : {"whole", "parted"})
+    CHECK_FALSE(std::filesystem::exists(folder / part / "state.h5"));
+  const auto end = [&](const char* part) { return state_file::read_state(folder / part / "final_state.h5"); };
+  CHECK(end("parted") == end("whole"));
   CHECK(text_of(folder / "parted/series/quasi_static.csv") ==
         text_of(folder / "whole/series/quasi_static.csv"));
   CHECK_THAT(message([&] { quasi_static::resume_following(options, host()); }),

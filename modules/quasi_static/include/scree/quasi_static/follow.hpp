@@ -57,7 +57,7 @@ struct Course {
 };
 
 // Runs the stages of a plan but the last, follows the last one through states of equilibrium (response::QuasiStatic), and
-// writes the directory: series/quasi_static.csv, a chart, response.json. Where there is no equilibrium next to the
+// writes the directory: series/quasi_static.csv, a chart, final_state.h5, response.json. Where there is no equilibrium next to the
 // present one, dynamics go on until there is. Also at its start. Throws Error (bad_input) before anything is written if the last stage
 // has no duration, a law no derivative, or walls are moved otherwise than by stresses and forces; or as a run does.
 Course follow(const scenario::Plan& plan, const FollowOptions& options);

@@ -29,7 +29,7 @@ constexpr std::size_t fewest_frequencies_of_peaks = 16;
 // finite, have none. `observed`: of the columns of the roads.
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed);
-// "λ/4", "3λ/4", "λ", ...; "" without a standing wave.
+// "λ/4", "3λ/4", "λ", ...; "" without a standing wave, and for an amplitude below twice its error.
 std::string name_of(const Resonance& resonance);
 // A number of a peak, by its place in scenario::peak_numbers; wavelengths are NaN without a standing wave.
 double number_of(const Resonance& resonance, std::size_t number);
