@@ -68,7 +68,8 @@ def draw(axes, roads, exact, value, title, unit):
         shown = [(c, error) for c, error in shown if error > 0]
         axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
         for c, error in shown:
-            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(7, 7), fontsize=8)
+            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(8, 8), fontsize=8,
+                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
     label(axes, title, "wall time of a cycle / ms", unit)
     axes.margins(0.12)
     axes.legend(frameon=False, fontsize=9)

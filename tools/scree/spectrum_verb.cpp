@@ -230,7 +230,7 @@ void add_spectrum_verb(CommandLine& line) {
       "Phases are of sines; in a time series they refer to t = 0, in a response to the drive. Errors are standard errors from\n"
       "the noise near each line; without --frequency, that of a phase contains that of the frequency up to t = 0.\n"
       "Example: scree spectrum scenarios/sound/chain.toml --by all\n"
-      "         scree spectrum --csv runs/shear/series/box.csv --column strain --frequency 50");
+      "         scree spectrum --csv runs/quickstart/series/box.csv --column strain_xx --frequency 1");
   verb.action([a] { return spectrum_of(*a); });
 }
 
