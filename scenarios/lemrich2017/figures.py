@@ -68,6 +68,10 @@ class Sweep:
     def quality(self):
         return float(self.peak["quality"]) if self.peak else math.nan
 
+    def scaled(self):
+        """Local strain and frequency (Hz) over what Hertz's law makes them depend on the stress."""
+        return self.local_strain() * (self.stress / MODULUS) ** (-2 / 3), self.top()[0] * (self.stress / MODULUS) ** (-1 / 6)
+
     def resonates(self):
         return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
 
@@ -98,12 +102,11 @@ def draw_collapse(sweeps, path):
         chosen = [s for s in sweeps if s.case == case and s.resonates()]
         style = {"color": colour, "marker": "o", "linewidth": 1.2, "label": case}
         plain.plot([s.local_strain() for s in chosen], [s.top()[0] / 1e3 for s in chosen], **style)
-        scaled.plot([s.local_strain() * (s.stress / MODULUS) ** (-2 / 3) for s in chosen],
-                    [s.top()[0] * (s.stress / MODULUS) ** (-1 / 6) / 1e3 for s in chosen], **style)
+        scaled.plot([s.scaled()[0] for s in chosen], [s.scaled()[1] / 1e3 for s in chosen], **style)
     plain.set(xscale="log", xlabel="local strain", ylabel="frequency of 3λ/4 (kHz)")
     scaled.set(xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)")
     plain.set_title("Peaks 3λ/4 under four stresses (figure 3)", loc="left", fontsize=11)
-    scaled.set_title("the same, scaled after Hertz", loc="left", fontsize=11)
+    scaled.set_title("The same, scaled after Hertz", loc="left", fontsize=11)
     for axes, ticks in ((plain, (2e-5, 5e-5, 1e-4, 2e-4)), (scaled, (0.3, 0.5, 1, 2, 4))):
         axes.set_xticks(ticks, [f"{t:g}" for t in ticks])
         axes.xaxis.set_minor_formatter(ticker.NullFormatter())
@@ -149,9 +152,37 @@ def draw_profile(sweeps, path):
 def print_table(sweeps):
     print("stress [kPa]  drive [m]  peak [Hz]       Q  local strain  f (σ/Y)^(-1/6) [kHz]  ε (σ/Y)^(-2/3)")
     for s in sweeps:
-        frequency, strain = s.top()[0], s.local_strain()
-        print(f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {frequency:10.0f} {s.quality():7.1f} {strain:13.3e}"
-              f" {frequency * (s.stress / MODULUS) ** (-1 / 6) / 1e3:22.1f} {strain * (s.stress / MODULUS) ** (-2 / 3):15.4f}")
+        strain, frequency = s.scaled()
+        print(f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {s.top()[0]:10.0f} {s.quality():7.1f} {s.local_strain():13.3e}"
+              f" {frequency / 1e3:22.1f} {strain:15.4f}")
+
+
+def at_strain(curve, strain):
+    """Frequency of a curve of (strain, frequency) there, linear in log strain; None outside."""
+    for (low, f_low), (high, f_high) in zip(curve, curve[1:]):
+        if low <= strain <= high:
+            return f_low + (f_high - f_low) * math.log(strain / low) / math.log(high / low)
+    return None
+
+
+def spread(curves, strain):
+    """Number of curves that reach a strain, and the range of their frequencies over the mean."""
+    found = [f for f in (at_strain(curve, strain) for curve in curves) if f is not None]
+    return len(found), (max(found) - min(found)) * len(found) / sum(found) if found else math.nan
+
+
+def print_collapse(sweeps):
+    """How far the frequencies of different stresses lie apart at equal strains, scaled and not."""
+    stresses = sorted({s.stress for s in sweeps})
+    resonant = [[s for s in sweeps if s.stress == stress and s.resonates()] for stress in stresses]
+    plain = [[(s.local_strain(), s.top()[0]) for s in chosen] for chosen in resonant]
+    scaled = [[s.scaled() for s in chosen] for chosen in resonant]
+    for name, curves, strains in (("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
+                                  ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8))):
+        for strain in strains:
+            count, apart = spread(curves, strain)
+            if count > 1:
+                print(f"{name} {strain:g}: the frequencies of {count} stresses lie within {100 * apart:.1f} % of their mean")
 
 
 def main():
@@ -165,6 +196,7 @@ def main():
         of_band = os.path.basename(json.load(record)["file"]) == "sweeps.toml"
     if of_band:
         return draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
+    print_collapse(sweeps)
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
     shaped = [s for s in sweeps if s.stress == sweeps[0].stress and s.layers]
     if shaped:

@@ -127,6 +127,21 @@ period = 1
         return "\n".join(lines) + "\n"
 
 
+class Collapse(unittest.TestCase):
+    @DRAWS
+    def test_of_curves_that_fall_with_the_logarithm_of_the_strain(self):
+        spec = importlib.util.spec_from_file_location("figures", os.path.join(SCENARIOS, "lemrich2017", "figures.py"))
+        figures = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(figures)
+        # 100 − 10 log10(ε) from 1 to 100, the same less 2, and one that begins behind.
+        curves = [[(1, 100), (100, 80)], [(1, 98), (100, 78)], [(50, 1), (60, 1)]]
+        self.assertAlmostEqual(figures.at_strain(curves[0], 10), 90)
+        self.assertIsNone(figures.at_strain(curves[0], 101))
+        count, apart = figures.spread(curves, 10)
+        self.assertEqual(count, 2)
+        self.assertAlmostEqual(apart, 2 / 89)
+
+
 class Help(unittest.TestCase):
     @DRAWS
     def test_of_every_script(self):
