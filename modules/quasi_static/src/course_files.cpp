@@ -58,7 +58,7 @@ void draw_chart(const Course& course, const std::vector<double>& times, const st
   if (!drawn || !snapshot::has_pictures()) return;
   snapshot::ChartSpec chart;
   chart.title = course.title + ", quasi-static";
-  chart.y_label = "strain along x less that along y";
+  chart.y_label = "strain L_y/L_y0 - L_x/L_x0";
   const double end = times.back(), slack = 1e-9 * course.period;
   if (course.period > 0 && end - course.start >= most_whole_cycles * course.period) {
     const double cycles = std::floor((end - course.start) / course.period + 1e-9);
