@@ -79,6 +79,13 @@ TEST_CASE("several campaigns are run by one call, and checked before the first b
   refused("more/campaign.toml",
           "campaign.toml and more/campaign.toml have the same directory, bad/campaign; rename one");
   refused("none.toml", "none.toml");
+  // Keys of runs, and a directory that cannot be used.
+  w.write("more/key.toml", "[campaign]\nscenario = '../scene.toml'\nseeds = [3]\n[set]\ntime.duratio = 1\n");
+  refused("more/key.toml", "unknown key 'duratio'");
+  w.write("bad", "mine");
+  const Outcome bad = w.scree("campaign campaign.toml more/other.toml --out bad");
+  CHECK(bad.status == 2);
+  CHECK(contains(bad.err, "bad/campaign: cannot be "));
 }
 
 TEST_CASE("finished runs are not repeated, a changed value repeats only its runs", "[tools]") {

@@ -28,8 +28,9 @@ struct CampaignArguments {
 // That of one of the files: with several of them, a folder of its own in --out.
 std::filesystem::path directory_of(const campaign::Campaign& c, const CampaignArguments& a) {
   constexpr auto kind = run::RunDirectory::Kind::campaign;
-  if (a.out.empty()) return run::RunDirectory::default_for(c.source, kind);
-  return a.files.size() > 1 ? std::filesystem::path(a.out) / c.source.stem() : std::filesystem::path(a.out);
+  const std::filesystem::path own = run::RunDirectory::default_for(c.source, kind);
+  if (a.out.empty()) return own;
+  return a.files.size() > 1 ? std::filesystem::path(a.out) / own.filename() : std::filesystem::path(a.out);
 }
 
 ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {
@@ -83,7 +84,7 @@ ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a,
   return met ? ExitStatus::success : ExitStatus::failure;
 }
 
-// All are read before the first begins. Throws Error (bad_input) if two have one directory.
+// Throws Error (bad_input) if two have one directory.
 std::vector<campaign::Campaign> read_campaigns(const CampaignArguments& a, PluginHost& host) {
   std::vector<campaign::Campaign> campaigns;
   std::map<std::filesystem::path, std::string> taken;
@@ -97,11 +98,23 @@ std::vector<campaign::Campaign> read_campaigns(const CampaignArguments& a, Plugi
   return campaigns;
 }
 
+// Runs and directories of all, before the first begins.
+void check_campaigns(const std::vector<campaign::Campaign>& campaigns, const CampaignArguments& a,
+                     PluginHost& host) {
+  ProgressBar bar(a.quiet);
+  for (const campaign::Campaign& c : campaigns) {
+    campaign::CampaignDirectory directory(directory_of(c, a), c, true);
+    campaign::check(c, directory, options_of(a, bar), host);
+  }
+}
+
 // One after the other, whether they fail or not; the exit status is the worst.
 ExitStatus run_campaigns(const CampaignArguments& a) {
   PluginHost host = make_host(a.plugins);
+  const std::vector<campaign::Campaign> campaigns = read_campaigns(a, host);
+  if (campaigns.size() > 1 && !a.list) check_campaigns(campaigns, a, host);
   ExitStatus worst = ExitStatus::success;
-  for (const campaign::Campaign& c : read_campaigns(a, host)) {
+  for (const campaign::Campaign& c : campaigns) {
     worst = std::max(worst, run_campaign(c, a, host));
     if (worst == ExitStatus::interrupted) break;
   }

@@ -244,6 +244,11 @@ std::size_t Execution::count(Status status) const {
                                    [&](const Outcome& outcome) { return outcome.status == status; }));
 }
 
+void check(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
+           PluginHost& host) {
+  Executor(campaign, directory, options, host).check();
+}
+
 Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
                   PluginHost& host) {
   Executor executor(campaign, directory, options, host);

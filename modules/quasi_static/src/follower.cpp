@@ -40,7 +40,7 @@ double period_of(const scenario::Plan& plan) {
 }  // namespace
 
 Follower::Follower(const scenario::Plan& plan, const FollowOptions& options, run::RunDirectory& directory)
-    : plan_(plan), options_(options), directory_(directory), per_cycle_(options.increments) {
+    : plan_(plan), options_(options), directory_(directory) {
   course_.title = plan.heading();
   course_.directory = directory.path();
   course_.scenario = plan.resolved_text;
@@ -56,7 +56,7 @@ Course Follower::begin() {
     series_.emplace(directory_.add("series/quasi_static.csv"));
     series_->add(box_->head());
     sample(dynamics_ ? sample_of(*dynamics_, course_.start) : sample_of(*packing_, course_.start));
-    begin_cycle();
+    begin_part();
   });
 }
 
@@ -84,9 +84,11 @@ Course Follower::take(const std::function<void()>& open) {
       advance(next < intervals() ? course_.start + double(next) * course_.increment : course_.end);
       if (!proceeds()) break;
       interval_ = next;
-      if (interval_ % per_cycle_ == 0 && interval_ < intervals()) begin_cycle();
+      if (interval_ % between_states_ == 0 && interval_ < intervals()) begin_part();
       report();
     }
+    course_.interrupted = !proceeds();
+    save(course_.interrupted ? "interrupted" : "finished");
   } catch (const Error& error) {
     course_.error = error.what();
     files::try_each([&] { save("failed"); });
@@ -96,8 +98,6 @@ Course Follower::take(const std::function<void()>& open) {
     files::try_each([&] { save("failed"); });
     throw;
   }
-  course_.interrupted = !proceeds();
-  save(course_.interrupted ? "interrupted" : "finished");
   return std::move(course_);
 }
 
@@ -114,11 +114,13 @@ void Follower::find_start() {
   course_.period = period_of(plan_);
   course_.start = course_.reached = simulation_->time();
   course_.end = course_.start + *plan_.stages.back().duration;
-  const double whole = course_.period > 0 ? course_.period : *plan_.stages.back().duration;
-  course_.increment = whole / per_cycle_;
+  const bool cyclic = course_.period > 0;
+  course_.increment = (cyclic ? course_.period : *plan_.stages.back().duration) / options_.increments;
+  between_states_ = cyclic ? options_.increments : FollowOptions::increments_per_cycle;
   course_.bodies = simulation_->particles().size();
   try {
-    for (const std::string& warning : load_warnings(*simulation_, course_, per_cycle_)) warn(warning);
+    for (const std::string& warning : load_warnings(*simulation_, course_, options_.increments))
+      warn(warning);
     packing_ = std::make_unique<QuasiStatic>(*simulation_, quasi_static_options());
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
@@ -210,7 +212,7 @@ void Follower::take_back(double time) {
     end_packing();
 }
 
-void Follower::begin_cycle() {
+void Follower::begin_part() {
   State state = packing_ ? packing_->state() : dynamics_->state();
   end_packing();
   keep(state);

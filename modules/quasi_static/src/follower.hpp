@@ -14,7 +14,7 @@
 
 namespace scree::quasi_static {
 
-// One course from its start, or from its state, to its last file. The search for equilibrium begins anew with each cycle, from
+// One course from its start, or from its state, to its last file. The search for equilibrium begins anew with each part, such as a cycle, from
 // positions and springs alone, so that a course that goes on from there has the same bits.
 class Follower {
  public:
@@ -45,7 +45,7 @@ class Follower {
   // If the packing that moves has an equilibrium nearby, goes on from there.
   void take_back(double time);
   // Keeps the state, and begins the search for equilibrium anew.
-  void begin_cycle();
+  void begin_part();
   void begin_packing(const State& state);
   void begin_dynamics(std::unique_ptr<Simulation> simulation);
   // Adds what the packing has counted.
@@ -65,7 +65,7 @@ class Follower {
   const FollowOptions& options_;
   run::RunDirectory& directory_;
   Course course_;
-  unsigned per_cycle_;                                 // intervals between two states
+  std::size_t between_states_ = 1;                     // intervals: those of a cycle, if the load has cycles
   std::size_t interval_ = 0;                           // intervals that are done
   std::unique_ptr<Simulation> simulation_, dynamics_;  // from which the packing came; that goes on instead
   std::unique_ptr<response::QuasiStatic> packing_;
@@ -74,7 +74,7 @@ class Follower {
   std::optional<run::LineFile> series_;
   std::uint64_t series_bytes_ = 0;  // up to the state that is kept
   std::vector<double> times_, strains_;
-  std::optional<State> kept_;  // between the last two cycles, if it is not in the file
+  std::optional<State> kept_;  // at the start of the present part, if it is not in the file
   double wall_before_ = 0;     // (s) until it was interrupted
   double last_state_ = 0;      // (s) of wall time
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

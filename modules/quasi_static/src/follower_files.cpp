@@ -63,7 +63,7 @@ void Follower::transfer(const StateTransfer& state) {
     return now;
   };
   interval_ = std::size_t(number("intervals_done", interval_));
-  per_cycle_ = unsigned(number("intervals_per_cycle", per_cycle_));
+  between_states_ = std::size_t(number("intervals_between_states", between_states_));
   series_bytes_ = number("series_bytes", series_bytes_);
   for (const auto& [name, time] : {std::pair{"start", &course_.start},
                                    {"end", &course_.end},
@@ -90,8 +90,6 @@ void Follower::transfer(const StateTransfer& state) {
 void Follower::write_final_state() {
   const State state = packing_ ? packing_->state() : dynamics_->state();
   state_file::write_state(directory_.add("final_state.h5"), state);
-  std::error_code failed;  // it is of no use, and replaced by the next course
-  std::filesystem::remove(directory_.path() / results.state, failed);
 }
 
 void Follower::save(const std::string& status) {
@@ -109,6 +107,9 @@ void Follower::save(const std::string& status) {
     warn(fmt::format("the chart was not drawn: {}", error.what()));
   }
   write_record(status, course_, directory_);
+  if (status != "finished") return;
+  std::error_code failed;  // of no use any more, and replaced by the next course
+  std::filesystem::remove(directory_.path() / results.state, failed);
 }
 
 }  // namespace scree::quasi_static

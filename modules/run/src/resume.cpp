@@ -64,7 +64,8 @@ scenario::Plan plan_at_start(const fs::path& directory, const ResumeChanges& cha
 RunDirectory directory_of(const fs::path& path) {
   std::error_code failed;
   if (!fs::exists(path / "run.json", failed))
-    throw Error(fmt::format("{}: contains no run; give the directory of one", path.string()));
+    throw Error(
+        fmt::format("{}: contains no run; give the directory of a run, spectrum or response", path.string()));
   RunDirectory directory(path, RunDirectory::Existing::keep);
   directory.take();
   return directory;

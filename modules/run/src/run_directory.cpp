@@ -99,7 +99,9 @@ bool goes_on(const fs::path& path, RunDirectory::Kind kind) {
   if (kind != RunDirectory::Kind::run && !fs::exists(path / "state.h5", failed)) return false;
   try {
     const auto record = parse_record(files::read_text(path / layout_of(kind).record));
-    return record.is_object() && record.contains("status") && record["status"] == "interrupted";
+    // "running" where it was killed.
+    return record.is_object() && record.contains("status") &&
+           (record["status"] == "interrupted" || record["status"] == "running");
   } catch (const Error&) {  // it cannot be read
     return false;
   }

@@ -53,7 +53,13 @@ Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, Plugi
         directory.string(), kind.noun));
   State state = state_file::read_state(file);
   std::string text;
-  StateTransfer::restoring_from(state).below(kind.group).value("scenario", "", text);
+  const StateTransfer of_kind = StateTransfer::restoring_from(state).below(kind.group);
+  if (!of_kind.has("scenario"))
+    throw Error(fmt::format(
+        "{}: is not the state of a {}; put back that of this directory, or give --overwrite with the "
+        "scenario to take it again",
+        file.string(), kind.noun));
+  of_kind.value("scenario", "", text);
   if (const std::string own = text_of(record, "scenario"); !own.empty() && own != text)
     throw Error(fmt::format(
         "{}: is the state of another {} than that in {}; put back the one of this directory, or give --overwrite with the "

@@ -99,6 +99,29 @@ TEST_CASE("a quasi-static course that is interrupted goes on to the same bits") 
              Catch::Contains("parted: the response is finished; give --overwrite"));
 }
 
+TEST_CASE("a quasi-static load without period is kept in parts too") {
+  const TemporaryFolder folder;
+  const std::string biaxial = text_of(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml");
+  const auto file =
+      folder.write("ramp.toml", with(biaxial, "cycles = 100\nperiod = 10  #", "duration = 10  #"));
+  const scenario::Plan plan = scenario::read_plan(file, {"scene.seed=12", "time.step=1e-3"}, host());
+  std::atomic<bool> stop = false;
+  quasi_static::FollowOptions options = {
+      .out = folder / "parted",
+      .increments = 100,
+      .on_progress = [&](double share, double, const std::string&) { stop = share >= 0.6; },
+      .stop = &stop};
+  CHECK(quasi_static::follow(plan, options).interrupted);
+  stop = false;
+  double first = 0;
+  options.on_progress = [&](double share, double, const std::string&) { first = first > 0 ? first : share; };
+  quasi_static::resume_following(options, host());
+  CHECK(first == Approx(0.41));  // after the last part of 40 increments
+  quasi_static::follow(plan, {.out = folder / "whole", .increments = 100});
+  CHECK(text_of(folder / "parted/series/quasi_static.csv") ==
+        text_of(folder / "whole/series/quasi_static.csv"));
+}
+
 TEST_CASE("quasi-static strains count from the balance at the start") {
   const TemporaryFolder folder;
   quasi_static::follow(box_of_discs("12"), {.out = folder / "out", .increments = 8});

@@ -41,6 +41,10 @@ struct Execution {
   std::size_t count(Status status) const;
 };
 
+// Throws the errors that execute() throws before anything is written.
+void check(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
+           PluginHost& host);
+
 // Runs all unfinished points, each in its own process, and updates the tables in the directory. Those that were
 // interrupted go on from their last state. The campaign is one from branched(): its preparations are run first. Throws
 // Error (bad_input) before anything is written if any point is refused, or, if it can only be checked from the state

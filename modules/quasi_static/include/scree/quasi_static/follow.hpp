@@ -65,7 +65,7 @@ Course follow(const scenario::Plan& plan, const FollowOptions& options);
 // Whether a directory has the record of a response, quasi-static or other.
 bool is_response(const std::filesystem::path& directory);
 
-// Goes on with the course in options.out that was interrupted, from the end of its last complete cycle, to the same bits.
+// Goes on with the course in options.out that was interrupted, from the end of its last complete cycle (of 40 increments of a load without period), to the same bits.
 // options: out, threads, callbacks and stop count. Throws Error (bad_input) if it is finished, or if there is no state.
 Course resume_following(const FollowOptions& options, PluginHost& host);
 
