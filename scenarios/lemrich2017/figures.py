@@ -107,8 +107,8 @@ def draw_collapse(sweeps, path):
     scaled.set(xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)")
     plain.set_title("Peaks 3λ/4 under four stresses (figure 3)", loc="left", fontsize=11)
     scaled.set_title("The same, scaled after Hertz", loc="left", fontsize=11)
-    for axes, ticks in ((plain, (2e-5, 5e-5, 1e-4, 2e-4)), (scaled, (0.3, 0.5, 1, 2, 4))):
-        axes.set_xticks(ticks, [f"{t:g}" for t in ticks])
+    for axes, ticks in ((plain, (2e-5, 5e-5, 1e-4, 2e-4, 5e-4)), (scaled, (0.3, 0.5, 1, 2, 4))):
+        axes.set_xticks(ticks, [f"{t:g}" if t > 1e-2 else f"{t:.0e}" for t in ticks])
         axes.xaxis.set_minor_formatter(ticker.NullFormatter())
         axes.grid(color="#eeeeee")
     plain.legend(frameon=False, fontsize=9)
