@@ -15,7 +15,11 @@ constexpr std::size_t most_loads = 10'000;
 std::vector<std::string> load_warnings(const Simulation& simulation, const Course& course,
                                        unsigned increments) {
   const double length = course.end - course.start;
-  const std::size_t times = std::min(most_loads, std::size_t(std::ceil(length / course.increment)));
+  // Those of whole periods are all alike.
+  const double apart = course.period > 0
+                           ? std::min(course.increment, course.period / FollowOptions::fewest_per_cycle)
+                           : course.increment;
+  const std::size_t times = std::min(most_loads, std::size_t(std::ceil(length / apart)));
   const auto loads_at = [&](std::size_t k) {
     return response::loads_of_walls(simulation, course.start + double(k) / double(times) * length);
   };
@@ -27,7 +31,7 @@ std::vector<std::string> load_warnings(const Simulation& simulation, const Cours
     warnings.push_back(
         "no load on a wall changes in the last stage; give a stress or force that changes with time");
   if (course.period > 0 && increments < FollowOptions::fewest_per_cycle)
-    warnings.push_back(fmt::format("{} increments of a period leave most of its loads out; give at least {}",
+    warnings.push_back(fmt::format("--increments {} leaves most loads of a period out; give at least {}",
                                    increments, FollowOptions::fewest_per_cycle));
   return warnings;
 }
