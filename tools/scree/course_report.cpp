@@ -8,19 +8,9 @@
 
 namespace scree::tool {
 
-namespace {
-
-quasi_static::Course with_progress(
-    bool quiet, const std::function<quasi_static::Course(quasi_static::FollowOptions)>& work) {
-  ProgressBar bar(quiet);
-  return work(watched(quasi_static::FollowOptions(), bar));
-}
-
-}  // namespace
-
 ExitStatus report_course(bool quiet,
                          const std::function<quasi_static::Course(quasi_static::FollowOptions)>& work) {
-  const quasi_static::Course course = with_progress(quiet, work);
+  const quasi_static::Course course = watch<quasi_static::FollowOptions>(quiet, work);
   const std::string directory = files::escaped(course.directory.string());
   if (!quiet) fmt::print("{}", quasi_static::text_report(course));
   if (course.interrupted)

@@ -13,12 +13,6 @@ namespace scree::tool {
 
 namespace {
 
-sound::Measurement with_progress(bool quiet,
-                                 const std::function<sound::Measurement(sound::MeasurementOptions)>& work) {
-  ProgressBar bar(quiet);
-  return work(watched(sound::MeasurementOptions(), bar));
-}
-
 std::string written_in(const std::filesystem::path& directory) {
   std::string names;
   for (const char* name : {"spectrum.csv", "peaks.csv", "shapes.csv", "sweep.csv", "roads.csv", "charts"})
@@ -31,7 +25,7 @@ std::string written_in(const std::filesystem::path& directory) {
 
 ExitStatus report_measurement(bool quiet,
                               const std::function<sound::Measurement(sound::MeasurementOptions)>& work) {
-  const sound::Measurement measurement = with_progress(quiet, work);
+  const sound::Measurement measurement = watch<sound::MeasurementOptions>(quiet, work);
   if (!quiet) fmt::print("{}", sound::text_report(measurement));
   const bool met = report_verdicts(measurement.verdicts, quiet);
   if (measurement.interrupted)

@@ -21,4 +21,11 @@ Options watched(Options options, ProgressBar& bar) {
   return options;
 }
 
+// The result of a work with such options.
+template <class Options, class Work>
+auto watch(bool quiet, const Work& work) {
+  ProgressBar bar(quiet);
+  return work(watched(Options(), bar));
+}
+
 }  // namespace scree::tool
