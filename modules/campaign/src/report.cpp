@@ -50,9 +50,12 @@ void write_expectations(const std::vector<Outcome>& outcomes, Out out) {
 
 constexpr std::size_t max_listed = 20;
 
+// With the first of the cases that it is for, and its seed.
 std::string name_of(const Point& preparation) {
-  return preparation.seed ? fmt::format("{} (seed {})", preparation.name, *preparation.seed)
-                          : preparation.name;
+  std::vector<std::string> of;
+  if (!preparation.case_name.empty()) of.push_back(files::one_line(preparation.case_name));
+  if (preparation.seed) of.push_back(fmt::format("seed {}", *preparation.seed));
+  return of.empty() ? preparation.name : fmt::format("{} ({})", preparation.name, fmt::join(of, ", "));
 }
 
 void write_preparations(const Campaign& campaign, const Execution& execution, Out out) {
