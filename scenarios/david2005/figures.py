@@ -88,7 +88,7 @@ def save(figure, panels, file):
     figure.suptitle("Tangential springs: solid lines that of David et al., dashed lines painted points", fontsize=10)
     for axes in panels:
         axes.grid(color="#eeeeee")
-        axes.legend(fontsize=8)
+        axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
     figure.tight_layout()
     figure.savefig(file, dpi=80)
     print(file)
@@ -117,7 +117,7 @@ def by_friction(groups):
 def panels_for(frictions):
     """Without a second friction one panel."""
     count = 2 if len({friction for _, friction, _ in frictions}) > 1 else 1
-    return pyplot.subplots(1, count, figsize=(1 + 5.5 * count, 5), squeeze=False)
+    return pyplot.subplots(1, count, figsize=(1 + 6.2 * count, 5), squeeze=False)
 
 
 def draw_accumulation(groups, folder):
@@ -138,7 +138,10 @@ def draw_loops(groups, folder):
     (sizes, weakest), (frictions, compared) = by_size(looped), by_friction(looped)
     largest = {key: runs for key, runs in sizes.items() if key[0] == max(size for size, _, _ in sizes)}
     figure, [panels] = panels_for(frictions)
-    plot_loops(panels[0], largest, f"All cycles, μ = {weakest}, first seed", size_of, lambda run: run.loops, 0.4)
+    # Those of two springs would hide each other.
+    spring = min((key[2] for key in largest), key=list(SPRINGS.values()).index)
+    largest = {key: runs for key, runs in largest.items() if key[2] == spring}
+    plot_loops(panels[0], largest, f"All cycles, {spring}, μ = {weakest}, first seed", size_of, lambda run: run.loops, 0.4)
     if len(panels) > 1:
         plot_loops(panels[1], frictions, f"First cycle, {compared} spheres, first seed", friction_of, lambda run: run.first_loop())
     save(figure, panels, os.path.join(folder, "loops.png"))
