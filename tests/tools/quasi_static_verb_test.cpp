@@ -75,13 +75,20 @@ TEST_CASE("resume goes on with quasi-static loads that were interrupted, and nam
   refused("out", "state.h5: is the state of another response than that in response.json; put back");
   record["scenario"] = scenario;
   w.write("out/response.json", record.dump());
+  CHECK(w.scree(follow + "200 --out out")
+            .err.find("already contains a response; go on with it: scree resume out, or ") !=
+        std::string::npos);
   const Outcome resumed = w.scree("resume out");
   INFO(resumed.err << resumed.out);
   CHECK(resumed.status == 0);
   CHECK(w.text("out/series/quasi_static.csv") == w.text("whole/series/quasi_static.csv"));
   CHECK(w.record("out", "response.json")["status"] == "finished");
-  // Modes have no state.
+  // The state of a run.
   w.write("out/response.json", record.dump());
+  std::filesystem::copy_file(w / "out/final_state.h5", w / "out/state.h5");
+  refused("out", "state.h5: is not the state of a response; put back that of this directory");
+  // Modes have none.
+  std::filesystem::remove(w / "out/state.h5");
   refused("out", "out: there is no state with which the response could go on; give --overwrite");
 }
 

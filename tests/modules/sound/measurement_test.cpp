@@ -267,6 +267,16 @@ TEST_CASE("an overriding empty text or list leaves the shapes out", "[sound]") {
   }
 }
 
+TEST_CASE("a peak whose amplitude is below twice its error has no name", "[sound]") {
+  Resonance resonance;
+  resonance.wavelengths = 1.75;
+  resonance.mode.amplitude = 36;
+  for (const auto& [error, name] : {std::pair{17.0, "7λ/4"}, std::pair{19.0, ""}}) {
+    resonance.mode.amplitude_error = error;
+    CHECK(name_of(resonance) == name);
+  }
+}
+
 TEST_CASE("outstanding maxima that no peak fits are named", "[sound]") {
   const Chain chain = {.damping = 0.02};
   const auto warned = [&](const std::string& frequencies) {
