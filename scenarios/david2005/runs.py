@@ -28,7 +28,9 @@ class Run:
 
 
 def area(strain, stress):
-    return sum((a + b) / 2 * (d - c) for a, b, c, d in zip(stress, stress[1:], strain, strain[1:]))
+    """∮ σ dε, closed from the last point to the first, as `scree cycles` does."""
+    closed_strain, closed_stress = [*strain, strain[0]], [*stress, stress[0]]
+    return sum((a + b) / 2 * (d - c) for a, b, c, d in zip(closed_stress, closed_stress[1:], closed_strain, closed_strain[1:]))
 
 
 def slope(strain, stress):

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <scree/document/document.hpp>
+#include <scree/energy.hpp>
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
 #include <scree/files/try_each.hpp>
@@ -24,6 +25,8 @@ using Clock = std::chrono::steady_clock;
 
 // Steps of the stages before that are taken at once.
 constexpr std::uint64_t steps_at_once = 1000;
+// Kinetic over elastic energy below which a packing that moves may be taken to be at rest: its motion is lost there.
+constexpr double at_rest = 1e-6;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -198,13 +201,14 @@ void Follower::begin_dynamics(std::unique_ptr<Simulation> simulation) {
 }
 
 void Follower::take_back(double time) {
+  const scree_energy energy = dynamics_->energy();
+  if (kinetic_energy(energy) > at_rest * elastic_energy(energy)) {
+    sample(sample_of(*dynamics_, time));
+    return;
+  }
   auto packing = std::make_unique<QuasiStatic>(*dynamics_, quasi_static_options());
   const bool balanced = packing->advance(std::max(time, dynamics_->time()));
-  if (proceeds()) {
-    Sample reached = balanced ? sample_of(*packing, time) : sample_of(*dynamics_, time);
-    reached.dynamic = true;
-    sample(reached);
-  }
+  if (proceeds()) sample(balanced ? sample_of(*packing, time) : sample_of(*dynamics_, time));
   packing_ = std::move(packing);
   if (balanced && proceeds())
     simulation_ = std::move(dynamics_);

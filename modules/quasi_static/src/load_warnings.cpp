@@ -9,8 +9,8 @@
 
 namespace scree::quasi_static {
 
-// Loads that are looked at; the others are checked with their increments.
-constexpr std::size_t most_loads = 10'000;
+// Loads that are looked at, from the start of the stage; the others are checked with their increments.
+constexpr double most_loads = 10'000;
 
 std::vector<std::string> load_warnings(const Simulation& simulation, const Course& course,
                                        unsigned increments) {
@@ -19,9 +19,9 @@ std::vector<std::string> load_warnings(const Simulation& simulation, const Cours
   const double apart = course.period > 0
                            ? std::min(course.increment, course.period / FollowOptions::fewest_per_cycle)
                            : course.increment;
-  const std::size_t times = std::min(most_loads, std::size_t(std::ceil(length / apart)));
+  const auto times = std::size_t(std::min(most_loads, std::ceil(length / apart)));
   const auto loads_at = [&](std::size_t k) {
-    return response::loads_of_walls(simulation, course.start + double(k) / double(times) * length);
+    return response::loads_of_walls(simulation, std::min(course.start + double(k) * apart, course.end));
   };
   bool changes = false;
   const std::vector<double> first = loads_at(0);
@@ -33,6 +33,11 @@ std::vector<std::string> load_warnings(const Simulation& simulation, const Cours
   if (course.period > 0 && increments < FollowOptions::fewest_per_cycle)
     warnings.push_back(fmt::format("--increments {} leaves most loads of a period out; give at least {}",
                                    increments, FollowOptions::fewest_per_cycle));
+  for (const std::string& law : response::laws_that_integrate_spins(simulation))
+    warnings.push_back(fmt::format(
+        "contact law '{}' integrates spins with the geometry at the end of each increment, which leaves a strain per cycle in proportion to the increment; "
+        "compare several --increments, or take a law with painted points, such as disc_angular",
+        law));
   return warnings;
 }
 

@@ -19,7 +19,8 @@ Sample sample_of(const Simulation& moving, double time) {
           .planes = moving.planes(),
           .loads = moving.loads(),
           .contacts = sliding.size(),
-          .sliding = std::size_t(std::count(sliding.begin(), sliding.end(), 1))};
+          .sliding = std::size_t(std::count(sliding.begin(), sliding.end(), 1)),
+          .dynamic = true};
 }
 
 }  // namespace scree::quasi_static

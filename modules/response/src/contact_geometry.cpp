@@ -31,11 +31,19 @@ ContactGeometry::Part ContactGeometry::part(const ContactJacobian& columns, cons
 }
 
 ContactGeometry::Motion ContactGeometry::displacements(const ContactJacobian& columns,
-                                                       const double* jacobians, std::size_t i) const {
-  const Part by_centres = part(columns, jacobians, i, PairMotion::centres),
-             by_surfaces = part(columns, jacobians, i, PairMotion::surfaces),
-             by_rotation_a = part(columns, jacobians, i, PairMotion::rotation_a),
+                                                       const double* jacobians, std::size_t i,
+                                                       const Onset& onset) const {
+  Part by_centres = part(columns, jacobians, i, PairMotion::centres),
+       by_surfaces = part(columns, jacobians, i, PairMotion::surfaces);
+  const Part by_rotation_a = part(columns, jacobians, i, PairMotion::rotation_a),
              by_rotation_b = part(columns, jacobians, i, PairMotion::rotation_b);
+  if (onset.within_increment()) {
+    const Block counted =
+        (onset.touched - 1) * Block::Identity(dimension, dimension) +
+        onset.slip.head(dimension) * onset.touched_by_displacement.head(dimension).transpose();
+    by_centres.force += by_surfaces.force * counted, by_centres.couple += by_surfaces.couple * counted;
+    by_surfaces.force *= onset.touched, by_surfaces.couple *= onset.touched;
+  }
   const Block lever = crossing(normal);
   return {by_centres.force,    by_centres.couple,    by_surfaces.force * lever, by_surfaces.couple * lever,
           by_rotation_a.force, by_rotation_a.couple, by_rotation_b.force,       by_rotation_b.couple};
@@ -54,6 +62,23 @@ ContactGeometry::Motion ContactGeometry::velocities(const ContactJacobian& colum
           by_spin.couple,
           -by_spin.force,
           -by_spin.couple};
+}
+
+ContactGeometry::Motion ContactGeometry::spins_of(const ContactJacobian& columns, const double* jacobians,
+                                                  std::size_t i) const {
+  const Part by_spin = part(columns, jacobians, i, PairMotion::spin);
+  const bool of_force = !by_spin.force.isZero(0);
+  const Block none_of_force = Block::Zero(dimension, spins), none_of_couple = Block::Zero(spins, spins);
+  const Block of_displacement = Block::Zero(dimension, dimension);
+  const Block couple_of_displacement = Block::Zero(spins, dimension);
+  return {of_displacement,
+          couple_of_displacement,
+          none_of_force,
+          none_of_couple,
+          of_force ? by_spin.force : none_of_force,
+          of_force ? by_spin.couple : none_of_couple,
+          of_force ? Block(-by_spin.force) : none_of_force,
+          of_force ? Block(-by_spin.couple) : none_of_couple};
 }
 
 Block ContactGeometry::of_bodies(const Motion& motion, const Eigen::Vector3d& force) const {

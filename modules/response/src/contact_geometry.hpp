@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact_terms.hpp"
+#include "onset.hpp"
 
 #include <Eigen/Core>
 
@@ -27,8 +28,11 @@ struct ContactGeometry {
     Block force_by_rotation_b, couple_by_rotation_b;      // θ_b
   };
   // From the Jacobians of many contacts, of the one with index i.
-  Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
+  Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i,
+                       const Onset& onset = {}) const;
   Motion velocities(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
+  // Of the spins alone, where the force depends on them.
+  Motion spins_of(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
   // Negative derivatives of forces and torques on a and b with their displacements and rotations. `force` (N)
   // on a turns with the normal; with zero force the same holds for velocities.
   Block of_bodies(const Motion& motion, const Eigen::Vector3d& force) const;

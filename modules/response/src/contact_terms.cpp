@@ -51,9 +51,10 @@ class LawContacts {
         at_limit_(at_limit) {
     for (std::size_t c = 0; c < list.size(); ++c)
       if (list.law[c] == law) contacts_.push_back(c);
+    for (const std::size_t c : contacts_) sliding_.push_back(list.sliding[c] != 0);
   }
 
-  void append_terms(std::vector<ContactTerms>& terms) const {
+  void append_terms(std::vector<ContactTerms>& terms) {
     ContactColumns columns(contacts_.size());
     std::vector<double> inverse_distance((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -62,10 +63,12 @@ class LawContacts {
     }
     ContactColumns at_rest = columns;
     at_rest.evaluate(law_, simulation_.step_length());
+    add_those_at_limit(columns, at_rest);
     columns = at_side_of_limit(columns, at_rest);
 
     std::vector<double> jacobian = jacobians(columns, inverse_distance, 0);
     const std::vector<bool> one_way = take_means(columns, inverse_distance, jacobian);
+    const std::vector<double> turning = jacobian_of_integrated_spins(columns, inverse_distance, jacobian);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const std::size_t c = contacts_[i];
       const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
@@ -73,13 +76,30 @@ class LawContacts {
       const ContactGeometry contact = geometry(c);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           bool(list_.sliding[c]), one_way[i], f,
+           sliding_[i], one_way[i], false, f,
            contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
            contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
+      if (turning.empty()) continue;
+      const Block by_rotation =
+          contact.of_bodies(contact.spins_of(jacobian_, turning.data(), i), Eigen::Vector3d::Zero());
+      terms.back().integrates_spin = !by_rotation.isZero(0);
+      terms.back().stiffness += by_rotation;
+      terms.back().damping -= simulation_.step_length() * by_rotation;
     }
   }
 
  private:
+  // Contacts of a state that a simulation has begun from have not slid since, but may be at the limit.
+  void add_those_at_limit(const ContactColumns& columns, const ContactColumns& at_rest) {
+    const int column = law_.instance().sliding_column;
+    if (column < 0) return;
+    ContactColumns moved = columns;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) move_along_slip(moved, at_rest, i, least_slip);
+    moved.evaluate(law_, simulation_.step_length());
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      if (moved.history(std::size_t(column), i) > 0) sliding_[i] = true;
+  }
+
   // With springs that make contacts slide, or stick, as they are to.
   ContactColumns at_side_of_limit(const ContactColumns& columns, const ContactColumns& at_rest) const {
     const bool slides = at_limit_ == AtLimit::slide;
@@ -87,8 +107,7 @@ class LawContacts {
     while (true) {
       ContactColumns moved = columns;
       for (std::size_t i = 0; i < contacts_.size(); ++i)
-        if (!slides || list_.sliding[contacts_[i]])
-          move_along_slip(moved, at_rest, i, slides ? slip[i] : -slip[i]);
+        if (!slides || sliding_[i]) move_along_slip(moved, at_rest, i, slides ? slip[i] : -slip[i]);
       if (!lengthen_slips(moved, slides, slip)) return moved;
     }
   }
@@ -101,7 +120,7 @@ class LawContacts {
     after.evaluate(law_, simulation_.step_length());
     bool any = false;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const bool concerned = !slides || list_.sliding[contacts_[i]];
+      const bool concerned = !slides || sliding_[i];
       if (!concerned || (after.history(std::size_t(column), i) > 0) == slides || slip[i] >= largest_slip)
         continue;
       slip[i] *= growth_of_slip;
@@ -114,9 +133,25 @@ class LawContacts {
   std::vector<double> jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
                                 double share) const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) columns.input(SCREE_OVERLAP, 0, i) *= 1 + share;
+    return jacobians_in(simulation_.step_length(), columns, inverse_distance);
+  }
+  std::vector<double> jacobians_in(double step, ContactColumns& columns,
+                                   const std::vector<double>& inverse_distance) const {
     std::vector<double> all;
-    jacobian_.evaluate(columns.batch(simulation_.step_length()), inverse_distance.data(), all);
+    jacobian_.evaluate(columns.batch(step), inverse_distance.data(), all);
     return all;
+  }
+
+  // A law that adds spin times step to its spring has a stiffness there, and no dashpot: derivatives that grow with the step. Their
+  // growth (1/s) with the force; empty if the law has none. Those with the couple alone belong to rolling resistance, which counts as a dashpot.
+  std::vector<double> jacobian_of_integrated_spins(ContactColumns& columns,
+                                                   const std::vector<double>& inverse_distance,
+                                                   const std::vector<double>& jacobian) const {
+    if (!(law_.instance().reads & (1u << SCREE_RELATIVE_SPIN))) return {};
+    const double step = simulation_.step_length();
+    std::vector<double> growth = jacobians_in(2 * step, columns, inverse_distance);
+    for (std::size_t k = 0; k < growth.size(); ++k) growth[k] = (growth[k] - jacobian[k]) / step;
+    return growth;
   }
 
   // Laws that remember how deep a contact was may have two derivatives there, one of loading and one of unloading. Where they
@@ -214,6 +249,7 @@ class LawContacts {
   int spins_;
   AtLimit at_limit_;
   std::vector<std::size_t> contacts_;  // indices into the list
+  std::vector<bool> sliding_;          // of these
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct ContactTerms {
   bool tangential;        // the law exerts tangential forces or couples
   bool sliding;           // in the last step
   bool one_way;           // the stiffness differs in loading and unloading; that below is the mean
+  bool integrates_spin;   // the law moves its spring by spin times step
   Eigen::Vector3d force;  // on a (N), with both at rest
   Block stiffness, damping;
 };

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/KLUSupport>
-#include <Eigen/LU>
-
 namespace scree::response {
 
 namespace {
 
-// Systems up to this size are solved by a dense factorisation.
-constexpr Eigen::Index largest_dense = 100;
 // Newton iterations of an increment.
 constexpr int most_iterations = 40;
 // Smallest share of a Newton step, and by how much the residual must fall over the share.
 constexpr double shortest_share = 1.0 / 64, least_gain = 0.1;
+// Of the residual after a step over that before: factors that leave more are replaced by those of the present stiffness.
+constexpr double slow_convergence = 0.1;
 // Added to the diagonal of K, over its largest entry, against floppy modes and bodies without contacts. More where Newton steps do not
 // make the residual smaller.
 constexpr double least_grounding = 1e-8, largest_grounding = 1;
@@ -41,24 +38,6 @@ double along(const WallEquations& walls, std::size_t w, const Vec3& v) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) sum += walls.walls[w].direction[k] * v[k];
   return sum;
-}
-
-// x of (K + diagonal) x = load; none if the matrix is singular.
-std::optional<Eigen::VectorXd> solution(Eigen::SparseMatrix<double> stiffness,
-                                        const Eigen::VectorXd& diagonal, const Eigen::VectorXd& load) {
-  if (stiffness.rows() <= largest_dense) {
-    Eigen::MatrixXd dense = stiffness;
-    dense.diagonal() += diagonal;
-    return dense.partialPivLu().solve(load);
-  }
-  Eigen::SparseMatrix<double> ground(stiffness.rows(), stiffness.cols());
-  ground.setIdentity();
-  ground.diagonal() = diagonal;
-  stiffness += ground;
-  stiffness.makeCompressed();
-  Eigen::KLU<Eigen::SparseMatrix<double>> factors(stiffness);
-  if (factors.info() != Eigen::Success) return std::nullopt;
-  return factors.solve(load);
 }
 
 }  // namespace
@@ -91,12 +70,15 @@ Balance Equilibrium::find(const StaticConfiguration& from, double time, const Ve
     balance.found =
         residual.cwiseProduct(scale_).lpNorm<Eigen::Infinity>() <= tolerance_ * largest_force(search.walls);
     if (balance.found) break;
-    const std::optional<Vector> step = newton_step(search.walls, residual, grounding);
-    if (!step) break;
-    const double share = move_along(search, *step, residual);
-    grounding = share > 0.1 ? std::max(least_grounding, 0.1 * grounding) : 100 * grounding;
+    const bool present = !factors_;
+    if (present && !factorise(search.walls, grounding)) break;
+    const double size = size_of(residual);
+    const double share = move_along(search, step_for(residual), present ? shortest_share : 1, residual);
+    if (share < 1 || size_of(residual) > slow_convergence * size) factors_.discard();
+    if (present) grounding = share > 0.1 ? std::max(least_grounding, 0.1 * grounding) : 100 * grounding;
     if (grounding > largest_grounding || 4 * length_of(balance.motion) > pair_gap * smallest_radius_) break;
   }
+  if (!balance.found) factors_.discard();
   return std::move(search.balance);
 }
 
@@ -108,10 +90,10 @@ void Equilibrium::accept(const Balance& balance) {
   moved_ = 0;
 }
 
-double Equilibrium::move_along(Search& search, const Vector& step, Vector& residual) {
+double Equilibrium::move_along(Search& search, const Vector& step, double shortest, Vector& residual) {
   const Vector from = search.balance.motion;
   const double size = size_of(residual);
-  for (double share = 1; share >= shortest_share; share *= 0.5) {
+  for (double share = 1; share >= shortest; share *= 0.5) {
     search.balance.motion = from + share * step;
     residual = evaluate(search);
     if (size_of(residual) < (1 - least_gain * share) * size) return share;
@@ -173,30 +155,35 @@ Equilibrium::Sparse Equilibrium::stiffness(const WallEquations& walls) const {
   return entries.of_motions();
 }
 
-std::optional<Equilibrium::Vector> Equilibrium::newton_step(const WallEquations& walls,
-                                                            const Vector& residual, double grounding) const {
+bool Equilibrium::factorise(const WallEquations& walls, double grounding) {
   const Sparse stiffness = this->stiffness(walls);
   const double largest = stiffness.diagonal().cwiseAbs().cwiseProduct(scale_.cwiseAbs2()).maxCoeff();
-  if (!(largest > 0)) return std::nullopt;
-  std::optional<Vector> step =
-      solution(stiffness, grounding * largest * scale_.cwiseAbs2().cwiseInverse(), residual);
-  if (!step || !step->allFinite()) return std::nullopt;
-  shorten(*step);
-  return step;
+  return largest > 0 &&
+         factors_.factorise(stiffness, grounding * largest * scale_.cwiseAbs2().cwiseInverse());
 }
 
-// Limits the motion of each body by itself, so that loosely held ones do not shorten the step of all others.
-void Equilibrium::shorten(Vector& step) const {
+double Equilibrium::length_of(const Vector& motion) const {
+  double longest = 0;
+  for_each_motion([&](Eigen::Index first, int count) {
+    const auto part = motion.segment(first, count).cwiseQuotient(scale_.segment(first, count));
+    longest = std::max(longest, part.norm());
+  });
+  for (std::size_t w = 0; w < freedom_.walls(); ++w)
+    if (freedom_.wall(w) != DegreesOfFreedom::none)
+      longest = std::max(longest, std::abs(motion[freedom_.wall(w)]));
+  return longest;
+}
+
+// Limits the motion of each body by itself, so that loosely held bodies do not shorten the step of all others.
+Equilibrium::Vector Equilibrium::step_for(const Vector& residual) const {
+  Vector step = factors_.solve(residual);
   const double allowed = longest_step * smallest_radius_;
-  const auto limit = [&](Eigen::Index first, int count) {
+  for_each_motion([&](Eigen::Index first, int count) {
     auto part = step.segment(first, count);
     const double length = part.cwiseQuotient(scale_.segment(first, count)).norm();
     if (length > allowed) part *= allowed / length;
-  };
-  for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
-    limit(freedom_.translation(i, 0), freedom_.dimension());
-    if (freedom_.spins() > 0) limit(freedom_.rotation(i, 0), freedom_.spins());
-  }
+  });
+  return step;
 }
 
 double Equilibrium::largest_force(const WallEquations& walls) const {

@@ -2,10 +2,10 @@
 
 #include "body_force_terms.hpp"
 #include "static_contacts.hpp"
+#include "stiffness_factors.hpp"
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -52,26 +52,33 @@ class Equilibrium {
   Vector evaluate(Search& search);
   void add_bodies(const Search& search, Vector& residual) const;
   void add_walls(const Search& search, Vector& residual) const;
-  // Moves on by the largest share of a Newton step that makes the residual smaller: where contacts change between sticking and
-  // sliding, the whole step may not. Returns this share, 0 if there is none.
-  double move_along(Search& search, const Vector& step, Vector& residual);
+  // Moves on by the largest share of a step, `shortest` or more, that makes the residual smaller: where contacts change between
+  // sticking and sliding, the whole step may not. Returns this share, 0 if there is none.
+  double move_along(Search& search, const Vector& step, double shortest, Vector& residual);
   Sparse stiffness(const WallEquations& walls) const;  // K of the last evaluation
-  std::optional<Vector> newton_step(const WallEquations& walls, const Vector& residual,
-                                    double grounding) const;
-  void shorten(Vector& step) const;
+  // That K with `grounding` of its largest entry on its diagonal. Returns false if it is singular.
+  bool factorise(const WallEquations& walls, double grounding);
+  Vector step_for(const Vector& residual) const;
+  // Translation and rotation of each body: its first number, and how many.
+  template <class Visit>
+  void for_each_motion(const Visit& visit) const {
+    for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
+      visit(freedom_.translation(i, 0), freedom_.dimension());
+      if (freedom_.spins() > 0) visit(freedom_.rotation(i, 0), freedom_.spins());
+    }
+  }
 
   double largest_force(const WallEquations& walls) const;
   double size_of(const Vector& residual) const { return residual.cwiseProduct(scale_).norm(); }
-  // Largest displacement, of surfaces too (m).
-  double length_of(const Vector& motion) const {
-    return motion.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>();
-  }
+  // Largest displacement of a body, its surface or a wall (m).
+  double length_of(const Vector& motion) const;
 
   const Simulation& simulation_;
   double tolerance_;
   WallEquations walls_at_start_;
   DegreesOfFreedom freedom_;
   StaticContacts contacts_;
+  StiffnessFactors factors_;  // also of earlier searches, as long as its steps converge fast
   std::vector<BodyForceTerms> body_forces_;
   std::vector<Vec3> at_start_;  // (m) bodies and walls
   // 1 for forces, 1/R for torques: makes them forces, and rotations over it lengths.

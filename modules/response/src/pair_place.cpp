@@ -1,7 +1,5 @@
 #include "pair_place.hpp"
 
-#include <algorithm>
-
 namespace scree::response {
 
 PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
@@ -25,9 +23,13 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
   mid_normal = 1 / mid_distance * middle;
 }
 
-double PairPlace::touched() const {
-  const double approach = -dot(moved, normal);
-  return overlap() < approach ? std::max(overlap(), 0.0) / approach : 1;
+Onset PairPlace::onset(scree_arms arms) const {
+  Onset at = {.touched = touched()};
+  if (!at.within_increment()) return at;
+  at.slip = Eigen::Map<const Eigen::Vector3d>(slip_across(arms).component);
+  at.touched_by_displacement =
+      -(1 - at.touched) / approach() * Eigen::Map<const Eigen::Vector3d>(normal.component);
+  return at;
 }
 
 Vec3 PairPlace::slip(const Vec3& along, double at_distance, scree_arms arms) const {
@@ -35,9 +37,11 @@ Vec3 PairPlace::slip(const Vec3& along, double at_distance, scree_arms arms) con
   return moved + cross(along, arm.a * turned_a + arm.b * turned_b);
 }
 
-Vec3 PairPlace::tangential_increment(scree_arms arms) const {
+Vec3 PairPlace::slip_across(scree_arms arms) const {
   const Vec3 displaced = slip(mid_normal, mid_distance, arms);
-  return touched() * (displaced - dot(displaced, mid_normal) * mid_normal);
+  return displaced - dot(displaced, mid_normal) * mid_normal;
 }
+
+Vec3 PairPlace::tangential_increment(scree_arms arms) const { return touched() * slip_across(arms); }
 
 }  // namespace scree::response

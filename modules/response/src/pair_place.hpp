@@ -1,7 +1,10 @@
 #pragma once
 
+#include "onset.hpp"
 #include "pair_at_rest.hpp"
 #include "static_configuration.hpp"
+
+#include <algorithm>
 
 namespace scree::response {
 
@@ -20,14 +23,18 @@ struct PairPlace : PairAtRest {
   PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
             const StaticMotion& motion);
 
-  // Share of the increment during which the pair touches.
-  double touched() const;
+  Onset onset(scree_arms arms) const;
   // Displacement of a's contact point relative to b's (m): with the normal at the end, and across that of the middle.
   Vec3 slip(scree_arms arms) const { return slip(normal, distance, arms); }
   Vec3 tangential_increment(scree_arms arms) const;
 
  private:
+  double approach() const { return -dot(moved, normal); }
+  // Share of the increment during which the pair touches.
+  double touched() const { return overlap() < approach() ? std::max(overlap(), 0.0) / approach() : 1; }
   Vec3 slip(const Vec3& along, double at_distance, scree_arms arms) const;
+  // Of the whole increment, across the normal in its middle.
+  Vec3 slip_across(scree_arms arms) const;
 };
 
 }  // namespace scree::response

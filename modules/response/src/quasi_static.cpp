@@ -1,4 +1,6 @@
+#include "contact_terms.hpp"
 #include "equilibrium.hpp"
+#include "first_event.hpp"
 #include "static_state.hpp"
 
 #include <algorithm>
@@ -25,6 +27,19 @@ std::vector<double> loads_of_walls(const Simulation& simulation, double time) {
   return loads;
 }
 
+std::vector<std::string> laws_that_integrate_spins(const Simulation& simulation) {
+  const Particles& particles = simulation.particles();
+  const int spins = particles.spin_axes().last - particles.spin_axes().first;
+  const ContactList list = simulation.contact_list();
+  std::vector<bool> found(simulation.scene().laws.size(), false);
+  for (const ContactTerms& contact : linearise_contacts(simulation, spins, AtLimit::stick))
+    if (contact.integrates_spin) found[list.law[contact.contact]] = true;
+  std::vector<std::string> names;
+  for (std::size_t law = 0; law < found.size(); ++law)
+    if (found[law]) names.push_back(simulation.scene().laws[law].name);
+  return names;
+}
+
 class QuasiStatic::Packing {
  public:
   Packing(const Simulation& simulation, const QuasiStaticOptions& options)
@@ -32,10 +47,12 @@ class QuasiStatic::Packing {
         options_(options),
         equilibrium_(simulation, options.tolerance),
         configuration_(simulation),
-        time_(simulation.time()) {
-    if (!(options_.longest_increment > 0))
-      throw Error("a quasi-static load needs an increment above 0 s; give one");
-    if (options_.shortest_increment <= 0) options_.shortest_increment = options_.longest_increment / 64;
+        time_(simulation.time()),
+        increment_end_(time_) {
+    check_options();
+    loads_.force.resize(configuration_.position.size());
+    loads_.torque.resize(configuration_.position.size());
+    if (options_.shortest_increment == 0) options_.shortest_increment = options_.longest_increment / 64;
     next_increment_ = options_.longest_increment;
     loads_of_walls(simulation_, time_);  // throws where a program moves a wall
   }
@@ -44,9 +61,8 @@ class QuasiStatic::Packing {
     // Times closer than this are the same.
     const double round_off = 1e-12 * std::max(std::abs(time), options_.longest_increment);
     while (time - time_ > round_off || !balanced_) {
-      const double left = std::max(time - time_, 0.0);
-      const double increment = std::min(next_increment_, left);
-      if (!take(increment < left ? time_ + increment : time)) return false;
+      const double next = increment_end_ - time_ > round_off ? increment_end_ : time_ + next_increment_;
+      if (!take(time - next > round_off ? next : time)) return false;
     }
     return true;
   }
@@ -72,20 +88,40 @@ class QuasiStatic::Packing {
   }
 
  private:
+  void check_options() const {
+    if (!(options_.longest_increment > 0 && std::isfinite(options_.longest_increment)))
+      throw Error("a quasi-static load needs an increment above 0 s; give one");
+    if (!(options_.shortest_increment >= 0 && options_.shortest_increment <= options_.longest_increment))
+      throw Error(
+          fmt::format("shortest increment {:g} s is not within 0 and the longest, {:g} s; give one that is",
+                      options_.shortest_increment, options_.longest_increment));
+    if (!(options_.tolerance > 0 && options_.tolerance < 1))
+      throw Error(fmt::format("tolerance {:g} of a quasi-static load is not within 0 and 1; give one that is",
+                              options_.tolerance));
+  }
+
   // Takes an increment to a time, halved until there is an equilibrium at its end. Returns false if there is none.
   bool take(double time) {
     for (;;) {
       const double increment = time - time_;
       loads_of_walls(simulation_, time);  // throws where a program moves a wall
-      Balance balance = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
-      if (balance.found) {
-        accept(std::move(balance), time, increment);
-        return true;
-      }
+      const Balance whole = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
+      if (whole.found && take_up_to_event(whole, time)) return true;
       if (increment < 1.5 * options_.shortest_increment || !options_.proceed()) return false;
+      increment_end_ = time_;
       next_increment_ = std::max(0.5 * increment, options_.shortest_increment);
       time = time_ + next_increment_;
     }
+  }
+
+  bool take_up_to_event(const Balance& whole, double time) {
+    const double increment = time - time_;
+    FirstEvent event(equilibrium_, configuration_, time_, increment, whole, options_.proceed);
+    const double share = increment > 0 ? event.find() : 1;
+    increment_end_ = time;
+    if (share > 0)
+      accept(event.take_balance(), share < 1 ? time_ + share * increment : time, share * increment);
+    return share > 0;
   }
 
   void accept(Balance balance, double time, double increment) {
@@ -107,6 +143,7 @@ class QuasiStatic::Packing {
   StaticLoads loads_;
   Eigen::VectorXd rate_;  // of the motion in the last increment (1/s); empty before the first
   double time_, next_increment_ = 0;
+  double increment_end_;  // (s) of the present increment, which may have ended at an event before
   bool balanced_ = false;
   QuasiStaticCounts counted_;
 };

@@ -63,16 +63,27 @@ void StaticContacts::commit() {
   for (const auto& law : laws_) law->commit();
 }
 
+std::vector<PairState> StaticContacts::states(const std::vector<PairState>& (StaticPairs::*of_law)()
+                                                  const) const {
+  std::vector<PairState> all;
+  for (const auto& law : laws_) {
+    const std::vector<PairState>& some = ((*law).*of_law)();
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
 std::size_t StaticContacts::events() const {
-  std::size_t sum = 0;
-  for (const auto& law : laws_) sum += law->events();
-  return sum;
+  const std::vector<PairState> before = states_before(), after = states_after();
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) changed += before[i].status != after[i].status;
+  return changed;
 }
 
 std::size_t StaticContacts::count(PairStatus status) const {
-  std::size_t sum = 0;
-  for (const auto& law : laws_) sum += law->count(status);
-  return sum;
+  const std::vector<PairState> all = states_before();
+  return std::size_t(
+      std::count_if(all.begin(), all.end(), [&](const auto& p) { return p.status == status; }));
 }
 
 double StaticContacts::largest_force() const {

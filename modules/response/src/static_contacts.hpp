@@ -23,7 +23,10 @@ class StaticContacts {
   // The last evaluation becomes the beginning of the next increment.
   void commit();
 
-  // Pairs whose states in the last evaluation differ from those before.
+  // Of all pairs, in an order that find_pairs alone changes: at the beginning of the increment, and after the last evaluation.
+  std::vector<PairState> states_before() const { return states(&StaticPairs::states_before); }
+  std::vector<PairState> states_after() const { return states(&StaticPairs::states_after); }
+  // Pairs whose status in the last evaluation differs from that before.
   std::size_t events() const;
   std::size_t count(PairStatus status) const;  // at the beginning of the increment
   double largest_force() const;                // (N) on a pair in the last evaluation
@@ -31,6 +34,8 @@ class StaticContacts {
   std::vector<TouchingPair> touching() const;  // at the beginning of the increment
 
  private:
+  std::vector<PairState> states(const std::vector<PairState>& (StaticPairs::*of_law)() const) const;
+
   const Simulation& simulation_;
   int spins_;
   std::vector<std::unique_ptr<StaticPairs>> laws_;

@@ -3,6 +3,7 @@
 #include "contact_terms.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace scree::response {
@@ -26,15 +27,15 @@ StaticPairs::StaticPairs(const Simulation& simulation, std::uint32_t law, int sp
 void StaticPairs::set_pairs(std::vector<StaticPair> pairs) {
   const auto order = [](const StaticPair& p) { return std::tie(p.a, p.b); };
   std::vector<double> history(pairs.size() * width(), 0.0);
-  std::vector<PairStatus> status(pairs.size(), PairStatus::open);
+  std::vector<PairState> states(pairs.size());
   for (std::size_t i = 0, k = 0; i < pairs.size(); ++i) {
     while (k < pairs_.size() && order(pairs_[k]) < order(pairs[i])) ++k;
     if (k == pairs_.size() || order(pairs_[k]) != order(pairs[i])) continue;
     std::copy_n(history_.begin() + std::ptrdiff_t(k * width()), width(),
                 history.begin() + std::ptrdiff_t(i * width()));
-    status[i] = status_[k];
+    states[i] = states_[k];
   }
-  pairs_ = std::move(pairs), history_ = std::move(history), status_ = std::move(status);
+  pairs_ = std::move(pairs), history_ = std::move(history), states_ = std::move(states);
 }
 
 void StaticPairs::set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history,
@@ -42,7 +43,7 @@ void StaticPairs::set_history(std::uint32_t a, std::uint32_t b, const std::vecto
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (pairs_[i].a != a || pairs_[i].b != b) continue;
     std::copy_n(history.begin(), width(), history_.begin() + std::ptrdiff_t(i * width()));
-    status_[i] = sliding ? PairStatus::slides : PairStatus::sticks;
+    states_[i].status = sliding ? PairStatus::slides : PairStatus::sticks;
   }
 }
 
@@ -79,28 +80,38 @@ void StaticPairs::add_loads(std::size_t i, StaticLoads& loads) {
   largest_force_ = std::max(largest_force_, norm(force));
 }
 
-PairStatus StaticPairs::status_of(std::size_t i) {
+PairState StaticPairs::state_of(std::size_t i) {
+  PairState state = {.overlap = columns_->input(SCREE_OVERLAP, 0, i)};
+  if (!touches(i)) return state;
   const int sliding = law_.instance().sliding_column;
-  return sliding >= 0 && columns_->history(std::size_t(sliding), i) > 0 ? PairStatus::slides
-                                                                        : PairStatus::sticks;
+  const bool slides = sliding >= 0 && columns_->history(std::size_t(sliding), i) > 0;
+  state.status = slides ? PairStatus::slides : PairStatus::sticks;
+  const Eigen::Vector3d normal = geometries_[i].normal;
+  const Vec3 output = columns_->output_vector(SCREE_FORCE, i);
+  const Eigen::Vector3d force(output[0], output[1], geometries_[i].dimension == 2 ? 0 : output[2]);
+  const double along = force.dot(normal);
+  state.mobilised = (force - along * normal).norm() / std::abs(along);
+  return state;
 }
 
 void StaticPairs::evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads) {
   largest_force_ = 0;
   columns_.emplace(pairs_.size());
   geometries_.clear();
+  onsets_.clear();
   next_history_.assign(history_.size(), 0.0);
-  next_status_.assign(pairs_.size(), PairStatus::open);
+  next_states_.assign(pairs_.size(), {});
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const PairPlace at(simulation_, pairs_[i], after, motion);
     fill(i, at, after, motion);
     geometries_.push_back(at.geometry(simulation_.dimension(), spins_, arms_of(law_)));
+    onsets_.push_back(at.onset(arms_of(law_)));
   }
   columns_->evaluate(law_, duration);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    next_states_[i] = state_of(i);
     if (!touches(i)) continue;
     for (std::uint32_t k = 0; k < width(); ++k) next_history_[i * width() + k] = columns_->history(k, i);
-    next_status_[i] = status_of(i);
     add_loads(i, loads);
   }
 }
@@ -119,7 +130,7 @@ void StaticPairs::add_stiffness(Entries& stiffness) {
     const ContactGeometry& of = geometries_[i];
     const Vec3 force = columns_->output_vector(SCREE_FORCE, i);
     const Eigen::Vector3d f(force[0], force[1], of.dimension == 2 ? 0 : force[2]);
-    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i), f);
+    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i, onsets_[i]), f);
     if (by_spin)
       block +=
           1 / duration * of.of_bodies(of.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero());
@@ -129,22 +140,12 @@ void StaticPairs::add_stiffness(Entries& stiffness) {
 
 void StaticPairs::commit() {
   history_.swap(next_history_);
-  status_.swap(next_status_);
-}
-
-std::size_t StaticPairs::count(PairStatus status) const {
-  return std::size_t(std::count(status_.begin(), status_.end(), status));
-}
-
-std::size_t StaticPairs::events() const {
-  std::size_t changed = 0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) changed += status_[i] != next_status_[i];
-  return changed;
+  states_.swap(next_states_);
 }
 
 void StaticPairs::append_touching(std::vector<TouchingPair>& all) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i)
-    if (status_[i] != PairStatus::open)
+    if (states_[i].status != PairStatus::open)
       all.push_back({pairs_[i].a, pairs_[i].b, law_number_, history_.data() + i * width(), width()});
 }
 

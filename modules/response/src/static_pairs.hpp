@@ -2,6 +2,7 @@
 
 #include "entries.hpp"
 #include "pair_place.hpp"
+#include "pair_state.hpp"
 #include "static_configuration.hpp"
 
 #include <optional>
@@ -16,9 +17,6 @@ namespace scree::response {
 struct StaticLoads {
   std::vector<Vec3> force, torque;
 };
-
-// State of a pair: what changes it is an event.
-enum class PairStatus : std::uint8_t { open, sticks, slides };
 
 // A pair that touches, its ends as in ContactList, its law and its history.
 struct TouchingPair {
@@ -42,14 +40,15 @@ class StaticPairs {
   void commit();
 
   std::uint32_t width() const { return law_.instance().history_width; }  // of a history
-  std::size_t events() const;
-  std::size_t count(PairStatus status) const;
+  // In the order of the pairs: at the beginning of the increment, and after the last evaluation.
+  const std::vector<PairState>& states_before() const { return states_; }
+  const std::vector<PairState>& states_after() const { return next_states_; }
   double largest_force() const { return largest_force_; }
   void append_touching(std::vector<TouchingPair>& all) const;
 
  private:
   bool touches(std::size_t i) { return columns_->input(SCREE_OVERLAP, 0, i) > 0; }
-  PairStatus status_of(std::size_t i);
+  PairState state_of(std::size_t i);
   void fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after, const StaticMotion& motion);
   void add_loads(std::size_t i, StaticLoads& loads);
 
@@ -60,10 +59,11 @@ class StaticPairs {
   int spins_;
   std::vector<StaticPair> pairs_;
   std::vector<double> history_, next_history_;  // (pairs, width)
-  std::vector<PairStatus> status_, next_status_;
+  std::vector<PairState> states_, next_states_;
   // Of the last evaluation.
   std::optional<ContactColumns> columns_;
   std::vector<ContactGeometry> geometries_;
+  std::vector<Onset> onsets_;
   double largest_force_ = 0;  // (N)
 };
 

@@ -236,6 +236,33 @@ TEST_CASE("contacts at the limit of friction stick where they are to", "[respons
   }
 }
 
+TEST_CASE("a contact at the limit slides on after its state is restored", "[response]") {
+  const auto sliding = slider();
+  const Simulation restored(sliding->scene(), sliding->state());
+  const AssemblyOptions options = {.fewest_contacts = 1, .at_limit = AtLimit::slide};
+  const LinearSystem before = assemble(*sliding, options), after = assemble(restored, options);
+  CHECK(after.sliding_contacts == 1);
+  // Round-off of springs at the limit.
+  CHECK((Matrix(after.stiffness) - Matrix(before.stiffness)).cwiseAbs().maxCoeff() < 1e-9 * slider_stiffness);
+}
+
+// With springs at rest the laws of [M18] to [M22] and of [M23] to [M30] move them alike.
+TEST_CASE("a law that integrates spins has their stiffness, and no dashpot of them", "[response]") {
+  const Values springs = {{"normal_stiffness", {1e4}},
+                          {"normal_damping", {0}},
+                          {"tangential_stiffness", {1e3}},
+                          {"tangential_damping", {0}},
+                          {"friction", {0.5}}};
+  const auto system_of = [&](const std::string& law) {
+    Scene scene = test::heap(2, springs, law);
+    return assemble(Simulation(scene), {.fewest_contacts = 1});
+  };
+  const LinearSystem corrected = system_of("disc_corrected"), angular = system_of("disc_angular");
+  // Round-off of forces of overlaps of a tenth of the radius.
+  CHECK((Matrix(corrected.stiffness) - Matrix(angular.stiffness)).cwiseAbs().maxCoeff() < 1e-9 * 1e4);
+  CHECK(Matrix(corrected.damping).cwiseAbs().maxCoeff() < 1e-9 * 1e4);
+}
+
 TEST_CASE("a contact that slides goes on sliding", "[response]") {
   const double k = slider_stiffness, friction = slider_friction;
   const LinearSystem system = system_of(*slider());
