@@ -19,6 +19,8 @@ void save_bodies_at_start(const StateTransfer& state, const Scene& scene);
 // Throws Error if a state belongs to another scene: it names what differs.
 void check_scene(const State& state, const Scene& scene);
 bool is_scene_of(const State& state, const Scene& scene);
+// Likewise of its contact laws alone.
+bool has_laws_of(const State& state, const Scene& scene);
 
 // The bodies at t = 0. Throws Error if an array is missing or has another size.
 std::vector<Body> bodies_at_start(const State& state);

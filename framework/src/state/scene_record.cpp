@@ -152,12 +152,22 @@ State record_of(const Scene& scene) {
 
 }  // namespace
 
-bool is_scene_of(const State& state, const Scene& scene) {
+namespace {
+
+// Whether all that is recorded of a scene below a path is that of the state.
+bool is_recorded(const State& state, const Scene& scene, std::string_view below) {
   const State present = record_of(scene);
   return std::all_of(present.arrays().begin(), present.arrays().end(), [&](const auto& entry) {
-    return state.has(entry.first) && state.at(entry.first) == entry.second;
+    return !entry.first.starts_with(below) ||
+           (state.has(entry.first) && state.at(entry.first) == entry.second);
   });
 }
+
+}  // namespace
+
+bool is_scene_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/"); }
+
+bool has_laws_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/law_"); }
 
 void check_scene(const State& state, const Scene& scene) {
   const State present = record_of(scene);

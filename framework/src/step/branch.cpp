@@ -128,7 +128,8 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
     report_.push_back(fmt::format("walls of '{}'", wanted_.boundaries[wall.to].name));
   }
   parts.search_neighbours();
-  if (branching_.histories) take_over_histories(parts);
+  if (branching_.histories)
+    report_.push_back(fmt::format("histories of {} contacts", take_over_histories(parts)));
   for (const Wall& wall : walls_) {
     const Scene::Boundary& wanted = wanted_.boundaries[wall.to];
     if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))
@@ -139,6 +140,8 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
   from(state_).value("clock/time", "s", time);
   from(state_).value("clock/force_time", "s", force_time);
   parts.stepper.reevaluate_forces(time - force_time);
+  // Contacts at the limit of friction that do not move seem to stick.
+  if (branching_.histories && time == force_time && has_laws_of(state_, wanted_)) take_over_histories(parts);
 }
 
 void Branch::take_over_orientations(SimulationParts& parts) {
@@ -159,7 +162,7 @@ std::vector<std::uint32_t> Branch::planes_here(const SimulationParts& parts) con
   return here;
 }
 
-void Branch::take_over_histories(SimulationParts& parts) {
+std::size_t Branch::take_over_histories(SimulationParts& parts) {
   const std::vector<std::uint32_t> planes = planes_here(parts);
   std::size_t taken = 0;
   each_history(state_, [&](const StoredHistory& stored) {
@@ -179,7 +182,7 @@ void Branch::take_over_histories(SimulationParts& parts) {
     for (std::uint32_t k = 0; k < group->history_width; ++k) group->history.set(k, row, stored.numbers[k]);
     ++taken;
   });
-  report_.push_back(fmt::format("histories of {} contacts", taken));
+  return taken;
 }
 
 }  // namespace scree

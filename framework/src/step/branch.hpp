@@ -33,7 +33,7 @@ class Branch {
   void take_over_all(SimulationParts& parts);
   void take_over_by_name(Simulation& simulation, SimulationParts& parts);
   void take_over_orientations(SimulationParts& parts);
-  void take_over_histories(SimulationParts& parts);
+  std::size_t take_over_histories(SimulationParts& parts);  // returns the number of contacts
   // The plane here of each plane in the state.
   std::vector<std::uint32_t> planes_here(const SimulationParts& parts) const;
 

@@ -51,10 +51,9 @@ class LawContacts {
         at_limit_(at_limit) {
     for (std::size_t c = 0; c < list.size(); ++c)
       if (list.law[c] == law) contacts_.push_back(c);
-    for (const std::size_t c : contacts_) sliding_.push_back(list.sliding[c] != 0);
   }
 
-  void append_terms(std::vector<ContactTerms>& terms) {
+  void append_terms(std::vector<ContactTerms>& terms) const {
     ContactColumns columns(contacts_.size());
     std::vector<double> inverse_distance((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -63,7 +62,6 @@ class LawContacts {
     }
     ContactColumns at_rest = columns;
     at_rest.evaluate(law_, simulation_.step_length());
-    add_those_at_limit(columns, at_rest);
     columns = at_side_of_limit(columns, at_rest);
 
     std::vector<double> jacobian = jacobians(columns, inverse_distance, 0);
@@ -76,7 +74,7 @@ class LawContacts {
       const ContactGeometry contact = geometry(c);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           sliding_[i], one_way[i], false, f,
+           bool(list_.sliding[c]), one_way[i], false, f,
            contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
            contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
       if (turning.empty()) continue;
@@ -89,17 +87,6 @@ class LawContacts {
   }
 
  private:
-  // Contacts of a state that a simulation has begun from have not slid since, but may be at the limit.
-  void add_those_at_limit(const ContactColumns& columns, const ContactColumns& at_rest) {
-    const int column = law_.instance().sliding_column;
-    if (column < 0) return;
-    ContactColumns moved = columns;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) move_along_slip(moved, at_rest, i, least_slip);
-    moved.evaluate(law_, simulation_.step_length());
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-      if (moved.history(std::size_t(column), i) > 0) sliding_[i] = true;
-  }
-
   // With springs that make contacts slide, or stick, as they are to.
   ContactColumns at_side_of_limit(const ContactColumns& columns, const ContactColumns& at_rest) const {
     const bool slides = at_limit_ == AtLimit::slide;
@@ -107,7 +94,8 @@ class LawContacts {
     while (true) {
       ContactColumns moved = columns;
       for (std::size_t i = 0; i < contacts_.size(); ++i)
-        if (!slides || sliding_[i]) move_along_slip(moved, at_rest, i, slides ? slip[i] : -slip[i]);
+        if (!slides || list_.sliding[contacts_[i]])
+          move_along_slip(moved, at_rest, i, slides ? slip[i] : -slip[i]);
       if (!lengthen_slips(moved, slides, slip)) return moved;
     }
   }
@@ -120,7 +108,7 @@ class LawContacts {
     after.evaluate(law_, simulation_.step_length());
     bool any = false;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const bool concerned = !slides || sliding_[i];
+      const bool concerned = !slides || list_.sliding[contacts_[i]];
       if (!concerned || (after.history(std::size_t(column), i) > 0) == slides || slip[i] >= largest_slip)
         continue;
       slip[i] *= growth_of_slip;
@@ -249,7 +237,6 @@ class LawContacts {
   int spins_;
   AtLimit at_limit_;
   std::vector<std::size_t> contacts_;  // indices into the list
-  std::vector<bool> sliding_;          // of these
 };
 
 }  // namespace

@@ -26,28 +26,51 @@ Scene moving_heap(int dimension, const std::string& plugin, const Values& law) {
   return s;
 }
 
+// The bodies of a scene and the motion of a step, as a quasi-static increment.
+struct Increment {
+  Simulation simulation;
+  DegreesOfFreedom freedom;
+  StaticContacts contacts;
+  Eigen::VectorXd motion;
+  StaticConfiguration after;
+  StaticLoads loads;
+
+  explicit Increment(const Scene& scene)
+      : simulation(scene),
+        freedom(scene.dimension, spins(), everybody(), everybody(), {false}),
+        contacts(simulation, spins()),
+        motion(freedom.size()),
+        after(simulation) {
+    contacts.find_pairs(after, 0.2);
+    for (std::size_t i = 0; i < freedom.bodies(); ++i) {
+      for (int k = 0; k < scene.dimension; ++k)
+        motion[freedom.translation(i, k)] = scene.step * scene.bodies[i].velocity[k];
+      for (int k = 0; k < spins(); ++k)
+        motion[freedom.rotation(i, k)] = scene.step * scene.bodies[i].spin[scene.dimension == 2 ? 2 : k];
+    }
+  }
+
+  int spins() const {
+    return simulation.particles().spin_axes().last - simulation.particles().spin_axes().first;
+  }
+  std::vector<bool> everybody() const { return std::vector<bool>(simulation.particles().size(), true); }
+
+  void evaluate(const Eigen::VectorXd& moved) {
+    const StaticMotion all(moved, freedom, simulation.linear_walls());
+    after = StaticConfiguration(simulation);
+    after.move(all);
+    const std::size_t ends = after.position.size();
+    loads = {std::vector<Vec3>(ends), std::vector<Vec3>(ends)};
+    contacts.evaluate(after, all, loads);
+  }
+};
+
 // Largest difference of histories, and of forces, over the largest of each, after the same motion.
 void check_step(const Scene& scene) {
-  Simulation s(scene);
+  Increment increment(scene);
+  auto& [s, freedom, contacts, motion, after, loads] = increment;
   const Particles& p = s.particles();
-  const int spins = p.spin_axes().last - p.spin_axes().first;
-  StaticContacts contacts(s, spins);
-  StaticConfiguration after(s);
-  contacts.find_pairs(after, 0.2);
-  const WallEquations walls = s.linear_walls();
-  const std::vector<bool> all(p.size(), true);
-  const DegreesOfFreedom freedom(scene.dimension, spins, all, all, {false});
-  Eigen::VectorXd q(freedom.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (int k = 0; k < scene.dimension; ++k)
-      q[freedom.translation(i, k)] = scene.step * scene.bodies[i].velocity[k];
-    for (int k = 0; k < spins; ++k)
-      q[freedom.rotation(i, k)] = scene.step * scene.bodies[i].spin[scene.dimension == 2 ? 2 : k];
-  }
-  const StaticMotion motion(q, freedom, walls);
-  after.move(motion);
-  StaticLoads loads{std::vector<Vec3>(p.size() + 1), std::vector<Vec3>(p.size() + 1)};
-  contacts.evaluate(after, motion, loads);
+  increment.evaluate(motion);
   contacts.commit();
   contacts.find_pairs(after, 0.3);  // which keeps what is known
   s.step();
@@ -89,6 +112,43 @@ TEST_CASE("an increment changes springs as a step of the kernel does") {
   check_step(moving_heap(
       3, "hertz_mindlin",
       {{"youngs_modulus", {1e5}}, {"poissons_ratio", {0.25}}, {"restitution", {1}}, {"friction", {0.5}}}));
+}
+
+// The last body first touches in the middle of the increment: its spring takes the part of the slip since then, which grows with the overlap.
+TEST_CASE("the stiffness of a contact that begins to touch is the derivative of its force") {
+  const Values springs = {{"normal_stiffness", {1e4}},
+                          {"normal_damping", {0}},
+                          {"tangential_stiffness", {1e4}},
+                          {"tangential_damping", {0}},
+                          {"static_friction", {1e3}}};
+  for (const int dimension : {2, 3}) {
+    INFO(dimension << " dimensions");
+    Increment increment(moving_heap(dimension, "linear_spring_dashpot", springs));
+    const auto last = std::uint32_t(increment.freedom.bodies() - 1);
+    Entries entries(increment.freedom, WallEquations{});
+    increment.evaluate(increment.motion);
+    increment.contacts.add_stiffness(entries);
+    const Eigen::MatrixXd stiffness = entries.of_motions();
+    const auto number = [&](int k) {
+      return k < dimension ? increment.freedom.translation(last, k)
+                           : increment.freedom.rotation(last, k - dimension);
+    };
+    for (int c = 0; c < dimension + increment.spins(); ++c) {
+      const double change = 1e-6;
+      std::vector<Vec3> forces;
+      for (const double sign : {1.0, -1.0}) {
+        increment.evaluate(increment.motion +
+                           sign * change * Eigen::VectorXd::Unit(increment.motion.size(), number(c)));
+        forces.push_back(increment.loads.force[last]);
+      }
+      for (int k = 0; k < dimension; ++k) {
+        INFO("force " << k << " by motion " << c);
+        // Normals in the middle of the increment count as those at its end: the motion over the radius, at most 0.05, of 1e4 N/m.
+        CHECK(stiffness(number(k), number(c)) ==
+              Approx(-(forces[0][k] - forces[1][k]) / (2 * change)).margin(0.05 * 1e4));
+      }
+    }
+  }
 }
 
 }  // namespace scree::test
