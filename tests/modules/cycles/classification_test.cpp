@@ -78,17 +78,6 @@ TEST_CASE("a straight line ratchets until its deviations exceed its slope", "[cl
             Class::ratcheting, [](double n) { return 2e-9 * n; }, 2.8e-9) == 0);
 }
 
-TEST_CASE("the standard error of a slope is that of its scatter", "[classification]") {
-  double squares = 0, stated = 0;
-  for (unsigned seed = 1; seed <= 400; ++seed) {
-    const Classification c = classify(series([](double n) { return 3 * n; }, 1, seed));
-    squares += (c.line.slope - 3) * (c.line.slope - 3) / 400;
-    stated += c.line.slope_error * c.line.slope_error / 400;
-  }
-  // The scatter of a variance from 400 values: sqrt(2/400) = 7 %, three times.
-  CHECK(squares == Approx(stated).epsilon(0.21));
-}
-
 TEST_CASE("a strain that repeats is periodic, with its shortest period", "[classification]") {
   const auto wave = [](double period) {
     return [period](double n) { return 1e-6 * std::cos(2 * std::numbers::pi * (n + 0.3) / period); };
@@ -118,14 +107,6 @@ TEST_CASE("a value that stands off neither hides a repetition nor makes one", "[
   const auto two = [](double n) { return n == 50 || n == 60 ? 1e-6 : 0.0; };
   CHECK(of_200(Class::outliers, two, 1e-10) >=
         196);  // 0.5 % pass for periodic: 1 of 200, and three standard deviations
-}
-
-TEST_CASE("the median line of many values is that of some of their pairs", "[classification]") {
-  std::vector<double> values = series([](double n) { return 3 - 2 * n; }, 0, 1, 6000);
-  for (std::size_t k = 0; k < values.size(); k += 5) values[k] = 1e6;
-  const auto line = scree::cycles::robust_line(values, 10);
-  CHECK(line.slope == -2);
-  CHECK(line.intercept == 23);
 }
 
 TEST_CASE("single cycles that stand off are outliers, and are listed", "[classification]") {
