@@ -134,7 +134,7 @@ TEST_CASE("single cycles that stand off are outliers, and are listed", "[classif
   // A step and a decay without noise have no cycle that stands off.
   CHECK(classify(series([](double n) { return n < 60 ? 0 : 1e-6; })).outliers.empty());
   CHECK(classify(series([](double n) { return std::exp(-(n - 29) / 5); })).outliers.empty());
-  // More than a quarter are no minority.
+  // Thirty of a hundred are no minority.
   const Classification many =
       classify(series([](double n) { return std::sin(n * n) > 0.6 ? 1e-8 : 0; }, 1e-13));
   CHECK(many.kind != Class::outliers);
