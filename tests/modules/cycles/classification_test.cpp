@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -96,6 +97,15 @@ TEST_CASE("a strain that repeats is periodic, with its shortest period", "[class
       classify(series([](double n) { return 1e-8 * n + (std::fmod(n, 2) == 0 ? 1e-6 : 0); }));
   CHECK(tilted.kind == Class::periodic);
   CHECK(tilted.robust.slope == Approx(1e-8).epsilon(0.01));
+  // Over a drift that wanders by half the amplitude in 25 cycles.
+  int over_drift = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::vector<double> drift = series([](double) { return 0.0; }, 1e-7, seed);
+    std::partial_sum(drift.begin(), drift.end(), drift.begin());
+    const auto both = [&](double n) { return drift[std::size_t(n)] + wave(4)(n); };
+    over_drift += classify(series(both)).period == 4;
+  }
+  CHECK(over_drift == 200);
 }
 
 TEST_CASE("a value that stands off neither hides a repetition nor makes one", "[classification]") {
