@@ -161,33 +161,12 @@ TEST_CASE("a strain whose increments fall shakes down", "[classification]") {
     CHECK(of_200(Class::shakedown, logarithm, noise / 100) >= 196);
   }
   CHECK(classify(series(exponential)).settling_probability < 1e-6);
+  // Noise of 1e-9 hides the single increments, not those of means over blocks: of 2000 series 98.1 % shake down, so that of 200 there are 196 ± 1.9.
+  CHECK(of_200(
+            Class::shakedown, [](double n) { return 5e-8 * std::exp(-(n - 29) / 40); }, 1e-9) >= 190);
   // Increments that grow do not.
   CHECK(of_200(
             Class::shakedown, [](double n) { return 1e-4 * std::exp((n - 100) / 10); }, 1e-7) == 0);
-}
-
-TEST_CASE("of noise one in a hundred is called ratcheting, periodic or shakedown", "[classification]") {
-  const auto share = [](std::size_t count, auto noise) {
-    int called = 0;
-    for (unsigned seed = 1; seed <= 1000; ++seed) {
-      std::mt19937_64 random(seed);
-      std::vector<double> values;
-      for (std::size_t n = 0; n < count; ++n) values.push_back(noise(random));
-      const Class kind = classify(values).kind;
-      called += kind == Class::ratcheting || kind == Class::periodic || kind == Class::shakedown;
-    }
-    return called;
-  };
-  // Two tests of 0.5 %: 10 of 1000, and three standard deviations of such a number, 9.4.
-  std::normal_distribution<double> normal(0, 1e-7);
-  std::uniform_real_distribution<double> uniform(0, 1e-7);
-  std::exponential_distribution<double> exponential(1e7);
-  CHECK(share(101, normal) <= 19);
-  CHECK(share(101, uniform) <= 19);
-  CHECK(share(101, exponential) <= 19);
-  CHECK(share(300, normal) <= 19);
-  // With the fewest cycles the probabilities are off by up to a factor of two: 20 and three times 4.4.
-  CHECK(share(29 + scree::cycles::least_cycles, normal) <= 33);
 }
 
 TEST_CASE("noise is irregular, and the reason names all that was tried", "[classification]") {
