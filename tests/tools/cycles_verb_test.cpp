@@ -136,6 +136,43 @@ TEST_CASE("cycles of several runs counts the classes and the signs", "[tools]") 
   CHECK_FALSE(w.has("a/cycles.csv"));
 }
 
+TEST_CASE("cycles takes a ramp that was followed after a cycle for no cycle", "[tools]") {
+  using scree::test::with;
+  const std::string biaxial = scree::test::text_of(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml");
+  const std::string ramp =
+      "[[stage]]\nname = 'ramp'\nduration = 300\nset.box.stress_y_high = { from = 1, to = 1.01, duration = 300 }\n";
+  const Workspace w(with(biaxial, "[[probe]]", ramp + "[[probe]]"));
+  const auto followed =
+      w.scree("response scene.toml --quasi-static --set stage.cycles.cycles=1 --increments 60 --out ramp");
+  INFO(followed.out << followed.err);
+  REQUIRE(followed.status == 0);
+  REQUIRE(w.record("ramp", "response.json")["period"] == 0);
+  check_refused(w, w.scree("cycles ramp --drop 0 --out out"),
+                "ramp: the last stage, which was followed, has no period; ", "with --period");
+  const auto given = w.scree("cycles ramp --drop 0 --period 10 --out out");
+  INFO(given.err);
+  CHECK(given.status == 0);
+  CHECK(double(w.record("out", "cycles.json")["first_minimum"]) ==
+        double(w.record("ramp", "response.json")["start"]));
+  w.write("ramp/response.json", R"({"start": 0, "end": 1})");
+  const auto without = w.scree("cycles ramp");
+  CHECK(without.status == 2);
+  CHECK(without.err == "scree: ramp/response.json: has no period; analyse a series with --csv\n");
+}
+
+TEST_CASE("cycles warns of a period that is a multiple of the load's", "[tools]") {
+  const Workspace w;
+  write_run(w, "run");
+  const std::string warning =
+      "scree: warning: run/series/box.csv: in each 4 s the load has 2 periods; give --period 2 to see each of its cycles\n";
+  // By its load, and by the period of the stage.
+  CHECK(w.scree(
+             "cycles --csv run/series/box.csv --strain strain --load stress --drop 10 --period 4 --start 1.5")
+            .err == warning);
+  CHECK(w.scree("cycles run --drop 10 --period 4").err == warning);
+  CHECK(w.scree("cycles run --load stress --drop 10 --period 2 --start 1.5").err.empty());
+}
+
 TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   const Workspace w;
   w.write("box.csv", series());
@@ -154,6 +191,12 @@ TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
           "with --start, and its --period");
   refused(strain + "--drop 50", "box.csv: 60 cycles, the first 50 of which are dropped: too few",
           "give 65 or more, or drop fewer");
+  refused(strain + "--start nan", "--start: nan is not a finite number; ", "see scree cycles --help");
+  refused(strain + "--start -inf", "--start: -inf is not a finite number; ", "see scree cycles --help");
+  for (const std::string drop : {"1e9", "-1", "1000000001", "2.5"})
+    refused(strain + "--drop " + drop,
+            "--drop: " + drop + " is not a whole number from 0 to 1000000000, in digits; ",
+            "see scree cycles --help");
   refused("--csv box.csv --load stress", "box.csv: --load and --start without a period", "give --period");
   w.write("t.csv", "time,x\n0,1\n1,nan\n");
   refused("--csv t.csv --strain x", "t.csv:3:3: ", "the run that wrote this may have failed");

@@ -14,11 +14,33 @@ namespace scree::tool {
 
 namespace {
 
+bool is_finite(const std::string& word, double& value) {
+  char* end = nullptr;
+  value = std::strtod(word.c_str(), &end);
+  return !word.empty() && !*end && std::isfinite(value);
+}
+
+std::string finite_number(const std::string& word) {
+  double value = 0;
+  return is_finite(word, value) ? "" : word + " is not a finite number";
+}
+
 // CLI::PositiveNumber takes infinity.
 std::string positive_and_finite(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  return !word.empty() && !*end && value > 0 && std::isfinite(value) ? "" : word + " is not a number above 0";
+  double value = 0;
+  return is_finite(word, value) && value > 0 ? "" : word + " is not a number above 0";
+}
+
+// CLI::Range takes NaN, and says of a word such as 1e9 that it is not in the range where it is no whole number.
+template <class Number>
+CLI::Validator range(Number least, Number most) {
+  const auto check = [least, most](const std::string& word) {
+    Number value{};
+    if (CLI::detail::lexical_cast(word, value) && value >= least && value <= most) return std::string();
+    return fmt::format("{} is not a {} from {} to {}, in digits", word,
+                       std::is_integral_v<Number> ? "whole number" : "number", least, most);
+  };
+  return {check, fmt::format("{} in [{} - {}]", CLI::detail::type_name<Number>(), least, most)};
 }
 
 }  // namespace
@@ -43,6 +65,11 @@ Option& Option::existing_path() {
   return *this;
 }
 
+Option& Option::finite() {
+  option_->check(finite_number);
+  return *this;
+}
+
 Option& Option::above_zero() {
   option_->check(positive_and_finite);
   return *this;
@@ -51,7 +78,7 @@ Option& Option::above_zero() {
 Option& Option::between(double least, double most) {
   const auto check = [&](auto value) {
     using Number = typename decltype(value)::type;  // the help names it
-    if constexpr (std::is_arithmetic_v<Number>) option_->check(CLI::Range(Number(least), Number(most)));
+    if constexpr (std::is_arithmetic_v<Number>) option_->check(range(Number(least), Number(most)));
   };
   std::visit(check, value_);
   return *this;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -22,7 +23,8 @@ namespace scree::tool {
 using Destination =
     std::variant<std::reference_wrapper<std::string>, std::reference_wrapper<std::vector<std::string>>,
                  std::reference_wrapper<int>, std::reference_wrapper<unsigned>,
-                 std::reference_wrapper<std::uint64_t>, std::reference_wrapper<double>>;
+                 std::reference_wrapper<std::uint64_t>, std::reference_wrapper<double>,
+                 std::reference_wrapper<std::optional<double>>>;
 
 // One option of a verb, and what else is known of it.
 class Option {
@@ -31,6 +33,7 @@ class Option {
   Option& shown_as(const std::string& type);  // in the help, such as DIR
   Option& one_of(const std::vector<std::string>& words);
   Option& existing_path();
+  Option& finite();                            // a number, neither infinite nor NaN
   Option& above_zero();                        // a finite number
   Option& between(double least, double most);  // a number; both ends are taken
   Option& excludes(const Option& other);

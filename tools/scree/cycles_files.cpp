@@ -143,7 +143,7 @@ fs::path CyclesFiles::path_of(const std::string& name) const {
   const fs::path path = folder_ / name;
   std::error_code failed;
   const bool is_of_run = fs::exists(folder_ / run::WrittenFiles::file_name, failed);
-  // Files of earlier versions are there without being listed.
+  // A file of this name that is not listed is replaced; WrittenFiles would refuse it.
   return is_of_run && !fs::exists(path, failed) ? run::WrittenFiles(folder_).add(name) : path;
 }
 

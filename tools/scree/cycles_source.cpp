@@ -3,6 +3,8 @@
 #include "run_cycle.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -63,85 +65,81 @@ fs::path series_of_run(const CyclesRequest& request) {
 }
 
 // Without the rows after the end of the cycles.
-TimeSeries read_until(const fs::path& file, const std::string& column, double end) {
-  constexpr std::size_t least = 2;
-  TimeSeries series = spectrum::read_time_series(file, column, least);
+void cut(TimeSeries& series, double end) {
   const auto count = std::upper_bound(series.times.begin(), series.times.end(), end) - series.times.begin();
   series.times.resize(std::size_t(count));
   series.values.resize(std::size_t(count));
-  return series;
 }
 
-struct Columns {
-  TimeSeries strain, load;
-};
-
-Columns read_columns(const CyclesRequest& request, const fs::path& file, double end, double reference) {
-  Columns columns;
-  if (!request.load.empty()) columns.load = read_until(file, request.load, end);
-  if (request.strain != CyclesRequest::lengths) {
-    columns.strain = read_until(file, request.strain, end);
-    return columns;
-  }
-  const TimeSeries x = read_until(file, length_x, end);
-  columns.strain = read_until(file, length_y, end);
+// Of lengths x and y; they refer to those at a time.
+TimeSeries strain_of(const TimeSeries& x, const TimeSeries& y, double reference) {
   const auto at = std::lower_bound(x.times.begin(), x.times.end(), reference) - x.times.begin();
   // Behind the last row too few cycles are left, which is reported when they are classified.
   const std::size_t first = std::size_t(at) < x.times.size() ? std::size_t(at) : 0;
-  columns.strain.values = cycles::strain_of_lengths(x.values, columns.strain.values, first);
-  columns.strain.name = "length_y/length_y0 - length_x/length_x0";
-  columns.strain.unit.clear();
-  return columns;
+  return {"length_y/length_y0 - length_x/length_x0", "", x.times,
+          cycles::strain_of_lengths(x.values, y.values, first)};
+}
+
+// columns: those of the request.
+TimeSeries strain_of(const CyclesRequest& request, std::vector<TimeSeries>& columns, double reference) {
+  if (request.strain == CyclesRequest::lengths) return strain_of(columns[0], columns[1], reference);
+  return std::move(columns[0]);
 }
 
 // One row is one cycle.
-CyclesSource rows_as_cycles(const CyclesRequest& request, const fs::path& file) {
-  if (!request.load.empty() || !std::isnan(request.first_minimum))
-    throw Error(fmt::format("{}: --load and --start without a period; give --period", file.string()));
-  const TimeSeries time = spectrum::read_time_series(file, columns_of(request)[0], 2);
+CyclesSource rows_as_cycles(const CyclesRequest& request, const fs::path& file,
+                            std::vector<TimeSeries> columns) {
+  if (!request.load.empty() || request.first_minimum)
+    throw Error("--load and --start without a period; give --period");
+  const std::vector<double>& times = columns[0].times;
   const double reference =
-      request.drop < time.times.size() ? time.times[request.drop] : std::numeric_limits<double>::infinity();
-  TimeSeries strain = read_columns(request, file, time.times.back(), reference).strain;
-  return {file, strain.name, strain.unit, "", "", 0, std::move(strain.times), {std::move(strain.values), {}}};
+      request.drop < times.size() ? times[request.drop] : std::numeric_limits<double>::infinity();
+  TimeSeries strain = strain_of(request, columns, reference);
+  return {file, strain.name, strain.unit, "", "", 0, std::move(strain.times), {std::move(strain.values), {}},
+          0};
 }
 
-CyclesSource by_period(const CyclesRequest& request, const fs::path& file, const cycles::CycleTimes& times,
-                       double end) {
+CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::vector<TimeSeries> columns,
+                       const RunCycles& of) {
   constexpr double slack = 1e-6;  // of a period
+  const cycles::CycleTimes& times = of.times;
+  for (TimeSeries& column : columns) cut(column, of.end + slack * times.period);
   const double reference = times.first_minimum + (double(request.drop) - slack) * times.period;
-  const Columns columns = read_columns(request, file, end + slack * times.period, reference);
-  CyclesSource source{
-      file, columns.strain.name, columns.strain.unit, columns.load.name, columns.load.unit, times.period, {},
-      {}};
-  source.series =
-      cycles::cycle_series(columns.strain.times, columns.strain.values, columns.load.values, times);
+  const TimeSeries load = request.load.empty() ? TimeSeries{} : std::move(columns.back());
+  const TimeSeries strain = strain_of(request, columns, reference);
+  CyclesSource source{file, strain.name, strain.unit, load.name, load.unit, times.period, {}, {}, 0};
+  source.series = cycles::cycle_series(strain.times, strain.values, load.values, times);
   for (std::size_t n = 0; n < source.series.strain.size(); ++n)
     source.minimum_times.push_back(times.first_minimum + double(n) * times.period);
   return source;
 }
 
-double first_time(const fs::path& file, const CyclesRequest& request) {
-  return spectrum::read_time_series(file, columns_of(request)[0], 2).times.front();
+// What the request leaves open is that of the run, if the series is of one.
+std::optional<RunCycles> found_for(const CyclesRequest& request) {
+  if (!request.csv.empty() || (request.period > 0 && request.first_minimum)) return std::nullopt;
+  const std::optional<RunCycles> found = cycles_of_run(request.directory);
+  if (found && !(request.period > 0) && !(found->times.period > 0))
+    throw Error(fmt::format(
+        "{}: the last stage, which was followed, has no period; give that of its load with --period",
+        request.directory));
+  return found;
 }
 
 }  // namespace
 
 CyclesSource read_cycles(const CyclesRequest& request) {
   const fs::path file = request.csv.empty() ? series_of_run(request) : fs::path(request.csv);
-  RunCycles of{{request.period, request.first_minimum}, std::numeric_limits<double>::max()};
-  if (request.csv.empty() && !(request.period > 0 && !std::isnan(request.first_minimum)))
-    if (const auto found = cycles_of_run(request.directory)) {
-      if (!(request.period > 0)) of.times.period = found->times.period;
-      if (std::isnan(request.first_minimum)) of.times.first_minimum = found->times.first_minimum;
-      of.end = found->end;
-    }
-  if (!(of.times.period > 0)) return rows_as_cycles(request, file);
-  const double begin = first_time(file, request);
-  if (std::isnan(of.times.first_minimum)) of.times.first_minimum = begin;
+  const std::optional<RunCycles> found = found_for(request);
+  std::vector<TimeSeries> columns = spectrum::read_time_series(file, columns_of(request), 2);
+  RunCycles of = found.value_or(RunCycles{{0, columns[0].times.front()}, std::numeric_limits<double>::max()});
+  if (request.period > 0) of.times.period = request.period;
+  if (request.first_minimum) of.times.first_minimum = *request.first_minimum;
   try {
-    return by_period(request, file, of.times, of.end);
+    if (!(of.times.period > 0)) return rows_as_cycles(request, file, std::move(columns));
+    CyclesSource source = by_period(request, file, std::move(columns), of);
+    if (found) source.stage_period = found->times.period;
+    return source;
   } catch (const Error& error) {
-    if (std::string_view(error.what()).starts_with(file.string())) throw;
     throw Error(fmt::format("{}: {}", file.string(), error.what()), error.status());
   }
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +17,11 @@ struct CyclesRequest {
   std::string csv;  // a file; or empty:
   std::string directory,
       probe;  // a run directory and a probe; no probe: the first whose series has the columns
-  std::string strain = lengths;  // a column, or lengths
-  std::string load;              // a column; empty: none
-  double period = 0;             // (s) 0: that of the run; if it has none, one row is one cycle
-  double first_minimum =
-      std::numeric_limits<double>::quiet_NaN();  // (s) NaN: the beginning of the stage, or the first row
-  std::size_t drop = 0;                          // the lengths refer to the minimum of this number
+  std::string strain = lengths;         // a column, or lengths
+  std::string load;                     // a column; empty: none
+  double period = 0;                    // (s) 0: that of the run; if it has none, one row is one cycle
+  std::optional<double> first_minimum;  // (s) none: the beginning of the stage, or the first row
+  std::size_t drop = 0;                 // the lengths refer to the minimum of this number
 };
 
 // A series and its cycles.
@@ -33,6 +31,7 @@ struct CyclesSource {
   double period = 0;                  // (s) 0: one row is one cycle
   std::vector<double> minimum_times;  // (s)
   cycles::CycleSeries series;
+  double stage_period = 0;  // (s) of the stage of the run; 0: none, or not looked for
 };
 
 // Throws Error with file and cure.

@@ -27,10 +27,22 @@ struct CyclesArguments {
   std::string out;
 };
 
+// With a multiple of the load's period half of its cycles or more are not seen.
+void warn_of_multiple(const CyclesSource& source) {
+  const double of_stage = source.stage_period > 0 ? std::round(source.period / source.stage_period) : 1;
+  const bool is_multiple = std::abs(source.period - of_stage * source.stage_period) < 1e-6 * source.period;
+  const double count = is_multiple && of_stage > 1 ? of_stage : double(source.series.load_periods);
+  if (count > 1)
+    report_warning(fmt::format(
+        "{}: in each {:.10g} s the load has {} periods; give --period {:.10g} to see each of its cycles",
+        source.file.string(), source.period, count, source.period / count));
+}
+
 CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   request.drop = arguments.drop;
   CyclesResult result{
       request.csv.empty() ? request.directory : request.csv, read_cycles(request), {}, arguments.drop, {}};
+  warn_of_multiple(result.source);
   cycles::ClassOptions options;
   options.drop = arguments.drop;
   options.round_off = arguments.round_off;
@@ -207,6 +219,7 @@ void add_cycles_verb(CommandLine& line) {
   verb.option(
           "--start", a->request.first_minimum,
           "Time of the first minimum of the load (s); default: the beginning of that stage, or the first row")
+      .finite()
       .shown_as("TIME");
   verb.option("--drop", a->drop, "Cycles before the first that counts (default 29)").between(0, 1e9);
   verb.option("--round-off", a->round_off,

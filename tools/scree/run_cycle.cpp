@@ -1,6 +1,7 @@
 #include "run_cycle.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <scree/document/document.hpp>
 #include <scree/files/text_file.hpp>
@@ -12,41 +13,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the quasi-static course of the last stage.
-RunCycles course_of(const fs::path& file, double period) {
-  const auto record = run::parse_record(files::read_text(file));
-  for (const char* key : {"start", "end"})
-    if (!record.is_object() || !record.contains(key) || !record[key].is_number())
-      throw Error(fmt::format("{}: has no {}; analyse a series with --csv", file.string(), key));
-  return {{period, record["start"]}, record["end"]};
+using Json = nlohmann::ordered_json;
+
+// place: of the times, in a message.
+double number_in(const Json& times, const char* key, const std::string& place) {
+  if (!times.is_object() || !times.contains(key) || !times[key].is_number())
+    throw Error(fmt::format("{} has no {}; analyse a series with --csv", place, key));
+  return times[key];
+}
+
+// Of a quasi-static load, which is that of the last stage.
+RunCycles course_of(const fs::path& file) {
+  const Json record = run::parse_record(files::read_text(file));
+  const std::string place = file.string() + ":";
+  return {{number_in(record, "period", place), number_in(record, "start", place)},
+          number_in(record, "end", place)};
 }
 
 // stage: its number in the scenario, from 0.
-RunCycles stage_of(const fs::path& directory, std::size_t stage, double period) {
-  if (fs::exists(directory / "response.json")) return course_of(directory / "response.json", period);
-  const fs::path file = directory / "run.json";
-  const auto record = run::parse_record(files::read_text(file));
+RunCycles stage_of(const fs::path& file, std::size_t stage, double period) {
+  const Json record = run::parse_record(files::read_text(file));
   if (!record.is_object() || !record.contains("stages") || !record["stages"].is_array())
     throw Error(fmt::format("{}: is not the record of a run; analyse a series with --csv", file.string()));
   if (stage >= record["stages"].size())
     throw Error(fmt::format("{}: stage {}, which has the period, has not run; let it go on with scree resume",
                             file.string(), stage + 1));
-  const auto& times = record["stages"][stage];
-  for (const char* key : {"start", "end"})
-    if (!times.is_object() || !times.contains(key) || !times[key].is_number())
-      throw Error(
-          fmt::format("{}: stage {} has no {}; analyse a series with --csv", file.string(), stage + 1, key));
-  return {{period, times["start"]}, times["end"]};
+  const Json& times = record["stages"][stage];
+  const std::string place = fmt::format("{}: stage {}", file.string(), stage + 1);
+  return {{period, number_in(times, "start", place)}, number_in(times, "end", place)};
 }
 
 }  // namespace
 
 std::optional<RunCycles> cycles_of_run(const fs::path& directory) {
+  if (fs::exists(directory / "response.json")) return course_of(directory / "response.json");
   const document::Document scenario = document::Document::load(directory / "scenario.toml");
   const std::vector<document::Table> stages = scenario.root().tables("stage");
   for (std::size_t k = stages.size(); k-- > 0;)
     if (stages[k].is_number("period"))
-      return stage_of(directory, k, stages[k].number("period", document::Range::positive("s")));
+      return stage_of(directory / "run.json", k, stages[k].number("period", document::Range::positive("s")));
   return std::nullopt;
 }
 

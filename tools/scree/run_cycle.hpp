@@ -13,8 +13,8 @@ struct RunCycles {
   double end = 0;  // (s) of their stage
 };
 
-// Those of the last stage with a `period` in the directory of a run or of a quasi-static course; none if no stage has one. Throws
-// Error for a directory without scenario.toml or run.json, and if this stage has not run.
+// Those of the last stage with a `period` in the directory of a run; none if no stage has one. Those of a quasi-static load, with a period of 0 if it has none.
+// Throws Error for a directory without scenario.toml or run.json, and if this stage has not run.
 std::optional<RunCycles> cycles_of_run(const std::filesystem::path& directory);
 
 }  // namespace scree::tool

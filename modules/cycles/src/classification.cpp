@@ -88,8 +88,10 @@ std::string reason_of(const Statistics& s, Class kind) {
           s.options.outlier_factor, s.c.robust.slope);
     case Class::shakedown:
       return fmt::format(
-          "the strain per cycle falls: rank correlation {:.3f} of |increment| and cycle, chance {:.2g} ({} pairs), below {}",
-          s.settling.correlation, s.settling.probability, s.settling.pairs, s.options.significance);
+          "the strain per cycle falls: rank correlation {:.3f} of {} |increments| over blocks of {} with their place, chance "
+          "{:.2g} over {} lengths of blocks, below {}",
+          s.settling.correlation, s.settling.increments, s.settling.block, s.settling.probability,
+          s.settling.lengths, s.options.significance);
     case Class::irregular:
       break;
   }

@@ -15,6 +15,8 @@ namespace {
 constexpr double same_time = 1e-6;           // of a period
 constexpr double least_load_change = 1e-12;  // of the load: some thousand roundings
 constexpr double near_minimum = 0.25;        // of the range of the load
+constexpr double same_load = 0.05;  // of its range: a sine that eight straight lines replace is wrong by 0.04
+constexpr std::size_t most_periods = 10;  // of the load in a cycle, that are looked for
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void check(std::span<const double> times, std::span<const double> strain, std::span<const double> load,
@@ -111,6 +113,26 @@ void check_load(const Path& path, double begin, double end) {
         path.load[0], begin, *low, *high));
 }
 
+// Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples.
+bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
+  const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
+  const std::size_t samples = path.load.size() - 1;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double since = period * double(k) / double(samples);
+    const double change = load.at(begin + std::fmod(since + part, period)) - load.at(begin + since);
+    if (std::abs(change) > same_load * (*high - *low)) return false;
+  }
+  return true;
+}
+
+// Three samples or more in each.
+std::size_t periods_in(const Samples& load, const Path& path, double begin, double period) {
+  const std::size_t most = std::min(most_periods, (path.load.size() - 1) / 3);
+  for (std::size_t count = most; count > 1; --count)
+    if (repeats_after(period / double(count), load, path, begin, period)) return count;
+  return 1;
+}
+
 }  // namespace
 
 CycleSeries cycle_series(std::span<const double> times, std::span<const double> strain,
@@ -136,6 +158,7 @@ CycleSeries cycle_series(std::span<const double> times, std::span<const double> 
     const Path path = path_of(strains, loads, begin, end);
     series.loops.push_back(loop_of(path));
     if (path.load.size() > 3) check_load(path, begin, end);
+    if (n + 1 == std::size_t(count)) series.load_periods = periods_in(loads, path, begin, cycles.period);
   }
   return series;
 }

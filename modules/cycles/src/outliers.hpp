@@ -15,11 +15,12 @@ struct Outliers {
 };
 
 // The value in a place is compared with the median of up to five on each side and itself, and with the median of the means of the pairs at
-// equal distances on both sides. The first follows steps and decays, the second slopes and curves; the smaller deviation counts. It must exceed
-// `factor` robust standard deviations (from the upper quartile of the absolute deviations, so that
-// outliers are a minority of a quarter) of the second, and `round_off`.
-// The largest is found first and replaced by that mean, so that those around it are not taken for outliers too.
-// Not seen: the first and the last value, and more than five outliers in a row; of three or more in a row on a slope neighbours may be named too.
+// equal distances on both sides. The first follows steps and decays, the second slopes and curves; the smaller deviation counts. The first value and the last are
+// compared with the median of the five next to them, and must differ from it by thrice the range of these more.
+// A deviation must exceed `round_off` and `factor` robust standard deviations of the second kind, from the upper quartile of their absolute values: their median
+// would make the tops of smooth curves outliers. An outlier spoils means around it too, so that not a quarter of the values but an eighth may stand off.
+// The largest is found first and replaced by that mean or median, so that those around it are not taken for outliers too.
+// Not seen: two outliers at an end, and more than five in a row; of three or more in a row on a slope neighbours may be named too.
 Outliers find_outliers(std::span<const double> series, double factor, double round_off);
 
 }  // namespace scree::cycles

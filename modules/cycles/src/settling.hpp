@@ -5,11 +5,14 @@
 
 namespace scree::cycles {
 
-// Whether the strain per cycle falls with the cycle.
+// Whether the strain per cycle falls with the cycle: increments between means of consecutive blocks of cycles. Those of single cycles are hidden by a noise above the
+// strain per cycle, from which means over longer blocks stand out.
 struct Settling {
-  double correlation = 0;  // rank correlation of |γ_{n+1} − γ_n| with n
-  double probability = 1;  // of this or a lower one in values in random order
-  std::size_t pairs = 0;   // of values, each in one pair only, so that noise makes them independent
+  double correlation = 0;      // rank correlation of |increment| with its place
+  double probability = 1;      // of this or a lower one in noise, for any of the lengths of blocks
+  std::size_t block = 0;       // (cycles) with the lowest probability
+  std::size_t increments = 0;  // between blocks of this length
+  std::size_t lengths = 0;     // that were tried: 1, 2, 4, ... while there are eight blocks or more
 };
 
 Settling settling_of(std::span<const double> values);

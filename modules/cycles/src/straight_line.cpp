@@ -1,5 +1,6 @@
 #include "scree/cycles/straight_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,15 +20,27 @@ void check(std::span<const double> values) {
     throw Error(fmt::format("a line through {} values has no deviations; give three or more", values.size()));
 }
 
-void set_deviations(StraightLine& line, std::span<const double> values, double first) {
-  const double n = double(values.size());
+double rms_from(const StraightLine& line, std::span<const double> values, double first) {
   double squares = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double deviation = values[k] - (line.intercept + line.slope * (first + double(k)));
     squares += deviation * deviation;
   }
-  line.rms = std::sqrt(squares / n);
-  line.slope_error = std::sqrt(squares / (n - 2) * 12 / (n * (n * n - 1)));
+  return std::sqrt(squares / double(values.size()));
+}
+
+// The value that a share of the others is below.
+double quantile(std::vector<double>& values, double share) {
+  const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+// Half the interval of Sen (1968) for one standard deviation: of the n(n − 1)/2 slopes as many lie on either side of the true one as pairs of n values in random
+// order rise and fall, which is Kendall's number of variance n(n − 1)(2n + 5)/18.
+double error_of_median(std::vector<double>& slopes, double n) {
+  const double share = std::sqrt(n * (n - 1) * (2 * n + 5) / 18) / (n * (n - 1));
+  return 0.5 * (quantile(slopes, 0.5 + share) - quantile(slopes, 0.5 - share));
 }
 
 }  // namespace
@@ -44,7 +57,8 @@ StraightLine fit_line(std::span<const double> values, double first) {
   StraightLine line;
   line.slope = moment * 12 / (n * (n * n - 1));
   line.intercept = values[0] + sum / n - line.slope * (first + middle);
-  set_deviations(line, values, first);
+  line.rms = rms_from(line, values, first);
+  line.slope_error = line.rms * std::sqrt(12 / ((n - 2) * (n * n - 1)));
   return line;
 }
 
@@ -57,10 +71,11 @@ StraightLine robust_line(std::span<const double> values, double first) {
     for (std::size_t k = 0; k + distance < n; ++k)
       slopes.push_back((values[k + distance] - values[k]) / double(distance));
   StraightLine line;
+  line.slope_error = error_of_median(slopes, double(n));
   line.slope = spectrum::median(std::move(slopes));
   for (std::size_t k = 0; k < n; ++k) intercepts.push_back(values[k] - line.slope * (first + double(k)));
   line.intercept = spectrum::median(std::move(intercepts));
-  set_deviations(line, values, first);
+  line.rms = rms_from(line, values, first);
   return line;
 }
 

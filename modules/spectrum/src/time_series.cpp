@@ -45,27 +45,14 @@ void check_size(const files::CsvRows& rows, const std::vector<double>& values) {
               fmt::format("give another unit, in which one is above {}", smallest));
 }
 
-}  // namespace
+double read(const files::CsvRows& rows, std::size_t cell) {
+  const double value = rows.number(cell);
+  if (std::abs(value) > largest)
+    rows.fail(1, fmt::format("{} is beyond {}", value, largest), "check it, or give another unit");
+  return value;
+}
 
-TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least) {
-  files::CsvRows rows(file);
-  const std::size_t number = rows.column(column);
-  check_unit(rows);
-  TimeSeries series{rows.columns()[number].name, rows.columns()[number].unit, {}, {}};
-  const auto read = [&](std::size_t cell) {
-    const double value = rows.number(cell);
-    if (std::abs(value) > largest)
-      rows.fail(1, fmt::format("{} is beyond {}", value, largest), "check it, or give another unit");
-    return value;
-  };
-  while (rows.next()) {
-    const double time = read(0);
-    if (!series.times.empty() && !(time > series.times.back()))
-      rows.fail(1, fmt::format("time {} follows {}", time, series.times.back()),
-                "give times that increase, in the first column");
-    series.times.push_back(time);
-    series.values.push_back(read(number));
-  }
+void check(const files::CsvRows& rows, const TimeSeries& series, std::size_t least) {
   if (series.times.size() < least)
     rows.fail(1,
               fmt::format("the file ends after {} sample{}", series.times.size(),
@@ -74,7 +61,39 @@ TimeSeries read_time_series(const std::filesystem::path& file, const std::string
   if (!(series.duration() > smallest))
     rows.fail(1, fmt::format("the times span {} s", series.duration()), "check the unit of the times, s");
   check_size(rows, series.values);
+}
+
+}  // namespace
+
+std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
+                                         const std::vector<std::string>& columns, std::size_t least) {
+  files::CsvRows rows(file);
+  std::vector<std::size_t> numbers;
+  std::vector<TimeSeries> series;
+  for (const std::string& column : columns) {
+    const std::size_t number = rows.column(column);
+    numbers.push_back(number);
+    series.push_back({rows.columns()[number].name, rows.columns()[number].unit, {}, {}});
+  }
+  check_unit(rows);
+  std::vector<double> times;
+  while (rows.next()) {
+    const double time = read(rows, 0);
+    if (!times.empty() && !(time > times.back()))
+      rows.fail(1, fmt::format("time {} follows {}", time, times.back()),
+                "give times that increase, in the first column");
+    times.push_back(time);
+    for (std::size_t k = 0; k < series.size(); ++k) series[k].values.push_back(read(rows, numbers[k]));
+  }
+  for (TimeSeries& column : series) {
+    column.times = times;
+    check(rows, column, least);
+  }
   return series;
+}
+
+TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least) {
+  return std::move(read_time_series(file, std::vector<std::string>{column}, least).front());
 }
 
 }  // namespace scree::spectrum

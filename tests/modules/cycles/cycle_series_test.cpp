@@ -90,6 +90,22 @@ TEST_CASE("with one sample per cycle strains are the samples, and loops have no 
   CHECK(std::isnan(s.loops[0].stiffness));
 }
 
+TEST_CASE("a period that is a multiple of the load's own is seen", "[cycle_series]") {
+  for (const int per_cycle : {3, 8, 21, 200}) {
+    const Record r = ellipses(12, per_cycle);
+    for (const std::size_t multiple : {1, 2, 3, 4}) {
+      INFO(per_cycle << " samples in a period, " << multiple << " periods");
+      CHECK(series_of(r, {4.0 * double(multiple), 10}).load_periods == multiple);
+    }
+  }
+  // Every second maximum is higher by a fifth: the load has the longer period.
+  Record unequal = ellipses(12, 20);
+  for (std::size_t k = 0; k < unequal.load.size(); ++k)
+    unequal.load[k] -= k / 20 % 2 ? (unequal.load[k] - 3) / 5 : 0;
+  CHECK(series_of(unequal, {8, 10}).load_periods == 1);
+  CHECK(cycle_series(unequal.times, unequal.strain, {}, {8, 10}).load_periods == 1);
+}
+
 TEST_CASE("strain of lengths is the difference of their ratios", "[cycle_series]") {
   const std::vector<double> x = {3, 2, 1}, y = {1, 2, 3};
   CHECK(scree::cycles::strain_of_lengths(x, y, 1) == std::vector<double>{-1, 0, 1});

@@ -35,6 +35,18 @@ TEST_CASE("a column is read over the time, and nothing else", "[time_series]") {
   CHECK(series.mean_step() == 1);
 }
 
+TEST_CASE("several columns are read in one pass, in the order in which they are named", "[time_series]") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("t.csv", "time [s],x,y [Pa]\n0,1,4\n0.5,-2,5\n");
+  const auto series = read_time_series(file, std::vector<std::string>{"y [Pa]", "x"}, 2);
+  REQUIRE(series.size() == 2);
+  CHECK(series[0].unit == "Pa");
+  CHECK(series[0].values == std::vector<double>{4, 5});
+  CHECK(series[1].name == "x");
+  CHECK(series[1].times == std::vector<double>{0, 0.5});
+  CHECK(series[1].values == std::vector<double>{1, -2});
+}
+
 TEST_CASE("times and values of which nothing can be said are refused with their line", "[time_series]") {
   CHECK(refusal("time,x\n1,1\n0.5,1\n") ==
         ":3:1: time 0.5 follows 1; give times that increase, in the first column");

@@ -15,7 +15,7 @@ enum class Class {
   constant,  // its range is within round-off
   ratcheting,  // the deviations from a straight line are smaller than its slope per cycle: StraightLine::ratchets()
   periodic,   // it repeats with a period of 2 to a third of the cycles
-  outliers,   // a quarter of the cycles or fewer stand off from those around them
+  outliers,   // some cycles, an eighth or fewer, stand off from those around them
   shakedown,  // the strain per cycle falls
   irregular   // none of these
 };

@@ -24,6 +24,8 @@ struct Loop {
 struct CycleSeries {
   std::vector<double> strain;  // of minimum n
   std::vector<Loop> loops;     // from minimum n to n + 1, one fewer; empty without a load
+  std::size_t load_periods =
+      1;  // that the load has in the last cycle, up to 10: with more than 1 the period is a multiple of its own
 };
 
 // Strain at each minimum of the load, and the loop between two if there is a load (q). times: (s) increasing. Between samples both are

@@ -4,7 +4,7 @@
 
 namespace scree::cycles {
 
-// γ_n = intercept + slope n, fitted by least squares.
+// γ_n = intercept + slope n.
 struct StraightLine {
   double intercept = 0;    // γ at n = 0
   double slope = 0;        // per cycle
@@ -15,11 +15,11 @@ struct StraightLine {
   bool ratchets() const { return rms < (slope < 0 ? -slope : slope); }
 };
 
-// The line through values at n = first, first + 1, ... . Throws Error for fewer than three.
+// The line of least squares through values at n = first, first + 1, ... . Throws Error for fewer than three.
 StraightLine fit_line(std::span<const double> values, double first = 0);
 
 // The median of the slopes between all pairs of values (Theil and Sen), or of every s-th distance where there are more than some millions; and the median of
-// the intercepts. Outliers among up to 29 % of the values leave it near the others.
+// the intercepts. Outliers among up to 29 % of the values leave it near the others. slope_error is half the interval of Sen (1968, doi:10.1080/01621459.1968.10480934) for one standard deviation.
 StraightLine robust_line(std::span<const double> values, double first = 0);
 
 }  // namespace scree::cycles

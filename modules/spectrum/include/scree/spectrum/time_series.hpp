@@ -15,9 +15,13 @@ struct TimeSeries {
   double mean_step() const { return duration() / double(times.size() - 1); }
 };
 
-// Reads two columns of a file, row by row; nothing else of it is kept. column: its name, with its unit or without. Throws Error
+// Reads columns of a file over the first in one pass, row by row; nothing else of it is kept. columns: their names, with units or without. Throws Error
 // "file:line:column: ..." for a missing column, an empty or a text cell, NaN, numbers beyond 1e150, values of which none reaches 1e-150 unless all are 0, times that do not increase, and fewer than `least`
 // rows (2 or more).
+std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
+                                         const std::vector<std::string>& columns, std::size_t least);
+
+// One column.
 TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least);
 
 }  // namespace scree::spectrum
