@@ -72,7 +72,7 @@ def draw(axes, roads, exact, value, title, unit):
                           bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
     label(axes, title, "wall time of a cycle / ms", unit)
     axes.margins(0.12)
-    axes.legend(frameon=False, fontsize=9)
+    axes.legend(frameon=False, fontsize=9, loc="lower right")
 
 
 def main(scree, folder, packing="5", *overrides):
