@@ -48,7 +48,7 @@ def print_numbers(groups):
     for (size, friction, spring), runs in groups.items():
         quantities = (lambda r: r.strain[-1], late_slope, lambda r: r.loop_area[0], lambda r: r.slope[0] / 1e3)
         numbers = [mean_of([quantity(r) for r in runs]) for quantity in quantities]
-        texts = [f"{mean:.3g} ± {error:.1g}" for mean, error in numbers]
+        texts = [f"{mean:.3g}" + (f" ± {error:.1g}" if len(runs) > 1 else "") for mean, error in numbers]
         print(f"{size:7} {friction:5} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
 
 
