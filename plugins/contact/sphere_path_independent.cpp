@@ -122,18 +122,17 @@ struct Frictional : Frictionless<kind, by_restitution> {
     const Vec<D, T> first = pair.first_share_of_a(moved);
     tangential::Shares<T> shares = pair.shares(h.points);
     shares = {choose(painted, shares.a, first), choose(painted, shares.b, moved - first)};
-    const Vec<D, T> without_slip = shares.a + shares.b;
+    const Vec<D, T> without_slip = shares.a + shares.b, stretching = pair.stretching(shares, rate);
     const bool far = pair.farthest(shares) > T(pair.arc_limit * pair.arc_limit);
     const Vec<D, T> anew = pair.painted_anew(shares);
     shares = {choose(far, anew, shares.a), choose(far, anew, shares.b)};
     const Vec<D, T> trial = shares.a + shares.b;
 
-    const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, f_n.repulsive);
+    const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, stretching, f_n.repulsive);
     const scree::Slip<D, T> slip = scree::slide_or_stick(step);
     const T stiffness_before = stiffness_of(h);
     const Vec<D, T> before = h.spring;
-    const Vec<D, T> half_slip = T(0.5) * (trial - slip.spring);
-    shares = {shares.a - half_slip, shares.b - half_slip};
+    shares = pair.slipped(shares, trial - slip.spring);
     place(pair, shares, painted & !slip.slides, far, h);
     h.spring = slip.spring;
     h.state = state_of(c, slip.slides);
@@ -171,7 +170,8 @@ struct Frictional : Frictionless<kind, by_restitution> {
 
   template <int D, class T, class AnyHistory>
   scree::SlipStep<D, T> slip_step(const Contact<D, T, reads>& c, const AnyHistory& h, const Vec<D, T>& trial,
-                                  const Vec<D, T>& rate, const T& repulsive) const {
+                                  const Vec<D, T>& rate, const Vec<D, T>& stretching,
+                                  const T& repulsive) const {
     T stiffness = T(this->tangent.stiffness), inverse = T(this->tangent.inverse_stiffness);
     T damping = c.onset_weight * T(this->tangent.damping);
     if constexpr (kind == Normal::hertz) {
@@ -187,7 +187,8 @@ struct Frictional : Frictionless<kind, by_restitution> {
             .delay = damping * inverse,
             .step = c.step,
             .limit = h.state > T(0) ? sliding_limit : T(this->friction) * repulsive,
-            .sliding_limit = sliding_limit};
+            .sliding_limit = sliding_limit,
+            .stretching = stretching};
   }
 
   // Paints the points where their shares tell; those that stay keep their bits, unless they are painted anew.
