@@ -35,7 +35,9 @@ struct HertzMindlin : scree::ContactLaw {
       "history: displacement (ξ kept: creates ½ ξ² dk_t while k_t grows, shown by the energy audit),\n"
       "         rescaled (f_t kept while k_t grows, at its mean over the step; ξ kept while k_t falls:\n"
       "         dissipates ½ ξ² |dk_t|),\n"
-      "         potential (½ k_t(δ) ξ², with the extra normal force ½ k_t'(δ) ξ² that conserves energy)",
+      "         potential (½ k_t(δ) ξ², with the extra normal force ½ k_t'(δ) ξ² that conserves energy; with μ from 100 on\n"
+      "         and restitution 1 the spring is still stretched at parting, where this force grows as δ^(-1/2): the\n"
+      "         energy of such impacts errs by some per cent at any usual step)",
       "Lemrich et al. 2017, equations 1 to 7"};
 
   void declare(scree::Declaration& d) {

@@ -1,5 +1,6 @@
 #include "painted_impact.hpp"
 
+#include "arc.hpp"
 #include "coefficients.hpp"
 
 #include <algorithm>
@@ -9,47 +10,7 @@ namespace reference {
 
 namespace {
 
-constexpr double longest_arc = 0.35;  // (rad) from the contact to a point; both are painted anew beyond
-
-// φ/sin φ and its derivative with respect to cos φ.
-struct Stretching {
-  double value = 1, slope = -1.0 / 3;
-};
-
-Stretching stretching(double sine, double cosine) {
-  if (sine < 1e-3) {  // next terms: φ⁴
-    const double square = sine * sine;
-    return {1 + square / 6, -1.0 / 3 - 2.0 / 15 * square};
-  }
-  const double arc = std::atan2(sine, cosine);
-  return {arc / sine, (arc * cosine / sine - 1) / (sine * sine)};
-}
-
-// The arc from one unit vector to another, as a vector in the tangent plane of the first.
-struct Arc {
-  Arc(const Vector& from, const Vector& to)
-      : begin(from), end(to), cosine(dot(from, to)), across(to - cosine * from) {
-    stretch = stretching(norm(across), cosine);
-    vector = stretch.value * across;
-  }
-  // Gradients of t·vector with t fixed in the tangent plane of begin.
-  Vector gradient_at_end(const Vector& t) const {
-    return stretch.slope * dot(end, t) * begin + stretch.value * t;
-  }
-  Vector gradient_at_begin(const Vector& t) const {
-    return stretch.slope * dot(end, t) * end - stretch.value * cosine * t;
-  }
-
-  Vector begin, end;
-  double cosine;
-  Vector across, vector;
-  Stretching stretch;
-};
-
-Vector end_of_arc(const Vector& begin, const Vector& arc) {
-  const double length = norm(arc);
-  return std::cos(length) * begin + std::sin(length) * direction(arc);
-}
+constexpr double longest_arc = 0.1;  // (rad) from the contact to a point; both are painted anew beyond
 
 // One row of vectors for the integration.
 namespace row {
@@ -107,6 +68,8 @@ class Pair {
     const Vector left = elongation(next).whole();
     next[row::dissipated].z += 0.5 * dot(before + stiffness(next) * left, trial - left);
     paint_far_points_anew(next);
+    const Vector kept = elongation(next).whole();
+    next[row::dissipated].z += 0.5 * stiffness(next) * (dot(left, left) - dot(kept, kept));
     return next;
   }
 
@@ -160,10 +123,20 @@ class Pair {
     place(y, {e.a - half, e.b - half});
   }
 
+  // Half of the spring for each point. Across the direction from one to the other arcs φ have stretched it by the mean of
+  // φ/sin φ, which is taken back.
   void paint_far_points_anew(Rows& y) const {
     const Elongation e = elongation(y);
     const double arc_b = wall_ ? 0 : norm(e.b) / b_.radius;
-    if (std::max(norm(e.a) / a_.radius, arc_b) > longest_arc) place(y, {0.5 * e.whole(), 0.5 * e.whole()});
+    if (std::max(norm(e.a) / a_.radius, arc_b) <= longest_arc) return;
+    const Vector apart = e.a - e.b, along = dot(e.whole(), direction(apart)) * direction(apart);
+    const auto stretch = [&](double radius) {
+      const double arc = 0.5 * norm(apart) / radius;
+      return stretching(std::sin(arc), std::cos(arc)).value;
+    };
+    const double stretched = 0.5 * (stretch(a_.radius) + (wall_ ? 1 : stretch(b_.radius)));
+    const Vector half = 0.5 * (along + (1 / stretched) * (e.whole() - along));
+    place(y, {half, half});
   }
 
   // ξ' while both points are at the contact.

@@ -107,10 +107,11 @@ class ImpactPair {
   static Vec3 vec(const reference::Vector& v) { return {{v.x, v.y, v.z}}; }
   // Of the reference with painted points; four times as many change no motion by 1e-6 of the speed.
   static constexpr int painted_steps = 5000;
-  static constexpr double speed = 1;  // (m/s) of a against the other
+  static constexpr double speed = 1;       // (m/s) of a against the other
+  static constexpr double radius = 0.005;  // (m) of a
 
  private:
-  static constexpr double radius = 0.005, mass = 1.3e-3, poissons_ratio = 0.3;
+  static constexpr double mass = 1.3e-3, poissons_ratio = 0.3;
 
   static double kinetic(const scree_energy& e) { return e.kinetic_translation + e.kinetic_rotation; }
   reference::Vector up() const {

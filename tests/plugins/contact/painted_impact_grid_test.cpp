@@ -31,6 +31,14 @@ std::vector<ImpactCase> laws() {
   return all;
 }
 
+// Of the velocity, over the speed: points are painted anew at the first step, up to h late, on which an arc exceeds 0.1 rad.
+// Until then twist at ω_n stretches the spring by up to ω_n 0.1 R h; it takes about a contact time to pull.
+double painting_error(const ImpactCase& c, const ImpactPair& pair, double steps) {
+  const double rolled =
+      pair.contact_time() * (ImpactPair::speed / ImpactPair::radius + norm(c.spin));  // (rad) at most
+  return rolled > 0.1 ? c.spin[2] * 0.1 * ImpactPair::radius / ImpactPair::speed / steps : 0;
+}
+
 template <class Visit>
 void each_painted_impact(const Visit& visit) {
   std::size_t count = 0;
@@ -62,7 +70,7 @@ TEST_CASE("painted points, all options together: motion, energy and each column 
     // Limits as of the laws without painted points: of the extra normal force of Hertz's stored energy, which has a
     // peak a few steps after first touch, and of energies, squares with twice the relative error.
     CHECK(coarse.motion < (c.hertz ? 2 : 1) * step_error(50));
-    CHECK(fine.motion < step_error(200));
+    CHECK(fine.motion < step_error(200) + painting_error(c, pair, 200));
     CHECK(coarse.column < 3 * step_error(50));
     CHECK(fine.column < 3 * step_error(200));
     CHECK(fine.residual < 3 * step_error(200));

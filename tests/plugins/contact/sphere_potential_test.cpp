@@ -25,7 +25,8 @@ Vec3 random_vector(std::mt19937_64& random, double size) {
   return {{component(random), component(random), component(random)}};
 }
 
-// Orientations of any size at first touch; since then the bodies moved by about 0.05 radii and turned by as many rad.
+// Orientations of any size at first touch; since then the bodies moved by about 0.02 radii and turned by as many rad: all
+// arcs are below 0.1 rad.
 Configuration random_configuration(std::mt19937_64& random, bool wall) {
   std::uniform_real_distribution<double> radius(0.6, 1.4);
   Configuration c{.radius_a = radius(random), .radius_b = wall ? 0 : radius(random)};
@@ -36,9 +37,9 @@ Configuration random_configuration(std::mt19937_64& random, bool wall) {
              .quaternion_a = quaternion_of(random_vector(random, 2)),
              .quaternion_b = wall ? quaternion_of({}) : quaternion_of(random_vector(random, 2))};
   c.pose = c.start;
-  c.pose.a += random_vector(random, 0.05);
-  c.pose.quaternion_a = after(quaternion_of(random_vector(random, 0.1)), c.start.quaternion_a);
-  if (!wall) c.pose.quaternion_b = after(quaternion_of(random_vector(random, 0.1)), c.start.quaternion_b);
+  c.pose.a += random_vector(random, 0.02);
+  c.pose.quaternion_a = after(quaternion_of(random_vector(random, 0.03)), c.start.quaternion_a);
+  if (!wall) c.pose.quaternion_b = after(quaternion_of(random_vector(random, 0.03)), c.start.quaternion_b);
   return c;
 }
 

@@ -33,12 +33,14 @@ struct SlipStep {
   T delay;                         // γ/k, with the onset weight (s)
   T step;                          // (s)
   T limit, sliding_limit;          // C for the previous state (stick or slip), and C for slip (N)
+  // ξ′ + s at the end of the step (m/s): v_t, unless the spring stretches at another velocity than its dashpot.
+  const Vec<D, T>& stretching = velocity;
 };
 
 // Returns spring and force after slip. The slip direction turns within the step, from the direction of the
-// old spring towards v_t: a radial return of the trial spring ξ alone lags by half a step. To second order in
+// old spring towards ξ′ + s: a radial return of the trial spring ξ alone lags by half a step. To second order in
 // the step h, and for any amount of slip, the direction of the new spring is that of
-//   p = ξ + ½ y h v_t,   y = slip/|ξ| = ½ (ξ²/L² − 1),   L = C/k;
+//   p = ξ + ½ y h (ξ′ + s),   y = slip/|ξ| = ½ (ξ²/L² − 1),   L = C/k;
 // the code computes 4 L² p, which saves a division. The total force is along
 //   k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t),   |p| = ½ L (1 + ξ²/L²) to second order,
 // which avoids waiting for the square root. damped = false: compiled without the dashpot.
@@ -54,7 +56,7 @@ inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   if constexpr (std::is_same_v<T, float>) scale = T(1) / std::max(square, smallest_divisor<T>);
   const T kept = slides ? T(4) * scale * longest_square : T(1);
   const T turned = slides ? scale * in.step * (square - longest_square) : T(0);
-  const Vec<D, T> direction = fused(turned, in.velocity, kept * in.trial_spring);
+  const Vec<D, T> direction = fused(turned, in.stretching, kept * in.trial_spring);
   const T shortening = sliding_longest * inverse_sqrt(dot(direction, direction));
   const T share = slides ? shortening : T(1), whole = in.stiffness * share;
   if constexpr (!damped) return {share * direction, -whole * direction, slides};
@@ -83,7 +85,7 @@ inline Slip<D, T> slide_or_stick_by_total(const SlipStep<D, T>& in, const T& ons
   const bool slides = square > limit_square;
   const T ratio = std::min(square / std::max(limit_square, smallest_divisor<T>), T(1e4));
   const T turned = slides ? T(0.25) * (ratio - T(1)) * in.step * in.stiffness : T(0);
-  const Vec<D, T> direction = fused(turned, in.velocity, test);
+  const Vec<D, T> direction = fused(turned, in.stretching, test);
   const T shortening = in.sliding_limit * inverse_sqrt(dot(direction, direction));
   const Vec<D, T> held = (slides ? shortening : T(1)) * direction;  // k ξ + γ v_t
 
