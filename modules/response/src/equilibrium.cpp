@@ -13,7 +13,8 @@ namespace {
 constexpr int most_iterations = 40;
 // Smallest share of a Newton step, and by how much the residual must fall over the share.
 constexpr double shortest_share = 1.0 / 64, least_gain = 0.1;
-// Of the residual after a step over that before: factors that leave more are replaced by those of the present stiffness.
+// Of the residual after a step over that before: earlier factors that leave more are replaced by those of the
+// present stiffness.
 constexpr double slow_convergence = 0.1;
 // Added to the diagonal of K, over its largest entry, against floppy modes and bodies without contacts. More where Newton steps do not
 // make the residual smaller.
@@ -73,7 +74,9 @@ Balance Equilibrium::find(const StaticConfiguration& from, double time, const Ve
     const bool present = !factors_;
     if (present && !factorise(search.walls, grounding)) break;
     const double size = size_of(residual);
-    const double share = move_along(search, step_for(residual), present ? shortest_share : 1, residual);
+    const double share = present
+                             ? move_along(search, step_for(residual), shortest_share, least_gain, residual)
+                             : move_along(search, step_for(residual), 1, 1 - slow_convergence, residual);
     if (share < 1 || size_of(residual) > slow_convergence * size) factors_.discard();
     if (present) grounding = share > 0.1 ? std::max(least_grounding, 0.1 * grounding) : 100 * grounding;
     if (grounding > largest_grounding || 4 * length_of(balance.motion) > pair_gap * smallest_radius_) break;
@@ -90,13 +93,14 @@ void Equilibrium::accept(const Balance& balance) {
   moved_ = 0;
 }
 
-double Equilibrium::move_along(Search& search, const Vector& step, double shortest, Vector& residual) {
+double Equilibrium::move_along(Search& search, const Vector& step, double shortest, double gain,
+                               Vector& residual) {
   const Vector from = search.balance.motion;
   const double size = size_of(residual);
   for (double share = 1; share >= shortest; share *= 0.5) {
     search.balance.motion = from + share * step;
     residual = evaluate(search);
-    if (size_of(residual) < (1 - least_gain * share) * size) return share;
+    if (size_of(residual) < (1 - gain * share) * size) return share;
   }
   search.balance.motion = from;
   residual = evaluate(search);

@@ -52,9 +52,9 @@ class Equilibrium {
   Vector evaluate(Search& search);
   void add_bodies(const Search& search, Vector& residual) const;
   void add_walls(const Search& search, Vector& residual) const;
-  // Moves on by the largest share of a step, `shortest` or more, that makes the residual smaller: where contacts change between
+  // Moves on by the largest share of a step, `shortest` or more, that makes the residual smaller by `gain` times this share: where contacts change between
   // sticking and sliding, the whole step may not. Returns this share, 0 if there is none.
-  double move_along(Search& search, const Vector& step, double shortest, Vector& residual);
+  double move_along(Search& search, const Vector& step, double shortest, double gain, Vector& residual);
   Sparse stiffness(const WallEquations& walls) const;  // K of the last evaluation
   // That K with `grounding` of its largest entry on its diagonal. Returns false if it is singular.
   bool factorise(const WallEquations& walls, double grounding);

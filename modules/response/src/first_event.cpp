@@ -39,19 +39,22 @@ FirstEvent::FirstEvent(Equilibrium& equilibrium, const StaticConfiguration& from
       balance_(whole),
       before_{0, equilibrium.contacts().states_before(), {}},
       last_(before_),
-      beyond_{1, equilibrium.contacts().states_after(), whole.motion} {}
+      beyond_{1, equilibrium.contacts().states_after(), whole.motion},
+      whole_(beyond_) {}
 
 double FirstEvent::find() {
   const auto any_slides = [](const Point& at) {
     return std::any_of(at.states.begin(), at.states.end(), slides);
   };
   const std::size_t count = events(before_, beyond_).size();
-  if (count == 0 || count > most_events || !any_slides(before_)) return end_at(beyond_);
-  if (!evaluate(early)) return 0;
+  if (count == 0 || count > most_events || !any_slides(before_)) return end_at(whole_);
+  if (!evaluate(early)) return end_at(whole_);
   last_ = std::move(point_);
-  if (events(last_, beyond_).empty() || !any_slides(last_)) return end_at(beyond_);
+  if (events(last_, beyond_).empty() || !any_slides(last_)) return end_at(whole_);
   approach();
-  return end_at(last_);
+  if (last_.share > 1 - close) return end_at(whole_);
+  const double share = end_at(last_);
+  return share > 0 ? share : end_at(whole_);
 }
 
 void FirstEvent::approach() {

@@ -14,8 +14,8 @@ class FirstEvent {
   FirstEvent(Equilibrium& equilibrium, const StaticConfiguration& from, double time, double increment,
              const Balance& whole, const std::function<bool()>& proceed);
 
-  // Share of the increment up to the event; 1 if there is none, 0 if a balance on the way is not found. The last evaluation of the
-  // equilibrium is then that of the balance there.
+  // Share of the increment up to the event; 1 if there is none or a balance on the way is not found, 0 if that at the end is not
+  // found again. The last evaluation of the equilibrium is then that of the balance there.
   double find();
   Balance take_balance() { return std::move(balance_); }
 
@@ -41,7 +41,8 @@ class FirstEvent {
   const std::function<bool()>& proceed_;
   Balance balance_;               // of the last evaluation
   Point before_, last_, beyond_;  // two before the event, one behind it
-  Point point_;                   // evaluated last
+  Point whole_;
+  Point point_;  // evaluated last
 };
 
 }  // namespace scree::response

@@ -13,6 +13,15 @@
 
 namespace scree::response {
 
+namespace {
+
+// Increments over the longest one that give a rate of the motion: the round-off of shorter ones would be taken for it.
+constexpr double least_for_rate = 1e-3;
+// Events that are located in an increment, before what is left of it is taken as a whole: contacts may change to and fro.
+constexpr int most_events_located = 16;
+
+}  // namespace
+
 std::vector<double> loads_of_walls(const Simulation& simulation, double time) {
   const WallEquations equations = simulation.linear_walls(time, simulation.planes());
   std::vector<double> loads;
@@ -116,9 +125,11 @@ class QuasiStatic::Packing {
 
   bool take_up_to_event(const Balance& whole, double time) {
     const double increment = time - time_;
-    FirstEvent event(equilibrium_, configuration_, time_, increment, whole, options_.proceed);
-    const double share = increment > 0 ? event.find() : 1;
+    if (time != increment_end_) events_located_ = 0;
     increment_end_ = time;
+    FirstEvent event(equilibrium_, configuration_, time_, increment, whole, options_.proceed);
+    const double share = increment > 0 && events_located_ < most_events_located ? event.find() : 1;
+    if (share < 1) ++events_located_;
     if (share > 0)
       accept(event.take_balance(), share < 1 ? time_ + share * increment : time, share * increment);
     return share > 0;
@@ -128,7 +139,7 @@ class QuasiStatic::Packing {
     ++counted_.increments;
     counted_.events += equilibrium_.contacts().events();
     equilibrium_.accept(balance);
-    if (increment > 0) rate_ = 1 / increment * balance.motion;
+    if (increment > least_for_rate * options_.longest_increment) rate_ = 1 / increment * balance.motion;
     configuration_ = std::move(balance.at);
     loads_ = std::move(balance.loads);
     time_ = time;
@@ -143,7 +154,8 @@ class QuasiStatic::Packing {
   StaticLoads loads_;
   Eigen::VectorXd rate_;  // of the motion in the last increment (1/s); empty before the first
   double time_, next_increment_ = 0;
-  double increment_end_;  // (s) of the present increment, which may have ended at an event before
+  double increment_end_;    // (s) of the present increment, which may have ended at an event before
+  int events_located_ = 0;  // in that increment
   bool balanced_ = false;
   QuasiStaticCounts counted_;
 };
