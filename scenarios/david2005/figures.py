@@ -53,7 +53,10 @@ def print_numbers(groups):
 
 
 def plot_accumulation(axes, groups, title, name_of):
-    """Means of the seeds, with standard errors after the last cycle."""
+    """Means of the seeds, with standard errors after the last cycle; on a logarithmic scale where they differ widely."""
+    ends = [mean_of([run.strain[-1] for run in runs])[0] for runs in groups.values()]
+    if min(ends) > 0 and max(ends) > 20 * min(ends):
+        axes.set_yscale("log")
     for at, (label, runs, look) in enumerate(with_looks(groups, name_of)):
         last = min(len(r.strain) for r in runs) - 1
         axes.plot(range(last + 1), [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)], label=label, **look)

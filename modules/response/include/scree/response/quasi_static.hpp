@@ -35,7 +35,7 @@ std::vector<std::string> laws_that_integrate_spins(const Simulation& simulation)
 // Follows a packing through states of equilibrium, without inertia and without dashpots, as the programs of its walls load it:
 // in each increment, positions, rotations and the springs at its end are those for which all forces and torques are in
 // balance with the loads at its end. Contacts slide as their laws say at the end of the increment. Where contacts slide, an increment ends
-// at the first contact that begins to slide, touches or parts, within 1e-4 of it, unless more than eight do.
+// at the first contact that begins to slide, touches or parts, within 1e-4 of it, unless more than eight do or sixteen have done so in it.
 class QuasiStatic {
  public:
   // Begins from the present state of a simulation, which must outlive this object. Throws Error if a law has no derivatives, if walls are moved
