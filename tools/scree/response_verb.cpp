@@ -116,8 +116,8 @@ ExitStatus follow(const ResponseArguments& arguments) {
 }  // namespace
 
 void add_response_verb(CommandLine& line) {
-  Verb verb =
-      line.verb("response", "Vibrational modes, floppy modes and elastic constants of a packing at rest");
+  Verb verb = line.verb("response",
+                        "Modes and elastic constants of a packing at rest, or a load on it without dynamics");
   auto a = std::make_shared<ResponseArguments>();
   const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
   verb.option("scenario", a->scenario,
@@ -163,8 +163,9 @@ void add_response_verb(CommandLine& line) {
   verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
   add_plugin_options(verb, a->plugins);
   verb.footer(
-      "The packing is taken as it is at the end of the stages, with its contacts sticking. Modes are those\n"
-      "of the symmetric part of its stiffness; residuals are those with all of it.\n"
+      "The packing is taken as it is at the end of the stages, with its contacts sticking (--sliding: sliding on).\n"
+      "Modes are those of the symmetric part of its stiffness; residuals are those with all of it. --quasi-static\n"
+      "takes the packing at the start of the last stage.\n"
       "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40\n"
       "         scree response scenarios/mcnamara2008/biaxial.toml --quasi-static");
   verb.action([a] {
