@@ -31,22 +31,33 @@ ContactGeometry::Part ContactGeometry::part(const ContactJacobian& columns, cons
 }
 
 ContactGeometry::Motion ContactGeometry::displacements(const ContactJacobian& columns,
-                                                       const double* jacobians, std::size_t i,
-                                                       const Onset& onset) const {
-  Part by_centres = part(columns, jacobians, i, PairMotion::centres),
-       by_surfaces = part(columns, jacobians, i, PairMotion::surfaces);
-  const Part by_rotation_a = part(columns, jacobians, i, PairMotion::rotation_a),
+                                                       const double* jacobians, std::size_t i) const {
+  const Part by_centres = part(columns, jacobians, i, PairMotion::centres),
+             by_surfaces = part(columns, jacobians, i, PairMotion::surfaces),
+             by_rotation_a = part(columns, jacobians, i, PairMotion::rotation_a),
              by_rotation_b = part(columns, jacobians, i, PairMotion::rotation_b);
-  if (onset.within_increment()) {
-    const Block counted =
-        (onset.touched - 1) * Block::Identity(dimension, dimension) +
-        onset.slip.head(dimension) * onset.touched_by_displacement.head(dimension).transpose();
-    by_centres.force += by_surfaces.force * counted, by_centres.couple += by_surfaces.couple * counted;
-    by_surfaces.force *= onset.touched, by_surfaces.couple *= onset.touched;
-  }
   const Block lever = crossing(normal);
   return {by_centres.force,    by_centres.couple,    by_surfaces.force * lever, by_surfaces.couple * lever,
           by_rotation_a.force, by_rotation_a.couple, by_rotation_b.force,       by_rotation_b.couple};
+}
+
+ContactGeometry::Motion ContactGeometry::displacements(const ContactJacobian& columns,
+                                                       const double* jacobians, std::size_t i,
+                                                       const SlipDerivative& slip) const {
+  Motion motion = displacements(columns, jacobians, i);
+  const Part by_surfaces = part(columns, jacobians, i, PairMotion::surfaces);
+  const Block further = slip.by_displacement.topLeftCorner(dimension, dimension) -
+                        Eigen::MatrixXd::Identity(dimension, dimension);
+  motion.force_by_displacement += by_surfaces.force * further;
+  motion.couple_by_displacement += by_surfaces.couple * further;
+  const auto by_rotation = [&](const Eigen::Matrix3d& all) {
+    return Block(all.block(0, dimension == 2 ? 2 : 0, dimension, spins));
+  };
+  const Block a = by_rotation(slip.by_rotation_a), b = by_rotation(slip.by_rotation_b);
+  motion.force_by_turning.setZero(), motion.couple_by_turning.setZero();
+  motion.force_by_rotation_a += by_surfaces.force * a, motion.couple_by_rotation_a += by_surfaces.couple * a;
+  motion.force_by_rotation_b += by_surfaces.force * b, motion.couple_by_rotation_b += by_surfaces.couple * b;
+  return motion;
 }
 
 ContactGeometry::Motion ContactGeometry::velocities(const ContactJacobian& columns, const double* jacobians,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact_terms.hpp"
-#include "onset.hpp"
+#include "slip_derivative.hpp"
 
 #include <Eigen/Core>
 
@@ -28,8 +28,10 @@ struct ContactGeometry {
     Block force_by_rotation_b, couple_by_rotation_b;      // θ_b
   };
   // From the Jacobians of many contacts, of the one with index i.
+  Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
+  // The same at the end of a motion, with which the tangential increment changes as `slip` says.
   Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i,
-                       const Onset& onset = {}) const;
+                       const SlipDerivative& slip) const;
   Motion velocities(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
   // Of the spins alone, where the force depends on them.
   Motion spins_of(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "onset.hpp"
 #include "pair_at_rest.hpp"
+#include "slip_derivative.hpp"
 #include "static_configuration.hpp"
 
 #include <algorithm>
@@ -23,10 +23,10 @@ struct PairPlace : PairAtRest {
   PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
             const StaticMotion& motion);
 
-  Onset onset(scree_arms arms) const;
   // Displacement of a's contact point relative to b's (m): with the normal at the end, and across that of the middle.
   Vec3 slip(scree_arms arms) const { return slip(normal, distance, arms); }
   Vec3 tangential_increment(scree_arms arms) const;
+  SlipDerivative slip_derivative(scree_arms arms) const;
 
  private:
   double approach() const { return -dot(moved, normal); }

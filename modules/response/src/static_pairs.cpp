@@ -98,14 +98,14 @@ void StaticPairs::evaluate(const StaticConfiguration& after, const StaticMotion&
   largest_force_ = 0;
   columns_.emplace(pairs_.size());
   geometries_.clear();
-  onsets_.clear();
+  slips_.clear();
   next_history_.assign(history_.size(), 0.0);
   next_states_.assign(pairs_.size(), {});
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const PairPlace at(simulation_, pairs_[i], after, motion);
     fill(i, at, after, motion);
     geometries_.push_back(at.geometry(simulation_.dimension(), spins_, arms_of(law_)));
-    onsets_.push_back(at.onset(arms_of(law_)));
+    slips_.push_back(at.slip_derivative(arms_of(law_)));
   }
   columns_->evaluate(law_, duration);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -123,17 +123,15 @@ void StaticPairs::add_stiffness(Entries& stiffness) {
     for (std::uint32_t k = 0; k < width(); ++k) columns_->history(k, i) = history_[i * width() + k];
   }
   jacobian_.evaluate(columns_->batch(duration), inverse_distance.data(), jacobian);
-  // Laws that integrate the spin by themselves; the dashpots of others are round-off.
-  const bool by_spin = law_.instance().reads & (1u << SCREE_RELATIVE_SPIN);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (!touches(i)) continue;
     const ContactGeometry& of = geometries_[i];
     const Vec3 force = columns_->output_vector(SCREE_FORCE, i);
     const Eigen::Vector3d f(force[0], force[1], of.dimension == 2 ? 0 : force[2]);
-    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i, onsets_[i]), f);
-    if (by_spin)
-      block +=
-          1 / duration * of.of_bodies(of.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero());
+    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i, slips_[i]), f);
+    // Velocities times the duration, which laws take for displacements of the increment; dashpots are round-off.
+    block +=
+        1 / duration * of.of_bodies(of.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero());
     stiffness.add({pairs_[i].a, pairs_[i].b}, block);
   }
 }

@@ -63,7 +63,7 @@ class StaticPairs {
   // Of the last evaluation.
   std::optional<ContactColumns> columns_;
   std::vector<ContactGeometry> geometries_;
-  std::vector<Onset> onsets_;
+  std::vector<SlipDerivative> slips_;
   double largest_force_ = 0;  // (N)
 };
 
