@@ -194,7 +194,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
             .stretching = stretching};
   }
 
-  // Paints the points where their shares tell; those that stay keep their bits, unless they are painted anew.
+  // Paints the points at their shares; those that stay keep their bits, unless they are painted anew.
   template <class Pair, class T, class AnyHistory>
   static void place(const Pair& pair, const tangential::Shares<T>& shares, bool stay, bool anew,
                     AnyHistory& h) {

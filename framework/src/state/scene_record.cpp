@@ -150,10 +150,6 @@ State record_of(const Scene& scene) {
   return record;
 }
 
-}  // namespace
-
-namespace {
-
 // Whether all that is recorded of a scene below a path is that of the state.
 bool is_recorded(const State& state, const Scene& scene, std::string_view below) {
   const State present = record_of(scene);

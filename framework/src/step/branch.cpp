@@ -140,7 +140,7 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
   from(state_).value("clock/time", "s", time);
   from(state_).value("clock/force_time", "s", force_time);
   parts.stepper.reevaluate_forces(time - force_time);
-  // Contacts at the limit of friction that do not move seem to stick.
+  // Evaluated without a motion, contacts at the limit of friction stick; they go on as they were.
   if (branching_.histories && time == force_time && has_laws_of(state_, wanted_)) take_over_histories(parts);
 }
 

@@ -33,7 +33,7 @@ struct ContactGeometry {
   Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i,
                        const SlipDerivative& slip) const;
   Motion velocities(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
-  // Of the spins alone, where the force depends on them.
+  // Of the spins alone, where the force depends on them: couples alone are rolling resistance.
   Motion spins_of(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
   // Negative derivatives of forces and torques on a and b with their displacements and rotations. `force` (N)
   // on a turns with the normal; with zero force the same holds for velocities.

@@ -21,7 +21,7 @@ namespace {
 constexpr double least_slip = 1e-9, largest_slip = 1, growth_of_slip = 4;
 // Depth over the overlap by which loading and unloading are told apart: above round-off, and too little to change who slips.
 constexpr double depth = 1e-11;
-// Difference of their stiffnesses, over the largest, from which a contact has two.
+// Difference of their stiffnesses, over the largest, from which a contact has two; share of that against rotations from which it is of integrated spins.
 constexpr double least_difference = 1e-6;
 
 }  // namespace
@@ -80,7 +80,11 @@ class LawContacts {
       if (turning.empty()) continue;
       const Block by_rotation =
           contact.of_bodies(contact.spins_of(jacobian_, turning.data(), i), Eigen::Vector3d::Zero());
-      terms.back().integrates_spin = !by_rotation.isZero(0);
+      const auto force_by_rotation = [&](const Block& of) {
+        return of.block(0, simulation_.dimension(), simulation_.dimension(), spins_).norm();
+      };
+      terms.back().integrates_spin =
+          force_by_rotation(by_rotation) > least_difference * force_by_rotation(terms.back().stiffness);
       terms.back().stiffness += by_rotation;
       terms.back().damping -= simulation_.step_length() * by_rotation;
     }
@@ -130,8 +134,8 @@ class LawContacts {
     return all;
   }
 
-  // A law that adds spin times step to its spring has a stiffness there, and no dashpot: derivatives that grow with the step. Their
-  // growth (1/s) with the force; empty if the law has none. Those with the couple alone belong to rolling resistance, which counts as a dashpot.
+  // Growth of the Jacobians with the step (1/s); empty if the law reads no spins. A law that adds spin times step to its spring has derivatives
+  // with the spin that grow so: they are a stiffness, and no dashpot.
   std::vector<double> jacobian_of_integrated_spins(ContactColumns& columns,
                                                    const std::vector<double>& inverse_distance,
                                                    const std::vector<double>& jacobian) const {

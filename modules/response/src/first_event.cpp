@@ -30,16 +30,16 @@ double share_at(double limit, double before_share, double before, double last_sh
 }  // namespace
 
 FirstEvent::FirstEvent(Equilibrium& equilibrium, const StaticConfiguration& from, double time,
-                       double increment, const Balance& whole, const std::function<bool()>& proceed)
+                       double increment, Balance whole, const std::function<bool()>& proceed)
     : equilibrium_(equilibrium),
       from_(from),
       time_(time),
       increment_(increment),
       proceed_(proceed),
-      balance_(whole),
+      balance_(std::move(whole)),
       before_{0, equilibrium.contacts().states_before(), {}},
       last_(before_),
-      beyond_{1, equilibrium.contacts().states_after(), whole.motion},
+      beyond_{1, equilibrium.contacts().states_after(), balance_.motion},
       whole_(beyond_) {}
 
 double FirstEvent::find() {
@@ -47,7 +47,7 @@ double FirstEvent::find() {
     return std::any_of(at.states.begin(), at.states.end(), slides);
   };
   const std::size_t count = events(before_, beyond_).size();
-  if (count == 0 || count > most_events || !any_slides(before_)) return end_at(whole_);
+  if (count == 0 || count > most_events || !any_slides(before_)) return 1;  // evaluated last
   if (!evaluate(early)) return end_at(whole_);
   last_ = std::move(point_);
   if (events(last_, beyond_).empty() || !any_slides(last_)) return end_at(whole_);

@@ -12,7 +12,7 @@ class FirstEvent {
  public:
   // Of an increment (s) from a time (s) and a configuration, at whose end `whole` is the balance that was found last.
   FirstEvent(Equilibrium& equilibrium, const StaticConfiguration& from, double time, double increment,
-             const Balance& whole, const std::function<bool()>& proceed);
+             Balance whole, const std::function<bool()>& proceed);
 
   // Share of the increment up to the event; 1 if there is none or a balance on the way is not found, 0 if that at the end is not
   // found again. The last evaluation of the equilibrium is then that of the balance there.

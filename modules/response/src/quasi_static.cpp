@@ -114,8 +114,8 @@ class QuasiStatic::Packing {
     for (;;) {
       const double increment = time - time_;
       loads_of_walls(simulation_, time);  // throws where a program moves a wall
-      const Balance whole = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
-      if (whole.found && take_up_to_event(whole, time)) return true;
+      Balance whole = equilibrium_.find(configuration_, time, increment * rate_, options_.proceed);
+      if (whole.found && take_up_to_event(std::move(whole), time)) return true;
       if (increment < 1.5 * options_.shortest_increment || !options_.proceed()) return false;
       increment_end_ = time_;
       next_increment_ = std::max(0.5 * increment, options_.shortest_increment);
@@ -123,16 +123,21 @@ class QuasiStatic::Packing {
     }
   }
 
-  bool take_up_to_event(const Balance& whole, double time) {
+  // Accepts a balance at a time, or one before, where an event ends the increment. Returns false if that is not found again.
+  bool take_up_to_event(Balance whole, double time) {
     const double increment = time - time_;
     if (time != increment_end_) events_located_ = 0;
     increment_end_ = time;
-    FirstEvent event(equilibrium_, configuration_, time_, increment, whole, options_.proceed);
-    const double share = increment > 0 && events_located_ < most_events_located ? event.find() : 1;
+    if (!(increment > 0) || events_located_ == most_events_located || equilibrium_.contacts().events() == 0) {
+      accept(std::move(whole), time, increment);
+      return true;
+    }
+    FirstEvent event(equilibrium_, configuration_, time_, increment, std::move(whole), options_.proceed);
+    const double share = event.find();
+    if (share == 0) return false;
     if (share < 1) ++events_located_;
-    if (share > 0)
-      accept(event.take_balance(), share < 1 ? time_ + share * increment : time, share * increment);
-    return share > 0;
+    accept(event.take_balance(), share < 1 ? time_ + share * increment : time, share * increment);
+    return true;
   }
 
   void accept(Balance balance, double time, double increment) {

@@ -98,14 +98,13 @@ void StaticPairs::evaluate(const StaticConfiguration& after, const StaticMotion&
   largest_force_ = 0;
   columns_.emplace(pairs_.size());
   geometries_.clear();
-  slips_.clear();
+  places_.clear();
   next_history_.assign(history_.size(), 0.0);
   next_states_.assign(pairs_.size(), {});
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const PairPlace at(simulation_, pairs_[i], after, motion);
+    const PairPlace& at = places_.emplace_back(simulation_, pairs_[i], after, motion);
     fill(i, at, after, motion);
     geometries_.push_back(at.geometry(simulation_.dimension(), spins_, arms_of(law_)));
-    slips_.push_back(at.slip_derivative(arms_of(law_)));
   }
   columns_->evaluate(law_, duration);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -128,7 +127,8 @@ void StaticPairs::add_stiffness(Entries& stiffness) {
     const ContactGeometry& of = geometries_[i];
     const Vec3 force = columns_->output_vector(SCREE_FORCE, i);
     const Eigen::Vector3d f(force[0], force[1], of.dimension == 2 ? 0 : force[2]);
-    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i, slips_[i]), f);
+    const SlipDerivative slip = places_[i].slip_derivative(arms_of(law_));
+    Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i, slip), f);
     // Velocities times the duration, which laws take for displacements of the increment; dashpots are round-off.
     block +=
         1 / duration * of.of_bodies(of.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero());

@@ -62,8 +62,8 @@ class StaticPairs {
   std::vector<PairState> states_, next_states_;
   // Of the last evaluation.
   std::optional<ContactColumns> columns_;
+  std::vector<PairPlace> places_;
   std::vector<ContactGeometry> geometries_;
-  std::vector<SlipDerivative> slips_;
   double largest_force_ = 0;  // (N)
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <klu.h>
-#include <vector>
 
 #include <Eigen/LU>
 

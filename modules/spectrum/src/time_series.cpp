@@ -86,7 +86,8 @@ std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
     for (std::size_t k = 0; k < series.size(); ++k) series[k].values.push_back(read(rows, numbers[k]));
   }
   for (TimeSeries& column : series) {
-    column.times = times;
+    const bool last = &column == &series.back();
+    column.times = last ? std::move(times) : times;
     check(rows, column, least);
   }
   return series;
