@@ -1,6 +1,6 @@
 #pragma once
 
-#include "static_pairs.hpp"
+#include "pairs_of_law.hpp"
 
 #include <memory>
 #include <vector>
@@ -24,8 +24,8 @@ class StaticContacts {
   void commit();
 
   // Of all pairs, in an order that find_pairs alone changes: at the beginning of the increment, and after the last evaluation.
-  std::vector<PairState> states_before() const { return states(&StaticPairs::states_before); }
-  std::vector<PairState> states_after() const { return states(&StaticPairs::states_after); }
+  std::vector<PairState> states_before() const { return states(&PairsOfLaw::states_before); }
+  std::vector<PairState> states_after() const { return states(&PairsOfLaw::states_after); }
   // Pairs whose status in the last evaluation differs from that before.
   std::size_t events() const;
   std::size_t count(PairStatus status) const;  // at the beginning of the increment
@@ -34,11 +34,11 @@ class StaticContacts {
   std::vector<TouchingPair> touching() const;  // at the beginning of the increment
 
  private:
-  std::vector<PairState> states(const std::vector<PairState>& (StaticPairs::*of_law)() const) const;
+  std::vector<PairState> states(const std::vector<PairState>& (PairsOfLaw::*of_law)() const) const;
 
   const Simulation& simulation_;
   int spins_;
-  std::vector<std::unique_ptr<StaticPairs>> laws_;
+  std::vector<std::unique_ptr<PairsOfLaw>> laws_;
 };
 
 }  // namespace scree::response

@@ -1,6 +1,6 @@
-#include "static_pairs.hpp"
+#include "pairs_of_law.hpp"
 
-#include "contact_terms.hpp"
+#include "../contact_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@ scree_arms arms_of(const ConfiguredLaw& law) { return scree_arms(law.instance().
 
 }  // namespace
 
-StaticPairs::StaticPairs(const Simulation& simulation, std::uint32_t law, int spins)
+PairsOfLaw::PairsOfLaw(const Simulation& simulation, std::uint32_t law, int spins)
     : simulation_(simulation),
       law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
       jacobian_(law_, simulation.dimension()),
       law_number_(law),
       spins_(spins) {}
 
-void StaticPairs::set_pairs(std::vector<StaticPair> pairs) {
+void PairsOfLaw::set_pairs(std::vector<StaticPair> pairs) {
   const auto order = [](const StaticPair& p) { return std::tie(p.a, p.b); };
   std::vector<double> history(pairs.size() * width(), 0.0);
   std::vector<PairState> states(pairs.size());
@@ -38,8 +38,8 @@ void StaticPairs::set_pairs(std::vector<StaticPair> pairs) {
   pairs_ = std::move(pairs), history_ = std::move(history), states_ = std::move(states);
 }
 
-void StaticPairs::set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history,
-                              bool sliding) {
+void PairsOfLaw::set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history,
+                             bool sliding) {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (pairs_[i].a != a || pairs_[i].b != b) continue;
     std::copy_n(history.begin(), width(), history_.begin() + std::ptrdiff_t(i * width()));
@@ -47,8 +47,8 @@ void StaticPairs::set_history(std::uint32_t a, std::uint32_t b, const std::vecto
   }
 }
 
-void StaticPairs::fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after,
-                       const StaticMotion& motion) {
+void PairsOfLaw::fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after,
+                      const StaticMotion& motion) {
   const Particles& p = simulation_.particles();
   ContactColumns& columns = *columns_;
   at.set_inputs(p, after.orientations, law_.instance().reads, columns, i);
@@ -62,7 +62,7 @@ void StaticPairs::fill(std::size_t i, const PairPlace& at, const StaticConfigura
   for (std::uint32_t k = 0; k < width(); ++k) columns.history(k, i) = history_[i * width() + k];
 }
 
-void StaticPairs::add_loads(std::size_t i, StaticLoads& loads) {
+void PairsOfLaw::add_loads(std::size_t i, StaticLoads& loads) {
   const ContactGeometry& geometry = geometries_[i];
   const bool flat = geometry.dimension == 2;
   Vec3 force = columns_->output_vector(SCREE_FORCE, i), couple = {};
@@ -80,7 +80,7 @@ void StaticPairs::add_loads(std::size_t i, StaticLoads& loads) {
   largest_force_ = std::max(largest_force_, norm(force));
 }
 
-PairState StaticPairs::state_of(std::size_t i) {
+PairState PairsOfLaw::state_of(std::size_t i) {
   PairState state = {.overlap = columns_->input(SCREE_OVERLAP, 0, i)};
   if (!touches(i)) return state;
   const int sliding = law_.instance().sliding_column;
@@ -94,7 +94,7 @@ PairState StaticPairs::state_of(std::size_t i) {
   return state;
 }
 
-void StaticPairs::evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads) {
+void PairsOfLaw::evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads) {
   largest_force_ = 0;
   columns_.emplace(pairs_.size());
   geometries_.clear();
@@ -115,7 +115,7 @@ void StaticPairs::evaluate(const StaticConfiguration& after, const StaticMotion&
   }
 }
 
-void StaticPairs::add_stiffness(Entries& stiffness) {
+void PairsOfLaw::add_stiffness(Entries& stiffness) {
   std::vector<double> inverse_distance((pairs_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0), jacobian;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     inverse_distance[i] = geometries_[i].inverse_distance;
@@ -136,12 +136,12 @@ void StaticPairs::add_stiffness(Entries& stiffness) {
   }
 }
 
-void StaticPairs::commit() {
+void PairsOfLaw::commit() {
   history_.swap(next_history_);
   states_.swap(next_states_);
 }
 
-void StaticPairs::append_touching(std::vector<TouchingPair>& all) const {
+void PairsOfLaw::append_touching(std::vector<TouchingPair>& all) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     if (states_[i].status != PairStatus::open)
       all.push_back({pairs_[i].a, pairs_[i].b, law_number_, history_.data() + i * width(), width()});

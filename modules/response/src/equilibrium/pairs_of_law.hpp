@@ -1,6 +1,6 @@
 #pragma once
 
-#include "entries.hpp"
+#include "../entries.hpp"
 #include "pair_place.hpp"
 #include "pair_state.hpp"
 #include "static_configuration.hpp"
@@ -26,10 +26,10 @@ struct TouchingPair {
 };
 
 // Pairs of one law, with their histories, for StaticContacts.
-class StaticPairs {
+class PairsOfLaw {
  public:
   // law: number in the scene; spins: as StaticContacts.
-  StaticPairs(const Simulation& simulation, std::uint32_t law, int spins);
+  PairsOfLaw(const Simulation& simulation, std::uint32_t law, int spins);
 
   // Sorted by (a, b). Those that were known keep their histories; others begin without.
   void set_pairs(std::vector<StaticPair> pairs);

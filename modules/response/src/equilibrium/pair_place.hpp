@@ -1,18 +1,13 @@
 #pragma once
 
-#include "pair_at_rest.hpp"
-#include "slip_derivative.hpp"
+#include "../pair_at_rest.hpp"
+#include "../slip_derivative.hpp"
 #include "static_configuration.hpp"
+#include "static_pair.hpp"
 
 #include <algorithm>
 
 namespace scree::response {
-
-// A pair of bodies, or of a body and a wall.
-struct StaticPair {
-  std::uint32_t a, b;  // as in ContactList
-  Vec3 shift;          // (m) added to x_a − x_b of bodies, for the nearest images
-};
 
 // Where a pair is at the end of an increment, and how it came there.
 struct PairPlace : PairAtRest {

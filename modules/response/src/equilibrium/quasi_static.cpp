@@ -1,4 +1,4 @@
-#include "contact_terms.hpp"
+#include "../contact_terms.hpp"
 #include "equilibrium.hpp"
 #include "first_event.hpp"
 #include "static_state.hpp"

@@ -1,6 +1,6 @@
 #include "equilibrium.hpp"
 
-#include "entries.hpp"
+#include "../entries.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,11 +8,11 @@ namespace scree::response {
 StaticContacts::StaticContacts(const Simulation& simulation, int spins)
     : simulation_(simulation), spins_(spins) {
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
-    laws_.push_back(std::make_unique<StaticPairs>(simulation, law, spins));
+    laws_.push_back(std::make_unique<PairsOfLaw>(simulation, law, spins));
   find_pairs(StaticConfiguration(simulation), 0);
   const ContactList list = simulation.contact_list();
   for (std::size_t c = 0; c < list.size(); ++c) {
-    StaticPairs& law = *laws_[list.law[c]];
+    PairsOfLaw& law = *laws_[list.law[c]];
     std::vector<double> history;
     for (std::uint32_t k = 0; k < law.width(); ++k)
       history.push_back(simulation.contact_history(list.pair[c], k));
@@ -63,7 +63,7 @@ void StaticContacts::commit() {
   for (const auto& law : laws_) law->commit();
 }
 
-std::vector<PairState> StaticContacts::states(const std::vector<PairState>& (StaticPairs::*of_law)()
+std::vector<PairState> StaticContacts::states(const std::vector<PairState>& (PairsOfLaw::*of_law)()
                                                   const) const {
   std::vector<PairState> all;
   for (const auto& law : laws_) {

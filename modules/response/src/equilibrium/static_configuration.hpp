@@ -1,21 +1,13 @@
 #pragma once
 
+#include "static_motion.hpp"
+
 #include <vector>
 
-#include <Eigen/Core>
-
 #include <scree/orientations.hpp>
-#include <scree/response/degrees_of_freedom.hpp>
 #include <scree/simulation.hpp>
 
 namespace scree::response {
-
-// A small motion of all bodies and, behind them, of all walls, which do not rotate.
-struct StaticMotion {
-  std::vector<Vec3> displacement, rotation;  // (m), (rad)
-
-  StaticMotion(const Eigen::VectorXd& q, const DegreesOfFreedom& freedom, const WallEquations& walls);
-};
 
 // Where the bodies and, behind them, the walls are.
 struct StaticConfiguration {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "body_force_terms.hpp"
+#include "../body_force_terms.hpp"
 #include "static_contacts.hpp"
 #include "stiffness_factors.hpp"
 
