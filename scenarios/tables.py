@@ -5,6 +5,11 @@ import sys
 import tomllib
 
 
+def refuse(text):
+    """Ends the script with one line."""
+    sys.exit(f"{os.path.basename(sys.argv[0])}: {text}")
+
+
 def read(path):
     """Rows of a table by the names of the columns, without units."""
     with open(path, encoding="utf-8") as lines:
@@ -20,7 +25,7 @@ def runs_of(folder, *columns):
     rows = read(table) if os.path.exists(table) else []
     for column in columns:
         if rows and column not in rows[0]:
-            sys.exit(f"{os.path.basename(sys.argv[0])}: {table}: there is no column '{column}'; give the folder of a campaign that varies it")
+            refuse(f"{table}: there is no column '{column}'; give the folder of a campaign that varies it")
     for row in rows:
         row["path"] = os.path.join(folder, row["run"])
     return [row for row in rows if row["status"] == "finished"]
@@ -46,4 +51,13 @@ def arguments(usage, least, most):
 
 def no_runs(folder, campaign):
     """Ends the script with one line: which campaign comes first."""
-    sys.exit(f"{os.path.basename(sys.argv[0])}: {folder}: no finished run of a campaign; run scree campaign {campaign} first")
+    refuse(f"{folder}: no finished run of a campaign; run scree campaign {campaign} first")
+
+
+def made(folder):
+    """The folder, which is made where there is none. Ends the script with one line if it cannot be."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        refuse(f"{folder}: {error.strerror}")
+    return folder

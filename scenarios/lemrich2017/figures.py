@@ -9,13 +9,9 @@ import math
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot, ticker  # noqa: E402 (the choice of the backend comes first)
-
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import arguments, no_runs, read, runs_of, scenario_of  # noqa: E402 (of the folder above)
+from drawing import pyplot, ticker  # noqa: E402 (of the folder above, like the next)
+from tables import arguments, made, no_runs, read, runs_of, scenario_of  # noqa: E402
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
@@ -187,11 +183,11 @@ def print_collapse(sweeps):
 
 def main():
     folder, *others = arguments(__doc__, 1, 2)
-    out = others[0] if others else folder
     sweeps = sweeps_of(folder)
     if not sweeps:
         no_runs(folder, "scenarios/lemrich2017/sweeps.toml, or drives.toml,")
     print_table(sweeps)
+    out = made(others[0] if others else folder)
     with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
         of_band = os.path.basename(json.load(record)["file"]) == "sweeps.toml"
     if of_band:

@@ -5,9 +5,8 @@ Usage: python3 scenarios/mcnamara2008/closed_path.py runs/closed-path [FOLDER fo
 Needs a run of closed-path.toml and python3-matplotlib."""
 import math
 import os
-import sys
 
-from series import arguments, read
+from series import arguments, read, refuse
 from style import BLUE, GREEN, GREY, ORANGE, label, pyplot, save
 
 LAWS = {2: ("Cundall and Strack", BLUE, "o"), 3: ("corrected", ORANGE, "s"), 4: ("painted points", GREEN, "^")}
@@ -53,17 +52,19 @@ def draw(rows, out):
     for disc in (2, 4):
         law, colour, _ = LAWS[disc]
         normal, tangential = ([1e3 * f for f in part] for part in forces(rows, disc))
-        for first, style in ((0, "-"), (19, "--")):
-            part = slice(first * SAMPLES, (first + 1) * SAMPLES + 1)
-            plane.plot(normal[part], tangential[part], style, color=colour, label=f"{law}, round {first + 1}")
+        last = (len(rows) - 1) // SAMPLES
+        same = ", on the first" if law == "painted points" else ""
+        for number, text, look in ((1, "", {"linewidth": 4, "alpha": 0.35}), (last, same, {"linestyle": "--"})):
+            part = slice((number - 1) * SAMPLES, number * SAMPLES + 1)
+            plane.plot(normal[part], tangential[part], color=colour, label=f"{law}, round {number}{text}", **look)
     plane.set_ylim(-19, 38)
     label(plane, "Forces of two contacts (figure 9)", "$F_n$ / mN", "$F_t$ / mN")
     for disc, (law, colour, mark) in LAWS.items():
         kept = [1e3 * f for f in forces(rows, disc)[1][::SAMPLES]]
         rounds.plot(range(len(kept)), kept, mark, color=colour, markersize=5, fillstyle="none", label=law)
     growth = 1e3 * STIFFNESS * growth_of_a_round(rows, 2)
-    rounds.plot([0, 20], [0, 20 * growth], color="black", linewidth=0.8, label=r"$k_t \oint \rho\, d\theta$ per round")
-    label(rounds, "Tangential force after whole rounds (figure 10)", "round", "$F_t$ / mN")
+    rounds.plot([0, last], [0, last * growth], color="black", linewidth=0.8, label="$k_t$ ∮ ρ dθ per round")
+    label(rounds, "Tangential force after whole rounds (figure 10)", "rounds", "$F_t$ / mN")
     for axes in (plane, rounds):
         axes.legend(frameon=False, fontsize=8, loc="upper left")
     save(figure, out, "closed-path.png")
@@ -73,11 +74,14 @@ def main():
     folder, *out = arguments(__doc__, 1, 2)
     table = os.path.join(folder, "series", "particles.csv")
     if not os.path.exists(table):
-        sys.exit(f"closed_path.py: {folder}: no run; run scree run scenarios/mcnamara2008/closed-path.toml --out {folder} first")
+        refuse(f"{folder}: no run; run scree run scenarios/mcnamara2008/closed-path.toml --out {folder} first")
     rows = [{name: float(value) for name, value in row.items()} for row in read(table)]
+    if len(rows) <= SAMPLES or any(f"fx_{disc}" not in rows[0] for disc in LAWS):
+        refuse(f"{table}: not a round of the discs of scenarios/mcnamara2008/closed-path.toml; give the folder of a run of it")
     for disc, (law, _, _) in LAWS.items():
         kept = forces(rows, disc)[1][::SAMPLES]
-        print(f"{law:20} {kept[1] / STIFFNESS:.6e} m after a round, {kept[-1] / STIFFNESS:.6e} m after {len(kept) - 1}; ∮ρ dθ = {growth_of_a_round(rows, disc):.6e} m")
+        print(f"{law:20} {kept[1] / STIFFNESS:.6e} m after a round, {kept[-1] / STIFFNESS:.6e} m after {len(kept) - 1};"
+              f" ∮ρ dθ = {growth_of_a_round(rows, disc):.6e} m")
     draw(rows, *(out or [folder]))
 
 

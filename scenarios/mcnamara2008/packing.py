@@ -3,7 +3,7 @@ import math
 import os
 
 from series import read
-from style import BLUE, GREY, ORANGE, RED, label, pyplot
+from style import BLUE, GREEN, GREY, ORANGE, RED, label, pyplot
 
 STIFFNESS = 100.0  # N/m, of discs and walls
 
@@ -24,8 +24,9 @@ def draw_force(axes, begin, end, normal, tangential):
     axes.plot([middle[0] + half * along[1], middle[0] - half * along[1]], [middle[1] - half * along[0], middle[1] + half * along[0]], color=RED, linewidth=2, zorder=4)
 
 
-def draw_packing(axes, path):
+def draw_packing(axes, run):
     """Discs at the end, their forces, and the velocity of those without contacts."""
+    path = run["path"]
     discs = [{k: float(v) for k, v in r.items() if k != "material"} for r in read(os.path.join(path, "final_packing.csv"))]
     box = read(os.path.join(path, "series", "load.csv"))[-1]
     width, height = float(box["length_x"]), float(box["length_y"])
@@ -44,7 +45,7 @@ def draw_packing(axes, path):
         if not contacts:
             speed = math.hypot(a["vx"], a["vy"]) or 1
             axes.annotate("", (x + 0.12 * a["vx"] / speed, y + 0.12 * a["vy"] / speed), (x, y),
-                          arrowprops={"arrowstyle": "->", "color": RED})
+                          arrowprops={"arrowstyle": "->", "color": GREEN, "linewidth": 1.8}, zorder=4)
     axes.set(xlim=(-0.02, width + 0.02), ylim=(-0.02, height + 0.02), aspect="equal")
-    label(axes, "Normal forces, across them tangential (figure 16)", "$x$ / L", "$y$ / L")
+    label(axes, f"Packing {run['seed']} (figure 16): normal forces blue,\ntangential red across them, velocity green", "$x$ / L", "$y$ / L")
     axes.grid(False)

@@ -4,7 +4,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import arguments, read  # noqa: E402, F401 (of the folder above, for the scripts too)
+from tables import arguments, read, refuse  # noqa: E402, F401 (of the folder above, for the scripts too)
 
 PERIOD = 10.0  # s
 DROPPED = 29  # cycles before the first that counts
@@ -16,6 +16,12 @@ def strains(path, dropped, step=1):
     first = rows[dropped * step]
     x, y = float(first["length_x"]), float(first["length_y"])
     return [float(r["length_y"]) / y - float(r["length_x"]) / x for r in rows[::step]]
+
+
+def cycles_of(path):
+    """Cycles that the probe load of a run has seen."""
+    rows = read(os.path.join(path, "series", "load.csv"))
+    return round((float(rows[-1]["time"]) - float(rows[0]["time"])) / PERIOD) if rows else 0
 
 
 def line_through(values):

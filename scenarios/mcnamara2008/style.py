@@ -1,10 +1,8 @@
-"""Colours and labels of the pictures of this folder, drawn without a display."""
+"""Colours and labels of the pictures of this folder."""
 import os
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402, F401 (the choice of the backend comes first)
+from drawing import pyplot, ticker  # noqa: F401 (of the folder above, which series.py adds; for the scripts too)
+from tables import made
 
 BLUE, ORANGE, GREEN, RED, GREY, PURPLE = "#1b3a6b", "#d98e04", "#49a078", "#c0392b", "#888888", "#a569bd"
 
@@ -17,5 +15,5 @@ def label(axes, title, x, y):
 
 def save(figure, out, name):
     figure.tight_layout()
-    figure.savefig(os.path.join(out, name), dpi=80)
+    figure.savefig(os.path.join(made(out), name), dpi=80)
     print(os.path.join(out, name))
