@@ -1,16 +1,17 @@
 """Speed against error of a cyclic load by dynamics and without them, for a packing of biaxial.toml with slip.
 
 Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
-Runs SCREE with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10 to 640 increments a cycle, 30 cycles each or
+Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10 to 640 increments a cycle, 30 cycles each or
 stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their
 differences from those of the most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
 import json
 import math
 import os
+import shutil
 import subprocess
 
-from series import arguments, line_through, read
-from style import BLUE, ORANGE, label, pyplot, save
+from series import arguments, line_through, read, refuse
+from style import BLUE, ORANGE, label, pyplot, save, ticker
 
 CYCLES, DROPPED = 30, 10
 CYCLES_KEY = "stage.cycles.cycles="
@@ -21,12 +22,17 @@ SCENARIO = os.path.join(os.path.dirname(os.path.abspath(__file__)), "biaxial.tom
 
 def call(scree, verb, out, overrides):
     sets = [word for override in overrides for word in ("--set", override)]
-    subprocess.run([scree, *verb, "--out", out, "--overwrite", "--quiet", *sets], check=True, stdout=subprocess.DEVNULL)
+    done = subprocess.run([scree, *verb, "--out", out, "--overwrite", "--quiet", *sets], capture_output=True, text=True, check=False)
+    if done.returncode:
+        refuse((done.stderr.strip().splitlines() or [f"{scree} {verb[0]} ended with {done.returncode}"])[-1])
 
 
 def record(folder, name):
-    with open(os.path.join(folder, name), encoding="utf-8") as text:
-        return json.load(text)
+    try:
+        with open(os.path.join(folder, name), encoding="utf-8") as text:
+            return json.load(text)
+    except (OSError, ValueError):
+        return refuse(f"{folder}: no {name}; SCREE is not the program scree")
 
 
 class Course:
@@ -42,6 +48,19 @@ class Course:
 
 def cycles_of(overrides):
     return next((int(o.removeprefix(CYCLES_KEY)) for o in overrides if o.startswith(CYCLES_KEY)), None)
+
+
+def check(scree, packing, overrides):
+    """Ends the script with one line if an argument is wrong that scree would not see or name."""
+    if shutil.which(scree) is None:
+        refuse(f"{scree}: there is no such program")
+    if not packing.isdecimal():
+        refuse(f"{packing}: a packing is a number, 1 or more")
+    for override in overrides:
+        if "=" not in override:
+            refuse(f"{override}: not KEY=VALUE")
+        if override.startswith(CYCLES_KEY) and (not override.removeprefix(CYCLES_KEY).isdecimal() or cycles_of([override]) < 1):
+            refuse(f"{override}: cycles are a number, 1 or more")
 
 
 def by_dynamics(scree, folder, overrides, period):
@@ -67,15 +86,19 @@ def draw(axes, roads, exact, value, title, unit):
         shown = [(c, abs(value(c) / value(exact) - 1)) for c in courses]
         shown = [(c, error) for c, error in shown if error > 0]
         axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
-        for c, error in shown:
-            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(8, 8), fontsize=8,
-                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
+        for k, (c, error) in enumerate(shown):
+            lowest = 0 < k < len(shown) - 1 and error < min(shown[k - 1][1], shown[k + 1][1])
+            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(-3, -14) if lowest else (8, 5), fontsize=8)
     label(axes, title, "wall time of a cycle / ms", unit)
-    axes.margins(0.12)
+    axes.margins(0.2, 0.12)
+    axes.xaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_minor_formatter(ticker.NullFormatter())
     axes.legend(frameon=False, fontsize=9, loc="lower right")
 
 
 def main(scree, folder, packing="5", *overrides):
+    check(scree, packing, overrides)
     overrides = [f"scene.seed={packing}", *overrides]
     if cycles_of(overrides) is None:
         overrides.append(f"{CYCLES_KEY}{CYCLES}")
