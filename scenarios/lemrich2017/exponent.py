@@ -7,7 +7,7 @@ import statistics
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import arguments, no_runs, read, runs_of  # noqa: E402 (of the folder above)
+from tables import arguments, no_runs, read, refuse, runs_of  # noqa: E402 (of the folder above)
 
 NAMES = {0.25: "λ/4", 0.75: "3λ/4", 1.25: "5λ/4"}
 
@@ -54,17 +54,14 @@ def main():
         no_runs(folder, "scenarios/lemrich2017/spectra.toml")
     lacking = [f"{stress:g} Pa, seed {seed}" for (stress, seed), peaks in packings.items() if any(w not in peaks for w in NAMES)]
     if lacking:
-        print(f"exponent.py: {folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found", file=sys.stderr)
-        return 1
+        refuse(f"{folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found")
     print_peaks(packings)
     seeds = sorted({seed for _, seed in packings})
     single = [seed for seed in seeds if sum(s == seed for _, s in packings) < 2]
     if single:
-        print(f"exponent.py: {folder}: no exponent from one stress, of seed {', '.join(single)}; let the campaign finish two or more", file=sys.stderr)
-        return 1
+        refuse(f"{folder}: no exponent from one stress, of seed {', '.join(single)}; let the campaign finish two or more")
     print_exponents(packings, seeds)
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
