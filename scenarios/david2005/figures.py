@@ -1,7 +1,8 @@
 """Draws strain accumulation over the cycles for packings of several sizes and frictions (figures 3 and 5 of David et al. 2005) and their loops
 (figures 2 and 4) with each tangential spring, from a campaign of accumulation.toml, and prints their numbers: means over the seeds ± standard
-error. Writes runs.csv, one row a cycle of each run, beside the pictures; runs of an earlier runs.csv there that the campaign lacks are kept and
-count too, but for their loops.
+error, in brackets where it is of two packings and says little. Writes runs.csv, one row a cycle of each run, beside the pictures; runs of an
+earlier runs.csv there that the campaign lacks are kept and count too, but for their loops. Of a campaign with several periods or steps
+(rates.toml) it prints the numbers of each run instead.
 
 Usage: python3 scenarios/david2005/figures.py campaigns/accumulation [FOLDER for pictures and table, default: that of the campaign]
 Needs python3-matplotlib."""
@@ -10,15 +11,11 @@ import os
 import statistics
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402 (the choice of the backend comes first)
-
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from runs import SPRINGS, merged  # noqa: E402 (of this folder)
-from tables import arguments, no_runs  # noqa: E402 (of the folder above)
+from runs import SPRINGS, merged, runs_at  # noqa: E402 (of this folder)
+from drawing import pyplot  # noqa: E402 (of the folder above, like the next)
+from tables import arguments, made, no_runs  # noqa: E402
 
 LATE = 50  # cycles
 
@@ -35,6 +32,13 @@ def mean_of(values):
     return statistics.fmean(values), error
 
 
+def with_error(mean, error, count):
+    """A mean and its standard error as text, in brackets where it is of two values, without where it is of one."""
+    if count < 2:
+        return f"{mean:.3g}"
+    return f"{mean:.3g} ± {error:.1g}" if count > 2 else f"{mean:.3g} (± {error:.1g})"
+
+
 def groups_of(runs):
     """Runs by size, friction and spring."""
     groups = {}
@@ -48,8 +52,17 @@ def print_numbers(groups):
     for (size, friction, spring), runs in groups.items():
         quantities = (lambda r: r.strain[-1], late_slope, lambda r: r.loop_area[0], lambda r: r.slope[0] / 1e3)
         numbers = [mean_of([quantity(r) for r in runs]) for quantity in quantities]
-        texts = [f"{mean:.3g}" + (f" ± {error:.1g}" if len(runs) > 1 else "") for mean, error in numbers]
-        print(f"{size:7} {friction:5} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
+        texts = [with_error(mean, error, len(runs)) for mean, error in numbers]
+        print(f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
+
+
+def print_runs(runs):
+    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seed':>4} {'period [s]':>10} {'step [s]':>8} {'cycles':>6} {'strain after the last':>21}"
+          f" {'first loop [Pa]':>15} {'slope [kPa]':>11}")
+    for run in sorted(runs, key=lambda run: run.key):
+        print(f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g} {len(run.loop_area):6} {run.strain[-1]:21.3g}"
+              f" {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}")
+    print("several periods or steps: no means, pictures and runs.csv")
 
 
 def plot_accumulation(axes, groups, title, name_of):
@@ -57,7 +70,7 @@ def plot_accumulation(axes, groups, title, name_of):
     ends = [mean_of([run.strain[-1] for run in runs])[0] for runs in groups.values()]
     if min(ends) > 0 and max(ends) > 20 * min(ends):
         axes.set_yscale("log")
-    for at, (label, runs, look) in enumerate(with_looks(groups, name_of)):
+    for at, (label, runs, look) in enumerate(with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")):
         last = min(len(r.strain) for r in runs) - 1
         axes.plot(range(last + 1), [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)], label=label, **look)
         mean, error = mean_of([1e3 * r.strain[last] for r in runs])
@@ -87,8 +100,14 @@ def with_looks(groups, name_of):
         labelled.add(name)
 
 
-def save(figure, panels, file):
-    figure.suptitle("Tangential springs: solid lines that of David et al., dashed lines painted points", fontsize=10)
+def packings_of(groups, key):
+    """Packings with each spring, one number where they are as many."""
+    counts = [len(runs) for other, runs in groups.items() if other[:2] == key[:2]]
+    return " and ".join(str(count) for count in (counts if len(set(counts)) > 1 else counts[:1]))
+
+
+def save(figure, panels, file, note):
+    figure.suptitle(f"Tangential springs: solid lines that of David et al., dashed lines painted points{note}", fontsize=10)
     for axes in panels:
         axes.grid(color="#eeeeee")
         axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
@@ -102,7 +121,7 @@ def size_of(key):
 
 
 def friction_of(key):
-    return f"μ = {key[1]}"
+    return f"μ = {key[1]:g}"
 
 
 def by_size(groups):
@@ -117,48 +136,65 @@ def by_friction(groups):
     return {key: runs for key, runs in groups.items() if key[0] == size}, size
 
 
-def panels_for(frictions):
-    """Without a second friction one panel."""
-    count = 2 if len({friction for _, friction, _ in frictions}) > 1 else 1
-    return pyplot.subplots(1, count, figsize=(1 + 6.2 * count, 5), squeeze=False)
+def values_of(groups, at):
+    """How many sizes (0) or frictions (1) there are."""
+    return len({key[at] for key in groups})
+
+
+def draw_panels(panels, file, note=""):
+    """A function for each of them."""
+    figure, [axes] = pyplot.subplots(1, len(panels), figsize=(1.4 + 6.2 * len(panels), 5), squeeze=False)
+    for part, draw in zip(axes, panels):
+        draw(part)
+    save(figure, axes, file, note)
 
 
 def draw_accumulation(groups, folder):
+    """Over sizes and frictions, or the one of which there are several."""
     (sizes, weakest), (frictions, compared) = by_size(groups), by_friction(groups)
-    figure, [panels] = panels_for(frictions)
-    plot_accumulation(panels[0], sizes, f"Size, μ = {weakest}, mean of the seeds", size_of)
-    if len(panels) > 1:
-        plot_accumulation(panels[1], frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of)
-    save(figure, panels, os.path.join(folder, "accumulation.png"))
+    panels = []
+    if values_of(sizes, 0) > 1 or values_of(frictions, 1) < 2:
+        panels.append(lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of))
+    if values_of(frictions, 1) > 1:
+        panels.append(lambda axes: plot_accumulation(axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of))
+    draw_panels(panels, os.path.join(folder, "accumulation.png"), "; n packings of each")
 
 
 def draw_loops(groups, folder):
-    """Of runs that have their loops."""
+    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several frictions, and the first."""
     looped = {key: [run for run in runs if run.loops] for key, runs in groups.items()}
     looped = {key: runs for key, runs in looped.items() if runs}
     if not looped:
         return
     (sizes, weakest), (frictions, compared) = by_size(looped), by_friction(looped)
     largest = {key: runs for key, runs in sizes.items() if key[0] == max(size for size, _, _ in sizes)}
-    figure, [panels] = panels_for(frictions)
     # Those of two springs would hide each other.
     spring = min((key[2] for key in largest), key=list(SPRINGS.values()).index)
     largest = {key: runs for key, runs in largest.items() if key[2] == spring}
-    plot_loops(panels[0], largest, f"All cycles, {spring}, μ = {weakest}, first seed", size_of, lambda run: run.loops, 0.4)
-    if len(panels) > 1:
-        plot_loops(panels[1], frictions, f"First cycle, {compared} spheres, first seed", friction_of, lambda run: run.first_loop())
-    save(figure, panels, os.path.join(folder, "loops.png"))
+    panels, compares = [], values_of(frictions, 1) > 1
+    if not compares or any(len(run.loop_area) > 1 for runs in largest.values() for run in runs):
+        title = f"All cycles, {spring}, μ = {weakest:g}, first seed"
+        panels.append(lambda axes: plot_loops(axes, largest, title, size_of, lambda run: run.loops, 0.4))
+    if compares:
+        title_of_first = f"First cycle, {compared} spheres, first seed"
+        panels.append(lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop()))
+    draw_panels(panels, os.path.join(folder, "loops.png"))
 
 
 def main():
     folder, *out = arguments(__doc__, 1, 2)
-    out = out[0] if out else folder
-    groups = groups_of(merged(folder, os.path.join(out, "runs.csv")))
-    if not groups:
+    out, found = out[0] if out else folder, runs_at(folder)
+    table = os.path.join(out, "runs.csv")
+    if not found and not os.path.exists(table):
         no_runs(folder, "scenarios/david2005/accumulation.toml")
+    if len({(run.period, run.step) for run in found}) > 1:
+        return print_runs(found)
+    made(out)
+    groups = groups_of(merged(found, folder, table))
     print_numbers(groups)
     draw_accumulation(groups, out)
     draw_loops(groups, out)
+    return None
 
 
 if __name__ == "__main__":

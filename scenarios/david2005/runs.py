@@ -1,12 +1,13 @@
 """Runs of cyclic loading: strain after each cycle, areas and slopes of the loops, from campaigns and from the table that keeps them."""
 import csv
 import itertools
+import json
 import math
 import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import read, runs_of, scenario_of  # noqa: E402 (of the folder above)
+from tables import read, refuse, runs_of, scenario_of  # noqa: E402 (of the folder above)
 
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
 KEYS = ("spheres", "friction", "spring", "seed", "period [s]", "step [s]")
@@ -38,19 +39,38 @@ def slope(strain, stress):
     return (stress[top] - stress[0]) / (strain[top] - strain[0])
 
 
+def bodies_of(path, scenario):
+    """Those of the lattice, or of the state from which the run began."""
+    if "lattice" in scenario["particles"]:
+        return math.prod(scenario["particles"]["lattice"]["count"])
+    with open(os.path.join(path, "run.json"), encoding="utf-8") as record:
+        return json.load(record)["footprint"]["bodies"]
+
+
 def run_at(path):
     """A run of a campaign."""
     scenario = scenario_of(path)
     contact, stage = scenario["contact"][0], scenario["stage"][-1]
     # Cycles may have another friction than the preparation.
     friction = stage.get("set", {}).get(contact.get("name", contact["plugin"]), {}).get("static_friction", contact["static_friction"])
-    key = (math.prod(scenario["particles"]["lattice"]["count"]), float(friction), SPRINGS[contact["plugin"]], scenario["scene"]["seed"],
+    key = (bodies_of(path, scenario), float(friction), SPRINGS[contact["plugin"]], scenario["scene"]["seed"],
            float(stage["period"]), float(scenario["time"]["step"]))
     rows = read(os.path.join(path, "series", "box.csv"))
     times, strain, stress = ([float(r[c]) for r in rows] for c in ("time", "deviatoric_strain", "deviatoric_stress"))
     n = round(stage["period"] / (times[1] - times[0]))
     loops = [(strain[at : at + n + 1], stress[at : at + n + 1]) for at in range(0, len(strain) - n, n)]
     return Run(key, strain[::n], [area(*loop) for loop in loops], [slope(*loop) for loop in loops], (strain, stress), n)
+
+
+def runs_at(folder):
+    """Finished runs of a campaign. Ends the script with one line if they are of another kind."""
+    runs = []
+    for row in runs_of(folder):
+        try:
+            runs.append(run_at(row["path"]))
+        except (KeyError, IndexError, OSError) as error:
+            refuse(f"{row['path']}: not a run of cyclic loading of a scenario of this folder: no {error}")
+    return runs
 
 
 def kept_runs(table):
@@ -75,14 +95,14 @@ def keep(runs, table):
                 rows.writerow((*run.key, cycle, f"{strain:.8g}", f"{loop_area:.5g}", f"{slopes:.5g}"))
 
 
-def merged(folder, table):
-    """Finished runs of a campaign and those of the table that it lacks, which the table then has. Ends the script with one line where they
-    have other periods or steps."""
+def merged(found, folder, table):
+    """Runs of a campaign and those of the table that it lacks, which the table then has. Ends the script with one line where they have other
+    periods or steps."""
     runs = {run.key: run for run in kept_runs(table)}
-    runs.update((run.key, run) for run in (run_at(row["path"]) for row in runs_of(folder)))
+    runs.update((run.key, run) for run in found)
     for at, what in ((4, "period"), (5, "step")):
         if len({key[at] for key in runs}) > 1:
-            sys.exit(f"{os.path.basename(sys.argv[0])}: {table}: its runs have another {what} than those of {folder}; move it away")
+            refuse(f"{table}: its runs have another {what} than those of {folder}; move it away")
     found = [runs[key] for key in sorted(runs)]
     if found:
         keep(found, table)

@@ -85,8 +85,8 @@ period = 1
         self.assertEqual(pictures, [True, True])
         first, second = done.stdout.splitlines()[1:3]
         # Ten cycles of 1e-4 and 2e-4; in the first, ∮σ dε = 100/2 1e-3 − 50/2 5e-4 Pa, and 100 Pa at a strain of 1e-3.
-        self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± 0 +100 ± 0")
-        self.assertRegex(second, r"8 +0\.1 painted points +2 +0\.003 ± 0\.001")
+        self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± 0\) +100 \(± 0\)")
+        self.assertRegex(second, r"8 +0\.1 painted points +2 +0\.003 \(± 0\.001\)")
 
     @DRAWS
     def test_that_a_table_keeps_runs_of_earlier_campaigns(self):
@@ -101,9 +101,30 @@ period = 1
             merged = call("david2005/figures.py", second, out)
             refused = call("david2005/figures.py", other, out)
         self.assertEqual(merged.returncode, 0, merged.stderr)
-        self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± [^ ]+ +100 ± 0")
+        self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± [^ ]+\) +100 \(± 0\)")
         self.assertEqual((refused.returncode, refused.stderr.count("\n")), (1, 1), refused.stderr)
         self.assertIn("its runs have another period than those of", refused.stderr)
+
+    @DRAWS
+    def test_that_several_periods_give_the_numbers_of_each_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.campaign(folder, (1,))
+            other = os.path.join(folder, "linear_spring_dashpot_1", "scenario.toml")
+            # Loops of two rows a time unit: half as many.
+            write(other, self.SCENARIO.replace("PLUGIN", "linear_spring_dashpot").replace("SEED", "1").replace("period = 1", "period = 2"))
+            done = call("david2005/figures.py", folder)
+            written = [name for name in os.listdir(folder) if name.endswith((".png", "runs.csv"))]
+        self.assertEqual((done.returncode, written), (0, []), done.stderr)
+        self.assertRegex(done.stdout, r"8 +0\.1 David et al\. +1 +2 +0\.001 +5 +0\.001 ")
+        self.assertRegex(done.stdout, r"8 +0\.1 painted points +1 +1 +0\.001 +10 +0\.002 ")
+
+    @DRAWS
+    def test_that_a_campaign_of_another_kind_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.campaign(folder, (1,), "until = {}")
+            done = call("david2005/figures.py", folder)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("not a run of cyclic loading", done.stderr)
 
     def campaign(self, folder, seeds, period="period = 1"):
         rows = ["run,status"]
@@ -140,6 +161,64 @@ class Collapse(unittest.TestCase):
         count, apart = figures.spread(curves, 10)
         self.assertEqual(count, 2)
         self.assertAlmostEqual(apart, 2 / 89)
+
+
+class Ratcheting(unittest.TestCase):
+    @staticmethod
+    def run_of(cycles, slope):
+        rows = [f"{10 * c},1,{1 + c * slope}" for c in range(cycles + 1)]
+        return "\n".join(["time [s],length_x [m],length_y [m]", *rows]) + "\n"
+
+    def steps(self, folder, steps, cycles):
+        rows = ["run,contact.discs.plugin,time.step,seed,status"]
+        for step in steps:
+            rows.append(f"s{step},disc_corrected,{step},1,finished")
+            write(os.path.join(folder, "steps", f"s{step}", "series", "load.csv"), self.run_of(cycles, 1e-6 * step))
+        write(os.path.join(folder, "steps", "table.csv"), "\n".join(rows) + "\n")
+        done = call("mcnamara2008/figures.py", folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        return done.stdout, os.path.exists(os.path.join(folder, "steps.png"))
+
+    @DRAWS
+    def test_that_panels_with_data_are_drawn_and_others_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            printed, drawn = self.steps(folder, (1e-3, 1e-4), 40)
+        self.assertTrue(drawn)
+        self.assertIn("corrected, packing 1: 1.000e-10 at 0.0001, 1.000e-09 at 0.001; exponent 1.000", printed)
+        self.assertIn("steps.png without figure 13, of laws.toml", printed)
+        self.assertIn("cycle.png not drawn: figures 1 to 4, of paths.toml", printed)
+
+    @DRAWS
+    def test_that_one_step_and_short_runs_draw_nothing(self):
+        for steps, cycles in (((1e-3,), 40), ((1e-3, 1e-4), 29)):
+            with self.subTest(steps=steps), tempfile.TemporaryDirectory() as folder:
+                printed, drawn = self.steps(folder, steps, cycles)
+                self.assertFalse(drawn)
+                self.assertIn("steps.png not drawn: figure 14", printed)
+
+    @DRAWS
+    def test_that_wrong_arguments_are_refused_with_one_line(self):
+        for words, line in ((("true", "x", "xx"), "xx: a packing is a number"), (("true", "x", "-5"), "-5: a packing is a number"),
+                            (("true", "x", "5", "stage.cycles.cycles=x"), "cycles are a number"), (("no-such-program", "x"), "there is no such program"),
+                            (("false", "x"), "false run ended with"), (("true", "no-such-folder"), "SCREE is not the program scree")):
+            done = call("mcnamara2008/quasi_static.py", *words)
+            with self.subTest(words=words):
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+                self.assertIn(line, done.stderr)
+
+
+class WithoutMatplotlib(unittest.TestCase):
+    def test_that_scripts_name_the_package(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "matplotlib.py"), "raise ImportError\n")
+            environment = os.environ | {"PYTHONPATH": folder}
+            for script in ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py"):
+                words = [sys.executable, "-B", os.path.join(SCENARIOS, script), "campaigns"]
+                done = subprocess.run(words, capture_output=True, text=True, check=False, env=environment)
+                with self.subTest(script=script):
+                    self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+                    self.assertIn("python3-matplotlib", done.stderr)
 
 
 class Help(unittest.TestCase):
