@@ -209,7 +209,8 @@ def draw_over_steps(axes, lines):
         exponent = math.log(abs(slopes[sizes[-1]] / slopes[sizes[0]])) / math.log(sizes[-1] / sizes[0])
         print(f"{LAWS[law]}, packing {seed}: " + ", ".join(f"{slopes[h]:.3e} at {h:g}" for h in sizes) + f"; exponent {exponent:.3f}")
         axes.loglog(sizes, [abs(slopes[h]) for h in sizes], "x-" if law == "disc_cundall_strack" else "o--", fillstyle="none", linewidth=1,
-                    markersize=5, color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6], label=None if seed in named else f"{seed}")
+                    markersize=5, color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6],
+                    label=None if seed in named else f"{seed}")
         named.add(seed)
     axes.set_ylim(bottom=axes.get_ylim()[0] / 20)
     axes.legend(title="crosses: Cundall and Strack, circles: corrected, of packings", frameon=False, fontsize=8, title_fontsize=8, ncols=3,
