@@ -173,6 +173,68 @@ TEST_CASE("cycles warns of a period that is a multiple of the load's", "[tools]"
   CHECK(w.scree("cycles run --load stress --drop 10 --period 2 --start 1.5").err.empty());
 }
 
+TEST_CASE("cycles warns of a period that is not quite the load's", "[tools]") {
+  const Workspace w;
+  std::string elastic = "time,strain,stress\n";
+  for (int k = 0; k <= 480; ++k)
+    elastic += fmt::format("{},{},{}\n", 0.25 * k, -1e-3 * std::cos(0.25 * k * std::numbers::pi),
+                           5 - std::cos(0.25 * k * std::numbers::pi));
+  w.write("box.csv", elastic);
+  const std::string command = "cycles --csv box.csv --strain strain --load stress --drop 10 --period ";
+  CHECK(w.scree(command + "2").err.empty());
+  const auto off = w.scree(command + "2.003");
+  INFO(off.err);
+  CHECK(off.status == 0);
+  CHECK(off.err.starts_with("scree: warning: box.csv: the load at its minima changes by "));
+  CHECK(off.err.ends_with(" in all; give the exact --period and --start of the load\n"));
+}
+
+TEST_CASE("cycles of a run that did not finish says so", "[tools]") {
+  const Workspace w;
+  write_run(w, "run");
+  w.write("run/run.json",
+          R"({"status": "interrupted", "stages": [{"start": 0, "end": 1.5}, {"start": 1.5, "end": 101.5}]})");
+  const auto outcome = w.scree("cycles run");
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err ==
+        "scree: warning: run/series/box.csv: the run is interrupted: these are its cycles so far\n");
+}
+
+TEST_CASE("cycles replaces results of the same series only", "[tools]") {
+  const Workspace w;
+  write_run(w, "a");
+  write_run(w, "b");
+  REQUIRE(w.scree("cycles a --out kept").status == 0);
+  CHECK(w.scree("cycles a --out kept").status == 0);
+  const std::string before = w.text("kept/cycles.csv");
+  check_refused(w, w.scree("cycles b --out kept --drop 30"),
+                "kept/cycles.csv: is there already, and not of b/series/box.csv; ", "or --overwrite");
+  CHECK(w.text("kept/cycles.csv") == before);
+  CHECK(w.scree("cycles b --out kept --drop 30 --overwrite").status == 0);
+  CHECK(w.record("kept", "cycles.json")["series"] == "b/series/box.csv");
+  std::filesystem::create_directories(w / "other");
+  w.write("other/cycles.csv", "mine\n");
+  check_refused(w, w.scree("cycles a --out other"), "other/cycles.csv: is there already, ", "or --overwrite");
+  CHECK(w.text("other/cycles.csv") == "mine\n");
+}
+
+TEST_CASE("cycles does not lose verdicts of other runs", "[tools]") {
+  const Workspace w;
+  for (const char* run : {"a,1", "b", "c"}) write_run(w, run);
+  REQUIRE(w.scree("cycles a,1 b --out kept").status == 0);
+  CHECK(w.scree("cycles c b/ a,1 --out kept").status == 0);
+  const std::string before = w.text("kept/verdicts.csv");
+  check_refused(w, w.scree("cycles b c --out kept"), "kept/verdicts.csv: has other runs, such as \"a,1\"; ",
+                "or --overwrite");
+  CHECK(w.text("kept/verdicts.csv") == before);
+  CHECK(w.scree("cycles b c --out kept --overwrite").status == 0);
+  std::filesystem::create_directories(w / "other");
+  w.write("other/verdicts.csv", "mine\n");
+  check_refused(w, w.scree("cycles b c --out other"),
+                "other/verdicts.csv: is there already, and no table of verdicts; ", "or --overwrite");
+  check_refused(w, w.scree("cycles b c b/"), "b/ is given twice", "give each run once");
+}
+
 TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   const Workspace w;
   w.write("box.csv", series());
@@ -183,6 +245,9 @@ TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   refused("", "neither a run directory nor --csv", "or --csv FILE");
   refused("run --csv box.csv", "--csv analyses a file, not runs", "give one of them");
   refused("run", "run: there is no series/*.csv", "or --csv FILE");
+  std::filesystem::create_directories(w / "campaign");
+  w.write("campaign/campaign.json", "{}");
+  refused("campaign", "campaign: is a campaign; ", "give its runs: campaign/*/");
   refused("--csv box.csv --strain strian --period 2", "box.csv:1:1: there is no column 'strian'",
           "did you mean 'strain'?");
   refused(strain + "--load none", "box.csv: the load is 7 from 1.5 s to 3.5 s: there is no cycle in it; ",
@@ -190,7 +255,7 @@ TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   refused(strain + "--load stress --start 2.5", "box.csv: the load is 6 at 2.5 s, ",
           "with --start, and its --period");
   refused(strain + "--drop 50", "box.csv: 60 cycles, the first 50 of which are dropped: too few",
-          "give 65 or more, or drop fewer");
+          "give 65 cycles or more, or drop fewer");
   refused(strain + "--start nan", "--start: nan is not a finite number; ", "see scree cycles --help");
   refused(strain + "--start -inf", "--start: -inf is not a finite number; ", "see scree cycles --help");
   for (const std::string drop : {"1e9", "-1", "1000000001", "2.5"})

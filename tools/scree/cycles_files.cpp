@@ -3,6 +3,8 @@
 #include "verbs.hpp"
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -122,6 +124,25 @@ snapshot::ChartSpec chart_of(const CyclesResult& r) {
   return chart;
 }
 
+// The series that a record names; empty if there is no such record.
+std::string series_of_record(const fs::path& file) {
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return "";
+  const Json record = Json::parse(files::read_text(file), nullptr, false);
+  return record.is_object() && record.contains("series") && record["series"].is_string() ? record["series"]
+                                                                                         : "";
+}
+
+const std::vector<std::string> verdict_columns = {"run",         "class",         "cycles", "slope",
+                                                  "slope_error", "rms",           "range",  "robust_slope",
+                                                  "outliers",    "repeats_after", "reason"};
+
+// As in a line of a table.
+std::string cell_of(const std::string& text) {
+  const std::string line = files::csv_line({text});
+  return line.substr(0, line.size() - 1);
+}
+
 void create(const fs::path& folder) {
   std::error_code failed;
   if (!folder.empty()) fs::create_directories(folder, failed);
@@ -132,11 +153,19 @@ void create(const fs::path& folder) {
 
 }  // namespace
 
-CyclesFiles::CyclesFiles(fs::path folder, const fs::path& source) : folder_(std::move(folder)) {
+CyclesFiles::CyclesFiles(fs::path folder, const fs::path& source, bool overwrite)
+    : folder_(std::move(folder)) {
   std::error_code failed;
   if (fs::equivalent(folder_ / table_name, source, failed))
     throw Error(fmt::format("{}: the cycles would replace this file; give another directory with --out",
                             source.string()));
+  create(folder_);
+  if (overwrite || series_of_record(folder_ / record_name) == source.string()) return;
+  for (const char* name : {table_name, record_name, chart_name})
+    if (fs::exists(folder_ / name, failed))
+      throw Error(fmt::format(
+          "{}: is there already, and not of {}; give another directory with --out, or --overwrite",
+          (folder_ / name).string(), source.string()));
 }
 
 fs::path CyclesFiles::path_of(const std::string& name) const {
@@ -148,7 +177,6 @@ fs::path CyclesFiles::path_of(const std::string& name) const {
 }
 
 void CyclesFiles::write(const CyclesResult& result) const {
-  create(folder_);
   const fs::path table = path_of(table_name), record = path_of(record_name);
   files::write_atomically(table, table_of(result));
   files::write_atomically(record, record_of(result));
@@ -163,9 +191,30 @@ void CyclesFiles::write(const CyclesResult& result) const {
   fmt::print("{}\n", chart.string());
 }
 
-void write_verdicts(const fs::path& folder, const std::vector<CyclesResult>& results) {
-  std::string text = files::csv_line({"run", "class", "cycles", "slope", "slope_error", "rms", "range",
-                                      "robust_slope", "outliers", "repeats_after", "reason"});
+VerdictsFile::VerdictsFile(fs::path folder, const std::vector<CyclesResult>& results, bool overwrite)
+    : folder_(std::move(folder)) {
+  create(folder_);
+  const fs::path file = folder_ / file_name;
+  std::error_code failed;
+  if (overwrite || !fs::exists(file, failed)) return;
+  std::istringstream lines(files::read_text(file));
+  std::string line;
+  std::getline(lines, line);
+  if (line + "\n" != files::csv_line(verdict_columns))
+    throw Error(fmt::format(
+        "{}: is there already, and no table of verdicts; give another directory with --out, or --overwrite",
+        file.string()));
+  std::set<std::string> runs;
+  for (const CyclesResult& r : results) runs.insert(cell_of(r.name));
+  while (std::getline(lines, line))
+    if (std::none_of(runs.begin(), runs.end(), [&](const auto& run) { return line.starts_with(run + ","); }))
+      throw Error(fmt::format(
+          "{}: has other runs, such as {}; give another directory with --out, or --overwrite", file.string(),
+          line.substr(0, line.find(line[0] == '"' ? "\"," : ",") + (line[0] == '"'))));
+}
+
+void VerdictsFile::write(const std::vector<CyclesResult>& results) const {
+  std::string text = files::csv_line(verdict_columns);
   for (const CyclesResult& r : results) {
     const cycles::Classification& c = r.found;
     text += files::csv_line(
@@ -174,10 +223,8 @@ void write_verdicts(const fs::path& folder, const std::vector<CyclesResult>& res
          files::csv_number(c.line.rms), files::csv_number(c.range), files::csv_number(c.robust.slope),
          std::to_string(c.outliers.size()), c.period > 0 ? std::to_string(c.period) : "", c.reason});
   }
-  create(folder);
-  const fs::path file = folder / "verdicts.csv";
-  files::write_atomically(file, text);
-  fmt::print("{}\n", file.string());
+  files::write_atomically(folder_ / file_name, text);
+  fmt::print("{}\n", (folder_ / file_name).string());
 }
 
 }  // namespace scree::tool

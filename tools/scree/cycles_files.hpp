@@ -21,7 +21,7 @@ struct CyclesResult {
   std::optional<Rattlers> rattlers = {};  // if they were looked for
 };
 
-// What `scree cycles` writes of one series: a table, a record and, with pictures, a chart. Earlier ones are replaced. In the directory
+// What `scree cycles` writes of one series: a table, a record and, with pictures, a chart. Earlier ones of this series are replaced. In the directory
 // of a run they are listed with its files, and removed with them.
 class CyclesFiles {
  public:
@@ -29,10 +29,11 @@ class CyclesFiles {
   static constexpr const char* record_name = "cycles.json";
   static constexpr const char* chart_name = "cycles.png";
 
-  // Throws Error if the table would replace the file that is analysed.
-  CyclesFiles(std::filesystem::path folder, const std::filesystem::path& source);
+  // Creates the folder. Throws Error if it cannot be, if the table would replace the file that is analysed, and, unless they may be overwritten, for
+  // files of these names that are of another series.
+  CyclesFiles(std::filesystem::path folder, const std::filesystem::path& source, bool overwrite);
 
-  // Creates the folder and prints the names of the files. Throws Error.
+  // Prints the names of the files. Throws Error.
   void write(const CyclesResult& result) const;
 
  private:
@@ -42,7 +43,20 @@ class CyclesFiles {
   std::filesystem::path folder_;
 };
 
-// What it writes of several: verdicts.csv, a row for each.
-void write_verdicts(const std::filesystem::path& folder, const std::vector<CyclesResult>& results);
+// What it writes of several: a row for each.
+class VerdictsFile {
+ public:
+  static constexpr const char* file_name = "verdicts.csv";
+
+  // Creates the folder. Throws Error if it cannot be, and, unless it may be overwritten, for a file of this name that is no such table, or that has a
+  // run which these results lack.
+  VerdictsFile(std::filesystem::path folder, const std::vector<CyclesResult>& results, bool overwrite);
+
+  // Prints the name of the file. Throws Error.
+  void write(const std::vector<CyclesResult>& results) const;
+
+ private:
+  std::filesystem::path folder_;
+};
 
 }  // namespace scree::tool

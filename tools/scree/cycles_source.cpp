@@ -48,6 +48,9 @@ fs::path series_of_run(const CyclesRequest& request) {
   std::vector<fs::path> series;
   for (const auto& entry : fs::directory_iterator(folder, failed))
     if (entry.path().extension() == ".csv") series.push_back(entry.path());
+  if (series.empty() && fs::exists(fs::path(request.directory) / "campaign.json", failed))
+    throw Error(fmt::format("{}: is a campaign; give its runs: {}", request.directory,
+                            (fs::path(request.directory) / "*/").string()));
   if (series.empty())
     throw Error(
         fmt::format("{}: there is no series/*.csv; give the directory of a run with a probe, or --csv FILE",
@@ -95,8 +98,9 @@ CyclesSource rows_as_cycles(const CyclesRequest& request, const fs::path& file,
   const double reference =
       request.drop < times.size() ? times[request.drop] : std::numeric_limits<double>::infinity();
   TimeSeries strain = strain_of(request, columns, reference);
-  return {file, strain.name, strain.unit, "", "", 0, std::move(strain.times), {std::move(strain.values), {}},
-          0};
+  return {
+      file, strain.name, strain.unit, "", "", 0, std::move(strain.times), {std::move(strain.values), {}, {}},
+      0,    ""};
 }
 
 CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::vector<TimeSeries> columns,
@@ -107,7 +111,7 @@ CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::
   const double reference = times.first_minimum + (double(request.drop) - slack) * times.period;
   const TimeSeries load = request.load.empty() ? TimeSeries{} : std::move(columns.back());
   const TimeSeries strain = strain_of(request, columns, reference);
-  CyclesSource source{file, strain.name, strain.unit, load.name, load.unit, times.period, {}, {}, 0};
+  CyclesSource source{file, strain.name, strain.unit, load.name, load.unit, times.period, {}, {}, 0, ""};
   source.series = cycles::cycle_series(strain.times, strain.values, load.values, times);
   for (std::size_t n = 0; n < source.series.strain.size(); ++n)
     source.minimum_times.push_back(times.first_minimum + double(n) * times.period);
@@ -131,13 +135,14 @@ CyclesSource read_cycles(const CyclesRequest& request) {
   const fs::path file = request.csv.empty() ? series_of_run(request) : fs::path(request.csv);
   const std::optional<RunCycles> found = found_for(request);
   std::vector<TimeSeries> columns = spectrum::read_time_series(file, columns_of(request), 2);
-  RunCycles of = found.value_or(RunCycles{{0, columns[0].times.front()}, std::numeric_limits<double>::max()});
+  RunCycles of =
+      found.value_or(RunCycles{{0, columns[0].times.front()}, std::numeric_limits<double>::max(), ""});
   if (request.period > 0) of.times.period = request.period;
   if (request.first_minimum) of.times.first_minimum = *request.first_minimum;
   try {
     if (!(of.times.period > 0)) return rows_as_cycles(request, file, std::move(columns));
     CyclesSource source = by_period(request, file, std::move(columns), of);
-    if (found) source.stage_period = found->times.period;
+    if (found) source.stage_period = found->times.period, source.status = found->status;
     return source;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()), error.status());

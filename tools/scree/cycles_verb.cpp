@@ -1,10 +1,12 @@
 #include "cycles_files.hpp"
+#include "cycles_warnings.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,24 +27,13 @@ struct CyclesArguments {
   double round_off = 0;
   std::string touching;
   std::string out;
+  bool overwrite = false;
 };
-
-// With a multiple of the load's period half of its cycles or more are not seen.
-void warn_of_multiple(const CyclesSource& source) {
-  const double of_stage = source.stage_period > 0 ? std::round(source.period / source.stage_period) : 1;
-  const bool is_multiple = std::abs(source.period - of_stage * source.stage_period) < 1e-6 * source.period;
-  const double count = is_multiple && of_stage > 1 ? of_stage : double(source.series.load_periods);
-  if (count > 1)
-    report_warning(fmt::format(
-        "{}: in each {:.10g} s the load has {} periods; give --period {:.10g} to see each of its cycles",
-        source.file.string(), source.period, count, source.period / count));
-}
 
 CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   request.drop = arguments.drop;
   CyclesResult result{
       request.csv.empty() ? request.directory : request.csv, read_cycles(request), {}, arguments.drop, {}};
-  warn_of_multiple(result.source);
   cycles::ClassOptions options;
   options.drop = arguments.drop;
   options.round_off = arguments.round_off;
@@ -51,6 +42,8 @@ CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", result.source.file.string(), error.what()), error.status());
   }
+  for (const std::string& warning : cycles_warnings(result.source, result.found, result.drop))
+    report_warning(fmt::format("{}: {}", result.source.file.string(), warning));
   if (!arguments.touching.empty())
     result.rattlers = read_rattlers(result.source.file.parent_path() / (arguments.touching + ".csv"),
                                     result.source.minimum_times, arguments.drop);
@@ -158,24 +151,33 @@ ExitStatus analyse_one(const CyclesArguments& a, const CyclesRequest& request) {
   const fs::path folder = !a.out.empty()        ? fs::path(a.out)
                           : request.csv.empty() ? fs::path(request.directory)
                                                 : fs::path(request.csv).parent_path();
-  const CyclesFiles files(folder, result.source.file);
+  const CyclesFiles files(folder, result.source.file, a.overwrite);
   print_summary(result);
   files.write(result);
   return ExitStatus::success;
 }
 
+std::string without_slash(std::string directory) {
+  while (directory.size() > 1 && directory.back() == '/') directory.pop_back();
+  return directory;
+}
+
 ExitStatus analyse_all(const CyclesArguments& a) {
   std::vector<CyclesResult> results;
+  std::set<fs::path> directories;
   std::size_t width = 0;
   for (const std::string& directory : a.directories) {
     CyclesRequest request = a.request;
-    request.directory = directory;
+    request.directory = without_slash(directory);
+    if (!directories.insert(fs::weakly_canonical(request.directory)).second)
+      throw Error(fmt::format("{} is given twice; give each run once", directory));
     results.push_back(analyse(a, request));
-    width = std::max(width, directory.size());
+    width = std::max(width, results.back().name.size());
   }
+  const VerdictsFile file(a.out, results, a.overwrite);
   for (const CyclesResult& r : results) print_line(r, width);
   print_counts(results);
-  write_verdicts(a.out, results);
+  file.write(results);
   return ExitStatus::success;
 }
 
@@ -229,6 +231,7 @@ void add_cycles_verb(CommandLine& line) {
           "--out", a->out,
           "Directory of the results; default that of the run or the CSV file, for several runs the current one")
       .shown_as("DIR");
+  verb.flag("--overwrite", a->overwrite, "Replace results of other series and runs in the directory");
   verb.footer(
       "Ratcheting: the root mean square deviation from a straight line is below its slope per cycle (McNamara et al. 2008).\n"
       "Example: scree cycles runs/biaxial\n"

@@ -22,12 +22,17 @@ double number_in(const Json& times, const char* key, const std::string& place) {
   return times[key];
 }
 
+std::string status_in(const Json& record) {
+  return record.contains("status") && record["status"].is_string() ? record["status"] : "";
+}
+
 // Of a quasi-static load, which is that of the last stage.
 RunCycles course_of(const fs::path& file) {
   const Json record = run::parse_record(files::read_text(file));
   const std::string place = file.string() + ":";
   return {{number_in(record, "period", place), number_in(record, "start", place)},
-          number_in(record, "end", place)};
+          number_in(record, "end", place),
+          status_in(record)};
 }
 
 // stage: its number in the scenario, from 0.
@@ -40,7 +45,7 @@ RunCycles stage_of(const fs::path& file, std::size_t stage, double period) {
                             file.string(), stage + 1));
   const Json& times = record["stages"][stage];
   const std::string place = fmt::format("{}: stage {}", file.string(), stage + 1);
-  return {{period, number_in(times, "start", place)}, number_in(times, "end", place)};
+  return {{period, number_in(times, "start", place)}, number_in(times, "end", place), status_in(record)};
 }
 
 }  // namespace

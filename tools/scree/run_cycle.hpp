@@ -10,7 +10,8 @@ namespace scree::tool {
 // The cycles of a run.
 struct RunCycles {
   cycles::CycleTimes times;
-  double end = 0;  // (s) of their stage
+  double end = 0;      // (s) of their stage
+  std::string status;  // of the run
 };
 
 // Those of the last stage with a `period` in the directory of a run; none if no stage has one. Those of a quasi-static load, with a period of 0 if it has none.

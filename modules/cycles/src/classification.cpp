@@ -20,7 +20,7 @@ void check(std::span<const double> strain, const ClassOptions& options) {
   const std::size_t cycles = strain.empty() ? 0 : strain.size() - 1;
   if (strain.size() < options.drop + least_cycles)
     throw Error(fmt::format(
-        "{} cycle{}, the first {} of which are dropped: too few for a verdict; give {} or more, or drop fewer",
+        "{} cycle{}, the first {} of which are dropped: too few for a verdict; give {} cycles or more, or drop fewer",
         cycles, cycles == 1 ? "" : "s", options.drop, options.drop + least_cycles - 1));
   for (std::size_t n = 0; n < strain.size(); ++n)
     if (!std::isfinite(strain[n]))

@@ -16,7 +16,10 @@ constexpr double same_time = 1e-6;           // of a period
 constexpr double least_load_change = 1e-12;  // of the load: some thousand roundings
 constexpr double near_minimum = 0.25;        // of the range of the load
 constexpr double same_load = 0.05;  // of its range: a sine that eight straight lines replace is wrong by 0.04
-constexpr std::size_t most_periods = 10;  // of the load in a cycle, that are looked for
+constexpr std::size_t most_periods = 100;     // of the load in a cycle, that are looked for
+constexpr double least_change_in_part = 0.5;  // of its range, in one of these periods
+constexpr double longest_gap = 0.5;           // of a period, between samples
+constexpr double uneven_gap = 1.5;            // over their mean distance
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void check(std::span<const double> times, std::span<const double> strain, std::span<const double> load,
@@ -37,6 +40,22 @@ void check(std::span<const double> times, std::span<const double> strain, std::s
         fmt::format("a period of {:.10g} s is shorter than the {:.10g} s between samples; give the "
                     "period of the load, or sample more often",
                     period, step));
+}
+
+// Strain in a gap is not known, but a series with one sample in each period has the strains of one phase.
+void check_gaps(std::span<const double> times, const CycleTimes& cycles) {
+  const auto first = std::upper_bound(times.begin(), times.end(), cycles.first_minimum);
+  const auto begin = first == times.begin() ? first : first - 1;
+  if (times.end() - begin < 2) return;
+  const double mean = (times.back() - *begin) / double(times.end() - begin - 1);
+  for (auto next = begin + 1; next != times.end(); ++next) {
+    const double gap = *next - *(next - 1);
+    if (gap > longest_gap * cycles.period && gap > uneven_gap * mean)
+      throw Error(fmt::format(
+          "there is no sample from {:.10g} s to {:.10g} s, in a period of {:.10g} s; give a series without gaps, or one that ends or "
+          "begins there",
+          *(next - 1), *next, cycles.period));
+  }
 }
 
 // A curve through the samples.
@@ -113,10 +132,15 @@ void check_load(const Path& path, double begin, double end) {
         path.load[0], begin, *low, *high));
 }
 
-// Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples.
+// Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples; not where it
+// changes little in this part.
 bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
   const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
   const std::size_t samples = path.load.size() - 1;
+  const auto samples_in_part = std::ptrdiff_t(std::ceil(part / period * double(samples)));
+  const auto [low_in_part, high_in_part] =
+      std::minmax_element(path.load.begin(), path.load.begin() + samples_in_part + 1);
+  if (*high_in_part - *low_in_part < least_change_in_part * (*high - *low)) return false;
   for (std::size_t k = 0; k < samples; ++k) {
     const double since = period * double(k) / double(samples);
     const double change = load.at(begin + std::fmod(since + part, period)) - load.at(begin + since);
@@ -143,6 +167,7 @@ CycleSeries cycle_series(std::span<const double> times, std::span<const double> 
     throw Error(fmt::format(
         "the first minimum at {:.10g} s is before the first sample at {:.10g} s; give a later one with --start",
         cycles.first_minimum, times.front()));
+  check_gaps(times, cycles);
   const double count = std::floor((times.back() + slack - cycles.first_minimum) / cycles.period);
   if (!(count >= 1))
     throw Error(fmt::format(
@@ -154,6 +179,7 @@ CycleSeries cycle_series(std::span<const double> times, std::span<const double> 
   for (std::size_t n = 0; n <= std::size_t(count); ++n) {
     const double begin = cycles.first_minimum + double(n) * cycles.period, end = begin + cycles.period;
     series.strain.push_back(strains.at(begin));
+    if (!load.empty()) series.load.push_back(loads.at(begin));
     if (load.empty() || n == std::size_t(count)) continue;
     const Path path = path_of(strains, loads, begin, end);
     series.loops.push_back(loop_of(path));

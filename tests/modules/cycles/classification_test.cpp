@@ -185,7 +185,7 @@ TEST_CASE("a strain that cannot be classified is refused in one line", "[classif
   const auto flat = [](double) { return 0.0; };
   CHECK(
       refusal(series(flat, 0, 1, 44)) ==
-      "43 cycles, the first 29 of which are dropped: too few for a verdict; give 44 or more, or drop fewer");
+      "43 cycles, the first 29 of which are dropped: too few for a verdict; give 44 cycles or more, or drop fewer");
   CHECK(refusal(series(flat, 0, 1, 45)).empty());
   CHECK(refusal({}).starts_with("0 cycles, the first 29 of which are dropped"));
   CHECK(refusal(series([](double n) { return n == 7 ? std::nan("") : 0; })) ==

@@ -69,6 +69,7 @@ TEST_CASE("strain is taken at the minima of the load, between samples on a strai
   const CycleSeries s = series_of(ellipses(5, 8, 1e-5), {4, 10});
   REQUIRE(s.strain.size() == 6);
   for (std::size_t n = 0; n < 6; ++n) CHECK(s.strain[n] == Approx(0.702 + 1e-5 * double(n)).epsilon(1e-14));
+  CHECK(s.load == std::vector<double>(6, 3.0));
   std::vector<double> times, strain;
   for (int k = 0; k < 50; ++k) {
     times.push_back(0.3 * k);
@@ -93,7 +94,7 @@ TEST_CASE("with one sample per cycle strains are the samples, and loops have no 
 TEST_CASE("a period that is a multiple of the load's own is seen", "[cycle_series]") {
   for (const int per_cycle : {3, 8, 21, 200}) {
     const Record r = ellipses(12, per_cycle);
-    for (const std::size_t multiple : {1, 2, 3, 4}) {
+    for (const std::size_t multiple : {1, 2, 3, 4, 12}) {
       INFO(per_cycle << " samples in a period, " << multiple << " periods");
       CHECK(series_of(r, {4.0 * double(multiple), 10}).load_periods == multiple);
     }
@@ -104,6 +105,31 @@ TEST_CASE("a period that is a multiple of the load's own is seen", "[cycle_serie
     unequal.load[k] -= k / 20 % 2 ? (unequal.load[k] - 3) / 5 : 0;
   CHECK(series_of(unequal, {8, 10}).load_periods == 1);
   CHECK(cycle_series(unequal.times, unequal.strain, {}, {8, 10}).load_periods == 1);
+}
+
+TEST_CASE("a load that hardly changes in a part of its period is not taken to repeat there",
+          "[cycle_series]") {
+  // In a hundredth of a period a sine changes by less than a load that repeats may.
+  for (const int per_cycle : {100, 400}) CHECK(series_of(ellipses(5, per_cycle), {4, 10}).load_periods == 1);
+}
+
+TEST_CASE("a gap in which a cycle has no samples is refused, sparse samples are not", "[cycle_series]") {
+  const Record whole = ellipses(12, 8);
+  const auto without = [&](std::size_t from, std::size_t to) {
+    Record r = whole;
+    for (std::vector<double>* column : {&r.times, &r.strain, &r.load})
+      column->erase(column->begin() + std::ptrdiff_t(from), column->begin() + std::ptrdiff_t(to));
+    return r;
+  };
+  CHECK(refusal(without(17, 20), {4, 10}).empty());  // half a period
+  CHECK(
+      refusal(without(17, 21), {4, 10}) ==
+      "there is no sample from 18 s to 20.5 s, in a period of 4 s; give a series without gaps, or one that ends or begins there");
+  CHECK(refusal(without(17, 60), {4, 10}).starts_with("there is no sample from 18 s to 40 s, "));
+  CHECK(refusal(without(17, 60), {4, 42}).empty());  // before the cycles
+  // One sample at each minimum.
+  CHECK(cycle_series(std::vector<double>{0, 4, 8, 12}, std::vector<double>{1, 2, 3, 4}, {}, {4, 0})
+            .strain.size() == 4);
 }
 
 TEST_CASE("strain of lengths is the difference of their ratios", "[cycle_series]") {

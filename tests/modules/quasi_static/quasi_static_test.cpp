@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -235,6 +236,45 @@ TEST_CASE("slip that ends within an increment leaves the strain of a reference")
     CHECK(strains(increments).first == Approx(first).epsilon(6e-4));
     CHECK(strains(increments).second == Approx(last).epsilon(6e-4));
   }
+}
+
+// A disc between two walls, and a small one below it that nothing else touches. The load pushes the first disc against the small one, which stays
+// where it was left when the load falls: nothing pulls it, and without inertia it does not go on.
+TEST_CASE("a body that was pushed stays where it is when what pushed it recedes") {
+  const std::string plan =
+      "particle = [\n"
+      "{ position = [0.99, 0], material = \"disc\", radius = 1 },\n"
+      "{ position = [0.4371, -1.1823], material = \"disc\", radius = 0.3 }]\n"
+      "[scene]\ndimension = 2\n[time]\nstep = 1e-3\n"
+      "[[material]]\nname = \"disc\"\ndensity = 1\n"
+      "[[contact]]\nname = \"discs\"\nplugin = \"disc_cundall_strack\"\nnormal_stiffness = 100\n"
+      "tangential_stiffness = 100\nnormal_damping = 0.5\ntangential_damping = 0.5\nfriction = 0.5\n"
+      "[[boundary]]\nplugin = \"box\"\nlower = [0, -5]\nupper = [1.98, 5]\nx_low = \"fixed\"\n"
+      "y_low = \"fixed\"\ny_high = \"fixed\"\nstress_x_high = { from = 0.1, to = 0.5, period = 10 }\n"
+      "mass = 0.1\nviscosity = 1\n"
+      "[[stage]]\nname = \"cycle\"\nduration = 10\n";
+  const Prepared p(plan_of(plan));
+  const auto places = [&](const QuasiStatic& packing) { return p.from(packing.state())->particles(); };
+  const auto distance = [](const Particles& at, const Particles& other) {
+    return std::hypot(at.position()[0][0] - other.position()[0][1],
+                      at.position()[1][0] - other.position()[1][1]);
+  };
+  QuasiStatic packing(*p.simulation, {.longest_increment = 0.25});
+  REQUIRE(packing.advance(0));
+  const Particles start = places(packing);
+  REQUIRE(packing.advance(5));
+  const Particles pushed = places(packing);
+  REQUIRE(packing.advance(10));
+  const Particles end = places(packing);
+  CHECK(distance(start, start) > 1.3);
+  CHECK(distance(pushed, start) < 1.3 - 1e-3);
+  // As the tolerance of the search, of the largest force over the stiffness, 0.05.
+  CHECK(distance(pushed, pushed) == Approx(1.3).margin(1e-12));
+  CHECK(distance(end, pushed) > 1.3 + 1e-2);
+  // As far as the load, 10 N/m, moves the other disc in an increment from the extreme.
+  const double apart = std::hypot(end.position()[0][1] - pushed.position()[0][1],
+                                  end.position()[1][1] - pushed.position()[1][1]);
+  CHECK(apart < 4 / 100.0 * 0.5 * (1 - std::cos(2 * std::numbers::pi * 0.025)));
 }
 
 TEST_CASE("a quasi-static load refuses what it cannot follow") {

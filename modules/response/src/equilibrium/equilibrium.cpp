@@ -55,6 +55,11 @@ Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
   const auto radii = simulation.particles().radius();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i)
     for (int k = 0; k < freedom_.spins(); ++k) scale_[freedom_.rotation(i, k)] = 1 / radii[i];
+  // As of a drag, which is 0 at rest.
+  if (std::all_of(body_forces_.begin(), body_forces_.end(), [](const BodyForceTerms& terms) {
+        return terms.load.isZero(0) && terms.stiffness.isZero(0);
+      }))
+    body_forces_.clear();
   smallest_radius_ = *std::min_element(radii.begin(), radii.end());
   contacts_.find_pairs(StaticConfiguration(simulation), pair_gap * smallest_radius_);
 }
@@ -91,6 +96,16 @@ void Equilibrium::accept(const Balance& balance) {
   if (4 * moved_ < pair_gap * smallest_radius_) return;
   contacts_.find_pairs(balance.at, pair_gap * smallest_radius_);
   moved_ = 0;
+}
+
+Equilibrium::Vector Equilibrium::of_touched(Vector motion) const {
+  const std::vector<bool> touched = contacts_.touched();
+  for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
+    if (touched[i]) continue;
+    motion.segment(freedom_.translation(i, 0), freedom_.dimension()).setZero();
+    if (freedom_.spins() > 0) motion.segment(freedom_.rotation(i, 0), freedom_.spins()).setZero();
+  }
+  return motion;
 }
 
 double Equilibrium::move_along(Search& search, const Vector& step, double shortest, double gain,
@@ -178,9 +193,11 @@ double Equilibrium::length_of(const Vector& motion) const {
   return longest;
 }
 
-// Limits the motion of each body by itself, so that loosely held bodies do not shorten the step of all others.
+// Limits the motion of each body by itself, so that loosely held bodies do not shorten the step of all others. Factors of an earlier search
+// may still have contacts that have opened since.
 Equilibrium::Vector Equilibrium::step_for(const Vector& residual) const {
   Vector step = factors_.solve(residual);
+  if (body_forces_.empty()) step = of_touched(std::move(step));
   const double allowed = longest_step * smallest_radius_;
   for_each_motion([&](Eigen::Index first, int count) {
     auto part = step.segment(first, count);

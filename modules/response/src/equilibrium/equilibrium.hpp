@@ -37,6 +37,9 @@ class Equilibrium {
   // The balance that was found becomes the present state.
   void accept(const Balance& balance);
 
+  // A motion without that of bodies which touched nothing in the last evaluation: without inertia they do not go on.
+  Eigen::VectorXd of_touched(Eigen::VectorXd motion) const;
+
  private:
   using Vector = Eigen::VectorXd;
   using Sparse = Eigen::SparseMatrix<double>;
@@ -78,9 +81,9 @@ class Equilibrium {
   WallEquations walls_at_start_;
   DegreesOfFreedom freedom_;
   StaticContacts contacts_;
-  StiffnessFactors factors_;  // also of earlier searches, as long as its steps converge fast
-  std::vector<BodyForceTerms> body_forces_;
-  std::vector<Vec3> at_start_;  // (m) bodies and walls
+  StiffnessFactors factors_;                 // also of earlier searches, as long as its steps converge fast
+  std::vector<BodyForceTerms> body_forces_;  // empty if there are none at rest
+  std::vector<Vec3> at_start_;               // (m) bodies and walls
   // 1 for forces, 1/R for torques: makes them forces, and rotations over it lengths.
   Vector scale_;
   double smallest_radius_, moved_ = 0;  // (m) since pairs were searched for

@@ -141,6 +141,11 @@ void PairsOfLaw::commit() {
   states_.swap(next_states_);
 }
 
+void PairsOfLaw::mark_touched(std::vector<bool>& touched) const {
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    if (next_states_[i].status != PairStatus::open) touched[pairs_[i].a] = touched[pairs_[i].b] = true;
+}
+
 void PairsOfLaw::append_touching(std::vector<TouchingPair>& all) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     if (states_[i].status != PairStatus::open)

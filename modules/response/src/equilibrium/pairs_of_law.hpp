@@ -44,6 +44,8 @@ class PairsOfLaw {
   const std::vector<PairState>& states_before() const { return states_; }
   const std::vector<PairState>& states_after() const { return next_states_; }
   double largest_force() const { return largest_force_; }
+  // Marks the bodies and, behind them, walls that touch another in the last evaluation.
+  void mark_touched(std::vector<bool>& touched) const;
   void append_touching(std::vector<TouchingPair>& all) const;
 
  private:

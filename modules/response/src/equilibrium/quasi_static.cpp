@@ -143,8 +143,9 @@ class QuasiStatic::Packing {
   void accept(Balance balance, double time, double increment) {
     ++counted_.increments;
     counted_.events += equilibrium_.contacts().events();
+    if (increment > least_for_rate * options_.longest_increment)
+      rate_ = 1 / increment * equilibrium_.of_touched(balance.motion);
     equilibrium_.accept(balance);
-    if (increment > least_for_rate * options_.longest_increment) rate_ = 1 / increment * balance.motion;
     configuration_ = std::move(balance.at);
     loads_ = std::move(balance.loads);
     time_ = time;

@@ -86,6 +86,12 @@ std::size_t StaticContacts::count(PairStatus status) const {
       std::count_if(all.begin(), all.end(), [&](const auto& p) { return p.status == status; }));
 }
 
+std::vector<bool> StaticContacts::touched() const {
+  std::vector<bool> touched(simulation_.particles().size() + simulation_.planes().size());
+  for (const auto& law : laws_) law->mark_touched(touched);
+  return touched;
+}
+
 double StaticContacts::largest_force() const {
   double largest = 0;
   for (const auto& law : laws_) largest = std::max(largest, law->largest_force());

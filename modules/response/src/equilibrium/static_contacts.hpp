@@ -29,6 +29,7 @@ class StaticContacts {
   // Pairs whose status in the last evaluation differs from that before.
   std::size_t events() const;
   std::size_t count(PairStatus status) const;  // at the beginning of the increment
+  std::vector<bool> touched() const;           // bodies and, behind them, walls, in the last evaluation
   double largest_force() const;                // (N) on a pair in the last evaluation
 
   std::vector<TouchingPair> touching() const;  // at the beginning of the increment

@@ -23,16 +23,17 @@ struct Loop {
 // Strain (γ) at the minima of the load.
 struct CycleSeries {
   std::vector<double> strain;  // of minimum n
+  std::vector<double> load;    // likewise; empty without a load
   std::vector<Loop> loops;     // from minimum n to n + 1, one fewer; empty without a load
   std::size_t load_periods =
-      1;  // that the load has in the last cycle, up to 10: with more than 1 the period is a multiple of its own
+      1;  // that the load has in the last cycle, up to 100: with more than 1 the period is a multiple of its own
 };
 
 // Strain at each minimum of the load, and the loop between two if there is a load (q). times: (s) increasing. Between samples both are
 // taken as straight; a sample within 1e-6 of a period of a minimum is taken as it is. load: empty, or as many values.
 // The area is that of the polygon of the samples, closed by a straight line: N equally spaced ones on an ellipse have its area
 // times sin(2π/N)/(2π/N). Throws Error for fewer than two samples, times that do not increase, values that are not finite, a period shorter than the mean
-// distance of the samples, fewer than two minima, a load that does not change, and one that is not near its least values at these times.
+// distance of the samples, a gap of more than half a period that is 1.5 times this distance, fewer than two minima, a load that does not change, and one that is not near its least values at these times.
 CycleSeries cycle_series(std::span<const double> times, std::span<const double> strain,
                          std::span<const double> load, const CycleTimes& cycles);
 
