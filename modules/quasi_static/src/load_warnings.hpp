@@ -13,4 +13,7 @@ namespace scree::quasi_static {
 std::vector<std::string> load_warnings(const Simulation& simulation, const Course& course,
                                        unsigned increments);
 
+// That the load went on for long while the packing moved; empty if it did not.
+std::string dynamics_warning(const Course& course);
+
 }  // namespace scree::quasi_static

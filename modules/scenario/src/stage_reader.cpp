@@ -73,6 +73,42 @@ void warn_of_phases(const document::Table& t, double step, std::vector<std::stri
           .what());
 }
 
+// Loads that an instance was given by a stage, with their periods (s).
+std::vector<std::pair<std::string, double>> periods_of_loads(const document::Table& set,
+                                                             const Stage::Change& change,
+                                                             const Scene& scene) {
+  std::vector<std::pair<std::string, double>> periods;
+  const Parameters& parameters = change.parameters;
+  const std::vector<scree_value> values = parameters.values();
+  for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) {
+    const scree_parameter& p = parameters.plugin().parameters[k];
+    if (p.type != SCREE_PROGRAM || !set.has(p.key) || !has_effect(scene, parameters, p.key)) continue;
+    if (const double period = Program(values[k]).period(); period > 0)
+      periods.emplace_back(fmt::format("{}.{}", change.name, p.key), period);
+  }
+  return periods;
+}
+
+// At the ends of such cycles the load is at another phase each time.
+void warn_of_other_periods(const document::Table& t, const Scene& scene, const Stage& stage,
+                           std::vector<std::string>& warnings) {
+  if (!t.has(stage_keys.cycles)) return;
+  constexpr double round_off = 1e-9;
+  const double length = t.number(stage_keys.period, stage_keys.period.range);
+  for (const Stage::Change& change : stage.changes)
+    for (const auto& [load, period] :
+         periods_of_loads(t.table(stage_keys.set).table(change.name), change, scene)) {
+      const double count = length / period, whole = std::round(count);
+      if (whole > 0 && std::abs(count - whole) <= round_off * count) continue;
+      warnings.push_back(
+          t.error("period",
+                  fmt::format("cycles of {:.10g} s are no whole number of the periods of {}, {:.10g} s",
+                              length, load, period),
+                  "give both the same period")
+              .what());
+    }
+}
+
 // Functions of time of an instance that vary and that a stage does not set anew.
 std::vector<std::string> kept_programs(const Stage::Change& instance, const document::Table& set) {
   std::vector<std::string> kept;
@@ -144,6 +180,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     read_end(t, scene.step, stage);
     warn_of_phases(t, scene.step, warnings);
     read_changes(t, scene, instances.all, stage, warnings);
+    warn_of_other_periods(t, scene, stage, warnings);
     stages.push_back(std::move(stage));
   }
   if (!stages.empty() && time.optional(time_keys.duration))

@@ -1,5 +1,6 @@
 #include "plan_support.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <sstream>
@@ -59,6 +60,29 @@ TEST_CASE("a load that changes is seen to change, however many cycles there are"
   }
 }
 
+TEST_CASE("a load that changes between the ends of increments is warned of") {
+  const TemporaryFolder folder;
+  for (const auto& [period, warned] :
+       {std::pair{"0.25", true}, std::pair{"0.5", true}, std::pair{"5", false}}) {
+    INFO(period);
+    const scenario::Plan plan =
+        scenario::read_plan(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml",
+                            {"stage.cycles.cycles=2", "time.step=1e-3",
+                             std::string("stage.cycles.set.box.stress_y_high.period=") + period},
+                            host());
+    std::atomic<bool> stop = false;
+    const quasi_static::Course course = quasi_static::follow(
+        plan, {.out = folder / period,
+               .on_progress = [&](double, double, const std::string& what) { stop = what == "quasi-static"; },
+               .stop = &stop});
+    REQUIRE(course.warnings.size() == std::size_t(warned));
+    if (warned)
+      CHECK_THAT(course.warnings[0],
+                 Catch::StartsWith("a load changes within an increment of 0.25 s by ") &&
+                     Catch::EndsWith("of its range, which is left out; give more --increments"));
+  }
+}
+
 TEST_CASE("a law that integrates spins is warned of") {
   const TemporaryFolder folder;
   const scenario::Plan plan = scenario::read_plan(
@@ -78,7 +102,12 @@ TEST_CASE("a packing that moves goes on by dynamics until it is at rest") {
   const TemporaryFolder folder;
   const scenario::Plan plan =
       scenario::read_plan(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml", jump, host());
-  quasi_static::follow(plan, {.out = folder / "out"});
+  const quasi_static::Course course = quasi_static::follow(plan, {.out = folder / "out"});
+  CHECK(std::any_of(course.warnings.begin(), course.warnings.end(), [](const std::string& warning) {
+    return warning.find(
+               "% of the load were followed by dynamics, and the load went on while the packing moved; give") !=
+           std::string::npos;
+  }));
   const auto rows = rows_of(folder / "out/series/quasi_static.csv");
   const auto simulation = run::set_up(plan);
   StageRunner stages(*simulation, plan.stages);

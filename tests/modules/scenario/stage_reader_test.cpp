@@ -151,6 +151,34 @@ TEST_CASE("cycles whose period is no number of steps are warned of", "[scenario]
             .warnings.empty());
 }
 
+TEST_CASE("cycles that are no multiple of the periods of their loads are warned of", "[scenario]") {
+  const std::string box =
+      with(discs, "duration = 1e-4\n", "") +
+      "[[boundary]]\nplugin = 'box'\nname = 'cell'\ngap = 0.01\nmass = 1\nviscosity = 1\nstress = 1\n";
+  const auto warnings = [&](const std::string& end, const std::string& load) {
+    return plan_of(box + "[[stage]]\n" + end + "set.cell.stress_x = " + load + "\n", {"time.step=1e-5"})
+        .warnings;
+  };
+  const std::string cycles = "cycles = 5\nperiod = 0.01\n";
+  CHECK(warnings(cycles, "{ from = 1, to = 2, period = 0.01 }").empty());
+  CHECK(warnings(cycles, "{ from = 1, to = 2, period = 0.005 }").empty());
+  CHECK(warnings(cycles, "{ mean = 1, amplitude = 0.1, frequency_hz = 100 }").empty());
+  CHECK(warnings(cycles, "{ from = 1, to = 2, duration = 0.03 }").empty());
+  CHECK(warnings("duration = 0.03\n", "{ from = 1, to = 2, period = 0.02 }").empty());
+  for (const auto& [load, period] :
+       {std::pair{"{ from = 1, to = 2, period = 0.02 }", "0.02"},
+        std::pair{"{ from = 1, to = 2, period = 0.0101 }", "0.0101"},
+        std::pair{"{ mean = 1, amplitude = 0.1, frequency_hz = 80 }", "0.0125"}}) {
+    const std::vector<std::string> found = warnings(cycles, load);
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0],
+               Catch::Contains(fmt::format(
+                   "cycles of 0.01 s are no whole number of the periods of cell.stress_x, {} s; give "
+                   "both the same period",
+                   period)));
+  }
+}
+
 TEST_CASE("a stage cannot change what describes the start of a boundary", "[scenario]") {
   const std::string scene =
       with(discs, "duration = 1e-4\n", "") +
