@@ -95,6 +95,17 @@ TEST_CASE("describe prints equations, parameters and closed forms", "[tools]") {
   CHECK(contains(forms.out, "\n  restitution      1  "));
 }
 
+TEST_CASE("describe takes two dimensions for a law of discs", "[tools]") {
+  const Workspace w;
+  const std::string law =
+      "describe disc_angular normal_stiffness=100 tangential_stiffness=100 friction=0.2 normal_damping=0";
+  // m* of two discs of 5 mm and 2000 kg/m²: π R² ρ/2.
+  CHECK(contains(w.scree(law).out, "two equal discs, R = 0.005 m, density 2000 kg/m^2 (m* = 0.0785398 kg, "));
+  const Outcome wrong = w.scree(law + " --dimension 3");
+  CHECK(wrong.status == 2);
+  CHECK(contains(wrong.err, "disc_angular: a law of discs; "));
+}
+
 TEST_CASE("describe shows all plug-ins of a name, or the one of a kind", "[tools]") {
   const Workspace w;
   const Outcome both = w.scree("describe box"), one = w.scree("describe probe/box");

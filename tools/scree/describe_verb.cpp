@@ -27,7 +27,7 @@ struct DescribeArguments {
   std::string name;
   bool all = false;
   std::vector<std::string> values;
-  int dimension = 3;
+  int dimension = 0;  // 0: 3, or 2 for a law of discs
   double radius = 0.005, density = 2000, speed = 1;
   PluginOptions plugins;
 };
@@ -71,14 +71,15 @@ void print_table(const scenario::TableDescription& table) {
     fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", key.name, key.value, key.absent, "", key.doc);
 }
 
-// A law with the values of the command line; none without values.
-std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, const DescribeArguments& a) {
+// A law with the values of the command line, in their dimension or, where they have none, in one in which it exists; none without values.
+std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, DescribeArguments& a) {
   if (a.values.empty()) return std::nullopt;
   if (plugin.kind != SCREE_CONTACT_LAW)
     throw Error(fmt::format("'{}': {} is a {} and has no closed forms; omit the value", a.values[0],
                             plugin.name, kind_name(scree_kind(plugin.kind))));
   Parameters parameters(plugin);
   for (const std::string& value : a.values) set_value(parameters, value);
+  if (a.dimension == 0) a.dimension = dimensions_of(parameters).back();
   return ConfiguredLaw(parameters, a.dimension, no_bounds, no_bounds);
 }
 
@@ -93,8 +94,8 @@ void print_forms(const std::string& who, const ConfiguredLaw& law, const scree_e
 void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {
   const double r = a.radius, pi = std::numbers::pi;
   const double mass = a.density * (a.dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r);
-  print_forms(fmt::format("two equal {}, R = {:g} m, density {:g} kg/m^3",
-                          a.dimension == 2 ? "discs" : "spheres", r, a.density),
+  print_forms(fmt::format("two equal {}, R = {:g} m, density {:g} kg/m^{}",
+                          a.dimension == 2 ? "discs" : "spheres", r, a.density, a.dimension),
               law, {mass / 2, r / 2, a.speed, 1});
   print_forms("one body and a wall", law, {mass, r, a.speed, 1});
 }
@@ -128,7 +129,7 @@ void print_equation(const char* text) {
   for (std::string line; std::getline(lines, line);) fmt::print("  {}\n", line);
 }
 
-void describe_one(const scree_plugin& plugin, const DescribeArguments& arguments) {
+void describe_one(const scree_plugin& plugin, DescribeArguments arguments) {
   const auto law = law_of(plugin, arguments);  // first, so that a wrong value is all that is said
   fmt::print("{}, {}: {}\n{}\n\nequations\n", plugin.name, kind_name(scree_kind(plugin.kind)), plugin.summary,
              plugin.source);
@@ -186,9 +187,9 @@ void add_describe_verb(CommandLine& line) {
       "Table or plug-in; kind/name where two kinds share a name, as boundary/box and probe/box; or a state file");
   verb.option("values", a->values, "Parameters as KEY=VALUE, for the closed forms").shown_as("KEY=VALUE");
   verb.flag("--all", a->all, "All tables and plug-ins as Markdown");
-  verb.option("--dimension", a->dimension, "2 or 3 (default 3)").between(2, 3);
+  verb.option("--dimension", a->dimension, "2 or 3 (default 3, for laws of discs 2)").between(2, 3);
   verb.option("--radius", a->radius, "Radius of the bodies, m (default 0.005)").above_zero();
-  verb.option("--density", a->density, "Density, kg/m^3 (default 2000)").above_zero();
+  verb.option("--density", a->density, "Density, kg/m^3, of discs kg/m^2 (default 2000)").above_zero();
   verb.option("--speed", a->speed, "Impact speed, m/s (default 1)").above_zero();
   add_plugin_options(verb, a->plugins);
   verb.footer(

@@ -92,6 +92,8 @@ struct NoInstance {};
 using ConfiguredLaw = Configured<scree_contact_law, scree_contact_instance>;
 // Dimensions in which a contact law exists: 2, 3 or both.
 std::vector<int> dimensions_of(const Parameters& law);
+// Throws Error for a contact law that does not exist in a dimension.
+void check_dimension(const Parameters& law, int dimension);
 using ConfiguredBoundary = Configured<scree_boundary, scree_boundary_instance>;
 using ConfiguredBodyForce = Configured<scree_body_force, NoInstance>;
 using ConfiguredProbe = Configured<scree_probe, scree_probe_instance>;

@@ -1,5 +1,6 @@
 #include "plugins/plugin_call.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <type_traits>
@@ -39,14 +40,6 @@ void check_instance(const char* name, const scree_contact_instance& i) {
 template <class Instance>
 void check_instance(const char*, const Instance&) {}
 
-void check_dimension(const char* name, const scree_contact_law& law, int dimension) {
-  if (law.dimensions & (1u << dimension)) return;
-  throw Error(fmt::format("{}: a law of {}; set [scene] dimension = {}, or choose a law for {}D", name,
-                          dimension == 2 ? "spheres" : "discs", dimension == 2 ? 3 : 2, dimension));
-}
-template <class Interface>
-void check_dimension(const char*, const Interface&, int) {}
-
 }  // namespace
 
 template <class Interface, class Instance>
@@ -54,6 +47,7 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
                                             const double (&lower)[3], const double (&upper)[3])
     : parameters_(std::make_unique<Parameters>(parameters)),
       storage_(::operator new(SCREE_MAX_INSTANCE_SIZE, std::align_val_t(64))) {
+  if constexpr (std::is_same_v<Interface, scree_contact_law>) check_dimension(*parameters_, dimension);
   parameters_->check_complete();
   const std::vector<scree_value> values = parameters_->values();
   const std::vector<scree_input> inputs = parameters_->inputs();
@@ -72,7 +66,6 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
   if (interface().storage_size > SCREE_MAX_INSTANCE_SIZE)
     throw Error(fmt::format("plug-in {}: needs {} bytes of storage, more than the limit of {}", name,
                             interface().storage_size, SCREE_MAX_INSTANCE_SIZE));
-  check_dimension(name, interface(), dimension);
   const int failed = plugin_call(name, "configure", [&] {
     if constexpr (std::is_same_v<Instance, NoInstance>)
       return interface().configure(&setup, storage_.get());
@@ -82,6 +75,14 @@ Configured<Interface, Instance>::Configured(const Parameters& parameters, int di
   message[sizeof(message) - 1] = 0;
   if (failed) throw Error(fmt::format("{}: {}", name, *message ? message : "refused its parameters"));
   check_instance(name, instance_);
+}
+
+void check_dimension(const Parameters& law, int dimension) {
+  const std::vector<int> dimensions = dimensions_of(law);
+  if (std::find(dimensions.begin(), dimensions.end(), dimension) != dimensions.end()) return;
+  throw Error(fmt::format("{}: a law of {}; set [scene] dimension = {}, or choose a law for {}D",
+                          law.plugin().name, dimension == 2 ? "spheres" : "discs", dimension == 2 ? 3 : 2,
+                          dimension));
 }
 
 std::vector<int> dimensions_of(const Parameters& law) {

@@ -50,6 +50,9 @@ bool same_layout(const scree_boundary_instance& a, const scree_boundary_instance
 const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
                                    const Scene& scene, Instances& instances) {
   Parameters parameters(find_plugin(table, kind, host));
+  // First: the law that is taken in its place has other parameters.
+  if (kind == SCREE_CONTACT_LAW)
+    placed(table, "plugin", [&] { check_dimension(parameters, scene.dimension); });
   read_parameters(table, scene.dimension, parameters);
   check_complete(table, parameters);
   const std::string name = instances.names.add_or_number(table, parameters.plugin().name);

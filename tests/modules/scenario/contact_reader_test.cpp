@@ -31,6 +31,15 @@ TEST_CASE("two laws of the same plug-in are numbered unless they are named", "[s
   CHECK(plan.scene.law_of == std::vector<std::uint32_t>{0, 1, 1, 0});
 }
 
+TEST_CASE("a law of the other dimension is refused before its parameters are", "[scenario]") {
+  const std::string scene = with(with(std::string(discs), "linear_spring_dashpot", "sphere_path_independent"),
+                                 "normal_stiffness", "stiffness");
+  CHECK_THAT(
+      refusal(scene),
+      Catch::Contains(
+          "sphere_path_independent: a law of spheres; set [scene] dimension = 3, or choose a law for 2D"));
+}
+
 TEST_CASE("with several materials every wall needs one", "[scenario]") {
   const std::string silent =
       with(with_materials_named(two_materials), "gap = 0.005\nmaterial = 'steel'\n", "gap = 0.005\n");
