@@ -22,6 +22,7 @@ struct Stage {
   std::vector<Change> changes;
   // Duration (s); without it, the condition below ends the stage.
   std::optional<double> duration;
+  double period = 0;  // (s) of its cycles; 0: it has none
   // The stage ends when kinetic energy / elastic energy falls below this value.
   std::optional<double> kinetic_over_elastic;
   double at_least = 0;            // (s) before which the condition is not tested

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <scree/document/document.hpp>
 #include <scree/energy.hpp>
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
@@ -32,14 +31,6 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Period of the last stage (s); 0 if it has none.
-double period_of(const scenario::Plan& plan) {
-  const auto document = document::Document::parse(plan.resolved_text, plan.source.string());
-  const auto stages = document.root().tables("stage");
-  if (stages.empty() || !stages.back().is_number("period")) return 0;
-  return stages.back().number("period", document::Range::positive("s"));
-}
-
 }  // namespace
 
 Follower::Follower(const scenario::Plan& plan, const FollowOptions& options, run::RunDirectory& directory)
@@ -53,7 +44,7 @@ Follower::Follower(const scenario::Plan& plan, const FollowOptions& options, run
 Course Follower::begin() {
   find_start();
   directory_.create();
-  return take([this] {
+  return follow([this] {
     write_record("running", course_, directory_);
     directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     series_.emplace(directory_.add("series/quasi_static.csv"));
@@ -65,11 +56,11 @@ Course Follower::begin() {
 
 Course Follower::resume(const State& state) {
   const StateTransfer from = StateTransfer::restoring_from(state).below(results.group);
-  transfer(from);
+  transfer_state(from);
   kept_ = state;
   series_.emplace(directory_.path() / "series/quasi_static.csv", series_bytes_);
   directory_.create();
-  return take([&] {
+  return follow([&] {
     series_->cut();
     write_record("running", course_, directory_);
     if (from.has("moves"))
@@ -79,7 +70,7 @@ Course Follower::resume(const State& state) {
   });
 }
 
-Course Follower::take(const std::function<void()>& open) {
+Course Follower::follow(const std::function<void()>& open) {
   try {
     open();
     while (interval_ < intervals() && proceeds()) {
@@ -116,7 +107,7 @@ void Follower::find_start() {
                             plan_.source.string()));
   run_stages_before();
   began_ = Clock::now();
-  course_.period = period_of(plan_);
+  course_.period = plan_.stages.back().period;
   course_.start = course_.reached = simulation_->time();
   course_.end = course_.start + *plan_.stages.back().duration;
   const bool cyclic = course_.period > 0;
@@ -188,7 +179,7 @@ void Follower::advance(double time) {
                      [this] { return proceeds(); });
   course_.hand_overs.back().to = dynamics_->time();
   course_.dynamic_wall += seconds_since(begin);
-  if (proceeds()) take_back(time);
+  if (proceeds()) end_dynamics_at_rest(time);
 }
 
 void Follower::hand_over() {
@@ -202,7 +193,7 @@ void Follower::begin_dynamics(std::unique_ptr<Simulation> simulation) {
   course_.hand_overs.push_back({dynamics_->time(), dynamics_->time()});
 }
 
-void Follower::take_back(double time) {
+void Follower::end_dynamics_at_rest(double time) {
   const scree_energy energy = dynamics_->energy();
   if (kinetic_energy(energy) > at_rest * elastic_energy(energy)) {
     sample(sample_of(*dynamics_, time));
@@ -221,7 +212,7 @@ void Follower::take_back(double time) {
 void Follower::begin_part() {
   State state = packing_ ? packing_->state() : dynamics_->state();
   end_packing();
-  keep(state);
+  keep_state(state);
   if (!dynamics_) begin_packing(state);
 }
 

@@ -36,14 +36,14 @@ class Follower {
   std::unique_ptr<Simulation> simulation_of(const State& state) const;
 
   // Follows the load after `open` has opened the files.
-  Course take(const std::function<void()>& open);
+  Course follow(const std::function<void()>& open);
   std::size_t intervals() const;
   // To the end of an interval, without dynamics where that can be.
   void advance(double time);
   // From where the packing has no equilibrium nearby.
   void hand_over();
   // If the packing that moves has an equilibrium nearby, goes on from there.
-  void take_back(double time);
+  void end_dynamics_at_rest(double time);
   // Keeps the state, and begins the search for equilibrium anew.
   void begin_part();
   void begin_packing(const State& state);
@@ -54,10 +54,10 @@ class Follower {
   void sample(const Sample& sample);
   void report() const;
   void warn(const std::string& line);
-  void keep(State state);
+  void keep_state(State state);
   void write_kept_state();
   void write_final_state();  // from which runs may begin
-  void transfer(const StateTransfer& state);
+  void transfer_state(const StateTransfer& state);
   void save(const std::string& status);
   double seconds() const;  // of wall time, also before it was interrupted
 

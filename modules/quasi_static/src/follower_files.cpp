@@ -40,10 +40,10 @@ void transfer_counts(const StateTransfer& state, Course& course) {
 }  // namespace
 
 // Written now and then, and when the course ends early.
-void Follower::keep(State state) {
+void Follower::keep_state(State state) {
   series_bytes_ = series_->bytes();
   const StateTransfer to = StateTransfer::saving_to(state).below(results.group);
-  transfer(to);
+  transfer_state(to);
   if (bool moves = bool(dynamics_)) to.value("moves", "1", moves);
   kept_ = std::move(state);
   if (interval_ > 0 && seconds() - last_state_ < seconds_between_states) return;
@@ -55,7 +55,7 @@ void Follower::write_kept_state() {
   if (kept_) state_file::write_state(directory_.add(results.state), *kept_);
 }
 
-void Follower::transfer(const StateTransfer& state) {
+void Follower::transfer_state(const StateTransfer& state) {
   std::string scenario = plan_.resolved_text;
   state.value("scenario", "", scenario);
   const auto number = [&](const char* name, std::uint64_t now) {

@@ -51,25 +51,26 @@ void read_end(const document::Table& t, double step, Stage& stage) {
   if (t.has(stage_keys.duration)) stage.duration = read_steps(t, stage_keys.duration, step);
   if (t.has(stage_keys.until)) read_condition(t.table(stage_keys.until), step, stage);
   if (t.has(stage_keys.cycles)) {
-    const double period = read_steps(t, stage_keys.period, step);
-    stage.duration = read(t, stage_keys.cycles) * period;
+    stage.period = read_steps(t, stage_keys.period, step);
+    stage.duration = read(t, stage_keys.cycles) * stage.period;
     check_steps(t, "cycles", *stage.duration, step);
   }
 }
 
 // Once in a cycle, what is sampled is then at another phase of the load in each.
-void warn_of_phases(const document::Table& t, double step, std::vector<std::string>& warnings) {
-  if (!t.has(stage_keys.cycles) || !(read(t, stage_keys.cycles) > 1)) return;
+void warn_of_phases(const document::Table& t, double step, const Stage& stage,
+                    std::vector<std::string>& warnings) {
+  if (!(stage.period > 0) || !(*stage.duration > stage.period)) return;
   constexpr double round_off = 1e-6;  // steps
-  const double period = read_steps(t, stage_keys.period, step), steps = period / step;
+  const double steps = stage.period / step;
   if (std::abs(steps - std::round(steps)) <= round_off) return;
   warnings.push_back(
       t.error(
            "period",
            fmt::format(
                "a period of {:g} s is {:.10g} steps, so that samples once in a cycle are at another phase of the load in each",
-               period, steps),
-           fmt::format("give time.step = {:.17g}", period / std::ceil(steps)))
+               stage.period, steps),
+           fmt::format("give time.step = {:.17g}", stage.period / std::ceil(steps)))
           .what());
 }
 
@@ -92,18 +93,17 @@ std::vector<std::pair<std::string, double>> periods_of_loads(const document::Tab
 // At the ends of such cycles the load is at another phase each time.
 void warn_of_other_periods(const document::Table& t, const Scene& scene, const Stage& stage,
                            std::vector<std::string>& warnings) {
-  if (!t.has(stage_keys.cycles)) return;
+  if (!(stage.period > 0)) return;
   constexpr double round_off = 1e-9;
-  const double length = t.number(stage_keys.period, stage_keys.period.range);
   for (const Stage::Change& change : stage.changes)
     for (const auto& [load, period] :
          periods_of_loads(t.table(stage_keys.set).table(change.name), change, scene)) {
-      const double count = length / period, whole = std::round(count);
+      const double count = stage.period / period, whole = std::round(count);
       if (whole > 0 && std::abs(count - whole) <= round_off * count) continue;
       warnings.push_back(
           t.error("period",
                   fmt::format("cycles of {:.10g} s are no whole number of the periods of {}, {:.10g} s",
-                              length, load, period),
+                              stage.period, load, period),
                   "give both the same period")
               .what());
     }
@@ -178,7 +178,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     stage.name = t.string(stage_keys.name, fmt::format("stage {}", stages.size() + 1));
     names.add(t, stage.name);
     read_end(t, scene.step, stage);
-    warn_of_phases(t, scene.step, warnings);
+    warn_of_phases(t, scene.step, stage, warnings);
     read_changes(t, scene, instances.all, stage, warnings);
     warn_of_other_periods(t, scene, stage, warnings);
     stages.push_back(std::move(stage));
