@@ -1,10 +1,10 @@
 #include "cycles_files.hpp"
 
+#include "result_paths.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -60,10 +60,10 @@ std::string table_of(const CyclesResult& r) {
   return text;
 }
 
-std::string record_of(const CyclesResult& r) {
+std::string record_of(const CyclesResult& r, const fs::path& folder) {
   const cycles::Classification& c = r.found;
   Json json;
-  json["series"] = r.source.file.string();
+  json["series"] = relative_to(folder, r.source.file);
   json["strain"] = with_unit(r.source.strain, r.source.strain_unit);
   if (!r.source.load.empty()) json["load"] = with_unit(r.source.load, r.source.load_unit);
   if (r.source.period > 0) json["period"] = r.source.period;
@@ -124,23 +124,33 @@ snapshot::ChartSpec chart_of(const CyclesResult& r) {
   return chart;
 }
 
-// The series that a record names; empty if there is no such record.
-std::string series_of_record(const fs::path& file) {
+// The series that a record names, which is relative to its folder; empty if there is no such record.
+fs::path series_of_record(const fs::path& file) {
   std::error_code failed;
-  if (!fs::exists(file, failed)) return "";
+  if (!fs::exists(file, failed)) return {};
   const Json record = Json::parse(files::read_text(file), nullptr, false);
-  return record.is_object() && record.contains("series") && record["series"].is_string() ? record["series"]
-                                                                                         : "";
+  const bool named = record.is_object() && record.contains("series") && record["series"].is_string();
+  return named ? resolved(file.parent_path() / std::string(record["series"])) : fs::path();
 }
 
 const std::vector<std::string> verdict_columns = {"run",         "class",         "cycles", "slope",
                                                   "slope_error", "rms",           "range",  "robust_slope",
                                                   "outliers",    "repeats_after", "reason"};
 
-// As in a line of a table.
-std::string cell_of(const std::string& text) {
-  const std::string line = files::csv_line({text});
-  return line.substr(0, line.size() - 1);
+// Of the rows of a table, in which quoted cells may have commas, line ends and doubled quotes.
+std::vector<std::string> first_cells(const std::string& text) {
+  std::vector<std::string> cells;
+  bool quoted = false, in_first = false;
+  char before = '\n';
+  for (const char c : text) {
+    if (before == '\n' && !quoted) cells.emplace_back(), in_first = true;
+    const bool doubled = c == '"' && before == '"' && !quoted && in_first && !cells.back().empty();
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == ',' || c == '\n')) in_first = false;
+    if (in_first && (c != '"' || doubled)) cells.back() += c;
+    before = c;
+  }
+  return cells;
 }
 
 void create(const fs::path& folder) {
@@ -160,12 +170,14 @@ CyclesFiles::CyclesFiles(fs::path folder, const fs::path& source, bool overwrite
     throw Error(fmt::format("{}: the cycles would replace this file; give another directory with --out",
                             source.string()));
   create(folder_);
-  if (overwrite || series_of_record(folder_ / record_name) == source.string()) return;
+  const fs::path recorded = series_of_record(folder_ / record_name);
+  if (overwrite || recorded == resolved(source)) return;
   for (const char* name : {table_name, record_name, chart_name})
     if (fs::exists(folder_ / name, failed))
       throw Error(fmt::format(
-          "{}: is there already, and not of {}; give another directory with --out, or --overwrite",
-          (folder_ / name).string(), source.string()));
+          "{}: is there already, {}, and this is of {}; give another directory with --out, or --overwrite",
+          (folder_ / name).string(), recorded.empty() ? "and not of a series" : "of " + recorded.string(),
+          source.string()));
 }
 
 fs::path CyclesFiles::path_of(const std::string& name) const {
@@ -179,7 +191,7 @@ fs::path CyclesFiles::path_of(const std::string& name) const {
 void CyclesFiles::write(const CyclesResult& result) const {
   const fs::path table = path_of(table_name), record = path_of(record_name);
   files::write_atomically(table, table_of(result));
-  files::write_atomically(record, record_of(result));
+  files::write_atomically(record, record_of(result, folder_));
   fmt::print("{}\n{}\n", table.string(), record.string());
   if (!snapshot::has_pictures()) {
     report(fmt::format("{}, so there is no chart; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
@@ -197,31 +209,31 @@ VerdictsFile::VerdictsFile(fs::path folder, const std::vector<CyclesResult>& res
   const fs::path file = folder_ / file_name;
   std::error_code failed;
   if (overwrite || !fs::exists(file, failed)) return;
-  std::istringstream lines(files::read_text(file));
-  std::string line;
-  std::getline(lines, line);
-  if (line + "\n" != files::csv_line(verdict_columns))
+  const std::string text = files::read_text(file);
+  if (!text.starts_with(files::csv_line(verdict_columns)))
     throw Error(fmt::format(
         "{}: is there already, and no table of verdicts; give another directory with --out, or --overwrite",
         file.string()));
-  std::set<std::string> runs;
-  for (const CyclesResult& r : results) runs.insert(cell_of(r.name));
-  while (std::getline(lines, line))
-    if (std::none_of(runs.begin(), runs.end(), [&](const auto& run) { return line.starts_with(run + ","); }))
-      throw Error(fmt::format(
-          "{}: has other runs, such as {}; give another directory with --out, or --overwrite", file.string(),
-          line.substr(0, line.find(line[0] == '"' ? "\"," : ",") + (line[0] == '"'))));
+  std::set<fs::path> runs;
+  for (const CyclesResult& r : results) runs.insert(resolved(r.name));
+  const std::vector<std::string> rows = first_cells(text);
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (!runs.contains(resolved(folder_ / rows[k])))
+      throw Error(
+          fmt::format("{}: has other runs, such as {}; give another directory with --out, or --overwrite",
+                      file.string(), files::one_line(rows[k])));
 }
 
 void VerdictsFile::write(const std::vector<CyclesResult>& results) const {
   std::string text = files::csv_line(verdict_columns);
   for (const CyclesResult& r : results) {
     const cycles::Classification& c = r.found;
-    text += files::csv_line(
-        {r.name, std::string(cycles::class_name(c.kind)), std::to_string(r.source.series.strain.size() - 1),
-         files::csv_number(c.line.slope), files::csv_number(c.line.slope_error),
-         files::csv_number(c.line.rms), files::csv_number(c.range), files::csv_number(c.robust.slope),
-         std::to_string(c.outliers.size()), c.period > 0 ? std::to_string(c.period) : "", c.reason});
+    text += files::csv_line({relative_to(folder_, r.name), std::string(cycles::class_name(c.kind)),
+                             std::to_string(r.source.series.strain.size() - 1),
+                             files::csv_number(c.line.slope), files::csv_number(c.line.slope_error),
+                             files::csv_number(c.line.rms), files::csv_number(c.range),
+                             files::csv_number(c.robust.slope), std::to_string(c.outliers.size()),
+                             c.period > 0 ? std::to_string(c.period) : "", c.reason});
   }
   files::write_atomically(folder_ / file_name, text);
   fmt::print("{}\n", (folder_ / file_name).string());

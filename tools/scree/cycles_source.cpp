@@ -42,15 +42,15 @@ bool has_columns(const fs::path& file, const std::vector<std::string>& columns) 
 
 // The series of the probe, or the first with the columns; where none has them, the first, whose reader names what it has.
 fs::path series_of_run(const CyclesRequest& request) {
+  std::error_code failed;
+  if (fs::exists(fs::path(request.directory) / "campaign.json", failed))
+    throw Error(fmt::format("{}: is a campaign; give its runs: {}", request.directory,
+                            (fs::path(request.directory) / "*/").string()));
   const fs::path folder = fs::path(request.directory) / "series";
   if (!request.probe.empty()) return folder / (request.probe + ".csv");
-  std::error_code failed;
   std::vector<fs::path> series;
   for (const auto& entry : fs::directory_iterator(folder, failed))
     if (entry.path().extension() == ".csv") series.push_back(entry.path());
-  if (series.empty() && fs::exists(fs::path(request.directory) / "campaign.json", failed))
-    throw Error(fmt::format("{}: is a campaign; give its runs: {}", request.directory,
-                            (fs::path(request.directory) / "*/").string()));
   if (series.empty())
     throw Error(
         fmt::format("{}: there is no series/*.csv; give the directory of a run with a probe, or --csv FILE",
@@ -118,9 +118,16 @@ CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::
   return source;
 }
 
-// What the request leaves open is that of the run, if the series is of one.
+// What the request leaves open is that of the run, if the series is of one; of a run whose record is not needed it may be missing.
 std::optional<RunCycles> found_for(const CyclesRequest& request) {
-  if (!request.csv.empty() || (request.period > 0 && request.first_minimum)) return std::nullopt;
+  if (!request.csv.empty()) return std::nullopt;
+  if (request.period > 0 && request.first_minimum) {
+    try {
+      return cycles_of_run(request.directory);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
   const std::optional<RunCycles> found = cycles_of_run(request.directory);
   if (found && !(request.period > 0) && !(found->times.period > 0))
     throw Error(fmt::format(

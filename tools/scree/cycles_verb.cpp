@@ -1,5 +1,6 @@
 #include "cycles_files.hpp"
 #include "cycles_warnings.hpp"
+#include "result_paths.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
@@ -34,6 +35,8 @@ CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   request.drop = arguments.drop;
   CyclesResult result{
       request.csv.empty() ? request.directory : request.csv, read_cycles(request), {}, arguments.drop, {}};
+  for (const std::string& warning : warnings_of_source(result.source))
+    report_warning(fmt::format("{}: {}", result.source.file.string(), warning));
   cycles::ClassOptions options;
   options.drop = arguments.drop;
   options.round_off = arguments.round_off;
@@ -42,7 +45,8 @@ CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", result.source.file.string(), error.what()), error.status());
   }
-  for (const std::string& warning : cycles_warnings(result.source, result.found, result.drop))
+  if (const std::string warning = warning_of_loads(result.source, result.found, result.drop);
+      !warning.empty())
     report_warning(fmt::format("{}: {}", result.source.file.string(), warning));
   if (!arguments.touching.empty())
     result.rattlers = read_rattlers(result.source.file.parent_path() / (arguments.touching + ".csv"),
@@ -169,7 +173,7 @@ ExitStatus analyse_all(const CyclesArguments& a) {
   for (const std::string& directory : a.directories) {
     CyclesRequest request = a.request;
     request.directory = without_slash(directory);
-    if (!directories.insert(fs::weakly_canonical(request.directory)).second)
+    if (!directories.insert(resolved(request.directory)).second)
       throw Error(fmt::format("{} is given twice; give each run once", directory));
     results.push_back(analyse(a, request));
     width = std::max(width, results.back().name.size());

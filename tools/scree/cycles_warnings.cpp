@@ -1,6 +1,8 @@
 #include "cycles_warnings.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -10,44 +12,50 @@ namespace {
 
 // With a multiple of the load's period half of its cycles or more are not seen.
 std::string of_multiple(const CyclesSource& source) {
-  const double of_stage = source.stage_period > 0 ? std::round(source.period / source.stage_period) : 1;
-  const bool is_multiple = std::abs(source.period - of_stage * source.stage_period) < 1e-6 * source.period;
-  const double count = is_multiple && of_stage > 1 ? of_stage : double(source.series.load_periods);
+  const double of_stage = source.stage_period > 0 ? std::round(source.period / source.stage_period) : 0;
+  const bool is_multiple =
+      of_stage > 0 && std::abs(source.period - of_stage * source.stage_period) < 1e-6 * source.period;
+  // Beside the load that was given there may be one with the period of the stage.
+  const double count = is_multiple ? of_stage : double(source.series.load_periods);
   if (!(count > 1)) return "";
   return fmt::format(
       "in each {:.10g} s the load has {} periods; give --period {:.10g} to see each of its cycles",
       source.period, count, source.period / count);
 }
 
-// What the load drifts by from cycle to cycle strains an elastic sample too.
-std::string of_drift(const CyclesSource& source, const cycles::Classification& found, std::size_t drop) {
-  constexpr double counts = 0.1;      // of the strain per cycle
-  constexpr double significant = 5;   // standard errors
-  constexpr double round_off = 1e-9;  // of the range of the load
-  const cycles::CycleSeries& series = source.series;
-  if (series.load.empty() || !(std::abs(series.loops.back().stiffness) > 0)) return "";
-  const auto load = cycles::fit_line(std::span(series.load).subspan(drop), double(drop));
-  const double strain = load.slope / series.loops.back().stiffness;
-  if (!(std::abs(load.slope) > significant * load.slope_error) ||
-      !(std::abs(strain) > counts * std::abs(found.line.slope)) ||
-      !(std::abs(strain) > round_off * found.range))
-    return "";
-  return fmt::format(
-      "the load at its minima changes by {:.3g} per cycle, which strains the sample by {:.3g}, of {:.3g} per cycle in all; give the exact "
-      "--period and --start of the load",
-      load.slope, strain, found.line.slope);
+double range_of(std::span<const double> values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
 }
 
 }  // namespace
 
-std::vector<std::string> cycles_warnings(const CyclesSource& source, const cycles::Classification& found,
-                                         std::size_t drop) {
+std::vector<std::string> warnings_of_source(const CyclesSource& source) {
   std::vector<std::string> warnings;
-  if (!source.status.empty() && source.status != "finished")
+  if (!source.status.empty())
     warnings.push_back(fmt::format("the run is {}: these are its cycles so far", source.status));
-  for (const std::string& warning : {of_multiple(source), of_drift(source, found, drop)})
-    if (!warning.empty()) warnings.push_back(warning);
+  if (const std::string warning = of_multiple(source); !warning.empty()) warnings.push_back(warning);
   return warnings;
+}
+
+std::string warning_of_loads(const CyclesSource& source, const cycles::Classification& found,
+                             std::size_t drop) {
+  constexpr double same_load =
+      1e-4;                       // of its range in a cycle; of a stress, the ratcheting of the area is 1e-8
+  constexpr double counts = 0.1;  // of the range of the strain
+  const cycles::CycleSeries& series = source.series;
+  if (series.load.empty()) return "";
+  const auto [least, most] = std::minmax_element(series.load.begin(), series.load.end());
+  const double stiffness = std::abs(series.loops.back().stiffness);
+  const double differences = range_of(std::span(series.load).subspan(drop));
+  // With fewer than three samples in a cycle its range is not known.
+  const double range =
+      std::isnan(stiffness) ? std::max(std::abs(*least), std::abs(*most)) : series.loops.back().load_range;
+  if (!(differences > same_load * range) || differences < counts * stiffness * found.range) return "";
+  return fmt::format(
+      "the load at the minima differs by up to {:.2g} from cycle to cycle, and the strain with it; give the exact --period and --start, or more samples, "
+      "unless the load is meant to change",
+      differences);
 }
 
 }  // namespace scree::tool

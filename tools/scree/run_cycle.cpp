@@ -22,8 +22,11 @@ double number_in(const Json& times, const char* key, const std::string& place) {
   return times[key];
 }
 
-std::string status_in(const Json& record) {
-  return record.contains("status") && record["status"].is_string() ? record["status"] : "";
+// Why the cycles ended before they were to; empty if they did not. ended: of their stage, or of the record.
+std::string unfinished(const Json& record, const char* ended) {
+  for (const char* status : {"running", "interrupted", "failed"})
+    if (record.contains(ended) && record[ended] == status) return status;
+  return "";
 }
 
 // Of a quasi-static load, which is that of the last stage.
@@ -32,7 +35,7 @@ RunCycles course_of(const fs::path& file) {
   const std::string place = file.string() + ":";
   return {{number_in(record, "period", place), number_in(record, "start", place)},
           number_in(record, "end", place),
-          status_in(record)};
+          unfinished(record, "status")};
 }
 
 // stage: its number in the scenario, from 0.
@@ -45,7 +48,8 @@ RunCycles stage_of(const fs::path& file, std::size_t stage, double period) {
                             file.string(), stage + 1));
   const Json& times = record["stages"][stage];
   const std::string place = fmt::format("{}: stage {}", file.string(), stage + 1);
-  return {{period, number_in(times, "start", place)}, number_in(times, "end", place), status_in(record)};
+  return {
+      {period, number_in(times, "start", place)}, number_in(times, "end", place), unfinished(times, "ended")};
 }
 
 }  // namespace

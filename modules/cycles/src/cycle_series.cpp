@@ -18,8 +18,9 @@ constexpr double near_minimum = 0.25;        // of the range of the load
 constexpr double same_load = 0.05;  // of its range: a sine that eight straight lines replace is wrong by 0.04
 constexpr std::size_t most_periods = 100;     // of the load in a cycle, that are looked for
 constexpr double least_change_in_part = 0.5;  // of its range, in one of these periods
-constexpr double longest_gap = 0.5;           // of a period, between samples
-constexpr double uneven_gap = 1.5;            // over their mean distance
+constexpr double near_sample =
+    0.04;  // of the longest gap: the value between is then nearly that of the sample
+constexpr double longest_gap = 0.5;  // of a period, between the samples about a minimum, and within a loop
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void check(std::span<const double> times, std::span<const double> strain, std::span<const double> load,
@@ -42,22 +43,6 @@ void check(std::span<const double> times, std::span<const double> strain, std::s
                     period, step));
 }
 
-// Strain in a gap is not known, but a series with one sample in each period has the strains of one phase.
-void check_gaps(std::span<const double> times, const CycleTimes& cycles) {
-  const auto first = std::upper_bound(times.begin(), times.end(), cycles.first_minimum);
-  const auto begin = first == times.begin() ? first : first - 1;
-  if (times.end() - begin < 2) return;
-  const double mean = (times.back() - *begin) / double(times.end() - begin - 1);
-  for (auto next = begin + 1; next != times.end(); ++next) {
-    const double gap = *next - *(next - 1);
-    if (gap > longest_gap * cycles.period && gap > uneven_gap * mean)
-      throw Error(fmt::format(
-          "there is no sample from {:.10g} s to {:.10g} s, in a period of {:.10g} s; give a series without gaps, or one that ends or "
-          "begins there",
-          *(next - 1), *next, cycles.period));
-  }
-}
-
 // A curve through the samples.
 class Samples {
  public:
@@ -75,10 +60,29 @@ class Samples {
     const double share = (time - times_[next - 1]) / (times_[next] - times_[next - 1]);
     return std::lerp(values_[next - 1], values_[next], share);
   }
+  // Both throw Error for a longer gap: about a time without a sample, and from one time to another.
+  void check_gap_about(double time, double longest) const {
+    const std::size_t next = after(time);
+    if (next == 0 || next == times_.size()) return;
+    const double nearest = std::min(std::abs(time - times_[next - 1]), std::abs(times_[next] - time));
+    if (nearest > near_sample * longest) check_gap_before(next, longest);
+  }
+  void check_gaps_between(double begin, double end, double longest) const {
+    for (std::size_t next = after(begin); next < times_.size() && times_[next - 1] < end - slack_; ++next)
+      check_gap_before(next, longest);
+  }
   double operator[](std::size_t sample) const { return values_[sample]; }
   double slack() const { return slack_; }
 
  private:
+  void check_gap_before(std::size_t sample, double longest) const {
+    if (times_[sample] - times_[sample - 1] <= longest) return;
+    throw Error(fmt::format(
+        "there is no sample from {:.10g} s to {:.10g} s, more than half a period; give a series without gaps, or one with samples at the "
+        "minima of the load",
+        times_[sample - 1], times_[sample]));
+  }
+
   std::span<const double> times_, values_;
   double slack_;
 };
@@ -101,18 +105,22 @@ Path path_of(const Samples& strain, const Samples& load, double begin, double en
 }
 
 Loop loop_of(const Path& path) {
-  if (path.load.size() < 4) return {none, none};  // both ends are one point of the loop
+  const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
   Loop loop;
+  loop.load_range = *high - *low;
+  if (path.load.size() < 4) {  // both ends are one point of the loop
+    loop.area = loop.stiffness = none;
+    return loop;
+  }
   for (std::size_t k = 0; k < path.load.size(); ++k) {
     const std::size_t next = (k + 1) % path.load.size();
     // Relative to the first point, so that the area does not lose digits to a constant load.
     loop.area +=
         0.5 * (path.load[k] + path.load[next] - 2 * path.load[0]) * (path.strain[next] - path.strain[k]);
   }
-  const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
   const double change =
       path.strain[std::size_t(high - path.load.begin())] - path.strain[std::size_t(low - path.load.begin())];
-  loop.stiffness = change != 0 ? (*high - *low) / change : none;
+  loop.stiffness = change != 0 ? loop.load_range / change : none;
   return loop;
 }
 
@@ -137,10 +145,14 @@ void check_load(const Path& path, double begin, double end) {
 bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
   const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
   const std::size_t samples = path.load.size() - 1;
-  const auto samples_in_part = std::ptrdiff_t(std::ceil(part / period * double(samples)));
-  const auto [low_in_part, high_in_part] =
-      std::minmax_element(path.load.begin(), path.load.begin() + samples_in_part + 1);
-  if (*high_in_part - *low_in_part < least_change_in_part * (*high - *low)) return false;
+  double low_in_part = path.load[0], high_in_part = path.load[0];
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double since = period * double(k) / double(samples);
+    if (since > part) break;
+    low_in_part = std::min(low_in_part, load.at(begin + since));
+    high_in_part = std::max(high_in_part, load.at(begin + since));
+  }
+  if (high_in_part - low_in_part < least_change_in_part * (*high - *low)) return false;
   for (std::size_t k = 0; k < samples; ++k) {
     const double since = period * double(k) / double(samples);
     const double change = load.at(begin + std::fmod(since + part, period)) - load.at(begin + since);
@@ -167,7 +179,6 @@ CycleSeries cycle_series(std::span<const double> times, std::span<const double> 
     throw Error(fmt::format(
         "the first minimum at {:.10g} s is before the first sample at {:.10g} s; give a later one with --start",
         cycles.first_minimum, times.front()));
-  check_gaps(times, cycles);
   const double count = std::floor((times.back() + slack - cycles.first_minimum) / cycles.period);
   if (!(count >= 1))
     throw Error(fmt::format(
@@ -176,14 +187,19 @@ CycleSeries cycle_series(std::span<const double> times, std::span<const double> 
         cycles.period, cycles.first_minimum, times.back()));
   const Samples strains(times, strain, cycles.period), loads(times, load, cycles.period);
   CycleSeries series;
+  const double longest = longest_gap * cycles.period * (1 + same_time);
   for (std::size_t n = 0; n <= std::size_t(count); ++n) {
     const double begin = cycles.first_minimum + double(n) * cycles.period, end = begin + cycles.period;
+    strains.check_gap_about(begin, longest);
     series.strain.push_back(strains.at(begin));
     if (!load.empty()) series.load.push_back(loads.at(begin));
     if (load.empty() || n == std::size_t(count)) continue;
     const Path path = path_of(strains, loads, begin, end);
     series.loops.push_back(loop_of(path));
-    if (path.load.size() > 3) check_load(path, begin, end);
+    if (path.load.size() > 3) {
+      strains.check_gaps_between(begin, end, longest);
+      check_load(path, begin, end);
+    }
     if (n + 1 == std::size_t(count)) series.load_periods = periods_in(loads, path, begin, cycles.period);
   }
   return series;

@@ -82,8 +82,6 @@ Course Follower::follow(const std::function<void()>& open) {
       report();
     }
     course_.interrupted = !proceeds();
-    if (const std::string warning = dynamics_warning(course_); !course_.interrupted && !warning.empty())
-      warn(warning);
     save(course_.interrupted ? "interrupted" : "finished");
   } catch (const Error& error) {
     course_.error = error.what();

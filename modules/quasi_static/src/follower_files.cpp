@@ -1,5 +1,6 @@
 #include "course_files.hpp"
 #include "follower.hpp"
+#include "load_warnings.hpp"
 
 #include <utility>
 
@@ -96,10 +97,7 @@ void Follower::save(const std::string& status) {
   if (status == "finished") write_final_state();
   end_packing();
   course_.wall = seconds();
-  if (course_.dynamic_time() > 0.5 * (course_.reached - course_.start))
-    warn(
-        "dynamics took more than half of the time: the packing has no equilibrium nearby for long; run it with scree run, or "
-        "compress it further");
+  if (const std::string warning = dynamics_warning(course_); !warning.empty()) warn(warning);
   if (status != "finished") write_kept_state();
   try {
     draw_chart(course_, times_, strains_, directory_);

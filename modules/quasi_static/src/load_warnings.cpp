@@ -9,49 +9,40 @@
 
 namespace scree::quasi_static {
 
-// Loads that are looked at, from the start of the stage; the others are checked with their increments.
+// Increments that are looked at; of more these many, evenly over the stage and without a period.
 constexpr double most_loads = 10'000;
 
 namespace {
 
 // How the loads on the walls change from increment to increment.
 struct LoadChange {
-  double range = 0;  // of a load, the largest of those of all walls (N)
-  // Of a load, the largest difference from a straight line within an increment, over the range of that load.
-  double within = 0;
+  double range = 0;   // of a load, the largest of those of all walls (N)
+  double within = 0;  // largest difference of a load from a straight line within an increment (N)
 };
 
-// Of times that are `apart`, and of one between each two that is at another share of the increment each time.
-LoadChange change_of_loads(const Simulation& simulation, double start, double end, double apart) {
+// At the ends of increments and at a time within each, at another share of the increment each time.
+LoadChange change_of_loads(const Simulation& simulation, double start, double end, double increment) {
   constexpr double golden_share = 0.6180339887498949;
-  const auto count = std::size_t(std::min(most_loads, std::ceil((end - start) / apart)));
+  const double increments = std::ceil((end - start) / increment);
   const auto loads_at = [&](double time) {
     return response::loads_of_walls(simulation, std::min(time, end));
   };
-  std::vector<double> before = loads_at(start), least = before, most = before;
-  std::vector<double> within(before.size());
-  const auto extend = [&](std::size_t w, double load) {
-    least[w] = std::min(least[w], load);
-    most[w] = std::max(most[w], load);
-  };
-  for (std::size_t k = 0; k < count; ++k) {
-    const double from = start + double(k) * apart, to = std::min(from + apart, end);
-    const double share = std::fmod(double(k + 1) * golden_share, 1);
-    const std::vector<double> between = loads_at(std::lerp(from, to, share));
-    std::vector<double> after = loads_at(to);
-    for (std::size_t w = 0; w < after.size(); ++w) {
-      extend(w, between[w]);
-      extend(w, after[w]);
-      within[w] = std::max(within[w], std::abs(between[w] - std::lerp(before[w], after[w], share)));
-    }
-    before = std::move(after);
-  }
+  std::vector<double> least = loads_at(start), most = least;
   LoadChange change;
-  for (std::size_t w = 0; w < within.size(); ++w) {
-    const double range = most[w] - least[w];
-    change.range = std::max(change.range, range);
-    if (range > 0) change.within = std::max(change.within, within[w] / range);
+  for (double n = 0; n < std::min(increments, most_loads); ++n) {
+    const double share = std::fmod((n + 1) * golden_share, 1);
+    const double k = increments > most_loads ? std::floor(share * increments) : n;
+    const double from = start + k * increment, to = std::min(from + increment, end);
+    const std::vector<double> before = loads_at(from), between = loads_at(std::lerp(from, to, share)),
+                              after = loads_at(to);
+    for (std::size_t w = 0; w < after.size(); ++w) {
+      const auto [low, high] = std::minmax({before[w], between[w], after[w]});
+      least[w] = std::min(least[w], low);
+      most[w] = std::max(most[w], high);
+      change.within = std::max(change.within, std::abs(between[w] - std::lerp(before[w], after[w], share)));
+    }
   }
+  for (std::size_t w = 0; w < least.size(); ++w) change.range = std::max(change.range, most[w] - least[w]);
   return change;
 }
 
@@ -60,23 +51,20 @@ LoadChange change_of_loads(const Simulation& simulation, double start, double en
 std::vector<std::string> load_warnings(const Simulation& simulation, const Course& course,
                                        unsigned increments) {
   constexpr double much = 0.05;  // a sine that eight straight lines replace is wrong by 0.04
-  // Those of whole periods are all alike.
-  const double apart = course.period > 0
-                           ? std::min(course.increment, course.period / FollowOptions::fewest_per_cycle)
-                           : course.increment;
-  const LoadChange change = change_of_loads(simulation, course.start, course.end, apart);
+  const bool few = course.period > 0 && increments < FollowOptions::fewest_per_cycle;
+  const double increment = few ? course.period / FollowOptions::fewest_per_cycle : course.increment;
+  const LoadChange change = change_of_loads(simulation, course.start, course.end, increment);
   std::vector<std::string> warnings;
   if (!(change.range > 0))
     warnings.push_back(
         "no load on a wall changes in the last stage; give a stress or force that changes with time");
-  if (change.within > much)
-    warnings.push_back(fmt::format(
-        "a load changes within an increment of {:.4g} s by {:.2g} of its range, which is left out; give more "
-        "--increments",
-        apart, change.within));
-  if (course.period > 0 && increments < FollowOptions::fewest_per_cycle)
+  if (few)
     warnings.push_back(fmt::format("--increments {} leaves most loads of a period out; give at least {}",
                                    increments, FollowOptions::fewest_per_cycle));
+  else if (change.within > much * change.range)
+    warnings.push_back(fmt::format(
+        "a load changes within an increment of {:.4g} s by {:.2g} of the range of the loads, which is left out; give more --increments",
+        increment, change.within / change.range));
   for (const std::string& law : response::laws_that_integrate_spins(simulation))
     warnings.push_back(fmt::format(
         "contact law '{}' integrates spins with the geometry at the end of each increment, which leaves a strain per cycle in proportion to the increment; "
@@ -86,13 +74,14 @@ std::vector<std::string> load_warnings(const Simulation& simulation, const Cours
 }
 
 std::string dynamics_warning(const Course& course) {
-  constexpr double much = 0.05;
+  constexpr double much = 0.05, most = 0.5;
   const double share = course.dynamic_time() / (course.reached - course.start);
   if (!(share > much)) return "";
-  return fmt::format(
-      "{:.2g} % of the load were followed by dynamics, and the load went on while the packing moved; give the load more time, or compare "
-      "two times",
-      100 * share);
+  const char* cure =
+      share > most
+          ? "the packing has no equilibrium nearby for long; run it with scree run, or compress it further"
+          : "the load went on while the packing moved; give the load more time, or compare two times";
+  return fmt::format("dynamics followed the load for {:.0f} % of the time: {}", 100 * share, cure);
 }
 
 }  // namespace scree::quasi_static

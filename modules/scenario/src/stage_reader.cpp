@@ -74,37 +74,35 @@ void warn_of_phases(const document::Table& t, double step, const Stage& stage,
           .what());
 }
 
-// Loads that an instance was given by a stage, with their periods (s).
-std::vector<std::pair<std::string, double>> periods_of_loads(const document::Table& set,
-                                                             const Stage::Change& change,
-                                                             const Scene& scene) {
+// Functions of time that an instance follows in a stage, with their periods (s).
+std::vector<std::pair<std::string, double>> periods_of(const Stage::Change& instance, const Scene& scene) {
   std::vector<std::pair<std::string, double>> periods;
-  const Parameters& parameters = change.parameters;
+  const Parameters& parameters = instance.parameters;
   const std::vector<scree_value> values = parameters.values();
   for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) {
     const scree_parameter& p = parameters.plugin().parameters[k];
-    if (p.type != SCREE_PROGRAM || !set.has(p.key) || !has_effect(scene, parameters, p.key)) continue;
+    if (p.type != SCREE_PROGRAM || !parameters.given(p.key) || !has_effect(scene, parameters, p.key))
+      continue;
     if (const double period = Program(values[k]).period(); period > 0)
-      periods.emplace_back(fmt::format("{}.{}", change.name, p.key), period);
+      periods.emplace_back(fmt::format("{}.{}", instance.name, p.key), period);
   }
   return periods;
 }
 
-// At the ends of such cycles the load is at another phase each time.
+// At the ends of such cycles the load is at another phase each time. instances: as they are in the stage.
 void warn_of_other_periods(const document::Table& t, const Scene& scene, const Stage& stage,
-                           std::vector<std::string>& warnings) {
+                           const std::vector<Stage::Change>& instances, std::vector<std::string>& warnings) {
   if (!(stage.period > 0)) return;
   constexpr double round_off = 1e-9;
-  for (const Stage::Change& change : stage.changes)
-    for (const auto& [load, period] :
-         periods_of_loads(t.table(stage_keys.set).table(change.name), change, scene)) {
+  for (const Stage::Change& instance : instances)
+    for (const auto& [load, period] : periods_of(instance, scene)) {
       const double count = stage.period / period, whole = std::round(count);
       if (whole > 0 && std::abs(count - whole) <= round_off * count) continue;
       warnings.push_back(
           t.error("period",
                   fmt::format("cycles of {:.10g} s are no whole number of the periods of {}, {:.10g} s",
                               stage.period, load, period),
-                  "give both the same period")
+                  "give cycles of a multiple of each period")
               .what());
     }
 }
@@ -180,7 +178,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     read_end(t, scene.step, stage);
     warn_of_phases(t, scene.step, stage, warnings);
     read_changes(t, scene, instances.all, stage, warnings);
-    warn_of_other_periods(t, scene, stage, warnings);
+    warn_of_other_periods(t, scene, stage, instances.all, warnings);
     stages.push_back(std::move(stage));
   }
   if (!stages.empty() && time.optional(time_keys.duration))

@@ -113,7 +113,7 @@ TEST_CASE("a load that hardly changes in a part of its period is not taken to re
   for (const int per_cycle : {100, 400}) CHECK(series_of(ellipses(5, per_cycle), {4, 10}).load_periods == 1);
 }
 
-TEST_CASE("a gap in which a cycle has no samples is refused, sparse samples are not", "[cycle_series]") {
+TEST_CASE("a minimum in a gap, and a loop with a gap, are refused", "[cycle_series]") {
   const Record whole = ellipses(12, 8);
   const auto without = [&](std::size_t from, std::size_t to) {
     Record r = whole;
@@ -124,12 +124,41 @@ TEST_CASE("a gap in which a cycle has no samples is refused, sparse samples are 
   CHECK(refusal(without(17, 20), {4, 10}).empty());  // half a period
   CHECK(
       refusal(without(17, 21), {4, 10}) ==
-      "there is no sample from 18 s to 20.5 s, in a period of 4 s; give a series without gaps, or one that ends or begins there");
+      "there is no sample from 18 s to 20.5 s, more than half a period; give a series without gaps, or one with samples at the minima of the load");
   CHECK(refusal(without(17, 60), {4, 10}).starts_with("there is no sample from 18 s to 40 s, "));
-  CHECK(refusal(without(17, 60), {4, 42}).empty());  // before the cycles
-  // One sample at each minimum.
-  CHECK(cycle_series(std::vector<double>{0, 4, 8, 12}, std::vector<double>{1, 2, 3, 4}, {}, {4, 0})
-            .strain.size() == 4);
+  CHECK(refusal(without(17, 60), {4, 42}).empty());         // before the cycles
+  CHECK(refusal(without(17, 60), {4, 42 + 1e-9}).empty());  // to round-off
+  CHECK(refusal(without(66, 96), {4, 10}).starts_with("there is no sample from 42.5 s to 58 s, "));
+  // Behind the last whole cycle.
+  Record behind = whole;
+  for (const double t : {2.5, 3.0}) {
+    behind.times.push_back(58 + t);
+    behind.strain.push_back(whole.strain.back());
+    behind.load.push_back(whole.load.back());
+  }
+  CHECK(refusal(behind, {4, 10}).empty());
+}
+
+TEST_CASE("samples at the minima are enough for strains", "[cycle_series]") {
+  std::vector<double> times, strain;
+  const auto add = [&](double time) {
+    times.push_back(time);
+    strain.push_back(1e-3 * std::sin(time));
+  };
+  for (int n = 0; n < 6; ++n) add(4.0 * n);
+  CHECK(cycle_series(times, strain, {}, {4, 0}).strain == strain);
+  // The first half of each cycle.
+  times.clear(), strain.clear();
+  for (int n = 0; n < 6; ++n)
+    for (const double t : {0.0, 0.5, 1.0, 1.5}) add(4.0 * n + t);
+  CHECK(cycle_series(times, strain, {}, {4, 0}).strain.size() == 6);
+  CHECK_THROWS_WITH(cycle_series(times, strain, strain, {4, 0}),
+                    Catch::StartsWith("there is no sample from 1.5 s to 4 s, "));
+  // Each 0.7 of a period: at the minima none, but for each seventh.
+  times.clear(), strain.clear();
+  for (int k = 0; k < 40; ++k) add(2.8 * k);
+  CHECK_THROWS_WITH(cycle_series(times, strain, {}, {4, 0}),
+                    Catch::StartsWith("there is no sample from 2.8 s to 5.6 s, "));
 }
 
 TEST_CASE("strain of lengths is the difference of their ratios", "[cycle_series]") {

@@ -164,17 +164,25 @@ TEST_CASE("cycles that are no multiple of the periods of their loads are warned 
   CHECK(warnings(cycles, "{ from = 1, to = 2, period = 0.005 }").empty());
   CHECK(warnings(cycles, "{ mean = 1, amplitude = 0.1, frequency_hz = 100 }").empty());
   CHECK(warnings(cycles, "{ from = 1, to = 2, duration = 0.03 }").empty());
+  CHECK(warnings(cycles, "{ from = 1, to = 1, period = 0.02 }").empty());
+  CHECK(warnings(cycles, "{ mean = 1, amplitude = 0, frequency_hz = 80 }").empty());
+  // Of the boundary itself, and of the stage before.
+  const std::string load = "stress_x = { from = 1, to = 2, period = 0.02 }\n";
+  CHECK(plan_of(box + load + "[[stage]]\n" + cycles, {"time.step=1e-5"}).warnings.size() == 1);
+  CHECK(plan_of(box + "[[stage]]\nduration = 0.1\nset.cell." + load + "[[stage]]\n" + cycles,
+                {"time.step=1e-5"})
+            .warnings.size() == 1);
   CHECK(warnings("duration = 0.03\n", "{ from = 1, to = 2, period = 0.02 }").empty());
-  for (const auto& [load, period] :
+  for (const auto& [wrong, period] :
        {std::pair{"{ from = 1, to = 2, period = 0.02 }", "0.02"},
         std::pair{"{ from = 1, to = 2, period = 0.0101 }", "0.0101"},
         std::pair{"{ mean = 1, amplitude = 0.1, frequency_hz = 80 }", "0.0125"}}) {
-    const std::vector<std::string> found = warnings(cycles, load);
+    const std::vector<std::string> found = warnings(cycles, wrong);
     REQUIRE(found.size() == 1);
     CHECK_THAT(found[0],
                Catch::Contains(fmt::format(
                    "cycles of 0.01 s are no whole number of the periods of cell.stress_x, {} s; give "
-                   "both the same period",
+                   "cycles of a multiple of each period",
                    period)));
   }
 }

@@ -33,10 +33,11 @@ class Program {
   bool given() const { return value_.count > 0; }
   Kind kind() const { return Kind(int(value_.data[0])); }
 
-  // (s) of a sine or cycle; 0 of the others.
+  // (s) of a sine or cycle that varies; 0 of the others.
   double period() const {
-    if (kind() == sine) return 1 / value_.data[3];
-    return kind() == cycle ? value_.data[3] : 0;
+    const double* p = value_.data + 1;
+    if (kind() == sine) return p[1] != 0 ? 1 / p[2] : 0;
+    return kind() == cycle && p[0] != p[1] ? p[2] : 0;
   }
 
   double operator()(double time) const {

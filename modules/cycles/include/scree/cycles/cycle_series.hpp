@@ -18,6 +18,7 @@ struct Loop {
       0;  // ∮ q dγ; > 0 if the load does work, where both are positive in one sense; NaN with fewer than three samples within the cycle
   double stiffness =
       0;  // (q_max − q_min)/(γ at q_max − γ at q_min); NaN if the strains are equal, or as above
+  double load_range = 0;  // q_max − q_min
 };
 
 // Strain (γ) at the minima of the load.
@@ -33,7 +34,7 @@ struct CycleSeries {
 // taken as straight; a sample within 1e-6 of a period of a minimum is taken as it is. load: empty, or as many values.
 // The area is that of the polygon of the samples, closed by a straight line: N equally spaced ones on an ellipse have its area
 // times sin(2π/N)/(2π/N). Throws Error for fewer than two samples, times that do not increase, values that are not finite, a period shorter than the mean
-// distance of the samples, a gap of more than half a period that is 1.5 times this distance, fewer than two minima, a load that does not change, and one that is not near its least values at these times.
+// distance of the samples, a gap of more than half a period about a minimum that has no sample, or in a cycle of a load with three samples or more, fewer than two minima, a load that does not change, and one that is not near its least values at these times.
 CycleSeries cycle_series(std::span<const double> times, std::span<const double> strain,
                          std::span<const double> load, const CycleTimes& cycles);
 
