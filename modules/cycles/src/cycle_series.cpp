@@ -1,5 +1,7 @@
 #include "scree/cycles/cycle_series.hpp"
 
+#include "samples.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,14 +14,11 @@ namespace scree::cycles {
 
 namespace {
 
-constexpr double same_time = 1e-6;           // of a period
 constexpr double least_load_change = 1e-12;  // of the load: some thousand roundings
 constexpr double near_minimum = 0.25;        // of the range of the load
 constexpr double same_load = 0.05;  // of its range: a sine that eight straight lines replace is wrong by 0.04
 constexpr std::size_t most_periods = 100;     // of the load in a cycle, that are looked for
 constexpr double least_change_in_part = 0.5;  // of its range, in one of these periods
-constexpr double near_sample =
-    0.04;  // of the longest gap: the value between is then nearly that of the sample
 constexpr double longest_gap = 0.5;  // of a period, between the samples about a minimum, and within a loop
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -43,53 +42,14 @@ void check(std::span<const double> times, std::span<const double> strain, std::s
                     period, step));
 }
 
-// A curve through the samples.
-class Samples {
- public:
-  Samples(std::span<const double> times, std::span<const double> values, double period)
-      : times_(times), values_(values), slack_(same_time * period) {}
-
-  // Number of the first sample that is later than the time by more than the slack.
-  std::size_t after(double time) const {
-    return std::size_t(std::upper_bound(times_.begin(), times_.end(), time + slack_) - times_.begin());
-  }
-  double at(double time) const {
-    const std::size_t next = after(time);
-    if (next == 0) return values_.front();
-    if (next == times_.size() || times_[next - 1] >= time - slack_) return values_[next - 1];
-    const double share = (time - times_[next - 1]) / (times_[next] - times_[next - 1]);
-    return std::lerp(values_[next - 1], values_[next], share);
-  }
-  // Both throw Error for a longer gap: about a time without a sample, and from one time to another.
-  void check_gap_about(double time, double longest) const {
-    const std::size_t next = after(time);
-    if (next == 0 || next == times_.size()) return;
-    const double nearest = std::min(std::abs(time - times_[next - 1]), std::abs(times_[next] - time));
-    if (nearest > near_sample * longest) check_gap_before(next, longest);
-  }
-  void check_gaps_between(double begin, double end, double longest) const {
-    for (std::size_t next = after(begin); next < times_.size() && times_[next - 1] < end - slack_; ++next)
-      check_gap_before(next, longest);
-  }
-  double operator[](std::size_t sample) const { return values_[sample]; }
-  double slack() const { return slack_; }
-
- private:
-  void check_gap_before(std::size_t sample, double longest) const {
-    if (times_[sample] - times_[sample - 1] <= longest) return;
-    throw Error(fmt::format(
-        "there is no sample from {:.10g} s to {:.10g} s, more than half a period; give a series without gaps, or one with samples at the "
-        "minima of the load",
-        times_[sample - 1], times_[sample]));
-  }
-
-  std::span<const double> times_, values_;
-  double slack_;
-};
-
 struct Path {
   std::vector<double> strain, load;
 };
+
+double range_of(const Path& path) {
+  const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
+  return *high - *low;
+}
 
 // The samples of a cycle with both of its ends.
 Path path_of(const Samples& strain, const Samples& load, double begin, double end) {
@@ -140,23 +100,26 @@ void check_load(const Path& path, double begin, double end) {
         path.load[0], begin, *low, *high));
 }
 
-// Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples; not where it
-// changes little in this part.
-bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
-  const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
+// Whether the load changes by much in a part of the cycle, at as many times in the cycle as there are samples.
+bool changes_within(double part, const Samples& load, const Path& path, double begin, double period) {
   const std::size_t samples = path.load.size() - 1;
-  double low_in_part = path.load[0], high_in_part = path.load[0];
+  double least = path.load[0], most = path.load[0];
   for (std::size_t k = 0; k < samples; ++k) {
     const double since = period * double(k) / double(samples);
     if (since > part) break;
-    low_in_part = std::min(low_in_part, load.at(begin + since));
-    high_in_part = std::max(high_in_part, load.at(begin + since));
+    least = std::min(least, load.at(begin + since));
+    most = std::max(most, load.at(begin + since));
   }
-  if (high_in_part - low_in_part < least_change_in_part * (*high - *low)) return false;
+  return most - least >= least_change_in_part * range_of(path);
+}
+
+// Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples.
+bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
+  const std::size_t samples = path.load.size() - 1;
   for (std::size_t k = 0; k < samples; ++k) {
     const double since = period * double(k) / double(samples);
     const double change = load.at(begin + std::fmod(since + part, period)) - load.at(begin + since);
-    if (std::abs(change) > same_load * (*high - *low)) return false;
+    if (std::abs(change) > same_load * range_of(path)) return false;
   }
   return true;
 }
@@ -165,7 +128,9 @@ bool repeats_after(double part, const Samples& load, const Path& path, double be
 std::size_t periods_in(const Samples& load, const Path& path, double begin, double period) {
   const std::size_t most = std::min(most_periods, (path.load.size() - 1) / 3);
   for (std::size_t count = most; count > 1; --count)
-    if (repeats_after(period / double(count), load, path, begin, period)) return count;
+    if (const double part = period / double(count);
+        changes_within(part, load, path, begin, period) && repeats_after(part, load, path, begin, period))
+      return count;
   return 1;
 }
 
