@@ -1,4 +1,4 @@
-#include "program.hpp"
+#include "cycles_workspace.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,31 +7,9 @@
 #include <fmt/format.h>
 
 using scree::test::check_refused;
+using scree::test::series_of_cycles;
 using scree::test::Workspace;
-
-namespace {
-
-// A series of a probe `box`: a load of period 2 s from 1.5 s on, 8 samples in each of 60 cycles, and lengths that ratchet by 1e-6 per cycle.
-std::string series() {
-  std::string text = "time [s],length_x [m],length_y [m],strain,stress [Pa],none\n";
-  for (int k = 0; k <= 480; ++k) {
-    const double t = 0.25 * k, turn = std::numbers::pi * t;
-    const double strain = 1e-3 * std::sin(turn) + 1e-6 * t / 2;
-    text += fmt::format("{},{},{},{},{},7\n", 1.5 + t, 2.0, 3 * (1 + strain), strain, 5 - std::cos(turn));
-  }
-  return text;
-}
-
-// A directory as of a run whose second stage has the period.
-void write_run(const Workspace& w, const std::string& name) {
-  std::filesystem::create_directories(w / (name + "/series"));
-  w.write(name + "/series/box.csv", series());
-  w.write(name + "/series/energy.csv", "time [s],kinetic [J]\n0,1\n1,1\n");
-  w.write(name + "/scenario.toml", "[[stage]]\nduration = 1.5\n[[stage]]\ncycles = 60\nperiod = 2\n");
-  w.write(name + "/run.json", R"({"stages": [{"start": 0, "end": 1.5}, {"start": 1.5, "end": 121.5}]})");
-}
-
-}  // namespace
+using scree::test::write_run;
 
 TEST_CASE("cycles of a run takes the series with the lengths and the period of its stage", "[tools]") {
   const Workspace w;
@@ -56,7 +34,7 @@ TEST_CASE("cycles of a run takes the series with the lengths and the period of i
 
 TEST_CASE("cycles of a file takes a column, a period and a load", "[tools]") {
   const Workspace w;
-  w.write("box.csv", series());
+  w.write("box.csv", series_of_cycles());
   const auto outcome =
       w.scree("cycles --csv box.csv --strain strain --load stress --period 2 --drop 40 --out out");
   INFO(outcome.err);
@@ -160,113 +138,9 @@ TEST_CASE("cycles takes a ramp that was followed after a cycle for no cycle", "[
   CHECK(without.err == "scree: ramp/response.json: has no period; analyse a series with --csv\n");
 }
 
-TEST_CASE("cycles warns of a period that is a multiple of the load's", "[tools]") {
-  const Workspace w;
-  write_run(w, "run");
-  const std::string warning =
-      "scree: warning: run/series/box.csv: in each 4 s the load has 2 periods; give --period 2 to see each of its cycles\n";
-  // By its load, and by the period of the stage.
-  CHECK(w.scree(
-             "cycles --csv run/series/box.csv --strain strain --load stress --drop 10 --period 4 --start 1.5")
-            .err == warning);
-  CHECK(w.scree("cycles run --drop 10 --period 4").err == warning);
-  CHECK(w.scree("cycles run --load stress --drop 10 --period 2 --start 1.5").err.empty());
-}
-
-TEST_CASE("cycles warns of a period that is not quite the load's", "[tools]") {
-  const Workspace w;
-  std::string elastic = "time,strain,stress\n";
-  for (int k = 0; k <= 480; ++k)
-    elastic += fmt::format("{},{},{}\n", 0.25 * k, -1e-3 * std::cos(0.25 * k * std::numbers::pi),
-                           5 - std::cos(0.25 * k * std::numbers::pi));
-  w.write("box.csv", elastic);
-  const std::string command = "cycles --csv box.csv --strain strain --load stress --drop 10 --period ";
-  CHECK(w.scree(command + "2").err.empty());
-  const auto off = w.scree(command + "2.003");
-  INFO(off.err);
-  CHECK(off.status == 0);
-  CHECK(off.err.starts_with("scree: warning: box.csv: the load at the minima differs by up to "));
-  CHECK(off.err.ends_with(
-      "; give the exact --period and --start, or more samples, unless the load is meant to change\n"));
-  // Met in the middle the differences have no slope; and one sample in a cycle has no loops.
-  CHECK(w.scree("cycles --csv box.csv --strain strain --load stress --drop 29 --start 0.073 --period 1.999")
-            .err.starts_with("scree: warning: box.csv: the load at the minima "));
-  std::string sparse = "time,strain,stress\n";
-  for (int k = 0; k < 60; ++k)
-    sparse += fmt::format("{},{},{}\n", 1.9995 * k, -1e-3 * std::cos(1.9995 * k * std::numbers::pi),
-                          5 - std::cos(1.9995 * k * std::numbers::pi));
-  w.write("sparse.csv", sparse);
-  CHECK(w.scree("cycles --csv sparse.csv --strain strain --load stress --drop 10 --period 2 --out sparse")
-            .err.starts_with("scree: warning: sparse.csv: the load at the minima "));
-  // The ratcheting of a stress by its area.
-  std::string ratchets = "time,strain,stress\n";
-  for (int k = 0; k <= 480; ++k)
-    ratchets += fmt::format("{},{},{}\n", 0.25 * k, -1e-3 * std::cos(0.25 * k * std::numbers::pi) + 1e-9 * k,
-                            5 - std::cos(0.25 * k * std::numbers::pi) + 1e-8 * k);
-  w.write("ratchets.csv", ratchets);
-  CHECK(w.scree("cycles --csv ratchets.csv --strain strain --load stress --drop 10 --period 2 --out ratchets")
-            .err.empty());
-}
-
-TEST_CASE("cycles of a run that did not finish says so", "[tools]") {
-  const Workspace w;
-  write_run(w, "run");
-  w.write(
-      "run/run.json",
-      R"({"status": "interrupted", "stages": [{"start": 0, "end": 1.5}, {"start": 1.5, "end": 101.5, "ended": "interrupted"}]})");
-  const auto outcome = w.scree("cycles run");
-  CHECK(outcome.status == 0);
-  CHECK(outcome.err ==
-        "scree: warning: run/series/box.csv: the run is interrupted: these are its cycles so far\n");
-}
-
-TEST_CASE("cycles replaces results of the same series only", "[tools]") {
-  const Workspace w;
-  write_run(w, "a");
-  write_run(w, "b");
-  REQUIRE(w.scree("cycles a --out kept").status == 0);
-  CHECK(w.scree("cycles a --out kept").status == 0);
-  const std::string before = w.text("kept/cycles.csv");
-  check_refused(w, w.scree("cycles b --out kept --drop 30"),
-                "kept/cycles.csv: is there already, of " + (w / "a/series/box.csv").string() +
-                    ", and this is of b/series/box.csv; ",
-                "or --overwrite");
-  // However it is spelt, and where it has been moved to.
-  CHECK(w.scree("cycles ./a --out kept").status == 0);
-  CHECK(w.scree("cycles " + (w / "a").string() + " --out kept").status == 0);
-  CHECK(w.scree("cycles a").status == 0);
-  std::filesystem::rename(w / "a", w / "moved");
-  CHECK(w.scree("cycles moved").status == 0);
-  std::filesystem::rename(w / "moved", w / "a");
-  CHECK(w.text("kept/cycles.csv") == before);
-  CHECK(w.scree("cycles b --out kept --drop 30 --overwrite").status == 0);
-  CHECK(w.record("kept", "cycles.json")["series"] == "../b/series/box.csv");
-  std::filesystem::create_directories(w / "other");
-  w.write("other/cycles.csv", "mine\n");
-  check_refused(w, w.scree("cycles a --out other"), "other/cycles.csv: is there already, ", "or --overwrite");
-  CHECK(w.text("other/cycles.csv") == "mine\n");
-}
-
-TEST_CASE("cycles does not lose verdicts of other runs", "[tools]") {
-  const Workspace w;
-  for (const char* run : {"a,1", "b", "c"}) write_run(w, run);
-  REQUIRE(w.scree("cycles a,1 b --out kept").status == 0);
-  CHECK(w.scree("cycles c b/ " + (w / "a,1").string() + " --out kept").status == 0);
-  const std::string before = w.text("kept/verdicts.csv");
-  check_refused(w, w.scree("cycles b c --out kept"), "kept/verdicts.csv: has other runs, such as ../a,1; ",
-                "or --overwrite");
-  CHECK(w.text("kept/verdicts.csv") == before);
-  CHECK(w.scree("cycles b c --out kept --overwrite").status == 0);
-  std::filesystem::create_directories(w / "other");
-  w.write("other/verdicts.csv", "mine\n");
-  check_refused(w, w.scree("cycles b c --out other"),
-                "other/verdicts.csv: is there already, and no table of verdicts; ", "or --overwrite");
-  check_refused(w, w.scree("cycles b c b/"), "b/ is given twice", "give each run once");
-}
-
 TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   const Workspace w;
-  w.write("box.csv", series());
+  w.write("box.csv", series_of_cycles());
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
     check_refused(w, w.scree("cycles --out out " + arguments), begin, end);
   };
@@ -302,7 +176,7 @@ TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   refused("run --probe bax", "run/series/bax.csv: there is no such file", "check the path");
   w.write("run/run.json", R"({"stages": [{"start": 0, "end": 1.5}]})");
   refused("run", "run/run.json: stage 2, which has the period, has not run", "with scree resume");
-  w.write("cycles.csv", series());
+  w.write("cycles.csv", series_of_cycles());
   const auto own = w.scree("cycles --csv cycles.csv --strain strain --period 2");
   CHECK(own.status == 2);
   CHECK(own.err ==

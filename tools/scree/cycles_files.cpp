@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/csv_line.hpp>
+#include <scree/files/csv_rows.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/written_files.hpp>
@@ -137,22 +138,6 @@ const std::vector<std::string> verdict_columns = {"run",         "class",       
                                                   "slope_error", "rms",           "range",  "robust_slope",
                                                   "outliers",    "repeats_after", "reason"};
 
-// Of the rows of a table, in which quoted cells may have commas, line ends and doubled quotes.
-std::vector<std::string> first_cells(const std::string& text) {
-  std::vector<std::string> cells;
-  bool quoted = false, in_first = false;
-  char before = '\n';
-  for (const char c : text) {
-    if (before == '\n' && !quoted) cells.emplace_back(), in_first = true;
-    const bool doubled = c == '"' && before == '"' && !quoted && in_first && !cells.back().empty();
-    if (c == '"') quoted = !quoted;
-    if (!quoted && (c == ',' || c == '\n')) in_first = false;
-    if (in_first && (c != '"' || doubled)) cells.back() += c;
-    before = c;
-  }
-  return cells;
-}
-
 void create(const fs::path& folder) {
   std::error_code failed;
   if (!folder.empty()) fs::create_directories(folder, failed);
@@ -209,19 +194,20 @@ VerdictsFile::VerdictsFile(fs::path folder, const std::vector<CyclesResult>& res
   const fs::path file = folder_ / file_name;
   std::error_code failed;
   if (overwrite || !fs::exists(file, failed)) return;
-  const std::string text = files::read_text(file);
-  if (!text.starts_with(files::csv_line(verdict_columns)))
+  files::CsvRows rows(file);
+  if (!std::equal(rows.columns().begin(), rows.columns().end(), verdict_columns.begin(),
+                  verdict_columns.end(),
+                  [](const auto& column, const std::string& name) { return column.name == name; }))
     throw Error(fmt::format(
         "{}: is there already, and no table of verdicts; give another directory with --out, or --overwrite",
         file.string()));
   std::set<fs::path> runs;
   for (const CyclesResult& r : results) runs.insert(resolved(r.name));
-  const std::vector<std::string> rows = first_cells(text);
-  for (std::size_t k = 1; k < rows.size(); ++k)
-    if (!runs.contains(resolved(folder_ / rows[k])))
+  while (rows.next())
+    if (const std::string run = rows.text(0); !runs.contains(resolved(folder_ / run)))
       throw Error(
           fmt::format("{}: has other runs, such as {}; give another directory with --out, or --overwrite",
-                      file.string(), files::one_line(rows[k])));
+                      file.string(), files::one_line(run)));
 }
 
 void VerdictsFile::write(const std::vector<CyclesResult>& results) const {

@@ -99,8 +99,7 @@ CyclesSource rows_as_cycles(const CyclesRequest& request, const fs::path& file,
       request.drop < times.size() ? times[request.drop] : std::numeric_limits<double>::infinity();
   TimeSeries strain = strain_of(request, columns, reference);
   return {
-      file, strain.name, strain.unit, "", "", 0, std::move(strain.times), {std::move(strain.values), {}, {}},
-      0,    ""};
+      file, strain.name, strain.unit, "", "", 0, std::move(strain.times), {std::move(strain.values), {}, {}}};
 }
 
 CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::vector<TimeSeries> columns,
@@ -111,7 +110,7 @@ CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::
   const double reference = times.first_minimum + (double(request.drop) - slack) * times.period;
   const TimeSeries load = request.load.empty() ? TimeSeries{} : std::move(columns.back());
   const TimeSeries strain = strain_of(request, columns, reference);
-  CyclesSource source{file, strain.name, strain.unit, load.name, load.unit, times.period, {}, {}, 0, ""};
+  CyclesSource source{file, strain.name, strain.unit, load.name, load.unit, times.period, {}, {}};
   source.series = cycles::cycle_series(strain.times, strain.values, load.values, times);
   for (std::size_t n = 0; n < source.series.strain.size(); ++n)
     source.minimum_times.push_back(times.first_minimum + double(n) * times.period);
@@ -121,14 +120,12 @@ CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::
 // What the request leaves open is that of the run, if the series is of one; of a run whose record is not needed it may be missing.
 std::optional<RunCycles> found_for(const CyclesRequest& request) {
   if (!request.csv.empty()) return std::nullopt;
-  if (request.period > 0 && request.first_minimum) {
-    try {
-      return cycles_of_run(request.directory);
-    } catch (const Error&) {
-      return std::nullopt;
-    }
+  std::optional<RunCycles> found;
+  try {
+    found = cycles_of_run(request.directory);
+  } catch (const Error&) {
+    if (!(request.period > 0 && request.first_minimum)) throw;
   }
-  const std::optional<RunCycles> found = cycles_of_run(request.directory);
   if (found && !(request.period > 0) && !(found->times.period > 0))
     throw Error(fmt::format(
         "{}: the last stage, which was followed, has no period; give that of its load with --period",
@@ -142,8 +139,7 @@ CyclesSource read_cycles(const CyclesRequest& request) {
   const fs::path file = request.csv.empty() ? series_of_run(request) : fs::path(request.csv);
   const std::optional<RunCycles> found = found_for(request);
   std::vector<TimeSeries> columns = spectrum::read_time_series(file, columns_of(request), 2);
-  RunCycles of =
-      found.value_or(RunCycles{{0, columns[0].times.front()}, std::numeric_limits<double>::max(), ""});
+  RunCycles of = found.value_or(RunCycles{{0, columns[0].times.front()}, std::numeric_limits<double>::max()});
   if (request.period > 0) of.times.period = request.period;
   if (request.first_minimum) of.times.first_minimum = *request.first_minimum;
   try {

@@ -32,7 +32,7 @@ struct CyclesSource {
   std::vector<double> minimum_times;  // (s)
   cycles::CycleSeries series;
   double stage_period = 0;  // (s) of the stage of the run; 0: none, or not looked for
-  std::string status;       // why the cycles of the run ended before their stage; empty: they did not
+  std::string status = {};  // why the cycles of the run ended before their stage; empty: they did not
 };
 
 // Throws Error with file and cure.

@@ -11,8 +11,8 @@ namespace scree::tool {
 struct RunCycles {
   cycles::CycleTimes times;
   double end = 0;  // (s) of their stage
-  std::string
-      status;  // running, interrupted or failed where they ended before their stage; empty if they did not
+  // "running", "interrupted" or "failed" where they ended before their stage; empty if they did not.
+  std::string status = {};
 };
 
 // Those of the last stage with a `period` in the directory of a run; none if no stage has one. Those of a quasi-static load, with a period of 0 if it has none.

@@ -116,10 +116,11 @@ bool changes_within(double part, const Samples& load, const Path& path, double b
 // Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples.
 bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
   const std::size_t samples = path.load.size() - 1;
+  const double allowed = same_load * range_of(path);
   for (std::size_t k = 0; k < samples; ++k) {
     const double since = period * double(k) / double(samples);
     const double change = load.at(begin + std::fmod(since + part, period)) - load.at(begin + since);
-    if (std::abs(change) > same_load * range_of(path)) return false;
+    if (std::abs(change) > allowed) return false;
   }
   return true;
 }

@@ -115,4 +115,10 @@ double CsvRows::any_number(std::size_t column) const {
   return TextLine::any_number((*row_)[column], labels_[column]);
 }
 
+std::string CsvRows::text(std::size_t column) const {
+  std::string text((*row_)[column].text);
+  for (std::size_t at = 0; (at = text.find("\"\"", at)) != text.npos; ++at) text.erase(at, 1);
+  return text;
+}
+
 }  // namespace scree::files

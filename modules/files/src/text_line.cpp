@@ -61,11 +61,20 @@ const std::vector<Token>& TextLine::words() {
   return tokens_;
 }
 
+// The comma behind the cell that begins there, or the end of the line. Commas within double quotes, which are doubled within them, are of the cell.
+std::size_t TextLine::end_of_cell(std::size_t begin) const {
+  const std::size_t first = line_.find_first_not_of(blanks, begin);
+  std::size_t quote = first != line_.npos && line_[first] == '"' ? line_.find('"', first + 1) : line_.npos;
+  while (quote != line_.npos && quote + 1 < line_.size() && line_[quote + 1] == '"')
+    quote = line_.find('"', quote + 2);
+  return std::min(line_.find(',', quote != line_.npos ? quote : begin), line_.size());
+}
+
 const std::vector<Token>& TextLine::cells() {
   tokens_.clear();
   std::size_t begin = 0;
   while (true) {
-    const std::size_t end = std::min(line_.find(',', begin), line_.size());
+    const std::size_t end = end_of_cell(begin);
     Token cell = trimmed(begin, end);
     if (cell.text.size() >= 2 && cell.text.front() == '"' && cell.text.back() == '"') {
       cell = {cell.text.substr(1, cell.text.size() - 2), cell.column + 1};

@@ -9,10 +9,10 @@
 
 namespace scree::quasi_static {
 
+namespace {
+
 // Increments that are looked at; of more these many, evenly over the stage and without a period.
 constexpr double most_loads = 10'000;
-
-namespace {
 
 // How the loads on the walls change from increment to increment.
 struct LoadChange {

@@ -74,19 +74,15 @@ void warn_of_phases(const document::Table& t, double step, const Stage& stage,
           .what());
 }
 
-// Functions of time that an instance follows in a stage, with their periods (s).
-std::vector<std::pair<std::string, double>> periods_of(const Stage::Change& instance, const Scene& scene) {
-  std::vector<std::pair<std::string, double>> periods;
-  const Parameters& parameters = instance.parameters;
+// Functions of time that are given to an instance, by their keys. They are views of its parameters.
+std::vector<std::pair<std::string, Program>> programs_of(const Parameters& parameters) {
+  std::vector<std::pair<std::string, Program>> programs;
   const std::vector<scree_value> values = parameters.values();
-  for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) {
-    const scree_parameter& p = parameters.plugin().parameters[k];
-    if (p.type != SCREE_PROGRAM || !parameters.given(p.key) || !has_effect(scene, parameters, p.key))
-      continue;
-    if (const double period = Program(values[k]).period(); period > 0)
-      periods.emplace_back(fmt::format("{}.{}", instance.name, p.key), period);
-  }
-  return periods;
+  for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k)
+    if (const scree_parameter& p = parameters.plugin().parameters[k];
+        p.type == SCREE_PROGRAM && parameters.given(p.key))
+      programs.emplace_back(p.key, Program(values[k]));
+  return programs;
 }
 
 // At the ends of such cycles the load is at another phase each time. instances: as they are in the stage.
@@ -95,13 +91,14 @@ void warn_of_other_periods(const document::Table& t, const Scene& scene, const S
   if (!(stage.period > 0)) return;
   constexpr double round_off = 1e-9;
   for (const Stage::Change& instance : instances)
-    for (const auto& [load, period] : periods_of(instance, scene)) {
-      const double count = stage.period / period, whole = std::round(count);
+    for (const auto& [key, program] : programs_of(instance.parameters)) {
+      const double period = program.period(), count = stage.period / period, whole = std::round(count);
+      if (!(period > 0) || !has_effect(scene, instance.parameters, key)) continue;
       if (whole > 0 && std::abs(count - whole) <= round_off * count) continue;
       warnings.push_back(
           t.error("period",
-                  fmt::format("cycles of {:.10g} s are no whole number of the periods of {}, {:.10g} s",
-                              stage.period, load, period),
+                  fmt::format("cycles of {:.10g} s are no whole number of the periods of {}.{}, {:.10g} s",
+                              stage.period, instance.name, key, period),
                   "give cycles of a multiple of each period")
               .what());
     }
@@ -110,13 +107,8 @@ void warn_of_other_periods(const document::Table& t, const Scene& scene, const S
 // Functions of time of an instance that vary and that a stage does not set anew.
 std::vector<std::string> kept_programs(const Stage::Change& instance, const document::Table& set) {
   std::vector<std::string> kept;
-  const Parameters& parameters = instance.parameters;
-  const std::vector<scree_value> values = parameters.values();
-  for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) {
-    const scree_parameter& p = parameters.plugin().parameters[k];
-    if (p.type != SCREE_PROGRAM || !parameters.given(p.key) || set.has(p.key)) continue;
-    if (Program(values[k]).kind() != Program::constant) kept.push_back(p.key);
-  }
+  for (const auto& [key, program] : programs_of(instance.parameters))
+    if (!set.has(key) && program.kind() != Program::constant) kept.push_back(key);
   return kept;
 }
 

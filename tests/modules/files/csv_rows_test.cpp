@@ -42,6 +42,17 @@ TEST_CASE("rows are read one by one, past comments and blank lines", "[csv_rows]
   CHECK(values == std::vector<double>{0, 1e-3, 0.5, -2, 1, 3});
 }
 
+TEST_CASE("cells in quotes have commas and doubled quotes", "[csv_rows]") {
+  const TemporaryFolder folder;
+  CsvRows rows(folder.write(
+      "t.csv", "run,strain\n\"case=a,seed=1\",2\n \"say \"\"a, b\"\"\" , 3\n\"\",4\n\"open,5\n"));
+  std::vector<std::string> runs;
+  std::vector<double> strains;
+  while (rows.next()) runs.push_back(rows.text(0)), strains.push_back(rows.number(1));
+  CHECK(runs == std::vector<std::string>{"case=a,seed=1", "say \"a, b\"", "", "\"open"});
+  CHECK(strains == std::vector<double>{2, 3, 4, 5});
+}
+
 TEST_CASE("a table that cannot be read is refused with line, column and cure", "[csv_rows]") {
   CHECK(refusal("time [s],strian\n0,1\n") == ":1:1: there is no column 'strain'; did you mean 'strian'?");
   CHECK(refusal("time,a [m],b\n0,1,2\n") == ":1:1: there is no column 'strain'; there are: time, a [m], b");

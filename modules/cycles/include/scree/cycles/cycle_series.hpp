@@ -34,7 +34,8 @@ struct CycleSeries {
 // taken as straight; a sample within 1e-6 of a period of a minimum is taken as it is. load: empty, or as many values.
 // The area is that of the polygon of the samples, closed by a straight line: N equally spaced ones on an ellipse have its area
 // times sin(2π/N)/(2π/N). Throws Error for fewer than two samples, times that do not increase, values that are not finite, a period shorter than the mean
-// distance of the samples, a gap of more than half a period about a minimum that has no sample, or in a cycle of a load with three samples or more, fewer than two minima, a load that does not change, and one that is not near its least values at these times.
+// distance of the samples, a gap of more than half a period about a minimum that has no sample, or in a cycle of a load with three samples or more, fewer
+// than two minima, a load that does not change, and one that is not near its least values at these times.
 CycleSeries cycle_series(std::span<const double> times, std::span<const double> strain,
                          std::span<const double> load, const CycleTimes& cycles);
 

@@ -32,6 +32,8 @@ class CsvRows : public TextLine {
   double number(std::size_t column) const;
   // The same, which may be infinite or NaN too.
   double any_number(std::size_t column) const;
+  // The text in a column of the row.
+  std::string text(std::size_t column) const;
   // Whether the row, or the header before the first, ends with a line break; the last of a file that was cut off does not.
   bool is_whole() const { return whole_; }
 

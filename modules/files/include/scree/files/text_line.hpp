@@ -31,8 +31,8 @@ class TextLine {
   std::string_view line() const { return line_; }
   // Words of the current line, separated by blanks, up to a '#'. Valid until the next call.
   const std::vector<Token>& words();
-  // Cells of the current line, separated by commas, trimmed, without surrounding double quotes. Valid until
-  // the next call.
+  // Cells of the current line, separated by commas, trimmed, without surrounding double quotes, within which commas do not separate and quotes are
+  // doubled. Valid until the next call.
   const std::vector<Token>& cells();
   // Bytes [begin, end) of the current line without surrounding blanks.
   Token trimmed(std::size_t begin, std::size_t end) const;
@@ -58,6 +58,8 @@ class TextLine {
   void set_line_number(std::size_t number) { line_number_ = number; }
 
  private:
+  std::size_t end_of_cell(std::size_t begin) const;
+
   std::string name_;
   std::string_view line_;
   std::size_t line_number_ = 0;

@@ -1,0 +1,134 @@
+#include "prepared.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include <scree/response/quasi_static.hpp>
+
+// States of equilibrium, checked by the kernel, which shares no code with the search for them but the contact laws.
+
+namespace scree::test {
+
+namespace {
+
+using response::QuasiStatic;
+
+double largest_load(const Simulation& s) {
+  double largest = 0;
+  for (const scree_load& load : s.loads())
+    for (const double f : load.force) largest = std::max(largest, std::abs(f));
+  return largest;
+}
+
+// After one step from rest, twice the momentum over the step: the force that was not in balance at its end (N); likewise torques over
+// the radius.
+double unbalanced(const Simulation& s) {
+  const Particles& p = s.particles();
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (int k = 0; k < p.dimension(); ++k)
+      largest = std::max(largest, std::abs(2 * p.mass[i] * p.velocity()[k][i] / s.step_length()));
+    for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
+      largest =
+          std::max(largest, std::abs(2 * p.inertia[i] * p.spin()[k][i] / s.step_length() / p.radius()[i]));
+  }
+  return largest;
+}
+
+// Largest difference between the force of the contacts on a wall that loads move and its load where it is (N).
+double unbalanced_walls(const Simulation& s, const QuasiStatic& packing) {
+  const WallEquations equations = s.linear_walls(packing.time(), packing.planes());
+  double largest = 0;
+  for (std::size_t w = 0; w < equations.walls.size(); ++w) {
+    const scree_linear_plane& wall = equations.walls[w];
+    double force = wall.pressing_force;
+    for (int k = 0; k < 3; ++k) force += wall.direction[k] * packing.loads()[w].force[k];
+    if (wall.free) largest = std::max(largest, std::abs(force));
+  }
+  return largest;
+}
+
+void check_balance(const Prepared& prepared, double period, const std::vector<double>& shares) {
+  const double start = prepared.simulation->time();
+  QuasiStatic packing(*prepared.simulation, {.longest_increment = period / 40});
+  for (const double share : shares) {
+    REQUIRE(packing.advance(start + share * period));
+    CHECK(packing.time() == Approx(start + share * period));
+    const auto moving = prepared.from(packing.state());
+    moving->step();
+    INFO("after " << share << " of the period");
+    // The tolerance of the search, 1e-11 of the largest force on a contact or a wall, which is at most some loads; the round-off of overlaps, 1e-16 R
+    // of 1e-3 R, is less.
+    CHECK(1e10 * unbalanced(*moving) < largest_load(*moving));
+    CHECK(1e10 * unbalanced_walls(*prepared.simulation, packing) < largest_load(*moving));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what the quasi-static road finds is at rest for the kernel: discs") {
+  for (const std::string law : {"disc_cundall_strack", "disc_corrected", "disc_angular"}) {
+    INFO(law);
+    const Prepared prepared(box_of_discs, {"scene.seed=5", "contact.discs.plugin=" + law});
+    check_balance(prepared, 10, {0, 0.3, 0.7, 1});
+    QuasiStatic packing(*prepared.simulation, {.longest_increment = 0.25});
+    packing.advance(prepared.simulation->time() + 4);
+    CHECK(packing.sliding() > 0);
+  }
+}
+
+TEST_CASE("what the quasi-static road finds is at rest for the kernel: spheres") {
+  const std::string text = text_of(box_of_spheres);
+  const std::size_t contact = text.find("[[contact]]"), boundary = text.find("[[boundary]]");
+  // With this seed the packing is at rest within 10 s with each law; others creep for up to 200 s.
+  const std::vector<std::string> small = {"particles.lattice.count=[2,2,3]",
+                                          "time.step=1e-4",
+                                          "time.step_guard=false",
+                                          "scene.seed=3",
+                                          "stage.prepare.until.kinetic_over_elastic=1e-13",
+                                          "stage.prepare.until.at_most=100"};
+  for (const std::string law :
+       {"plugin = \"linear_spring_dashpot\"\nnormal_stiffness = 5000\nnormal_damping = 0.05\n"
+        "tangential_stiffness = 1000\ntangential_damping = 0.01\nstatic_friction = 0.1\n",
+        "plugin = \"sphere_path_independent\"\nnormal_stiffness = 5000\nnormal_damping = 0.05\n"
+        "tangential_stiffness = 1000\ntangential_damping = 0.01\nstatic_friction = 0.1\n",
+        "plugin = \"hertz_mindlin\"\nyoungs_modulus = 1e7\npoissons_ratio = 0.25\nrestitution = 0.8\n"
+        "friction = 0.2\nhistory = \"potential\"\n"}) {
+    INFO(law);
+    const std::string with_law =
+        text.substr(0, contact) + "[[contact]]\nname = \"grains\"\n" + law + "\n" + text.substr(boundary);
+    check_balance(Prepared(plan_of(with_law, small)), 1, {0, 0.25, 0.5});
+  }
+}
+
+// Some beads cross the period, and their contacts join images.
+TEST_CASE(
+    "what the quasi-static road finds is at rest for the kernel: spheres between walls, periodic otherwise") {
+  const std::string text = text_of(box_of_spheres);
+  const std::size_t particles = text.find("[particles]"), material = text.find("[[material]]"),
+                    box = text.find("[[boundary]]"), forces = text.find("[[body_force]]"),
+                    cycles = text.find("[[stage]]\nname = \"cycles\"");
+  const std::string plan =
+      text.substr(0, particles) +
+      "[particles]\nlattice = { kind = \"simple_cubic\", count = [3, 3, 3], spacing = 1.1e-2, displacement = 2e-4, "
+      "origin = [0, 0, 0] }\nradius = { distribution = \"uniform\", minimum = 4.4e-3, maximum = 5e-3 }\n"
+      "material = \"grain\"\n\n" +
+      text.substr(material, box - material) +
+      "[[boundary]]\nplugin = \"periodic\"\naxes = \"xz\"\nlower = [0, 0, 0]\nupper = [3.3e-2, 1, 3.3e-2]\n\n"
+      "[[boundary]]\nplugin = \"plane\"\nname = \"bottom\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n\n"
+      "[[boundary]]\nplugin = \"plane\"\nname = \"top\"\npoint = [0, 3.5e-2, 0]\nnormal = [0, -1, 0]\n"
+      "direction = [0, -1, 0]\ncontrol = \"stress\"\nstress = 1000\narea = 1.089e-3\nmass = 0.01\nviscosity = 2\n\n" +
+      text.substr(forces, cycles - forces) +
+      "[[stage]]\nname = \"cycle\"\nduration = 1\n"
+      "set.top.stress = { from = 1000, to = 1100, period = 1 }\n";
+  const Prepared prepared(
+      plan_of(plan, {"time.step=1e-4", "time.step_guard=false",
+                     "stage.prepare.until.kinetic_over_elastic=1e-13", "stage.prepare.until.at_most=100"}));
+  CHECK(std::any_of(prepared.simulation->particles().image[0].begin(),
+                    prepared.simulation->particles().image[0].end(), [](int image) { return image != 0; }));
+  check_balance(prepared, 1, {0, 0.25, 0.5});
+}
+
+}  // namespace scree::test
