@@ -1,4 +1,5 @@
-# Sourced by tools/run and tools/test: installs what is missing, configures and builds.
+# Sourced by tools/run and tools/test, which set scree_root, assume_yes and levels: installs what is missing, configures
+# and builds.
 # Everything is a Debian 12 package by name; nothing else is downloaded.
 
 scree_packages=(
@@ -73,16 +74,24 @@ install_missing() {
   rm -f "$log"
 }
 
+# configure_scree <preset>: unless it is configured for the instruction levels that the caller needs. `levels` is native,
+# enough for runs on this computer, or all; a build for all serves both.
+configure_scree() {
+  local preset=$1 build="$scree_root/build/$1"
+  if [[ -f $build/build.ninja ]]; then
+    [[ $levels == all ]] && grep -q '^SCREE_LEVELS:STRING=native' "$build/CMakeCache.txt" || return 0
+  fi
+  install_missing "$preset"
+  say "configuring ($preset)"
+  (cd "$scree_root" && cmake --preset "$preset" -DSCREE_LEVELS="$levels" >"$scree_root/build-$preset.log" 2>&1) ||
+    { tail -n 20 "$scree_root/build-$preset.log" >&2; say "configuring failed"; exit 1; }
+  rm -f "$scree_root/build-$preset.log"
+}
+
 # build_scree <preset> [targets]: silent when there is nothing to do.
 build_scree() {
   local preset=$1 build="$scree_root/build/$1" targets=("${@:2}")
-  if [[ ! -f $build/build.ninja ]]; then
-    install_missing "$preset"
-    say "configuring ($preset)"
-    (cd "$scree_root" && cmake --preset "$preset" >"$scree_root/build-$preset.log" 2>&1) ||
-      { tail -n 20 "$scree_root/build-$preset.log" >&2; say "configuring failed"; exit 1; }
-    rm -f "$scree_root/build-$preset.log"
-  fi
+  configure_scree "$preset"
   [[ -x $build/bin/scree ]] || say "building ($preset), some minutes the first time"
   # Silent but for what is really built.
   ninja -C "$build" "${targets[@]}" | { grep -vE 'no work to do|Re-checking globbed|Entering directory' >&2 || true; } ||

@@ -2,7 +2,7 @@
 # Builds <kind>/<name>.cpp, or <name>.cpp, into <SCREE_PLUGIN_DIRECTORY>/<kind>/<name>.so and, for each instruction
 # level, once more into a folder of that name beside it. The host loads the best that the processor runs; the results
 # have the same bits. Contact laws and body forces, whose loops are long, have all levels unless LEVELS says otherwise.
-# Used in scree's own tree and, by find_package(scree), outside it.
+# Used in scree's own tree, where SCREE_LEVELS may leave out levels, and, by find_package(scree), outside it.
 
 include(GNUInstallDirs)
 if(NOT SCREE_PLUGIN_DIRECTORY)
@@ -26,10 +26,17 @@ function(scree_add_plugin kind name)
   if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
     set(source ${name}.cpp)
   endif()
-  if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" OR SCREE_FUZZ) # Clang takes minutes to instrument each
+  if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(ARG_LEVELS "")
   endif()
-  foreach(level baseline ${ARG_LEVELS})
+  set(levels baseline ${ARG_LEVELS})
+  if(DEFINED SCREE_LEVELS_BUILT AND NOT SCREE_SANITIZE AND ARG_LEVELS)
+    list(TRANSFORM SCREE_LEVELS_BUILT PREPEND x86-64-v OUTPUT_VARIABLE built)
+    list(TRANSFORM built REPLACE "x86-64-v1" baseline)
+    list(JOIN built "|" built)
+    list(FILTER levels INCLUDE REGEX "^(${built})$")
+  endif()
+  foreach(level ${levels})
     set(target ${kind}_${name})
     set(directory ${kind})
     if(NOT level STREQUAL baseline)

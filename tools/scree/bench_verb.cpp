@@ -1,5 +1,5 @@
 #include "bench.hpp"
-#include "verbs.hpp"
+#include "program_verbs.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <scree/accuracy/study.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/csv_line.hpp>
 
@@ -122,7 +121,7 @@ ExitStatus bench(const BenchArguments& a) {
   Table csv;
   if (!a.csv.empty()) csv = table_at(a.csv);
   const std::string name = std::filesystem::path(a.scene).stem().string();
-  const std::string precision = accuracy::precision_name(plan.scene.precision);
+  const std::string precision = precision_name(plan.scene.precision);
   const BenchResult result = time_steps(plan, a.options);
   print(name, precision, a.options.threads, result);
   if (a.csv.empty()) return ExitStatus::success;

@@ -1,5 +1,5 @@
-#include "progress_bar.hpp"
-#include "verbs.hpp"
+#include "program_verbs.hpp"
+#include "support/progress_bar.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "verbs.hpp"
+#include "program_verbs.hpp"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "describe_markdown.hpp"
 #include "plugin_values.hpp"
-#include "verbs.hpp"
+#include "program_verbs.hpp"
 
 #include <algorithm>
 #include <cmath>

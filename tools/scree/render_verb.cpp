@@ -1,5 +1,5 @@
 #include "movie.hpp"
-#include "verbs.hpp"
+#include "program_verbs.hpp"
 
 #include <algorithm>
 #include <cmath>

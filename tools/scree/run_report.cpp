@@ -1,8 +1,8 @@
 #include "run_report.hpp"
 
-#include "progress_bar.hpp"
-#include "verbs.hpp"
-#include "verdict_report.hpp"
+#include "support/progress_bar.hpp"
+#include "support/verbs.hpp"
+#include "support/verdict_report.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
+#include "program_verbs.hpp"
 #include "run_report.hpp"
-#include "verbs.hpp"
 
 #include <memory>
 

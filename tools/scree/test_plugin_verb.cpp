@@ -1,5 +1,5 @@
 #include "plugin_values.hpp"
-#include "verbs.hpp"
+#include "program_verbs.hpp"
 
 #include <cmath>
 #include <memory>

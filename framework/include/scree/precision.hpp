@@ -6,4 +6,9 @@ namespace scree {
 // velocities and sums are always double.
 enum class Precision { double_precision, mixed };
 
+// As in a scenario: time.precision.
+constexpr const char* precision_name(Precision precision) {
+  return precision == Precision::mixed ? "mixed" : "double";
+}
+
 }  // namespace scree

@@ -9,6 +9,7 @@
 #include <dlfcn.h>
 #include <elf.h>
 #include <fstream>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -62,11 +63,34 @@ void check_file(const fs::path& path) {
     throw Error(fmt::format("{}: the plug-in library is truncated; rebuild it", path.string()));
 }
 
+constexpr const char* all_levels[] = {".", "x86-64-v3", "x86-64-v4"};
+
+fs::path build_at(const char* level, const fs::path& baseline) {
+  return (baseline.parent_path() / level / baseline.filename()).lexically_normal();
+}
+
+// A build of the plug-in for any instruction level, not necessarily one of this processor: the lowest.
+std::optional<fs::path> any_build(const fs::path& baseline) {
+  for (const char* level : all_levels)
+    if (const fs::path build = build_at(level, baseline); exists_at(build)) return build;
+  return std::nullopt;
+}
+
+// Where the build for the baseline is, or would be.
+fs::path baseline_of(const fs::path& build) {
+  const fs::path folder = build.parent_path();
+  const bool is_level =
+      std::find(std::begin(all_levels), std::end(all_levels), folder.filename()) != std::end(all_levels);
+  return is_level ? folder.parent_path() / build.filename() : build;
+}
+
 fs::path best_build(const fs::path& baseline) {
   for (const std::string& level : instruction_levels())
-    if (const fs::path build = baseline.parent_path() / level / baseline.filename(); exists_at(build))
-      return build.lexically_normal();
-  return baseline;
+    if (const fs::path build = build_at(level.c_str(), baseline); exists_at(build)) return build;
+  throw Error(fmt::format(
+      "{}: is built only for instruction levels that this processor or SCREE_LEVEL excludes; build "
+      "all levels: cmake -DSCREE_LEVELS=all in the build directory, then build again, or tools/test",
+      baseline.string()));
 }
 
 constexpr scree_kind all_kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FORCE, SCREE_PROBE};
@@ -170,8 +194,9 @@ std::vector<std::string> PluginHost::names(scree_kind kind) const {
   std::set<std::string> found;
   for (const fs::path& directory : directories_) {
     std::error_code failed;
-    for (const auto& entry : fs::directory_iterator(directory / kind_folder(kind), failed))
-      if (entry.path().extension() == ".so") found.insert(entry.path().stem());
+    for (const char* level : all_levels)
+      for (const auto& entry : fs::directory_iterator(directory / kind_folder(kind) / level, failed))
+        if (entry.path().extension() == ".so") found.insert(entry.path().stem());
   }
   return {found.begin(), found.end()};
 }
@@ -187,8 +212,9 @@ bool is_own(const fs::path& library) {
 }  // namespace
 
 const scree_plugin* PluginHost::load(const fs::path& path) {
-  std::unique_ptr<Library>& library = libraries_[path];
-  if (!library) library = std::make_unique<Library>(best_build(path), is_own(path));
+  const fs::path baseline = baseline_of(path);
+  std::unique_ptr<Library>& library = libraries_[baseline];
+  if (!library) library = std::make_unique<Library>(best_build(baseline), is_own(baseline));
   return library->plugin;
 }
 
@@ -199,7 +225,7 @@ fs::path PluginHost::locate(const std::string& name, scree_kind kind) const {
   };
   if (!std::all_of(name.begin(), name.end(), plain)) return {};
   for (const fs::path& directory : directories_)
-    if (const fs::path path = directory / kind_folder(kind) / (name + ".so"); exists_at(path)) return path;
+    if (const auto build = any_build(directory / kind_folder(kind) / (name + ".so"))) return *build;
   return {};
 }
 

@@ -8,8 +8,6 @@
 
 namespace scree::accuracy {
 
-const char* precision_name(Precision precision) { return precision == Precision::mixed ? "mixed" : "double"; }
-
 std::string method_name(const Setting& setting) {
   return fmt::format("{}, {}", traits_of(setting.integration).name, precision_name(setting.precision));
 }

@@ -18,7 +18,7 @@ namespace scree::packing {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> names = {"csv", "beads", "lammps_data", "lammps_dump"};
+constexpr std::array<std::string_view, 4> format_names = {"csv", "beads", "lammps_data", "lammps_dump"};
 
 bool begins_with_number(std::string_view word) {
   return !word.empty() && std::string_view("+-.0123456789").find(word[0]) != std::string_view::npos;
@@ -51,11 +51,11 @@ Packing parse(std::string_view text, const std::string& name, FileFormat format,
 }  // namespace
 
 FileFormat file_format(std::string_view name) {
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names[k] == name) return FileFormat(k);
+  for (std::size_t k = 0; k < format_names.size(); ++k) {
+    if (format_names[k] == name) return FileFormat(k);
   }
-  throw Error(
-      fmt::format("packing: unknown file format {}; {}", quote_token(name), suggest_name(name, names)));
+  throw Error(fmt::format("packing: unknown file format {}; {}", quote_token(name),
+                          suggest_name(name, format_names)));
 }
 
 FileFormat detect_format(std::string_view text, std::string_view name) {

@@ -18,8 +18,7 @@ namespace scree::quasi_static {
 // positions and springs alone, so that a course that goes on from there has the same bits.
 class Follower {
  public:
-  static constexpr run::ResultKind results{run::RunDirectory::Kind::response, "response", "response.json",
-                                           "state.h5", "quasi_static"};
+  static constexpr const run::ResultKind& results = run::response_results;
 
   Follower(const scenario::Plan& plan, const FollowOptions& options, run::RunDirectory& directory);
 

@@ -17,8 +17,7 @@ namespace scree::sound {
 // One measurement from its start, or from its state, to its last file.
 class Course {
  public:
-  static constexpr run::ResultKind results{run::RunDirectory::Kind::spectrum, "spectrum", "spectrum.json",
-                                           "state.h5", "spectrum"};
+  static constexpr const run::ResultKind& results = run::spectrum_results;
 
   Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory);
 

@@ -81,18 +81,17 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   }
 }
 
-#define SCREE_TILE_LEVEL(level, ...)                                                  \
-  template <int D, bool spin, class T>                                                \
-  [[gnu::flatten __VA_OPT__(, ) __VA_ARGS__]] void tile_##level(const TileJob& job) { \
-    evaluate_tile<D, spin, T>(job);                                                   \
-  }
-SCREE_LEVELS(SCREE_TILE_LEVEL)
+template <int D, bool spin, class T>
+SCREE_AT_KERNEL_LEVEL void tile(const TileJob& job) {
+  evaluate_tile<D, spin, T>(job);
+}
 
 }  // namespace
 
-EvaluateTile tile_evaluation(const Forces::Features& features) {
+template <>
+EvaluateTile tile_evaluation_at<SCREE_KERNEL_LEVEL>(const Forces::Features& features) {
   EvaluateTile evaluate = nullptr;
-  specialise(features, [&]<int D, bool spin, class T>() { evaluate = SCREE_BEST_LEVEL(tile, D, spin, T); });
+  specialise(features, [&]<int D, bool spin, class T>() { evaluate = &tile<D, spin, T>; });
   return evaluate;
 }
 

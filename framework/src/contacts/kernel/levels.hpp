@@ -1,33 +1,22 @@
 #pragma once
 
 #include "contacts/forces.hpp"
-#include "plugins/instruction_levels.hpp"
 
-#include <string>
+// The hot loops are compiled once for each instruction level x86-64-v<n>, 1 being the baseline, in targets of their own
+// (framework/CMakeLists.txt) that define SCREE_KERNEL_LEVEL as n. Without contraction and reassociation all levels
+// have the same bits.
 
-// Choice of the build of a function template for the features of a scene and for an instruction level. Without
-// contraction and reassociation all levels have the same bits.
-
-#if SCREE_SEVERAL_LEVELS
-#define SCREE_LEVELS(X)                \
-  X(baseline, )                        \
-  X(v3, gnu::target("arch=x86-64-v3")) \
-  X(v4, gnu::target("arch=x86-64-v4,prefer-vector-width=512"))
-#define SCREE_BEST_LEVEL(name, ...) \
-  best_level(&name##_baseline<__VA_ARGS__>, &name##_v3<__VA_ARGS__>, &name##_v4<__VA_ARGS__>)
+// An attribute selects the instructions, not an option of the compiler: inline functions of other headers, of which
+// the linker keeps one copy for all levels, must run on every processor.
+#if SCREE_KERNEL_LEVEL == 4
+#define SCREE_AT_KERNEL_LEVEL [[gnu::flatten, gnu::target("arch=x86-64-v4,prefer-vector-width=512")]]
+#elif SCREE_KERNEL_LEVEL == 3
+#define SCREE_AT_KERNEL_LEVEL [[gnu::flatten, gnu::target("arch=x86-64-v3")]]
 #else
-#define SCREE_LEVELS(X) X(baseline, )
-#define SCREE_BEST_LEVEL(name, ...) &name##_baseline<__VA_ARGS__>
+#define SCREE_AT_KERNEL_LEVEL [[gnu::flatten]]
 #endif
 
 namespace scree::kernel {
-
-// The one that the processor supports, or that SCREE_LEVEL selects.
-template <class Function>
-Function best_level(Function baseline, Function v3, Function v4) {
-  const std::string level = instruction_levels().front();
-  return level == "x86-64-v4" ? v4 : level == "x86-64-v3" ? v3 : baseline;
-}
 
 // Calls use<D, spin, T>() for the dimension, spins and precision of a scene.
 template <class Use>

@@ -49,18 +49,17 @@ SCREE_HOT void evaluate_trial(const TileJob& job, scree_load& load) {
   for (int k = 0; k < D; ++k) load.force[k] = -on_bodies.total(k);
 }
 
-#define SCREE_TRIAL_LEVEL(level, ...)                                                                    \
-  template <int D, bool spin, class T>                                                                   \
-  [[gnu::flatten __VA_OPT__(, ) __VA_ARGS__]] void trial_##level(const TileJob& job, scree_load& load) { \
-    evaluate_trial<D, spin, T>(job, load);                                                               \
-  }
-SCREE_LEVELS(SCREE_TRIAL_LEVEL)
+template <int D, bool spin, class T>
+SCREE_AT_KERNEL_LEVEL void trial(const TileJob& job, scree_load& load) {
+  evaluate_trial<D, spin, T>(job, load);
+}
 
 }  // namespace
 
-EvaluateTrial trial_evaluation(const Forces::Features& features) {
+template <>
+EvaluateTrial trial_evaluation_at<SCREE_KERNEL_LEVEL>(const Forces::Features& features) {
   EvaluateTrial evaluate = nullptr;
-  specialise(features, [&]<int D, bool spin, class T>() { evaluate = SCREE_BEST_LEVEL(trial, D, spin, T); });
+  specialise(features, [&]<int D, bool spin, class T>() { evaluate = &trial<D, spin, T>; });
   return evaluate;
 }
 

@@ -15,4 +15,8 @@ using EvaluateTrial = void (*)(const TileJob&, scree_load& load);
 // As tile_evaluation.
 EvaluateTrial trial_evaluation(const Forces::Features& features);
 
+// As tile_evaluation_at.
+template <int level>
+EvaluateTrial trial_evaluation_at(const Forces::Features& features);
+
 }  // namespace scree::kernel

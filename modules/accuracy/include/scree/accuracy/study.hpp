@@ -16,9 +16,6 @@ struct Setting {
   Precision precision = Precision::double_precision;
   double step = 0;  // (s)
 };
-// "double" or "mixed".
-const char* precision_name(Precision precision);
-
 // "velocity_verlet, double".
 std::string method_name(const Setting& setting);
 

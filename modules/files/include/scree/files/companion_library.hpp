@@ -17,8 +17,9 @@ struct CompanionLibrary {
   const char* needs;    // "the VTK and OSMesa run-time libraries"
 };
 
-// A function of the library, from the build or install tree of the running program. The library is never
-// unloaded. Throws Error if it is missing or broken; null if it has no such function.
+// A function of the library, from the build or install tree of the running program. In a build tree a missing library is
+// built first, with a line on stderr that says so. The library is never unloaded. Throws Error if it is missing, cannot
+// be built or is broken; null if it has no such function.
 void* load_factory(const CompanionLibrary& library);
 
 // Makes the interface that the library implements. Throws Error; if the library has another version too.

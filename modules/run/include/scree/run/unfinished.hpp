@@ -19,6 +19,11 @@ struct ResultKind {
   const char* group;   // of the state, with the scenario as resolved
 };
 
+inline constexpr ResultKind spectrum_results{RunDirectory::Kind::spectrum, "spectrum", "spectrum.json",
+                                             "state.h5", "spectrum"};
+inline constexpr ResultKind response_results{RunDirectory::Kind::response, "response", "response.json",
+                                             "state.h5", "quasi_static"};
+
 // Whether a directory has results of a kind.
 bool has_results(const std::filesystem::path& directory, const ResultKind& kind);
 

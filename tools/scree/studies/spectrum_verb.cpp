@@ -1,7 +1,8 @@
-#include "measurement_report.hpp"
-#include "progress_bar.hpp"
-#include "spectrum_files.hpp"
-#include "verbs.hpp"
+#include "studies/measurement_report.hpp"
+#include "studies/spectrum_files.hpp"
+#include "studies/studies.hpp"
+#include "support/progress_bar.hpp"
+#include "support/verbs.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -195,8 +196,7 @@ ExitStatus spectrum_of(const SpectrumArguments& arguments) {
 }  // namespace
 
 void add_spectrum_verb(CommandLine& line) {
-  Verb verb = line.verb(
-      "spectrum", "Response of a packing to a driven wall over frequency; or the lines of a time series");
+  Verb verb = add_study_verb(line, "spectrum");
   auto a = std::make_shared<SpectrumArguments>();
   verb.option("scenario", a->scenario, "Scenario file (TOML) with [spectrum]");
   verb.option(

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "progress_bar.hpp"
-#include "verbs.hpp"
+#include "support/progress_bar.hpp"
+#include "support/verbs.hpp"
 
 #include <string>
 

@@ -1,5 +1,6 @@
-#include "progress_bar.hpp"
-#include "verbs.hpp"
+#include "studies/studies.hpp"
+#include "support/progress_bar.hpp"
+#include "support/verbs.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -82,8 +83,7 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
 }  // namespace
 
 void add_accuracy_verb(CommandLine& line) {
-  Verb verb = line.verb(
-      "accuracy", "Compare run time and error of a scenario for several steps, integrators and precisions");
+  Verb verb = add_study_verb(line, "accuracy");
   auto a = std::make_shared<AccuracyArguments>();
   verb.option("scenario", a->scenario, "Scenario file (TOML); compares the quantities of its [[expect]]s")
       .required();

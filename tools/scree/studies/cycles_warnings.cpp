@@ -1,4 +1,4 @@
-#include "cycles_warnings.hpp"
+#include "studies/cycles_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "verbs.hpp"
+#include "support/verbs.hpp"
 
 #include <csignal>
 #include <ctime>

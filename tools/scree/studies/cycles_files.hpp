@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cycles_source.hpp"
-#include "cycles_touching.hpp"
+#include "studies/cycles_source.hpp"
+#include "studies/cycles_touching.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "run_cycle.hpp"
+#include "studies/run_cycle.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

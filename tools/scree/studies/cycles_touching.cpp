@@ -1,4 +1,4 @@
-#include "cycles_touching.hpp"
+#include "studies/cycles_touching.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
-#include "cycles_source.hpp"
+#include "studies/cycles_source.hpp"
 
-#include "run_cycle.hpp"
+#include "studies/run_cycle.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
-#include "cycles_files.hpp"
+#include "studies/cycles_files.hpp"
 
-#include "result_paths.hpp"
-#include "verbs.hpp"
+#include "studies/result_paths.hpp"
+#include "support/verbs.hpp"
 
 #include <algorithm>
 #include <set>

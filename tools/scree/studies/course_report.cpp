@@ -1,6 +1,6 @@
-#include "course_report.hpp"
+#include "studies/course_report.hpp"
 
-#include "watched_work.hpp"
+#include "support/watched_work.hpp"
 
 #include <fmt/format.h>
 

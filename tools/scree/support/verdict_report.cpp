@@ -1,4 +1,4 @@
-#include "verdict_report.hpp"
+#include "support/verdict_report.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "command_line.hpp"
+#include "support/command_line.hpp"
 
 #include <algorithm>
 #include <cmath>

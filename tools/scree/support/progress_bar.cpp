@@ -1,4 +1,4 @@
-#include "progress_bar.hpp"
+#include "support/progress_bar.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "measurement_report.hpp"
+#include "studies/measurement_report.hpp"
 
-#include "verdict_report.hpp"
-#include "watched_work.hpp"
+#include "support/verdict_report.hpp"
+#include "support/watched_work.hpp"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
-#include "spectrum_files.hpp"
+#include "studies/spectrum_files.hpp"
 
-#include "verbs.hpp"
+#include "support/verbs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "command_line.hpp"
+#include "support/command_line.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -39,21 +39,6 @@ PluginHost make_host(const PluginOptions& options);
 void add_checkpoint_option(Verb& verb, std::string& text);
 // The wall time (s) that an option gives; nothing for "never". Throws Error "<option>: ...".
 std::optional<double> wall_time_option(const char* option, const std::string& text);
-
-// Each adds its verb.
-void add_run_verb(CommandLine& line);
-void add_resume_verb(CommandLine& line);
-void add_check_verb(CommandLine& line);
-void add_describe_verb(CommandLine& line);
-void add_render_verb(CommandLine& line);
-void add_accuracy_verb(CommandLine& line);
-void add_campaign_verb(CommandLine& line);
-void add_bench_verb(CommandLine& line);
-void add_spectrum_verb(CommandLine& line);
-void add_cycles_verb(CommandLine& line);
-void add_response_verb(CommandLine& line);
-void add_new_plugin_verb(CommandLine& line);
-void add_test_plugin_verb(CommandLine& line);
 
 // Set from now on by the first Ctrl-C, end of a batch job (SIGTERM) or closed terminal (SIGHUP): what runs saves what
 // it has and ends. Ctrl-C more than a second later ends the program at once.

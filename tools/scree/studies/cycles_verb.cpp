@@ -1,7 +1,8 @@
-#include "cycles_files.hpp"
-#include "cycles_warnings.hpp"
-#include "result_paths.hpp"
-#include "verbs.hpp"
+#include "studies/cycles_files.hpp"
+#include "studies/cycles_warnings.hpp"
+#include "studies/result_paths.hpp"
+#include "studies/studies.hpp"
+#include "support/verbs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -200,7 +201,7 @@ ExitStatus cycles_of(const CyclesArguments& a) {
 }  // namespace
 
 void add_cycles_verb(CommandLine& line) {
-  Verb verb = line.verb("cycles", "Strain over the cycles of a load: ratcheting, shakedown or neither");
+  Verb verb = add_study_verb(line, "cycles");
   auto a = std::make_shared<CyclesArguments>();
   verb.option("directories", a->directories, "Directories of runs; several give a table of verdicts");
   verb.option("--csv", a->request.csv, "Instead of runs: CSV file; its first column is the time in s")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cycles_source.hpp"
+#include "studies/cycles_source.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,7 @@
-#include "course_report.hpp"
-#include "verbs.hpp"
-#include "watched_work.hpp"
+#include "studies/course_report.hpp"
+#include "studies/studies.hpp"
+#include "support/verbs.hpp"
+#include "support/watched_work.hpp"
 
 #include <memory>
 #include <sstream>
@@ -116,8 +117,7 @@ ExitStatus follow(const ResponseArguments& arguments) {
 }  // namespace
 
 void add_response_verb(CommandLine& line) {
-  Verb verb = line.verb("response",
-                        "Modes and elastic constants of a packing at rest, or a load on it without dynamics");
+  Verb verb = add_study_verb(line, "response");
   auto a = std::make_shared<ResponseArguments>();
   const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
   verb.option("scenario", a->scenario,

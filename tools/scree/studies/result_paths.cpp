@@ -1,4 +1,4 @@
-#include "result_paths.hpp"
+#include "studies/result_paths.hpp"
 
 namespace scree::tool {
 

@@ -1,0 +1,38 @@
+#include "studies/studies.hpp"
+
+#include "support/program.hpp"
+#include "support/study_verbs.hpp"
+
+#include <algorithm>
+
+namespace scree::tool {
+
+namespace {
+
+class AllStudies : public Studies {
+ public:
+  ExitStatus run(int argc, char** argv) const override {
+    return run_program(argc, argv, [](CommandLine& line) {
+      add_accuracy_verb(line);
+      add_spectrum_verb(line);
+      add_cycles_verb(line);
+      add_response_verb(line);
+      add_study_resume_verb(line);
+    });
+  }
+};
+
+}  // namespace
+
+Verb add_study_verb(CommandLine& line, std::string_view name) {
+  const auto study = std::find_if(study_verbs.begin(), study_verbs.end(),
+                                  [&](const StudyVerb& verb) { return verb.name == name; });
+  return line.verb(study->name, study->help);
+}
+
+}  // namespace scree::tool
+
+extern "C" [[gnu::visibility("default")]] scree::tool::Studies* scree_create_studies(int version) {
+  static scree::tool::AllStudies studies;
+  return version == scree::tool::studies_version ? &studies : nullptr;
+}

@@ -1,0 +1,42 @@
+#include "studies/course_report.hpp"
+#include "studies/measurement_report.hpp"
+#include "studies/studies.hpp"
+#include "support/resume_arguments.hpp"
+
+#include <fmt/format.h>
+
+namespace scree::tool {
+
+namespace {
+
+// What changes a run changes no other results.
+void refuse_changes(const ResumeArguments& arguments, const char* results) {
+  if (!arguments.overrides.empty() || arguments.until > 0 || !arguments.checkpoint_every.empty())
+    throw Error(fmt::format(
+        "{}: holds a {}, which goes on as it began; give no --set, --until and --checkpoint-every",
+        arguments.directory, results));
+}
+
+ExitStatus resume(const ResumeArguments& arguments) {
+  PluginHost host = make_host(arguments.plugins);
+  if (sound::is_measurement(arguments.directory)) {
+    refuse_changes(arguments, "spectrum");
+    return report_measurement(arguments.quiet, [&](sound::MeasurementOptions options) {
+      return sound::resume_measurement(in_place_of(arguments, options), host);
+    });
+  }
+  refuse_changes(arguments, "response");
+  return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {
+    return quasi_static::resume_following(in_place_of(arguments, options), host);
+  });
+}
+
+}  // namespace
+
+void add_study_resume_verb(CommandLine& line) {
+  auto arguments = std::make_shared<ResumeArguments>();
+  Verb verb = add_resume_options(line, *arguments);
+  verb.action([arguments] { return resume(*arguments); });
+}
+
+}  // namespace scree::tool

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "support/command_line.hpp"
+
+#include <array>
+
+namespace scree::tool {
+
+// A verb that the companion library scree_studies implements: what it needs is not built for a run.
+struct StudyVerb {
+  const char* name;
+  const char* help;
+};
+
+inline constexpr std::array study_verbs = {
+    StudyVerb{"accuracy",
+              "Compare run time and error of a scenario for several steps, integrators and precisions"},
+    StudyVerb{"spectrum",
+              "Response of a packing to a driven wall over frequency; or the lines of a time series"},
+    StudyVerb{"cycles", "Strain over the cycles of a load: ratcheting, shakedown or neither"},
+    StudyVerb{"response",
+              "Modes and elastic constants of a packing at rest, or a load on it without dynamics"},
+};
+
+// The interface of that library.
+class Studies {
+ public:
+  virtual ~Studies() = default;
+  // Does what the arguments of a study verb, or of `resume` for the results of a study, ask for.
+  virtual ExitStatus run(int argc, char** argv) const = 0;
+};
+constexpr int studies_version = 1;
+
+}  // namespace scree::tool
