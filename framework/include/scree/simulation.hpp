@@ -88,6 +88,8 @@ class Simulation {
   double contact_history(std::size_t pair, std::uint32_t column) const;
   // What was taken over from a state, "walls of 'box'"; empty for a new packing.
   const std::vector<std::string>& taken_over() const;
+  // What was lost of a state from which the simulation began, "<what>; <cure>". Its energy counts as dissipated.
+  const std::vector<std::string>& let_go() const;
 
   scree_energy energy() const;
   // |residual| / turnover of the energy balance; 0 without an audit, NaN if an energy was not finite.

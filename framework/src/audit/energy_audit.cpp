@@ -57,6 +57,18 @@ void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodyS
   store(contacts, bodies);
 }
 
+void EnergyAudit::add_lost(const ContactSums& contacts) {
+  totals_.dissipated_friction += contacts.dissipated_friction;
+  totals_.created += contacts.created;
+  if (started_) totals_.work += contacts.dissipated_friction - contacts.created;
+  add_released(contacts.dissipated_release);
+}
+
+void EnergyAudit::add_released(double energy) {
+  totals_.dissipated_release += energy;
+  if (started_) totals_.work += energy;
+}
+
 void EnergyAudit::add_turned_over(double kinetic_boundary) {
   max_stored_ = larger(max_stored_, kinetic_boundary);
 }

@@ -29,6 +29,11 @@ class EnergyAudit {
   // Sets the energy stored in contacts and potentials without advancing time: at the start, or when a stage
   // changes parameters; a jump then counts as work.
   void set_stored(const ContactSums& contacts, const BodySums& bodies);
+  // Counts what springs lose in an evaluation without a motion, since their law has new parameters, as dissipated in
+  // place of work. Called after set_stored(), or before start().
+  void add_lost(const ContactSums& contacts);
+  // The same for the energy (J) of springs that are left out.
+  void add_released(double energy);
   // Counts the kinetic energy of walls (J) as turned over. Called before a stage changes them: a wall that is
   // stopped gives all of it back, and the sum of the work is then 0.
   void add_turned_over(double kinetic_boundary);

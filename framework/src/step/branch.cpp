@@ -4,6 +4,7 @@
 #include "plugins/enclosure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,12 @@ const std::vector<T>& numbers_at(const State& state, const std::string& path) {
 }
 
 constexpr std::uint32_t no_plane = ~std::uint32_t(0);
+constexpr double round_off = 1e-6;  // of springs and energies in single precision
+
+// Where lost energy (J) is found; nothing without an audit.
+std::string energy_text(bool audit, double energy, const char* column) {
+  return audit ? fmt::format(" ({:.3g} J, in {} of the probe energy)", energy, column) : std::string();
+}
 
 Error no_place(const std::string& what, const char* cure, const char* kind) {
   return Error(
@@ -135,13 +142,15 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
     if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))
       simulation.reconfigure_boundary(wanted.name, wanted.parameters);
   }
+  parts.stepper.reevaluate_forces(0);
+  count_lost(parts);
+  // Evaluated without a motion, contacts at the limit of friction stick; they go on as they were.
+  if (branching_.histories && has_laws_of(state_, wanted_)) take_over_histories(parts);
   // An integrator that evaluates forces at mid-step has left them half a step behind.
   double time = 0, force_time = 0;
   from(state_).value("clock/time", "s", time);
   from(state_).value("clock/force_time", "s", force_time);
-  parts.stepper.reevaluate_forces(time - force_time);
-  // Evaluated without a motion, contacts at the limit of friction stick; they go on as they were.
-  if (branching_.histories && time == force_time && has_laws_of(state_, wanted_)) take_over_histories(parts);
+  if (time != force_time) parts.stepper.reevaluate_forces(time - force_time);
 }
 
 void Branch::take_over_orientations(SimulationParts& parts) {
@@ -163,26 +172,95 @@ std::vector<std::uint32_t> Branch::planes_here(const SimulationParts& parts) con
 }
 
 std::size_t Branch::take_over_histories(SimulationParts& parts) {
-  const std::vector<std::uint32_t> planes = planes_here(parts);
   std::size_t taken = 0;
+  dropped_ = each_row(parts, [&](PairGroup& group, std::size_t row, std::span<const double> numbers) {
+    for (std::uint32_t k = 0; k < group.history_width; ++k) group.history.set(k, row, numbers[k]);
+    ++taken;
+  });
+  return taken;
+}
+
+Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) const {
+  const std::vector<std::uint32_t> planes = planes_here(parts);
+  Dropped dropped;
   each_history(state_, [&](const StoredHistory& stored) {
+    if (!branching_.histories) return void(++dropped.asked);
     const std::uint32_t b = !stored.plane ? stored.b : stored.b < planes.size() ? planes[stored.b] : no_plane;
-    if (b == no_plane) return;
+    if (b == no_plane) return void(++dropped.of_walls);
     const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b);
     if (!group)
       throw no_place("two bodies touch in the state and not in the scene", "keep its periodic faces",
                      "histories");
-    const Parameters& law = wanted_.laws[group->law].parameters;
-    if (law.plugin().name != stored.plugin || group->history_width != stored.numbers.size())
+    const std::string law = wanted_.laws[group->law].parameters.plugin().name;
+    if (law != stored.plugin)
       throw no_place(
-          fmt::format("contacts have histories of the law {} in the state and the law {} in the scene, with "
-                      "{} and {} numbers",
-                      stored.plugin, law.plugin().name, stored.numbers.size(), group->history_width),
+          fmt::format("contacts have histories of the law {} in the state and are of the law {} in the scene",
+                      stored.plugin, law),
           "use the same law", "histories");
-    for (std::uint32_t k = 0; k < group->history_width; ++k) group->history.set(k, row, stored.numbers[k]);
-    ++taken;
+    if (group->history_width != stored.numbers.size()) return void(++dropped.of_laws);
+    visit(*group, row, stored.numbers);
   });
-  return taken;
+  return dropped;
+}
+
+void Branch::count_lost(SimulationParts& parts) {
+  const double lost = parts.contact_sums.dissipated_friction + parts.contact_sums.dissipated_release;
+  const bool same_laws = has_laws_of(state_, wanted_);
+  if (!branching_.histories) dropped_ = each_row(parts, {});
+  if (!same_laws) parts.audit.add_lost(parts.contact_sums);
+  if (!same_laws && branching_.histories) report_cut(parts, lost);
+  ContactSums before;
+  before.transfer(from(state_).below("sums/contacts"));
+  const auto missing = [](double then, double now) { return then - now > round_off * then ? then - now : 0; };
+  double released = 0;
+  if (dropped_.all() > 0)
+    released +=
+        missing(before.elastic_tangential, parts.contact_sums.elastic_tangential + (same_laws ? 0 : lost));
+  // Other laws store another energy.
+  if (!branching_.walls && same_laws && state_.at("walls/planes/point").size() > 0)
+    released += missing(before.elastic_normal, parts.contact_sums.elastic_normal);
+  parts.audit.add_released(released);
+  report_dropped(released);
+}
+
+void Branch::report_cut(SimulationParts& parts, double lost) {
+  std::size_t cut = 0, all = 0;
+  each_row(parts, [&](PairGroup& group, std::size_t row, std::span<const double> numbers) {
+    const std::int32_t sliding = parts.laws[group.law].interface.sliding_column;
+    double largest = 0, change = 0;
+    for (std::uint32_t k = 0; k < group.history_width; ++k) {
+      if (std::int32_t(k) == sliding) continue;
+      largest = std::max(largest, std::abs(numbers[k]));
+      change = std::max(change, std::abs(group.history.value(k, row) - numbers[k]));
+    }
+    cut += change > round_off * largest;
+    ++all;
+  });
+  if (cut == 0 || (parts.scene.audit && !(lost > 0))) return;
+  let_go_.push_back(fmt::format(
+      "the laws of the scene cut the springs of {} of {} contacts of the state{}; give them the friction and "
+      "stiffness of the state, and others in a later stage, if the springs are to last",
+      cut, all, energy_text(parts.scene.audit, lost, "dissipated_friction")));
+}
+
+void Branch::report_dropped(double energy) {
+  const std::string lost = energy_text(wanted_.audit, energy, "dissipated_release");
+  const auto add = [&](std::size_t contacts, const char* why, const char* cure) {
+    if (contacts > 0)
+      let_go_.push_back(
+          fmt::format("{} contacts lose the springs that they have in the state, since {}{}; {}", contacts,
+                      why, lost, cure));
+  };
+  add(dropped_.asked, "histories are left out", "remove \"histories\" from particles.leave_out to keep them");
+  add(dropped_.of_walls, "their walls are left out",
+      "remove \"walls\" from particles.leave_out to keep them");
+  add(dropped_.of_laws, "their law keeps other numbers with its present parameters",
+      "give it those of the state to keep them");
+  if (dropped_.all() == 0 && energy > 0)
+    let_go_.push_back(
+        fmt::format("contacts with walls of the state that are left out no longer bear load{}; remove "
+                    "\"walls\" from particles.leave_out to keep them",
+                    lost));
 }
 
 }  // namespace scree

@@ -2,6 +2,8 @@
 
 #include "step/simulation_parts.hpp"
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,15 @@ class Branch {
   void take_over(Simulation& simulation, SimulationParts& parts);
   // Lines for people: what was taken over.
   const std::vector<std::string>& report() const { return report_; }
+  // "<what>; <cure>" of what the state has and the scene loses.
+  const std::vector<std::string>& let_go() const { return let_go_; }
 
  private:
+  // Contacts of the state whose histories have no place.
+  struct Dropped {
+    std::size_t asked = 0, of_walls = 0, of_laws = 0;  // left out; of walls that are; of another length
+    std::size_t all() const { return asked + of_walls + of_laws; }
+  };
   struct Wall {
     std::size_t from, to;  // boundary in the state and in the scene
   };
@@ -34,6 +43,13 @@ class Branch {
   void take_over_by_name(Simulation& simulation, SimulationParts& parts);
   void take_over_orientations(SimulationParts& parts);
   std::size_t take_over_histories(SimulationParts& parts);  // returns the number of contacts
+  // Visits the row of each contact of the state, with its numbers there; returns the contacts without one.
+  using VisitRow = std::function<void(PairGroup& group, std::size_t row, std::span<const double> numbers)>;
+  Dropped each_row(SimulationParts& parts, const VisitRow& visit) const;
+  // After the forces have been evaluated without a motion: what springs have lost goes into the balance.
+  void count_lost(SimulationParts& parts);
+  void report_cut(SimulationParts& parts, double lost);
+  void report_dropped(double energy);
   // The plane here of each plane in the state.
   std::vector<std::uint32_t> planes_here(const SimulationParts& parts) const;
 
@@ -42,7 +58,8 @@ class Branch {
   Branching branching_;
   Scene scene_;
   std::vector<Wall> walls_;
-  std::vector<std::string> report_;
+  Dropped dropped_;
+  std::vector<std::string> report_, let_go_;
 };
 
 }  // namespace scree

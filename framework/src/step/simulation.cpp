@@ -91,6 +91,7 @@ Simulation::Simulation(const Scene& scene, const State& state, const Branching& 
   parts_ = std::make_unique<SimulationParts>(branch.scene());
   without_exception(*this, [&] { return branch.take_over(*this, *parts_), true; });
   parts_->taken_over = branch.report();
+  parts_->let_go = branch.let_go();
   start_audits();
   check_health(parts_->stepper.initial_state_is_sound());
 }
@@ -180,6 +181,7 @@ void Simulation::apply_reconfiguration() {
   p.stepper.reevaluate_forces(0);
   p.integrator->restart();
   p.audit.set_stored(p.contact_sums, p.body_sums);
+  p.audit.add_lost(p.contact_sums);
 }
 
 int Simulation::dimension() const { return parts_->scene.dimension; }
@@ -198,6 +200,7 @@ const std::vector<std::uint32_t>& Simulation::plane_materials() const {
 Vec3 Simulation::lengths() const { return enclosed_lengths(planes(), domain(), dimension()); }
 const Vec3& Simulation::lengths_at_start() const { return parts_->lengths_at_start; }
 const std::vector<std::string>& Simulation::taken_over() const { return parts_->taken_over; }
+const std::vector<std::string>& Simulation::let_go() const { return parts_->let_go; }
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }

@@ -56,10 +56,10 @@ struct SimulationParts {
   EnergyAudit audit;
   MomentumAudit momentum_audit;
 
-  double smallest_radius;  // (m)
-  double speed_limit;      // (m/s) above which the run is stopped as a blow-up
-  Vec3 lengths_at_start;   // (m) see Simulation::lengths
-  std::vector<std::string> taken_over;
+  double smallest_radius;                       // (m)
+  double speed_limit;                           // (m/s) above which the run is stopped as a blow-up
+  Vec3 lengths_at_start;                        // (m) see Simulation::lengths
+  std::vector<std::string> taken_over, let_go;  // see Simulation
 
   Stepper stepper;
 };

@@ -5,6 +5,7 @@
 
 #include <scree/energy.hpp>
 #include <scree/error.hpp>
+#include <scree/scene_record.hpp>
 #include <scree/stage.hpp>
 
 namespace scree {
@@ -13,6 +14,27 @@ namespace {
 
 // Steps between tests of a condition on energies, which are sums over all bodies.
 constexpr std::uint64_t condition_interval = 100;
+
+template <class Entries>
+bool has(const Entries& entries, const Stage::Change& change) {
+  return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
+    return entry.name == change.name &&
+           parameter_lines(entry.parameters) == parameter_lines(change.parameters);
+  });
+}
+
+bool has(const Scene& scene, const Stage::Change& change) {
+  switch (change.kind) {
+    case SCREE_CONTACT_LAW:
+      return has(scene.laws, change);
+    case SCREE_BOUNDARY:
+      return has(scene.boundaries, change);
+    case SCREE_BODY_FORCE:
+      return has(scene.body_forces, change);
+    default:
+      return false;
+  }
+}
 
 }  // namespace
 
@@ -61,7 +83,11 @@ void StageRunner::begin() {
   began_step_ = simulation_.steps();
   kinetic_over_elastic_.reset();
   const Stage& stage = stages_[current_];
-  if (stage.changes.empty()) return;
+  // What the scene has had from t = 0 is not set again.
+  const auto begun = [&](const Stage::Change& change) {
+    return simulation_.steps() == 0 && has(simulation_.scene(), change);
+  };
+  if (std::all_of(stage.changes.begin(), stage.changes.end(), begun)) return;
   for (const Stage::Change& change : stage.changes) {
     if (change.kind == SCREE_CONTACT_LAW) simulation_.reconfigure_law(change.name, change.parameters);
     if (change.kind == SCREE_BOUNDARY) simulation_.reconfigure_boundary(change.name, change.parameters);

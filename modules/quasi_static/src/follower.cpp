@@ -136,6 +136,7 @@ void Follower::find_start() {
 
 void Follower::run_stages_before() {
   simulation_ = run::set_up(plan_, options_.threads);
+  for (const std::string& line : simulation_->let_go()) warn(line);
   StageRunner stages(*simulation_, plan_.stages);
   while (stages.current() + 1 < plan_.stages.size()) {
     stages.run(steps_at_once, [this] { return proceeds(); });

@@ -19,7 +19,8 @@ std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, const Scen
 }
 
 std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned threads) {
-  Scene scene = plan.scene;
+  // What the first stage sets holds before the first force.
+  Scene scene = scene_in_stage(plan.scene, plan.stages, 0);
   scene.threads = threads;
   try {
     return simulation_of(plan, scene);
@@ -107,8 +108,9 @@ bool change_scene(const Stage& stage, Scene& scene) {
 
 // Throws Error if a later stage makes the time step too long; checks this without running the stages.
 void check_later_stages(const scenario::Plan& plan) {
-  Scene scene = plan.scene;
-  for (const Stage& stage : plan.stages) {
+  Scene scene = scene_in_stage(plan.scene, plan.stages, 0);
+  for (std::size_t k = 1; k < plan.stages.size(); ++k) {
+    const Stage& stage = plan.stages[k];
     if (!plan.step_guard || !change_scene(stage, scene)) continue;
     if (const auto problem = step_problem(*simulation_of(plan, scene)))
       throw Error(fmt::format("{}: in stage '{}' {}", plan.step_place, stage.name, *problem));

@@ -47,6 +47,7 @@ LargestOverlap largest_overlap(const Simulation& s) {
 std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simulation& s) {
   std::vector<std::string> warnings = plan.warnings;
   if (const auto step = step_warning(s)) warnings.push_back(*step);
+  warnings.insert(warnings.end(), s.let_go().begin(), s.let_go().end());
   if (!plan.from_state) add_overlap_warning(s, warnings);  // a state bears its load
   return warnings;
 }

@@ -175,8 +175,10 @@ bool any_probe_needs(const Plan& plan, std::uint32_t what) {
                      [&](const ProbePlan& probe) { return needs(probe, plan, what); });
 }
 
-// Whether the parameters that a later stage sets for a law need what must be carried from the start.
-bool any_later(const Plan& plan, bool (*needs)(const Parameters& law, int dimension)) {
+// Whether the parameters of a law, in the scene or in a stage, need what must be carried from the start.
+bool any_law(const Plan& plan, bool (*needs)(const Parameters& law, int dimension)) {
+  for (const Scene::Law& law : plan.scene.laws)
+    if (needs(law.parameters, plan.scene.dimension)) return true;
   for (const Stage& stage : plan.stages)
     for (const Stage::Change& change : stage.changes)
       if (change.kind == SCREE_CONTACT_LAW && needs(change.parameters, plan.scene.dimension)) return true;
@@ -224,7 +226,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.stages = read_stages(root, plan.scene, instances, plan.warnings);
   for (const std::string& line : undersampled_drives(plan.scene, plan.stages))
     plan.warnings.push_back(fmt::format("{}: {}", plan.source.string(), line));
-  plan.scene.spin = any_later(plan, &exerts_torque);
+  plan.scene.spin = any_law(plan, &exerts_torque);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
@@ -233,7 +235,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   read_expectations(root, plan);
   plan.scene.pair_forces = needs_pair_forces(plan);
   plan.scene.orientations =
-      any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_later(plan, &reads_orientations);
+      any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_law(plan, &reads_orientations);
   check_audit(root, plan);
   check_pictures(root, plan);
   return plan;

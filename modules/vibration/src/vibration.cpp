@@ -46,6 +46,7 @@ class Course {
 
   Vibration begin() {
     const auto simulation = run::set_up(plan_, options_.threads);
+    for (const std::string& line : simulation->let_go()) warn(line);
     StageRunner stages(*simulation, plan_.stages);
     if (!run::run_stages(
             stages, [this] { return proceeds(); },

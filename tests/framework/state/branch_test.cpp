@@ -1,5 +1,7 @@
 #include "state/heap.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include <scree/branching.hpp>
@@ -183,4 +185,90 @@ TEST_CASE("a state whose arrays do not fit each other begins no scene") {
   damaged.put(path, array);
   CHECK_THAT(message_of([&] { Simulation(scene_from(damaged, scene), damaged, Branching()); }),
              Catch::Matchers::Contains(path));
+}
+
+namespace {
+
+// A heap whose contacts have stretched springs, its state, and a scene that begins from it.
+struct Stretched {
+  Scene scene = heap(3, false);
+  Simulation first = Simulation(scene);
+  State state = (scree::test::run(first, steps), first.state());
+  scree_energy before = first.energy();
+  Scene next = scene_from(state, scene);
+
+  void set_law(double friction) {
+    next.laws[0].parameters =
+        scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, law(friction));
+  }
+};
+
+// The balance is closed to round-off at t = 0.
+void check_closed(const Simulation& branch) {
+  CHECK(std::abs(branch.energy().residual) < 1e-12 * branch.energy().kinetic_translation);
+}
+
+}  // namespace
+
+TEST_CASE("what a lower limit of friction takes from the springs of a state is dissipated, and said") {
+  Stretched s;
+  REQUIRE(s.before.elastic_tangential > 0);
+  s.set_law(0.01);
+  const Simulation branch(s.next, s.state, Branching());
+  const scree_energy after = branch.energy();
+  CHECK(after.elastic_tangential < 0.1 * s.before.elastic_tangential);
+  // The springs are shortened along themselves, so that the slip dissipates what they lose, but for round-off.
+  CHECK(after.dissipated_friction ==
+        Approx(s.before.elastic_tangential - after.elastic_tangential).epsilon(1e-12));
+  CHECK(after.work == 0);
+  check_closed(branch);
+  REQUIRE(branch.let_go().size() == 1);
+  CHECK_THAT(branch.let_go()[0],
+             Catch::Contains("cut the springs of ") && Catch::Contains(" J, in dissipated_friction"));
+}
+
+TEST_CASE("springs that the limit of friction does not reach lose nothing") {
+  Stretched s;
+  if (GENERATE(false, true)) s.set_law(0.6);
+  const Simulation branch(s.next, s.state, Branching());
+  // To round-off: springs are projected onto their tangent planes once more.
+  CHECK(branch.energy().elastic_tangential == Approx(s.before.elastic_tangential).epsilon(1e-12));
+  CHECK(branch.energy().dissipated_friction < 1e-12 * s.before.elastic_tangential);
+  CHECK(branch.energy().dissipated_release == 0);
+  CHECK(branch.let_go().empty());
+}
+
+TEST_CASE("the springs that a scene cannot keep of a state are released in its balance, and said") {
+  Stretched s;
+  Branching branching;
+  std::string why;
+  SECTION("left out") {
+    branching.histories = false;
+    why = "histories are left out";
+  }
+  SECTION("of a law that has none without friction") {
+    s.set_law(0);
+    why = "their law keeps other numbers";
+  }
+  const Simulation branch(s.next, s.state, branching);
+  CHECK(branch.energy().elastic_tangential == 0);
+  CHECK(branch.energy().dissipated_release == Approx(s.before.elastic_tangential).epsilon(1e-12));
+  check_closed(branch);
+  REQUIRE(branch.let_go().size() == 1);
+  CHECK_THAT(branch.let_go()[0], Catch::Contains(why) && Catch::Contains(" J, in dissipated_release"));
+}
+
+TEST_CASE("the energy of contacts with walls that are left out is released in the balance, and said") {
+  Stretched s;
+  s.next.boundaries.clear();
+  s.scene.boundaries.clear();
+  const Simulation branch(s.next, s.state, {.walls = false});
+  const scree_energy after = branch.energy();
+  CHECK(after.dissipated_release == Approx(s.before.elastic_normal + s.before.elastic_tangential -
+                                           after.elastic_normal - after.elastic_tangential)
+                                        .epsilon(1e-12));
+  CHECK(after.dissipated_release > 0);
+  check_closed(branch);
+  REQUIRE(branch.let_go().size() == 1);
+  CHECK_THAT(branch.let_go()[0], Catch::Contains("their walls are left out"));
 }

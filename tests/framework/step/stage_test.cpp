@@ -221,6 +221,33 @@ TEST_CASE("springs are kept when a stage changes other parameters of their law")
   CHECK(stretched() != 0);
 }
 
+TEST_CASE("what the first stage sets and the scene has from the start is not set again") {
+  Scene scene = disc(0.5, 1);
+  Simulation s(scene);
+  const std::uint64_t searches = s.rebuilds();
+  const StageRunner runner(s, {lasting("slide", 0.02, {friction_change(0.5)})});
+  CHECK(s.rebuilds() == searches);
+  const StageRunner other(s, {lasting("slide", 0.02, {friction_change(0.4)})});
+  CHECK(s.rebuilds() == searches + 1);
+}
+
+TEST_CASE("springs that a stage cuts are dissipated, and not work") {
+  Simulation s(disc(0.5, 1));
+  StageRunner runner(s, {lasting("slide", 0.02), lasting("smoother", 0.02, {friction_change(0.1)})});
+  for (int k = 0; k < 19; ++k) runner.step();
+  Simulation uninterrupted(disc(0.5, 1));
+  scree::test::run(uninterrupted, 20);
+  runner.step();
+  REQUIRE(runner.current() == 1);
+  const scree_energy before = uninterrupted.energy(), after = s.energy();
+  const double lost = before.elastic_tangential - after.elastic_tangential;
+  CHECK(lost > 0);
+  CHECK(after.dissipated_friction - before.dissipated_friction ==
+        Approx(lost).epsilon(1e-9));  // round-off of the sums
+  CHECK(after.work - before.work == Approx(0).margin(1e-12 * before.kinetic_translation));
+  CHECK(after.residual == Approx(before.residual).margin(1e-12 * before.kinetic_translation));
+}
+
 TEST_CASE("switching on friction in a scene without spins is refused") {
   Simulation s(disc(0, 1));
   CHECK_FALSE(s.particles().has_spin());
