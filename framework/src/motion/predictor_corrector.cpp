@@ -60,7 +60,10 @@ void PredictorCorrector::add_to_hash(StateHash& hash) const {
 // Terms h²/2 x", h³/6 x‴ and h⁴/24 x⁗: lengths for translations, angles for rotations.
 void PredictorCorrector::transfer(const StateTransfer& state) {
   state.rows("second", "m or rad", second_, 4);
-  third_.resize(second_.size()), fourth_.resize(second_.size());
+  if (state.restoring()) {
+    third_.resize(second_.size());
+    fourth_.resize(second_.size());
+  }
   state.sized_rows("third", "m or rad", third_, 4);
   state.sized_rows("fourth", "m or rad", fourth_, 4);
 }

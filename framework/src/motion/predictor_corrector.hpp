@@ -14,7 +14,9 @@ class PredictorCorrector : public Integrator {
   void prepare(Particles& particles, double step) override;
   double begin_step(Particles& particles, double step, BodyRange bodies) override;
   bool finish_step(Particles& particles, double step, BodyRange bodies) override;
-  void restart() override { second_.clear(); }
+  void restart() override {
+    for (auto* column : {&second_, &third_, &fourth_}) column->clear();
+  }
   void add_to_hash(StateHash& hash) const override;
   void transfer(const StateTransfer& state) override;
 

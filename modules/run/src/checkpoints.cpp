@@ -57,30 +57,65 @@ void Checkpoints::remove_later(std::uint64_t steps) const {
     if (path.filename().string() > name_of(steps)) fs::remove(path, failed);
 }
 
-std::optional<Checkpoints::Latest> Checkpoints::latest(
-    const std::function<void(const std::string&)>& report) const {
-  std::optional<Latest> found;
-  bool damaged = false;
-  const auto consider = [&](const fs::path& path) {
+// Looks for the latest state that can be used.
+class Checkpoints::Search {
+ public:
+  using Report = std::function<void(const std::string&)>;
+  Search(const Refusal& refusal, const Report& report) : refusal_(refusal), report_(report) {}
+
+  std::optional<Latest> read(const fs::path& path) {
     try {
-      State state = state_file::read_state(path);
-      if (!found || steps_of(state) > steps_of(found->state)) found = Latest{std::move(state), path};
-      return true;
+      return Latest{state_file::read_state(path), path};
     } catch (const Error& error) {
-      report(error.what());
-      damaged = true;
+      passed_over_.push_back(error.what());
+      return std::nullopt;
+    }
+  }
+
+  bool takes(const Latest& state) {
+    if (const auto why = refusal_(state)) {
+      passed_over_.push_back(fmt::format("{}: {}", state.path.string(), *why));
+      if (first_refused_.empty()) first_refused_ = passed_over_.back();
       return false;
     }
-  };
-  for (const fs::path& path : all())
-    if (consider(path)) break;
+    for (const std::string& line : passed_over_) report_(line);
+    return true;
+  }
+
+  // Where no state is taken.
+  void end(const fs::path& directory) const {
+    if (!first_refused_.empty()) throw Error(first_refused_);
+    for (const std::string& line : passed_over_) report_(line);
+    if (!passed_over_.empty())
+      throw Error(
+          fmt::format("{}: none of its states can be read; run the scenario again", directory.string()));
+  }
+
+ private:
+  const Refusal& refusal_;
+  const Report& report_;
+  std::vector<std::string> passed_over_;
+  std::string first_refused_;
+};
+
+std::optional<Checkpoints::Latest> Checkpoints::latest(
+    const Refusal& refusal, const std::function<void(const std::string&)>& report) const {
+  Search search(refusal, report);
   std::error_code failed;
-  if (fs::exists(fs::symlink_status(directory_.path() / final_name, failed)))
-    consider(directory_.path() / final_name);
-  if (!found && damaged)
-    throw Error(fmt::format("{}: none of its states can be read; run the scenario again",
-                            directory_.path().string()));
-  return found;
+  std::optional<Latest> at_end;
+  if (const fs::path path = directory_.path() / final_name; fs::exists(fs::symlink_status(path, failed)))
+    at_end = search.read(path);
+  for (const fs::path& path : all()) {
+    if (at_end && name_of(steps_of(at_end->state)) > path.filename().string()) {
+      if (search.takes(*at_end)) return at_end;
+      at_end.reset();
+    }
+    std::optional<Latest> state = search.read(path);
+    if (state && search.takes(*state)) return state;
+  }
+  if (at_end && search.takes(*at_end)) return at_end;
+  search.end(directory_.path());
+  return std::nullopt;
 }
 
 }  // namespace scree::run

@@ -30,11 +30,15 @@ class Checkpoints {
     State state;
     std::filesystem::path path;
   };
-  // The state after the most steps that can be read; one that cannot is reported. Nothing if there is no file of a
-  // state. Throws Error if none of them can be read.
-  std::optional<Latest> latest(const std::function<void(const std::string&)>& report) const;
+  // Why a run cannot go on from a state; nothing if it can.
+  using Refusal = std::function<std::optional<std::string>(const Latest&)>;
+  // The state after the most steps that can be read and is not refused; those that are passed over for it are reported.
+  // Nothing if there is no file of a state. Throws Error if there is none that can be used.
+  std::optional<Latest> latest(const Refusal& refusal,
+                               const std::function<void(const std::string&)>& report) const;
 
  private:
+  class Search;
   static constexpr const char* final_name = "final_state.h5";
   std::filesystem::path folder() const { return directory_.path() / WrittenFiles::states_folder; }
   // Sorted from the latest to the first.

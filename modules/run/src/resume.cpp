@@ -7,6 +7,7 @@
 
 #include <scree/document/document.hpp>
 #include <scree/files/place_error.hpp>
+#include <scree/run/set_up.hpp>
 #include <scree/scene_record.hpp>
 
 namespace scree::run {
@@ -43,12 +44,11 @@ scenario::Plan changed_plan(const ResumeChanges& changes, const State* state, co
   return read(overrides);
 }
 
-scenario::Plan plan_of(const Checkpoints::Latest& latest, const fs::path& directory,
-                       const ResumeChanges& changes, PluginHost& host) {
+scenario::Plan plan_of(const Checkpoints::Latest& latest, const std::vector<Body>& bodies,
+                       const fs::path& directory, const ResumeChanges& changes, PluginHost& host) {
   const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)";
   return changed_plan(changes, &latest.state, [&](const std::vector<std::string>& overrides) {
-    scenario::Plan plan =
-        scenario::read_plan_again(text, name, overrides, bodies_at_start(latest.state), host);
+    scenario::Plan plan = scenario::read_plan_again(text, name, overrides, bodies, host);
     if (!overrides.empty()) plan.text_for_any_folder = text_in(directory, overrides, plan.resolved_text);
     return plan;
   });
@@ -82,20 +82,52 @@ void check_unfinished(const State& state, const scenario::Plan& plan, const fs::
                             directory.string(), time_of(state)));
 }
 
+// A plan, and the simulation of a state from which it goes on.
+struct Start {
+  scenario::Plan plan;
+  std::unique_ptr<Simulation> simulation;
+};
+
+// Returns why the state is refused; throws Error if the changes are.
+std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const RunOptions& options,
+                                      const ResumeChanges& changes, PluginHost& host, Start& start) {
+  std::vector<Body> bodies;
+  try {
+    bodies = bodies_at_start(latest.state);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  start.plan = plan_of(latest, bodies, options.out, changes, host);
+  try {
+    const StateTransfer stages = StateTransfer::restoring_from(latest.state).below("run/stages");
+    start.simulation = resumed(start.plan, latest.state, stages, options.threads);
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
   check_overrides(changes.overrides);
   RunDirectory directory = directory_of(options.out);
-  const auto latest = Checkpoints(directory).latest(options.on_warning);
-  scenario::Plan plan =
-      latest ? plan_of(*latest, options.out, changes, host) : plan_at_start(options.out, changes, host);
+  const auto warn = [&](const std::string& line) {
+    if (options.on_warning) options.on_warning(line);
+  };
+  Start start;
+  const auto refusal = [&](const Checkpoints::Latest& state) {
+    return begin_from(state, options, changes, host, start);
+  };
+  const auto latest = Checkpoints(directory).latest(refusal, warn);
+  if (!latest) start.plan = plan_at_start(options.out, changes, host);
+  scenario::Plan& plan = start.plan;
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
   if (latest) check_unfinished(latest->state, plan, options.out);
   if (!latest) {
-    if (options.on_warning)
-      options.on_warning(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
+    warn(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
     directory.replace();
+    return run_from(std::nullopt, plan, options, directory, Place::same);
   }
-  return run_from(latest ? &latest->state : nullptr, plan, options, directory, Place::same);
+  return run_from(Resumed{latest->state, std::move(start.simulation)}, plan, options, directory, Place::same);
 }
 
 }  // namespace

@@ -44,22 +44,20 @@ Progress progress_of(const Simulation& simulation, const StageRunner& runner, do
 
 class Run {
  public:
-  // state: that from which the run in the directory goes on; null for a new run.
-  Run(const scenario::Plan& plan, const RunOptions& options, RunDirectory& directory, const State* state,
-      Place place)
+  // from: where the run in the directory goes on; nothing for a new run.
+  Run(const scenario::Plan& plan, const RunOptions& options, RunDirectory& directory,
+      std::optional<Resumed> from, Place place)
       : plan_(plan),
         options_(options),
         directory_(directory),
         place_(place),
-        simulation_(state ? resumed(plan, *state, StateTransfer::restoring_from(*state).below("run/stages"),
-                                    options.threads)
-                          : set_up(plan, options.threads)),
+        simulation_(from ? std::move(from->simulation) : set_up(plan, options.threads)),
         sampler_(plan),
         pictures_(plan, directory_),
         results_(plan, options, directory_, *simulation_),
         states_(plan.checkpoint, directory_, *simulation_, results_, watch_,
                 [this] { return save_state(); }) {
-    if (state) restore(*state);
+    if (from) restore(from->state);
   }
 
   RunResult execute() {
@@ -271,15 +269,15 @@ class Run {
 
 }  // namespace
 
-RunResult run_from(const State* state, const scenario::Plan& plan, const RunOptions& options,
+RunResult run_from(std::optional<Resumed> from, const scenario::Plan& plan, const RunOptions& options,
                    RunDirectory& directory, Place place) {
-  return Run(plan, options, directory, state, place).execute();
+  return Run(plan, options, directory, std::move(from), place).execute();
 }
 
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
   require_stages(plan);
   RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs);
-  return run_from(nullptr, plan, options, directory, Place::free);
+  return run_from(std::nullopt, plan, options, directory, Place::free);
 }
 
 }  // namespace scree::run

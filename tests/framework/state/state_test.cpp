@@ -101,6 +101,27 @@ TEST_CASE("a simulation goes on from its state within a later stage") {
   check_resumed(whole, scene);
 }
 
+TEST_CASE("a state at the beginning of a stage is that of the simulation, which saving does not change") {
+  const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
+                                    Integration::fourth_order, Integration::predictor_corrector);
+  Scene scene = heap(3, false);
+  scene.integration = integration;
+  Simulation whole(scene);
+  for (int stage = 0; stage < 3; ++stage) {
+    INFO("integrator " << int(integration) << ", stage " << stage);
+    scree::test::run(whole, 10);
+    scene.boundaries[0].parameters = scree::test::parameters(
+        "box", SCREE_BOUNDARY,
+        {{"stress", {0, 60.0 + stage}}, {"mass", {1000}}, {"viscosity", {10}}, {"x_low", {1}}});
+    whole.reconfigure_boundary("box", scene.boundaries[0].parameters);
+    whole.apply_reconfiguration();
+    const std::uint64_t before = whole.state_hash();
+    const State state = whole.state();
+    CHECK(whole.state_hash() == before);
+    CHECK(message_of([&] { Simulation(scene, state); }).empty());
+  }
+}
+
 TEST_CASE("orientations and their rounded-off parts are in the state") {
   const int dimension = GENERATE(2, 3);
   Scene scene = heap(dimension, false);

@@ -9,6 +9,7 @@
 #include <scree/error.hpp>
 #include <scree/files/directory_lock.hpp>
 #include <scree/run/run_directory.hpp>
+#include <scree/state_file/state_file.hpp>
 
 using namespace scree;
 using namespace scree::run;
@@ -158,6 +159,39 @@ TEST_CASE("a damaged checkpoint is passed over for the one before", "[run]") {
   CHECK(warnings[0].find(states.back().filename().string()) != std::string::npos);
   CHECK(resumed.state_hash == whole.state_hash);
   CHECK(series_of(bench, "energy") == energy);
+}
+
+TEST_CASE("a state that the simulation refuses is passed over for the one before", "[run]") {
+  Bench bench(stages);
+  bench.plan.checkpoint.every_time = 3e-5;
+  bench.run();
+  const std::filesystem::path out = bench.options.out;
+  const std::string energy = series_of(bench, "energy");
+  std::filesystem::remove(out / "final_state.h5");
+  const auto spoil = [&](const char* name) {
+    State state = state_file::read_state(out / "checkpoint" / name);
+    std::vector<double> positions = std::get<std::vector<double>>(state.at("bodies/position").values);
+    positions[0] += 1e-3;
+    StateArray other = state.at("bodies/position");
+    other.values = positions;
+    state.put("bodies/position", other);
+    state_file::write_state(out / "checkpoint" / name, state);
+  };
+  spoil("step_000000000000009.h5");
+  std::vector<std::string> warnings;
+  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  SECTION("the run goes on from the one before") {
+    resume(bench, {});
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0],
+               Catch::Contains("step_000000000000009.h5: 'state_hash' is not that of the numbers"));
+    CHECK(series_of(bench, "energy") == energy);
+  }
+  SECTION("without one it is refused") {
+    spoil("step_000000000000006.h5");
+    CHECK_THAT(refused(bench, {}), Catch::Contains("step_000000000000009.h5: 'state_hash' is not that"));
+    CHECK(warnings.empty());
+  }
 }
 
 TEST_CASE("two runs of a scene leave the same bytes as their final state, whenever they wrote checkpoints",
