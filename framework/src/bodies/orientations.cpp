@@ -28,8 +28,12 @@ HalfAngle half_angle_of_small(const Vec3& rotation) {
   return {-0.5 * square * cosine, 0.5 * sine * rotation};
 }
 
-// Halves the rotation until the series holds, then doubles it.
+bool all_finite(const Vec3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+// Halves the rotation until the series holds, then doubles it. No rotation if it is not finite, which halving would not
+// change: such a spin ends the step.
 HalfAngle half_angle_of(Vec3 rotation) {
+  if (!all_finite(rotation)) return {0, {}};
   int halvings = 0;
   for (; dot(rotation, rotation) > 1; ++halvings) rotation = 0.5 * rotation;
   HalfAngle half = half_angle_of_small(rotation);

@@ -2,6 +2,7 @@
 #include "scenes.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <catch2/catch.hpp>
@@ -178,4 +179,16 @@ TEST_CASE("the derivatives of the predictor-corrector are part of its hash", "[o
   integrator->add_to_hash(after);
   CHECK(before.value() != StateHash().value());
   CHECK(before.value() != after.value());
+}
+
+TEST_CASE("a spin that is not finite, or as large as a number can be, ends the rotation of a body") {
+  const double spin = GENERATE(std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::max());
+  Orientations orientations(3, 1);
+  double numbers[3] = {1, spin, -spin};
+  orientations.rotate(Vectors<const double>(numbers, 3, 1, 0, 3), 1, 0, 1);
+  double square = 0;
+  for (int k = 0; k < 4; ++k) square += orientations[k][0] * orientations[k][0];
+  // Doubling a thousand times leaves a unit quaternion, but for round-off.
+  CHECK(square == Approx(1).epsilon(1e-9));
 }

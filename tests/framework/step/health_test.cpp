@@ -58,6 +58,23 @@ TEST_CASE("a velocity that is not finite stops the run at once, with body, time 
     }
 }
 
+TEST_CASE("a spin that is not finite stops a run that carries orientations, with body and time") {
+  for (const double bad : {not_a_number, infinite, -infinite})
+    for (const auto integration :
+         {scree::Integration::velocity_verlet, scree::Integration::position_verlet,
+          scree::Integration::fourth_order, scree::Integration::predictor_corrector}) {
+      Scene scene = scene_of(three_apart());
+      scene.spin = scene.orientations = true;
+      scene.integration = integration;
+      Simulation s(scene);
+      scree::test::run(s, 4);
+      const_cast<scree::Particles&>(s.particles()).spin()[1][1] = bad;
+      CHECK_THAT(blow_up([&] { s.step(); }),
+                 Catch::StartsWith("particle 101: position, velocity or spin is not a number") &&
+                     Catch::Contains("at t = 0.00"));
+    }
+}
+
 TEST_CASE("an invalid scene is refused with the name of the fault") {
   const auto refused = [](const std::function<void(Scene&)>& spoil) {
     Scene scene = scene_of(three_apart());
