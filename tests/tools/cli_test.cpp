@@ -29,7 +29,7 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   const Workspace w(with(discs, "[scene]", "[scene]\ntitle = 'Nine discs'"));
   const Outcome good = w.scree("check scene.toml --set time.duration=0.5");
   CHECK(good.status == 0);
-  CHECK(good.out.starts_with("scene.toml: valid, Nine discs\n  9 bodies in 2D, 4 walls, 1 contact laws, "));
+  CHECK(good.out.starts_with("scene.toml: valid, Nine discs\n  9 bodies in 2D, 4 walls, 1 contact law, "));
   CHECK(contains(good.out, "  stage run: 0.5 s, 50000 steps\n"));
   CHECK_FALSE(w.has("runs"));
 }

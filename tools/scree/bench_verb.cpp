@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/csv_line.hpp>
 
@@ -48,11 +49,11 @@ double ns_per_contact(const BenchResult& r) { return 1e9 * r.median() / double(r
 
 void print(const std::string& scene, const std::string& precision, unsigned threads, const BenchResult& r) {
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
-  fmt::print("{}: {} particles, {} contacts, {}, {} thread{}\n", scene, r.particles, r.contacts, precision,
-             threads, threads > 1 ? "s" : "");
-  fmt::print("{:.4g} ms per step ({:.4g} to {:.4g} in {} repeat{} of {} steps, starting at t = {:.4g} s)\n",
-             1e3 * r.median(), 1e3 * *fastest, 1e3 * *slowest, r.s_per_step.size(),
-             r.s_per_step.size() > 1 ? "s" : "", r.steps, r.first_time);
+  fmt::print("{}: {}, {}, {}, {}\n", scene, counted(r.particles, "particle"), counted(r.contacts, "contact"),
+             precision, counted(threads, "thread"));
+  fmt::print("{:.4g} ms per step ({:.4g} to {:.4g} in {} of {}, starting at t = {:.4g} s)\n",
+             1e3 * r.median(), 1e3 * *fastest, 1e3 * *slowest, counted(r.s_per_step.size(), "repeat"),
+             counted(r.steps, "step"), r.first_time);
   fmt::print("{:.3g} million particle-steps per second", 1e-6 * double(r.particles) / r.median());
   if (r.contacts > 0) fmt::print(", {:.3g} ns per contact", ns_per_contact(r));
   fmt::print("; {} bytes per particle, {} bytes per contact\n", r.bytes_per_particle, r.bytes_per_contact);
@@ -64,7 +65,7 @@ void print(const std::string& scene, const std::string& precision, unsigned thre
     const double seconds = r.profile.seconds(Profile::Phase(k));
     fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %{}\n", Profile::names[std::size_t(k)],
                1e6 * seconds / double(r.steps), 100 * seconds / all,
-               k == Profile::neighbours ? fmt::format("  {} searches", r.searches) : "");
+               k == Profile::neighbours ? "  " + counted(r.searches, "search", "searches") : "");
   }
 }
 

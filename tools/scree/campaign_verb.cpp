@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <scree/campaign/report.hpp>
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 
 namespace scree::tool {
@@ -48,12 +49,12 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
   options.plugin_directories = a.plugins.directories;
   options.stop = &watch_for_interrupt();
   options.on_progress = [&bar](const campaign::Tally& t) {
-    bar.show(
-        t.share, t.wall,
-        fmt::format("{} of {} runs done, {} running, {} failed", t.finished, t.total, t.running, t.failed));
+    bar.show(t.share, t.wall,
+             fmt::format("{} of {} done, {} running, {} failed", t.finished, counted(t.total, "run"),
+                         t.running, t.failed));
   };
   options.on_check = [&bar](std::size_t checked, std::size_t total) {
-    bar.show(0, 0, fmt::format("{} of {} runs checked", checked, total));
+    bar.show(0, 0, fmt::format("{} of {} checked", checked, counted(total, "run")));
   };
   return options;
 }

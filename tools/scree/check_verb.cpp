@@ -1,9 +1,11 @@
 #include "program_verbs.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
@@ -24,8 +26,8 @@ void print_stages(const scenario::Plan& plan) {
     const double length = stage.duration ? *stage.duration : stage.at_least;
     least += length;
     if (stage.duration)
-      fmt::print("  stage {}: {:g} s, {:.0f} steps\n", files::escaped(stage.name), length,
-                 length / plan.scene.step);
+      fmt::print("  stage {}: {:g} s, {}\n", files::escaped(stage.name), length,
+                 counted(std::size_t(std::llround(length / plan.scene.step)), "step"));
     else
       fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n",
                  files::escaped(stage.name), *stage.kinetic_over_elastic, *stage.at_most);
@@ -38,15 +40,17 @@ void print_spectrum(const scenario::Plan& plan) {
   double steps = 0;
   for (const double f : frequencies) steps += plan.spectrum->periods / (f * plan.scene.step);
   if (plan.spectrum->direction == scenario::SpectrumPlan::Direction::both) steps *= 2;
-  fmt::print("  spectrum: {} frequencies from {:g} to {:g} Hz, {:.3g} steps for a sweep with all periods\n",
-             frequencies.size(), frequencies.front(), frequencies.back(), steps);
+  fmt::print("  spectrum: {} from {:g} to {:g} Hz, {:.3g} steps for a sweep with all periods\n",
+             counted(frequencies.size(), "frequency", "frequencies"), frequencies.front(), frequencies.back(),
+             steps);
 }
 
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
   fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", files::escaped(plan.title));
-  fmt::print("  {} bodies in {}D, {} walls, {} contact laws, {} body forces, {} probes\n",
-             simulation.particles().size(), plan.scene.dimension, simulation.planes().size(),
-             plan.scene.laws.size(), plan.scene.body_forces.size(), plan.probes.size());
+  fmt::print("  {} in {}D, {}, {}, {}, {}\n", counted(simulation.particles().size(), "body", "bodies"),
+             plan.scene.dimension, counted(simulation.planes().size(), "wall"),
+             counted(plan.scene.laws.size(), "contact law"),
+             counted(plan.scene.body_forces.size(), "body force"), counted(plan.probes.size(), "probe"));
   fmt::print("  {}\n", run::describe_step(simulation));
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,

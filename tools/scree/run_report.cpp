@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/set_up.hpp>
 
@@ -18,12 +19,12 @@ namespace {
 
 void print_carried(const Simulation& simulation) {
   const Footprint f = simulation.footprint();
-  fmt::print("{} bodies in {}D, {} degrees of freedom; {} bytes per body, {} bytes per pair\n",
-             simulation.particles().size(), simulation.dimension(), f.degrees_of_freedom, f.bytes_per_body,
-             f.bytes_per_pair);
+  fmt::print("{} in {}D, {} degrees of freedom; {} bytes per body, {} bytes per pair\n",
+             counted(simulation.particles().size(), "body", "bodies"), simulation.dimension(),
+             f.degrees_of_freedom, f.bytes_per_body, f.bytes_per_pair);
   fmt::print("{}\n", run::describe_step(simulation));
   if (simulation.steps() > 0)
-    fmt::print("goes on from t = {:g} s, after {} steps\n", simulation.time(), simulation.steps());
+    fmt::print("goes on from t = {:g} s, after {}\n", simulation.time(), counted(simulation.steps(), "step"));
   if (!simulation.taken_over().empty())
     fmt::print("taken over from the state: {}\n", fmt::join(simulation.taken_over(), ", "));
 }
@@ -36,8 +37,9 @@ double quantity_of(const run::RunResult& r, const char* name) {
 
 void print_result(const run::RunResult& r) {
   const auto quantity = [&](const char* name) { return quantity_of(r, name); };
-  fmt::print("{} steps in {:.3g} s, {:.3g} million particle-steps per second; {:.3g} s for output\n",
-             quantity("steps"), r.wall - r.output, 1e-6 * r.particle_steps_per_second, r.output);
+  fmt::print("{} in {:.3g} s, {:.3g} million particle-steps per second; {:.3g} s for output\n",
+             counted(std::size_t(quantity("steps")), "step"), r.wall - r.output,
+             1e-6 * r.particle_steps_per_second, r.output);
   if (const double residual = quantity("energy_residual"); !std::isnan(residual))
     fmt::print("energy residual {:.2g} of the turnover, ", residual);
   fmt::print("momentum residual {:.2g}, largest overlap {:.3g} of the radius\n",
@@ -49,8 +51,8 @@ void print_result(const run::RunResult& r) {
 std::string content_of(const std::filesystem::path& path) {
   std::error_code failed;
   if (!std::filesystem::is_directory(path, failed)) return "";
-  const auto files = std::distance(std::filesystem::directory_iterator(path, failed), {});
-  return fmt::format(", {} file{}", files, files == 1 ? "" : "s");
+  const auto count = std::distance(std::filesystem::directory_iterator(path, failed), {});
+  return ", " + counted(std::size_t(count), "file");
 }
 
 void print_places(const std::filesystem::path& directory) {

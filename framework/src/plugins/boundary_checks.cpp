@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 
 namespace scree {
@@ -24,8 +25,9 @@ constexpr std::uint32_t most_planes = 100000, most_state = 10000000;
 
 void check_layout(const std::string& plugin, const scree_boundary_instance& i, int dimension) {
   if (i.plane_count > most_planes || i.state_width > most_state)
-    refuse(plugin, fmt::format("it has {} walls and {} numbers of state, of at most {} and {}", i.plane_count,
-                               i.state_width, most_planes, most_state));
+    refuse(plugin,
+           fmt::format("it has {} and {} of state, of at most {} and {}", counted(i.plane_count, "wall"),
+                       counted(i.state_width, "number"), most_planes, most_state));
   for (std::uint32_t w = 0; i.plane_names && w < i.plane_count; ++w)
     if (!i.plane_names[w]) refuse(plugin, fmt::format("the name of wall {} is NULL", w + 1));
   for (std::uint32_t w = 0; i.plane_masses && w < i.plane_count; ++w)

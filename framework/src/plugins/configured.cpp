@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/plugin_host.hpp>
 
@@ -16,8 +17,8 @@ namespace {
 
 void check_instance(const char* name, const scree_contact_instance& i) {
   if (i.history_width > SCREE_MAX_HISTORY || !i.evaluate)
-    throw Error(fmt::format("plug-in {}: keeps {} history columns of at most {}, or has no evaluate function",
-                            name, i.history_width, SCREE_MAX_HISTORY));
+    throw Error(fmt::format("plug-in {}: keeps {} of at most {}, or has no evaluate function", name,
+                            counted(i.history_width, "history column"), SCREE_MAX_HISTORY));
   constexpr std::uint32_t columns = 1u << SCREE_NORMAL | 1u << SCREE_OVERLAP | 1u << SCREE_RELATIVE_VELOCITY |
                                     1u << SCREE_TANGENTIAL_INCREMENT | 1u << SCREE_RELATIVE_SPIN |
                                     1u << SCREE_ONSET_WEIGHT | 1u << SCREE_CONTACT_RADIUS |

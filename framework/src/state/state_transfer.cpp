@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/state_transfer.hpp>
 
@@ -16,7 +17,7 @@ std::vector<std::size_t> StateTransfer::shape_of(std::size_t numbers, std::size_
 }
 
 void StateTransfer::expect(const std::string& name, std::size_t found, std::size_t expected) const {
-  if (found != expected) refuse(name, fmt::format("has {} values instead of {}", found, expected));
+  if (found != expected) refuse(name, fmt::format("has {} instead of {}", counted(found, "value"), expected));
 }
 
 void StateTransfer::vectors(const std::string& name, const char* unit, const Vectors<double>& vectors,

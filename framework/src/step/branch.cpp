@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 
@@ -110,7 +111,7 @@ bool Branch::nothing_differs() const {
 void Branch::take_over(Simulation& simulation, SimulationParts& parts) {
   const bool carried = (!wanted_.pair_forces || state_.has("contacts/force_row")) &&
                        (!parts.particles.orientations || state_.has("bodies/orientation"));
-  report_.push_back(fmt::format("{} bodies", state_.at("bodies/id").size()));
+  report_.push_back(counted(state_.at("bodies/id").size(), "body", "bodies"));
   if (nothing_differs() && carried)
     take_over_all(parts);
   else
@@ -136,7 +137,7 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
   }
   parts.search_neighbours();
   if (branching_.histories)
-    report_.push_back(fmt::format("histories of {} contacts", take_over_histories(parts)));
+    report_.push_back("histories of " + counted(take_over_histories(parts), "contact"));
   for (const Wall& wall : walls_) {
     const Scene::Boundary& wanted = wanted_.boundaries[wall.to];
     if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/step_guard.hpp>
 
@@ -66,9 +67,9 @@ const Scene& checked(const Scene& scene) {
   if (!(scene.step > 0)) throw Error("the time step is not above 0; give time.step in s");
   const std::size_t materials = scene.materials.size();
   if (scene.law_of.size() != materials * materials)
-    throw Error(
-        fmt::format("{} materials need {} entries of law_of, not {}; give a law for each pair of materials",
-                    materials, materials * materials, scene.law_of.size()));
+    throw Error(fmt::format("law_of has {} instead of {} for {}; give a law for each pair of materials",
+                            counted(scene.law_of.size(), "entry", "entries"), materials * materials,
+                            counted(materials, "material")));
   for (const std::uint32_t law : scene.law_of)
     if (law >= scene.laws.size())
       throw Error(fmt::format("law_of names law {} of {}; give the index of a law", law, scene.laws.size()));

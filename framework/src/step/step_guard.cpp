@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <scree/closed_forms.hpp>
+#include <scree/counted.hpp>
 #include <scree/plugin/stability.hpp>
 #include <scree/step_guard.hpp>
 
@@ -108,8 +109,8 @@ void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double sp
     if (smallest[a].count == 0) continue;
     const std::size_t k = scene.law_of[a * smallest.size() + s.boundaries().plane_materials()[wall]];
     const ConfiguredLaw law(scene.laws[k].parameters, s.dimension(), no_bounds, no_bounds);
-    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {:g} bodies near it",
-                                  s.plane_names()[wall], mass, count),
+    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {} near it", s.plane_names()[wall], mass,
+                                  counted(std::size_t(count), "body", "bodies")),
                       stable_step(law, encounter_of(smallest[a], {mass / count, infinite}, speed), 1)});
   }
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 
 namespace scree {
@@ -34,8 +35,9 @@ ThreadPool::ThreadPool(unsigned threads) {
   } catch (const std::system_error&) {
     const unsigned started = size();
     stop();
-    throw Error(fmt::format("only {} of {} threads could be started; use fewer threads", started, threads),
-                ExitStatus::failure);
+    throw Error(
+        fmt::format("only {} of {} could be started; use fewer threads", started, counted(threads, "thread")),
+        ExitStatus::failure);
   }
 }
 

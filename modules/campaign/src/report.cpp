@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/campaign/report.hpp>
+#include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 
@@ -14,10 +15,6 @@ namespace scree::campaign {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string title_line(const Campaign& c) {
   std::vector<std::string> factors;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 
@@ -172,8 +173,9 @@ class Override {
     for (const std::string_view key : naming_keys)
       for (const toml::node& entry : array)
         if (const std::string* text = text_under(entry, key)) known.push_back(*text);
-    throw error("{} has {} entries and '{}' names none of them{} choose one: {}", path, array.size(),
-                files::one_line(name), suggestion(name, known), titles(array));
+    throw error("{} has {} and '{}' names none of them{} choose one: {}", path,
+                counted(array.size(), "entry", "entries"), files::one_line(name), suggestion(name, known),
+                titles(array));
   }
 
   // Creates a table for an absent key, unless it is the last of the path, to which the value is assigned.
@@ -202,7 +204,8 @@ class Override {
                   description(document_, *slot.value), index);
     }
     if (index < array->size()) return {array, {}, index, &(*array)[index]};
-    throw error("{} has {} entries, so there is no entry {}; count from 0{}", path, array->size(), index,
+    throw error("{} has {}, so there is no entry {}; count from 0{}", path,
+                counted(array->size(), "entry", "entries"), index,
                 array->is_array_of_tables() ? ": " + titles(*array) : "");
   }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/document/table.hpp>
 #include <scree/files/text.hpp>
@@ -96,10 +97,8 @@ auto read_array(const DocumentState& document, const toml::node& node, std::opti
   const toml::array* array = node.as_array();
   if (array == nullptr) throw document.wrong_type(node, cure);
   if (count && array->size() != *count) {
-    throw document.error(node,
-                         fmt::format("{} has {} {}", document.path(node), array->size(),
-                                     array->size() == 1 ? "element" : "elements"),
-                         cure);
+    throw document.error(
+        node, fmt::format("{} has {}", document.path(node), counted(array->size(), "element")), cure);
   }
   std::vector<decltype(read(document, node, arguments...))> values;
   values.reserve(array->size());

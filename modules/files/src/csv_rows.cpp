@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/csv_rows.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
@@ -102,7 +103,7 @@ bool CsvRows::next() {
   } while (is_comment());
   row_ = &cells();
   if (row_->size() != columns_.size())
-    fail(1, fmt::format("{} cells under {} columns", row_->size(), columns_.size()),
+    fail(1, fmt::format("{} under {}", counted(row_->size(), "cell"), counted(columns_.size(), "column")),
          "give one cell for each column; decimal commas are not supported");
   return true;
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text_file.hpp>
 
 namespace scree::packing {
@@ -25,7 +26,7 @@ Header read_header(TextReader& reader) {
   if (!reader.next_words()) reader.fail(1, "the file is empty", "begin with a line 'N L H'");
   const auto& words = reader.words();
   if (words.size() != 3) {
-    reader.fail(1, fmt::format("{} words instead of 'N L H'", words.size()),
+    reader.fail(1, fmt::format("{} instead of 'N L H'", counted(words.size(), "word")),
                 "give number of beads, period and height");
   }
   return {reader.positive_integer(words[0], "number of beads"), reader.positive_number(words[1], "period"),
@@ -36,7 +37,8 @@ Body read_bead(TextReader& reader) {
   constexpr BodyField columns[] = {BodyField::x, BodyField::y, BodyField::z, BodyField::radius};
   const auto& words = reader.words();
   if (words.size() != 4) {
-    reader.fail(1, fmt::format("{} words instead of 'x y z radius'", words.size()), "give four numbers");
+    reader.fail(1, fmt::format("{} instead of 'x y z radius'", counted(words.size(), "word")),
+                "give four numbers");
   }
   Body body;
   for (std::size_t k = 0; k < 4; ++k) set_field(body, columns[k], words[k], reader);
@@ -57,7 +59,9 @@ Packing parse_beads(std::string_view text, const std::string& name, const Import
   }
   const auto found = std::int64_t(packing.bodies.size());
   if (found != header.count) {
-    reader.fail(1, fmt::format("the first line gives {} beads, the file has {}", header.count, found),
+    reader.fail(1,
+                fmt::format("the first line gives {}, the file has {}",
+                            counted(std::size_t(header.count), "bead"), found),
                 "complete the file or correct its first line");
   }
   return checked_import(std::move(packing), name);

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text_file.hpp>
 
 namespace scree::packing {
@@ -53,7 +54,8 @@ struct Preamble {
 };
 
 Vec3 read_corner(const std::vector<Token>& words, const TextReader& reader, std::string_view key) {
-  if (words.size() != 3) reader.fail(1, fmt::format("'{}' has {} numbers", key, words.size()), "give three");
+  if (words.size() != 3)
+    reader.fail(1, fmt::format("'{}' has {}", key, counted(words.size(), "number")), "give three");
   return {{reader.number(words[0], key), reader.number(words[1], key), reader.number(words[2], key)}};
 }
 
@@ -177,8 +179,9 @@ class BodyRows {
   Body read(TextReader& reader, std::int64_t row) {
     const std::vector<Token>& cells = reader.cells();
     if (cells.size() != fields_.size()) {
-      reader.fail(1, fmt::format("{} cells under {} columns", cells.size(), fields_.size()),
-                  "give one cell for each column; decimal commas are not supported");
+      reader.fail(
+          1, fmt::format("{} under {}", counted(cells.size(), "cell"), counted(fields_.size(), "column")),
+          "give one cell for each column; decimal commas are not supported");
     }
     Body body;
     body.id = row;

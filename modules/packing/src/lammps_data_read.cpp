@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text_file.hpp>
 
 namespace scree::packing {
@@ -214,7 +215,8 @@ void DataReader::read_atom(const std::vector<Token>& words) {
   refuse_surplus(std::int64_t(packing_.bodies.size()), "Atoms");
   if (words.size() != 7 && words.size() != 10) {
     reader_.fail(1,
-                 fmt::format("{} words instead of 'id type diameter density x y z [ix iy iz]'", words.size()),
+                 fmt::format("{} instead of 'id type diameter density x y z [ix iy iz]'",
+                             counted(words.size(), "word")),
                  "write the file with atom_style sphere or granular");
   }
   Body body;
@@ -250,7 +252,7 @@ void DataReader::read_velocity(const std::vector<Token>& words) {
   constexpr BodyField fields[] = {BodyField::vx, BodyField::vy, BodyField::vz,
                                   BodyField::wx, BodyField::wy, BodyField::wz};
   if (words.size() != 7) {
-    reader_.fail(1, fmt::format("{} words instead of 'id vx vy vz wx wy wz'", words.size()),
+    reader_.fail(1, fmt::format("{} instead of 'id vx vy vz wx wy wz'", counted(words.size(), "word")),
                  "write the file with atom_style sphere or granular");
   }
   const std::int64_t id = reader_.integer(words[0], "id");
@@ -276,15 +278,18 @@ void DataReader::store(Body& body, BodyField field, const Token& token) {
 
 void DataReader::require_count(std::int64_t found, std::string_view section) {
   if (found == *expected_) return;
-  reader_.fail(1, fmt::format("section {} ends after {} of {} lines", section, found, *expected_),
-               "complete the file, or correct the number of atoms in its header");
+  reader_.fail(
+      1,
+      fmt::format("section {} ends after {} of {}", section, found, counted(std::size_t(*expected_), "line")),
+      "complete the file, or correct the number of atoms in its header");
 }
 
 void DataReader::refuse_surplus(std::int64_t found, std::string_view section) {
   if (found < *expected_) return;
-  reader_.fail(
-      1, fmt::format("section {} has more than the {} lines that the header gives", section, *expected_),
-      "correct the number of atoms in the header");
+  reader_.fail(1,
+               fmt::format("the header gives {}, and section {} has more",
+                           counted(std::size_t(*expected_), "line"), section),
+               "correct the number of atoms in the header");
 }
 
 }  // namespace

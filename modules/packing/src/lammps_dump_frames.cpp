@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
+
 namespace scree::packing {
 
 namespace {
@@ -54,7 +56,7 @@ DumpFrame choose_frame(const std::vector<DumpFrame>& frames, std::optional<std::
       std::min_element(frames.begin(), frames.end(), [&](const DumpFrame& a, const DumpFrame& b) {
         return distance(a.timestep, *timestep) < distance(b.timestep, *timestep);
       });
-  reader.fail(1, fmt::format("none of the {} frames has timestep {}", frames.size(), *timestep),
+  reader.fail(1, fmt::format("there is no timestep {} in {}", *timestep, counted(frames.size(), "frame")),
               fmt::format("the nearest is {}", nearest->timestep));
 }
 

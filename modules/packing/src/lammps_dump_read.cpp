@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text_file.hpp>
 
 namespace scree::packing {
@@ -105,10 +106,10 @@ class FrameReader {
 };
 
 void FrameReader::fail_truncated() {
-  reader_.fail(
-      1,
-      fmt::format("the frame is cut off after {} of {} atoms", packing_.bodies.size(), expected_.value_or(0)),
-      "complete the file, or choose an earlier timestep");
+  reader_.fail(1,
+               fmt::format("the frame is cut off after {} of {}", packing_.bodies.size(),
+                           counted(std::size_t(expected_.value_or(0)), "atom")),
+               "complete the file, or choose an earlier timestep");
 }
 
 // Returns true after the atoms, the last item of a frame.
@@ -153,7 +154,8 @@ void FrameReader::read_box() {
     if (!reader_.next()) fail_truncated();
     const auto& words = reader_.words();
     if (words.size() != 2) {
-      reader_.fail(1, fmt::format("{} words instead of the two bounds of {}", words.size(), "xyz"[k]),
+      reader_.fail(1,
+                   fmt::format("{} instead of the two bounds of {}", counted(words.size(), "word"), "xyz"[k]),
                    "give a packing in an axis-parallel box");
     }
     packing_.bounds->lower[k] = reader_.number(words[0], "lower bound");
@@ -195,14 +197,16 @@ void FrameReader::read_atoms() {
   for (std::size_t k = 0; k < count; ++k) {
     if (!reader_.next() || reader_.line().starts_with("ITEM:")) fail_truncated();
     if (reader_.words().size() != names.size()) {
-      reader_.fail(1, fmt::format("{} words under {} columns", reader_.words().size(), names.size()),
+      reader_.fail(1,
+                   fmt::format("{} under {}", counted(reader_.words().size(), "word"),
+                               counted(names.size(), "column")),
                    "complete the line, or choose another timestep");
     }
     packing_.bodies.push_back(read_body(sources));
   }
   while (reader_.next() && !reader_.line().starts_with("ITEM:")) {
     if (reader_.words().empty()) continue;
-    reader_.fail(1, fmt::format("there are more than the {} atoms that the frame header gives", count),
+    reader_.fail(1, fmt::format("the frame header gives {}, and there are more", counted(count, "atom")),
                  "correct the number of atoms");
   }
 }

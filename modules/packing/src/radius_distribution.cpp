@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 
 namespace scree::packing {
@@ -84,8 +85,8 @@ void check_distribution(const ListedRadius& d) {
   for (const double radius : d.radii) require_radius(radius, "listed radius");
   if (d.weights.empty()) return;
   if (d.weights.size() != d.radii.size()) {
-    throw Error(fmt::format("radius distribution: {} radii have {} weights; give one weight for each radius",
-                            d.radii.size(), d.weights.size()));
+    throw Error(fmt::format("radius distribution: {} for {}; give one weight for each radius",
+                            counted(d.weights.size(), "weight"), counted(d.radii.size(), "radius", "radii")));
   }
   for (const double weight : d.weights) {
     if (!(std::isfinite(weight) && weight >= 0.0)) {
@@ -168,9 +169,9 @@ std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size
   const auto* list = std::get_if<ListedRadius>(&distribution);
   if (list && list->weights.empty() && list->radii.size() != count) {
     throw Error(
-        fmt::format("radius distribution: the list has {} radii for {} bodies; give one for each, or "
+        fmt::format("radius distribution: the list has {} for {}; give one for each, or "
                     "weights to draw them at random",
-                    list->radii.size(), count));
+                    counted(list->radii.size(), "radius", "radii"), counted(count, "body", "bodies")));
   }
   std::vector<double> radii(count);
   std::visit(

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 
 // Checks of the builds of a library for several instruction levels.
@@ -149,7 +150,7 @@ Checks check_machine_code(const fs::path& library) {
       all.push_back({name, Verdict::skipped, "objdump (package binutils) is not there"});
     else
       all.push_back({name, loops->first == loops->second ? Verdict::passed : Verdict::failed,
-                     fmt::format("{} of {} loops", loops->first, loops->second)});
+                     fmt::format("{} of {}", loops->first, counted(loops->second, "loop"))});
   }
   return all;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <scree/counted.hpp>
 #include <scree/run/input_hashes_json.hpp>
 #include <scree/snapshot/load_backend.hpp>
 
@@ -77,12 +78,14 @@ void draw_chart(const Course& course, const std::vector<double>& times, const st
 
 std::string text_report(const Course& c) {
   std::string text = fmt::format(
-      "{} bodies, {} degrees of freedom; {:g} to {:g} s in {} increments of at most {:g} s\n"
-      "{} iterations of Newton's method; contacts opened, closed, began or ended to slide {} times\n",
-      c.bodies, c.degrees_of_freedom, c.start, c.reached, c.increments, c.increment, c.iterations, c.events);
+      "{}, {} degrees of freedom; {:g} to {:g} s in {} of at most {:g} s\n"
+      "{} of Newton's method; contacts opened, closed, began or ended to slide {}\n",
+      counted(c.bodies, "body", "bodies"), c.degrees_of_freedom, c.start, c.reached,
+      counted(c.increments, "increment"), c.increment, counted(c.iterations, "iteration"),
+      counted(c.events, "time"));
   if (!c.hand_overs.empty())
-    text += fmt::format("{:g} s of {:g} s by dynamics, in {} parts, where there was no equilibrium nearby\n",
-                        c.dynamic_time(), c.reached - c.start, c.hand_overs.size());
+    text += fmt::format("{:g} s of {:g} s by dynamics, in {}, where there was no equilibrium nearby\n",
+                        c.dynamic_time(), c.reached - c.start, counted(c.hand_overs.size(), "part"));
   text += fmt::format("{:.3g} s of wall time", c.wall);
   if (c.period > 0 && c.reached > c.start)
     text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.reached - c.start));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 
@@ -20,7 +21,7 @@ constexpr std::uint32_t no_law = ~0u;
 void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
   const std::vector<std::string> names = t.strings(contact_keys.between);
   if (names.size() != 2)
-    throw t.error("between", fmt::format("'between' has {} materials", names.size()),
+    throw t.error("between", fmt::format("'between' has {}", counted(names.size(), "material")),
                   "give two, such as [\"bead\", \"wall\"]");
   const std::size_t a = find_name(t, "between", "material", names[0], scene.materials, 0);
   const std::size_t b = find_name(t, "between", "material", names[1], scene.materials, 1);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/plugin/program.hpp>
@@ -97,9 +98,10 @@ void read_shape(const document::Table& t, const Plan& plan, SpectrumPlan& spectr
     ++layers;
   }
   if (layers < fewest_layers)
-    throw t.error(spectrum_keys.shape_from,
-                  fmt::format("'{}' has {} columns displacement_<n>", files::one_line(probe), layers),
-                  "give a probe such as profile, with three bins or more");
+    throw t.error(
+        spectrum_keys.shape_from,
+        fmt::format("'{}' has {} displacement_<n>", files::one_line(probe), counted(layers, "column")),
+        "give a probe such as profile, with three bins or more");
 }
 
 void read_observed(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 
 namespace scree::sound {
@@ -82,7 +83,8 @@ void note_uncertain(const std::vector<response::HarmonicResponse>& responses, do
 void note_sliding(const HarmonicMotion& motion, const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
   if (motion.sliding_contacts == 0 || !road.frequencies.empty()) return;
   road.notes.push_back(fmt::format(
-      "linear: {} contacts are at the limit of friction; they {}", motion.sliding_contacts,
+      "linear: {} at the limit of friction; they {}",
+      counted(motion.sliding_contacts, "contact is", "contacts are"),
       plan.contacts_slide
           ? "slide on, one way, which small oscillations do not; sliding_contacts = \"stick\" holds them"
           : "are taken to stick, as small oscillations make them within some periods; "

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/plugin/program.hpp>
 
@@ -230,9 +231,10 @@ RoadSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size_t
   const SpectrumPlan& plan = start_.spectrum();
   if (unsteady)
     road.notes.push_back(fmt::format(
-        "{}: at {} of {} frequencies the response was not steady after {:g} periods{}; give a larger "
+        "{}: at {} of {} the response was not steady after {:g} periods{}; give a larger "
         "tolerance or more periods",
-        name, unsteady, points.size(), (plan.adaptive ? longest : 1) * plan.periods,
+        name, unsteady, counted(points.size(), "frequency", "frequencies"),
+        (plan.adaptive ? longest : 1) * plan.periods,
         plan.adaptive ? "" : ", since that of the second half of the analysed periods is another one"));
   road.note_silent(start_.spectrum().observed);
   double all_steps = 0;

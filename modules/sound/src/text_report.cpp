@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 
 namespace scree::sound {
@@ -69,7 +70,9 @@ std::string text_report(const Measurement& m) {
   std::string text;
   const bool all = lines.size() <= most_lines;
   for (std::size_t k = 0; k < (all ? lines.size() : most_lines - 1); ++k) text += lines[k] + "\n";
-  if (!all) text += fmt::format("... {} more lines of peaks in peaks.csv\n", lines.size() - most_lines + 1);
+  if (!all)
+    text +=
+        fmt::format("... {} of peaks in peaks.csv\n", counted(lines.size() - most_lines + 1, "more line"));
   return text;
 }
 

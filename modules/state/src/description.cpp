@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 #include <scree/state_file/description.hpp>
 
@@ -67,9 +68,8 @@ std::string summary_line(const State& state, const char* name, const char* path)
   const StateArray& array = state.at(path);
   const std::string values = std::visit([](const auto& of) { return short_values(of); }, array.values);
   const bool pure = array.unit.empty() || array.unit == "1";
-  return fmt::format("{:<12} {}{}{}\n", name,
-                     values.empty() ? fmt::format("{} values", array.size()) : values, pure ? "" : " ",
-                     pure ? "" : files::one_line(array.unit, longest_value));
+  return fmt::format("{:<12} {}{}{}\n", name, values.empty() ? counted(array.size(), "value") : values,
+                     pure ? "" : " ", pure ? "" : files::one_line(array.unit, longest_value));
 }
 
 std::string bodies_line(const State& state) {
@@ -97,7 +97,7 @@ std::string describe_state_file(const std::filesystem::path& path) {
   text += summary_line(state, "stages done", "run/stages/stage");
   std::size_t width = 0;
   for (const auto& [name, array] : state.arrays()) width = std::max(width, name.size());
-  text += fmt::format("{} arrays\n", state.arrays().size());
+  text += counted(state.arrays().size(), "array") + "\n";
   for (const auto& [name, array] : state.arrays()) text += line_of(name, array, width);
   return text;
 }

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/files/text.hpp>
 
@@ -124,8 +125,8 @@ Seal checked_seal(int descriptor, const fs::path& path) {
   read_at(descriptor, text.data(), text.size(), 0, path);
   const Seal seal = parse(text, path);
   if (bytes != seal.bytes)
-    refuse(path, fmt::format("has {} bytes, and {} when it was written; take another copy of it", bytes,
-                             seal.bytes));
+    refuse(path, fmt::format("has {}, and {} when it was written; take another copy of it",
+                             counted(bytes, "byte"), seal.bytes));
   if (text != seal.text() || checksum_of(descriptor, seal, path) != seal.checksum) refuse(path, damaged);
   return seal;
 }

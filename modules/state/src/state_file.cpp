@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/files/part_file.hpp>
 #include <scree/state_file/state_file.hpp>
@@ -25,7 +26,7 @@ void check(const State& state) {
     for (const std::size_t extent : array.shape) size *= extent;
     if (size != array.size())
       throw std::invalid_argument(
-          fmt::format("'{}' has {} values in a shape of {}", path, array.size(), size));
+          fmt::format("'{}' has {} in a shape of {}", path, counted(array.size(), "value"), size));
   }
 }
 

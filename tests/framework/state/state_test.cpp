@@ -209,7 +209,7 @@ TEST_CASE("a state of another scene is refused with what differs") {
   CHECK_THAT(refusal(other), Catch::Matchers::Contains("fourth_order"));
   other = scene;
   other.bodies.pop_back();
-  CHECK_THAT(refusal(other), Catch::Matchers::Contains("values instead of"));
+  CHECK_THAT(refusal(other), Catch::Matchers::Contains(" instead of "));
 }
 
 TEST_CASE("a state without one of its arrays, or with one of another size or type, is refused by its name") {

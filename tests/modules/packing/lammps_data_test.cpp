@@ -121,7 +121,7 @@ TEST_CASE("data file errors name the position and the cure", "[packing]") {
              StartsWith("d:7:1: section Atoms ends after 2 of 1"));
   CHECK_THAT(refusal("t\n3 atoms\n" + atoms), StartsWith("d:7:1: section Atoms ends after 2 of 3 lines; "));
   CHECK_THAT(refusal("t\n1 atoms\n" + atoms),
-             StartsWith("d:7:1: section Atoms has more than the 1 lines that the header gives; "));
+             StartsWith("d:7:1: the header gives 1 line, and section Atoms has more; "));
   CHECK_THAT(refusal("t\n1 0 xlo xhi\n"), StartsWith("d:2:1: xlo is not below xhi; "));
   CHECK_THAT(refusal("t\n0 a xlo xhi\n"), StartsWith("d:2:3: xhi 'a' is not a number; "));
   CHECK_THAT(refusal("t\n0 0.1 0 xy xz yz\n"), StartsWith("d:2:1: the box is tilted; "));

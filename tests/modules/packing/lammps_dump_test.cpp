@@ -82,7 +82,7 @@ TEST_CASE("the last frame of a dump, or that of a given timestep, is read", "[pa
   CHECK(parse(text, {.timestep = 0}).bodies[0].position[0] == 1.0);
   CHECK(parse(text, {.timestep = 100}).bodies[0].position[0] == 1.5);
   CHECK_THAT(refusal(text, {.timestep = 130}),
-             Contains("none of the 3 frames has timestep 130; the nearest is 100"));
+             Contains("there is no timestep 130 in 3 frames; the nearest is 100"));
   const std::string cut = text.substr(0, text.size() - 8);
   CHECK_THAT(refusal(cut), Contains("cut off after 1 of 2 atoms; ") && Contains("an earlier timestep"));
   CHECK(parse(cut, {.timestep = 100}).bodies[0].position[0] == 1.5);
@@ -127,7 +127,7 @@ TEST_CASE("dump errors name the position and the cure", "[packing]") {
   CHECK_THAT(refusal(frame("0", columns, rows, "1000000000000000000")), Contains("cut off after 2 of 1000"));
   CHECK_THAT(refusal(frame("0", columns, rows, "3")), Contains("cut off after 2 of 3 atoms; "));
   CHECK_THAT(refusal(frame("0", columns, rows, "1")),
-             StartsWith("d:11:1: there are more than the 1 atoms that the frame header gives; "));
+             StartsWith("d:11:1: the frame header gives 1 atom, and there are more; "));
   CHECK_THAT(refusal(frame("0", "id y z radius", rows)), StartsWith("d:9:1: there are no positions; "));
   CHECK_THAT(refusal(frame("0", "id x y z mass", rows)), Contains("neither a column radius nor diameter; "));
   CHECK_THAT(refusal(frame("0", columns, "1 1 1 1\n2 2 1 1 1\n")),

@@ -117,7 +117,7 @@ TEST_CASE("invalid distributions are refused with a cure", "[packing]") {
   CHECK_THAT(refusal(BidisperseRadius{1.0, 2.0, 1.5}), Contains("fraction 1.5"));
   CHECK_THAT(refusal(BidisperseRadius{2.0, 1.0, 0.5}), Contains("swap them"));
   CHECK_THAT(refusal(ListedRadius{{}, {}}), Contains("list is empty"));
-  CHECK_THAT(refusal(ListedRadius{{1.0}, {1.0, 2.0}}), Contains("1 radii have 2 weights"));
+  CHECK_THAT(refusal(ListedRadius{{1.0}, {1.0, 2.0}}), Contains("2 weights for 1 radius"));
   CHECK_THAT(refusal(ListedRadius{{1.0}, {-1.0}}), Contains("weight -1"));
   CHECK_THAT(refusal(ListedRadius{{1.0}, {0.0}}), Contains("add up to 0"));
 }

@@ -62,6 +62,6 @@ TEST_CASE("An array that a file could not hold is refused before anything is wri
   both.put("a/b/c", {std::vector<double>{1}, {}, "m"});
   shape.put("a", {std::vector<double>{1}, {2}, "m"});
   CHECK_THROWS_WITH(write_state(folder / "a.h5", both), "the state has 'a/b/c' and 'a'");
-  CHECK_THROWS_WITH(write_state(folder / "a.h5", shape), "'a' has 1 values in a shape of 2");
+  CHECK_THROWS_WITH(write_state(folder / "a.h5", shape), "'a' has 1 value in a shape of 2");
   CHECK(std::filesystem::is_empty(folder.path()));
 }

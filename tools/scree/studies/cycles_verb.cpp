@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 
 namespace scree::tool {
@@ -111,8 +112,8 @@ void print_rattlers(const CyclesResult& r) {
 void print_summary(const CyclesResult& r) {
   const cycles::Classification& c = r.found;
   const std::string period = r.source.period > 0 ? fmt::format("of {:.10g} s ", r.source.period) : "";
-  fmt::print("{}: {}, {} cycles {}from {:.10g} s, {} dropped\n", r.source.file.string(),
-             files::one_line(r.source.strain), r.source.series.strain.size() - 1, period,
+  fmt::print("{}: {}, {} {}from {:.10g} s, {} dropped\n", r.source.file.string(),
+             files::one_line(r.source.strain), counted(r.source.series.strain.size() - 1, "cycle"), period,
              r.source.minimum_times.front(), r.drop);
   fmt::print("{:<14}{:.4e} ± {:.1e} per cycle; of the median {:.4e}\n", "slope", c.line.slope,
              c.line.slope_error, c.robust.slope);
@@ -144,7 +145,7 @@ void print_counts(const std::vector<CyclesResult>& results) {
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k)
     text += fmt::format("{}{} {}", k > 0 ? ", " : "", counts[k], cycles::class_name(Class(k)));
-  fmt::print("{} runs: {}\n", results.size(), text);
+  fmt::print("{}: {}\n", counted(results.size(), "run"), text);
   const std::size_t ratcheting = counts[std::size_t(Class::ratcheting)];
   if (ratcheting > 0)
     fmt::print("ratcheting: geometric mean of |slope| {:.4e} per cycle; {} with slopes above 0, {} below\n",

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 #include <scree/spectrum/amplitude_spectrum.hpp>
 #include <scree/spectrum/lock_in.hpp>
@@ -76,10 +77,10 @@ std::string density_unit(const std::string& unit) {
 }
 
 void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& series, double unevenness) {
-  fmt::print("{}: {} samples, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
-             with_unit(series.name, series.unit), series.times.size(), series.times.front(),
-             series.times.back(), unevenness > tolerated_unevenness ? "mean " : "", series.mean_step(),
-             arguments.frequency > 0 ? arguments.detrend : "cubic");
+  fmt::print("{}: {}, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
+             with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
+             series.times.front(), series.times.back(), unevenness > tolerated_unevenness ? "mean " : "",
+             series.mean_step(), arguments.frequency > 0 ? arguments.detrend : "cubic");
   const std::string unit = series.unit.empty() ? "" : fmt::format(" [{}]", files::one_line(series.unit));
   fmt::print("{:>18} {:>18} {:>18} {:>18} {:>18} {:>18}\n", "frequency [Hz]", "error [Hz]",
              "amplitude" + unit, "error" + unit, "phase [rad]", "error [rad]");
