@@ -22,6 +22,7 @@ ExitStatus run_study(int argc, char** argv) {
       .purpose = "accuracy, spectrum, cycles and response",
       .without = "use other commands",
       .needs = "the run-time libraries of KLU and METIS",
+      .built_on_demand = true,
   };
   return files::load_companion<Studies>(library, studies_version)->run(argc, argv);
 }

@@ -31,10 +31,10 @@ fs::path find(const CompanionLibrary& library) {
   return {};
 }
 
-// Runs `cmake --build <tree> --target <target>`, whose output goes to stderr. Returns whether it succeeded.
+// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded.
 bool run_build(const fs::path& tree, const char* target) {
   const std::string folder = tree.string();
-  const char* words[] = {"cmake", "--build", folder.c_str(), "--target", target, nullptr};
+  const char* words[] = {"ninja", "-C", folder.c_str(), target, nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
@@ -46,8 +46,7 @@ bool run_build(const fs::path& tree, const char* target) {
          WEXITSTATUS(status) == 0;
 }
 
-// tools/run builds only what a run needs: in a build tree the rest is built when it is first asked for. One process at a
-// time builds; the others find the library when it is their turn.
+// One process at a time builds; the others find the library when it is their turn. Does nothing outside a build tree.
 void build(const CompanionLibrary& library) {
   const fs::path tree = program_tree();
   const Descriptor build_file(open((tree / "build.ninja").c_str(), O_RDONLY | O_CLOEXEC));
@@ -66,7 +65,7 @@ void build(const CompanionLibrary& library) {
 
 fs::path find_or_build(const CompanionLibrary& library) {
   if (const fs::path file = find(library); !file.empty()) return file;
-  build(library);
+  if (library.built_on_demand) build(library);
   if (const fs::path file = find(library); !file.empty()) return file;
   throw Error(fmt::format("{}/lib{}.so: not found; it is required for {}: build the target {}, or {}",
                           (program_tree() / "lib").string(), library.target, library.purpose, library.target,

@@ -15,11 +15,13 @@ struct CompanionLibrary {
   const char* purpose;  // "snapshots, images and charts"
   const char* without;  // what to do without it: "leave them out"
   const char* needs;    // "the VTK and OSMesa run-time libraries"
+  // Whether it is built in a build tree where it is missing: tools/run builds only what a run needs.
+  bool built_on_demand = false;
 };
 
-// A function of the library, from the build or install tree of the running program. In a build tree a missing library is
-// built first, with a line on stderr that says so. The library is never unloaded. Throws Error if it is missing, cannot
-// be built or is broken; null if it has no such function.
+// A function of the library, from the build or install tree of the running program. A library that is built on demand is
+// built first if it is missing, with a line on stderr that says so. The library is never unloaded. Throws Error if it is
+// missing or broken, or if its build fails (failure); null if it has no such function.
 void* load_factory(const CompanionLibrary& library);
 
 // Makes the interface that the library implements. Throws Error; if the library has another version too.
