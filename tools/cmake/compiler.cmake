@@ -3,6 +3,8 @@
 add_library(scree_compile_options INTERFACE)
 target_compile_options(scree_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+# Clang knows no `#pragma GCC ivdep`.
+target_compile_options(scree_compile_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>)
 if(SCREE_WARNINGS_AS_ERRORS)
   target_compile_options(scree_compile_options INTERFACE -Werror)
 endif()

@@ -54,7 +54,7 @@ int per_axis(int dimension) { return dimension == 2 ? 60 : 16; }
 
 }  // namespace
 
-TEST_CASE("scenes of several tiles have the same bits for any number of threads") {
+TEST_CASE("scenes of several tiles have the same bits for any number of threads", "[threads]") {
   for (const int dimension : {2, 3}) {
     std::vector<std::uint64_t> hashes;
     for (const unsigned threads : {1u, 2u, 3u, 5u}) {
@@ -67,7 +67,7 @@ TEST_CASE("scenes of several tiles have the same bits for any number of threads"
 }
 
 // 16 tiles: two threads finish some tiles while contacts of others are evaluated.
-TEST_CASE("scenes of many tiles have the same bits for any number of threads") {
+TEST_CASE("scenes of many tiles have the same bits for any number of threads", "[threads]") {
   for (const bool at_random : {false, true}) {
     std::vector<std::uint64_t> hashes;
     for (const unsigned threads : {1u, 2u, 2u, 2u}) {

@@ -145,7 +145,7 @@ TEST_CASE("no body and one body have no neighbours") {
   }
 }
 
-TEST_CASE("few bodies in any number of cells, also across a periodic face") {
+TEST_CASE("few bodies in any number of cells, also across a periodic face", "[threads]") {
   for (const int dimension : {2, 3})
     for (unsigned seed = 0; seed < 200; ++seed) {
       Dealer dealer(dimension, seed);
@@ -169,7 +169,7 @@ TEST_CASE("bodies on the faces of a periodic domain are paired with their images
   CHECK(check(3, bodies, periodic({true, true, true}, 0, edge), 0.1) == 16 * 15 / 2);
 }
 
-TEST_CASE("distant heaps and scattered bodies share cells and still have the right neighbours") {
+TEST_CASE("distant heaps and scattered bodies share cells and still have the right neighbours", "[threads]") {
   const double distance = GENERATE(30.0, 1e3, 1e6, 1e9);
   CAPTURE(distance);
   for (const int dimension : {2, 3}) {

@@ -47,7 +47,7 @@ void check_resumed(Simulation& whole, Scene scene) {
 
 }  // namespace
 
-TEST_CASE("a simulation goes on from its state to the same bits") {
+TEST_CASE("a simulation goes on from its state to the same bits", "[threads]") {
   const int dimension = GENERATE(2, 3);
   const bool periodic = GENERATE(false, true);
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
@@ -101,7 +101,7 @@ TEST_CASE("a simulation goes on from its state within a later stage") {
   check_resumed(whole, scene);
 }
 
-TEST_CASE("a state at the beginning of a stage is that of the simulation, which saving does not change") {
+TEST_CASE("a state at the beginning of a stage is that of the simulation, which saving does not change", "[threads]") {
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
                                     Integration::fourth_order, Integration::predictor_corrector);
   Scene scene = heap(3, false);

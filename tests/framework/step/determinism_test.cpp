@@ -77,7 +77,7 @@ TEST_CASE("the same scene gives the same bits twice") {
     CHECK(hash_after(heap(dimension, true), 200) == hash_after(heap(dimension, true), 200));
 }
 
-TEST_CASE("any number of threads gives the same bits") {
+TEST_CASE("any number of threads gives the same bits", "[threads]") {
   const int dimension = GENERATE(2, 3);
   const bool frictional = GENERATE(false, true);
   Scene scene = heap(dimension, frictional);
@@ -90,7 +90,7 @@ TEST_CASE("any number of threads gives the same bits") {
   }
 }
 
-TEST_CASE("energies and momentum errors have the same bits for any number of threads") {
+TEST_CASE("energies and momentum errors have the same bits for any number of threads", "[threads]") {
   Scene scene = heap(3, true);
   std::set<std::uint64_t> hashes;
   for (const unsigned threads : {1u, 2u, 3u, 4u}) {

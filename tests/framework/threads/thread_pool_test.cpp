@@ -12,7 +12,7 @@
 
 using scree::ThreadPool;
 
-TEST_CASE("each item is done once in every round, for any count and any number of threads") {
+TEST_CASE("each item is done once in every round, for any count and any number of threads", "[threads]") {
   for (unsigned threads = 1; threads <= 8; ++threads) {
     ThreadPool pool(threads);
     REQUIRE(pool.size() == threads);
@@ -31,7 +31,7 @@ TEST_CASE("each item is done once in every round, for any count and any number o
   }
 }
 
-TEST_CASE("writes of one round are visible to all workers in the next") {
+TEST_CASE("writes of one round are visible to all workers in the next", "[threads]") {
   for (unsigned threads = 1; threads <= 8; ++threads) {
     ThreadPool pool(threads);
     std::vector<std::uint64_t> now(257), next(257);
@@ -52,14 +52,14 @@ TEST_CASE("writes of one round are visible to all workers in the next") {
   }
 }
 
-TEST_CASE("with one thread everything runs in the caller") {
+TEST_CASE("with one thread everything runs in the caller", "[threads]") {
   ThreadPool pool(1);
   std::set<std::thread::id> where;
   pool.each(5, [&](std::size_t, unsigned) { where.insert(std::this_thread::get_id()); });
   CHECK(where == std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
-TEST_CASE("workers take part in long rounds, also after they slept") {
+TEST_CASE("workers take part in long rounds, also after they slept", "[threads]") {
   ThreadPool pool(3);
   for (int round = 0; round < 3; ++round) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -73,7 +73,7 @@ TEST_CASE("workers take part in long rounds, also after they slept") {
   }
 }
 
-TEST_CASE("a delayed worker does not delay the others: its unstarted items are stolen") {
+TEST_CASE("a delayed worker does not delay the others: its unstarted items are stolen", "[threads]") {
   ThreadPool pool(2);
   std::atomic<bool> others_done = false;
   std::atomic<int> done = 0;
@@ -86,7 +86,7 @@ TEST_CASE("a delayed worker does not delay the others: its unstarted items are s
   CHECK(done == 99);
 }
 
-TEST_CASE("an exception of a task reaches the caller, and the pool keeps working") {
+TEST_CASE("an exception of a task reaches the caller, and the pool keeps working", "[threads]") {
   for (unsigned threads = 1; threads <= 4; ++threads) {
     ThreadPool pool(threads);
     for (const std::size_t bad : {0u, 3u, 7u}) {
@@ -105,7 +105,7 @@ TEST_CASE("an exception of a task reaches the caller, and the pool keeps working
   }
 }
 
-TEST_CASE("an unused pool, and one for zero threads, can be destroyed") {
+TEST_CASE("an unused pool, and one for zero threads, can be destroyed", "[threads]") {
   for (unsigned threads = 0; threads <= 8; ++threads) {
     const ThreadPool pool(threads);
     CHECK(pool.size() == (threads == 0 ? 1 : threads));

@@ -67,7 +67,7 @@ TEST_CASE("a band has the amplitudes of one factorisation per frequency", "[resp
   }
 }
 
-TEST_CASE("a band does not depend on the number of threads", "[response]") {
+TEST_CASE("a band does not depend on the number of threads", "[response][threads]") {
   const LinearSystem system = lattice(3);
   const Drive drive = {.force = Eigen::VectorXcd::Unit(system.freedom.size(), 4)};
   const std::vector<double> frequencies = grid(1, 9, 23);

@@ -68,7 +68,7 @@ TEST_CASE("a probe samples only in its stages, each time once", "[run]") {
   for (std::size_t k = 0; k < times.size(); ++k) CHECK(times[k] == Approx(1e-4 + 2e-5 * double(k)));
 }
 
-TEST_CASE("a run reports its start once and has the same bits with more threads", "[run]") {
+TEST_CASE("a run reports its start once and has the same bits with more threads", "[run][threads]") {
   Bench one, two;
   int starts = 0;
   one.options.on_start = [&](const Simulation& s) { starts += s.steps() == 0 ? 1 : 100; };

@@ -224,7 +224,7 @@ TEST_CASE("walls of a box that keep their loads press with the present area", "[
 }
 
 TEST_CASE("walls that keep their loads go on from a state, with any number of threads, to the same bits",
-          "[box]") {
+          "[box][threads]") {
   const int control = GENERATE(int(box_servo), int(box_massless));
   const auto integration =
       GENERATE(Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order);
