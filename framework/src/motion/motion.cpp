@@ -33,12 +33,12 @@ double Motions::largest_square(BodyRange bodies, bool mid_step) const {
   Four largest = {}, unbounded = {};
   update_largest_square(largest, unbounded, part(bodies, mid_step ? record::mid_motion : record::motion),
                         width(), count, axes());
-  double all = 0;
+  double maximum = 0;
   for (int k = 0; k < 4; ++k) {
     if (!(unbounded[k] == 0)) return infinity;
-    all = std::max(all, largest[k]);
+    maximum = std::max(maximum, largest[k]);
   }
-  return all;
+  return maximum;
 }
 
 }  // namespace scree

@@ -5,8 +5,7 @@
 
 namespace scree::spectrum {
 
-Triangle::Triangle(const double* gram, std::size_t columns)
-    : columns_(columns), factor_(gram, gram + size(columns)) {
+Triangle::Triangle(const double* gram, std::size_t columns) : factor_(gram, gram + size(columns)) {
   for (std::size_t i = 0; i < columns; ++i) {
     double* row = factor_.data() + size(i);
     const double square = row[i];

@@ -24,7 +24,6 @@ class Triangle {
  private:
   double at(std::size_t row, std::size_t column) const { return factor_[size(row) + column]; }
 
-  std::size_t columns_;
   std::vector<double> factor_;
 };
 
