@@ -248,6 +248,23 @@ TEST_CASE("what is printed does not get into data where the standard streams are
   for (const std::string& line : energy) CHECK(std::count(line.begin(), line.end(), ',') == 17);
 }
 
+#if SCREE_TEST_PICTURES
+TEST_CASE(
+    "snapshots of a scene with control characters in its title can be drawn, and one with a NUL is refused",
+    "[tools]") {
+  const Workspace w(with(discs, "[scene]", "[scene]\ntitle = \"\\u0001\\t\\n\\u001b\\u007f\\u009b\"") +
+                    "[snapshot]\nevery = 1e-4\n");
+  REQUIRE(w.run().status == 0);
+  CHECK(w.scree("render out --width 200 --height 200").status == 0);
+  w.write("scene.toml", with(w.text("scene.toml"), "\\u0001", "\\u0000"));
+  const Outcome refused = w.scree("run scene.toml --out other");
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::StartsWith("scree: scene.toml:2:9: scene.title = ") &&
+                              Catch::EndsWith("contains the character \\x00; leave it out\n"));
+  CHECK_FALSE(w.has("other"));
+}
+#endif
+
 TEST_CASE("control characters in titles, stages and requirements are printed escaped", "[tools]") {
   const Workspace w(
       with(with(discs, "[scene]", "[scene]\ntitle = \"one\\n\\u001b[31mtwo\""), "duration = 1e-4\n", "") +
