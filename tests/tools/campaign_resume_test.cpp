@@ -17,7 +17,7 @@ Outcome interrupt(const CampaignWorkspace& w, const std::string& run = "out/run"
                  "until test -s " +
                  run +
                  "/series/energy.csv; do sleep 0.05; done\n"
-                 "kill -INT $run; wait $run");
+                 "kill -TERM $run; wait $run");
 }
 
 void check_same_run(const CampaignWorkspace& w, const std::string& a, const std::string& b) {

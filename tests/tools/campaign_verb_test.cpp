@@ -155,7 +155,7 @@ TEST_CASE("after Ctrl-C runs are saved, the table is written, and the same comma
                                   "until test -s out/duration=5000/series/energy.csv; do sleep 0.05; done\n"
                                   "scree campaign campaign.toml --out out --list\n"
                                   "scree campaign campaign.toml --out out; echo second $?\n"
-                                  "kill -INT $run; wait $run");
+                                  "kill -TERM $run; wait $run");
   INFO(outcome.out);
   CHECK(outcome.status == 130);
   CHECK(contains(outcome.out, "running      duration=5000\nmissing      duration=6000\n"));

@@ -6,11 +6,13 @@ namespace {
 
 const std::string endless = with(discs, "duration = 1e-4", "duration = 5000");
 
-// Starts an endless run in the background, as $run; it is killed after 30 s.
-const std::string start = "'" SCREE_TEST_PROGRAM
+// Starts an endless run in the background, as $run, where a shell has its children ignore Ctrl-C; it is killed after 30 s.
+const std::string begin = "'" SCREE_TEST_PROGRAM
                           "' run scene.toml --out out --quiet &\nrun=$!\n"
                           "(sleep 30; kill -KILL $run) > /dev/null 2>&1 &\ntrap \"kill $!\" EXIT\n"
                           "until test -s out/series/energy.csv; do sleep 0.05; done; sleep 0.1\n";
+// The same as in the foreground.
+const std::string start = "env --default-signal=INT " + begin;
 
 void check_saved(const Workspace& w, const Outcome& outcome) {
   INFO(outcome.err);
@@ -54,6 +56,12 @@ TEST_CASE("Ctrl-C again, more than a second later, ends the program at once", "[
               "kill -INT $run; wait $run");
   CHECK(outcome.status == 130);
   CHECK(outcome.out == "still there\n");
+}
+
+TEST_CASE("a run in the background of a script outlives Ctrl-C, which is for the script", "[tools]") {
+  const Workspace w(endless);
+  check_saved(w, w.shell(begin + "kill -INT $run; sleep 0.3; grep -q interrupted out/run.json && exit 1\n"
+                                 "kill -TERM $run; wait $run"));
 }
 
 TEST_CASE("a run started with nohup outlives its terminal", "[tools]") {

@@ -52,7 +52,7 @@ TEST_CASE("resume goes on with quasi-static loads that were interrupted, and nam
   REQUIRE(w.scree(follow + "200 --out whole").status == 0);
   const Outcome interrupted = w.shell(
       "'" SCREE_TEST_PROGRAM "' " + follow +
-      "200 --out out &\nrun=$!\nuntil test -s out/state.h5; do sleep 0.01; done; kill -INT $run; wait $run");
+      "200 --out out &\nrun=$!\nuntil test -s out/state.h5; do sleep 0.01; done; kill -TERM $run; wait $run");
   INFO(interrupted.err << interrupted.out);
   REQUIRE(interrupted.status == 130);
   CHECK(interrupted.out.find("go on with: scree resume out\n") != std::string::npos);

@@ -65,7 +65,7 @@ TEST_CASE("Ctrl-C in response saves what is complete and gives status 130", "[to
               "' response scene.toml --modes 3 --density 100000 --quiet --out out &\nrun=$!\n"
               "(sleep 30; kill -KILL $run) > /dev/null 2>&1 &\ntrap \"kill $!\" EXIT\n"
               "until grep -q running out/response.json 2> /dev/null; do sleep 0.01; done; sleep 0.3\n"
-              "kill -INT $run; wait $run");
+              "kill -TERM $run; wait $run");
   INFO(outcome.err << outcome.out);
   CHECK(outcome.status == 130);
   CHECK(outcome.out == "interrupted; what was complete is saved\nresults in out\n");

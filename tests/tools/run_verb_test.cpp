@@ -186,7 +186,7 @@ TEST_CASE("the directory of a run that is going on is refused, and nothing in it
                                   "cp out/run.json out/scenario.toml .\n"
                                   "scree run scene.toml --out out --overwrite; echo second $?\n"
                                   "cmp out/run.json run.json && cmp out/scenario.toml scenario.toml\n"
-                                  "kill -INT $run; wait $run");
+                                  "kill -TERM $run; wait $run");
   CHECK(outcome.status == 130);
   CHECK(outcome.out.starts_with("second 2\n"));
   CHECK(outcome.err == "scree: out: another run is running there; wait for it, or give another --out\n");

@@ -41,7 +41,7 @@ TEST_CASE("a sweep that Ctrl-C ends goes on with resume, to the same table", "[t
   const Outcome outcome =
       w.shell("'" SCREE_TEST_PROGRAM + sweep + "--out whole\n'" SCREE_TEST_PROGRAM + sweep +
               "--out out &\nrun=$!\nuntil test -s out/state.h5; do sleep 0.01; done; sleep 0.2\n"
-              "kill -INT $run; wait $run; echo status $?\nscree resume out --quiet");
+              "kill -TERM $run; wait $run; echo status $?\nscree resume out --quiet");
   INFO(outcome.err << outcome.out);
   CHECK(outcome.status == 0);
   CHECK(outcome.out.find("status 130") != std::string::npos);
@@ -56,7 +56,7 @@ TEST_CASE("a spectrum that ends in its stages names no files that it has not", "
       w.shell("'" SCREE_TEST_PROGRAM
               "' spectrum scene.toml --quiet --out out --set time.duration=1000 &\nrun=$!\n"
               "until test -s out/spectrum.json; do sleep 0.01; done; sleep 0.2\n"
-              "kill -INT $run; wait $run; echo status $?");
+              "kill -TERM $run; wait $run; echo status $?");
   INFO(outcome.err << outcome.out);
   CHECK(outcome.out ==
         "interrupted; results so far are saved, go on with: scree resume out\nresults in out\nstatus 130\n");
