@@ -102,6 +102,15 @@ TEST_CASE("the end of a run lists every kind of result", "[tools]") {
   CHECK(outcome.out.find(" s for output\n") != std::string::npos);
 }
 
+TEST_CASE("a quiet run prints where its results are, and nothing else", "[tools]") {
+  const Workspace w;
+  const Outcome quiet = w.run("--quiet");
+  CHECK(quiet.status == 0);
+  CHECK(quiet.out == "results in out\n");
+  CHECK(quiet.err.empty());
+  CHECK(w.scree("resume out --until 2e-4 --quiet").out == "results in out\n");
+}
+
 TEST_CASE("the state has the same bits for any number of threads, and different ones for another seed",
           "[tools]") {
   const Workspace w(with(discs, "duration = 1e-4", "duration = 0.05"));

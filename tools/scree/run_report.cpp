@@ -55,8 +55,9 @@ std::string content_of(const std::filesystem::path& path) {
   return ", " + counted(std::size_t(count), "file");
 }
 
-void print_places(const std::filesystem::path& directory) {
+void print_places(const std::filesystem::path& directory, bool quiet) {
   fmt::print("results in {}\n", files::escaped(directory.string()));
+  if (quiet) return;
   for (const auto& [name, what] :
        {std::pair{"series", "time series (CSV)"},
         {"snapshots", "ParaView files (.vtp, .pvd)"},
@@ -96,7 +97,7 @@ ExitStatus report_run(const run::RunResult& result, bool quiet) {
   if (result.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",
                result.directory.string());
-  print_places(result.directory);
+  print_places(result.directory, quiet);
   if (result.interrupted) return ExitStatus::interrupted;
   return met ? ExitStatus::success : ExitStatus::failure;
 }
