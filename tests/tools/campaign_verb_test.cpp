@@ -116,6 +116,16 @@ TEST_CASE("finished runs are not repeated, a changed value repeats only its runs
   CHECK(contains(w.scree(call + "--overwrite").out, "\n4 finished\n"));
 }
 
+// A limit on file sizes simulates a full disk; a block has 512 bytes.
+TEST_CASE("a campaign whose runs cannot be written has failed, and none has blown up", "[tools]") {
+  const CampaignWorkspace w("[set]\ntime.duration = [1e-4, 0.02]\nprobe.every = 1e-5\n");
+  const Outcome outcome = w.shell("ulimit -f 300; scree " + call + "--jobs 1");
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(contains(outcome.out, "\n1 finished, 1 failed\n"));
+  CHECK(contains(outcome.out, "energy.csv: cannot be written (it would be too large)"));
+}
+
 TEST_CASE("a failed run does not stop the others and is reported with its reason", "[tools]") {
   const CampaignWorkspace w(
       "[set]\n\"time.step_guard\" = false\ntime.duration = 0.1\nparticles.random_velocity = [50, 0.1]\n");

@@ -78,7 +78,8 @@ ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a,
     fmt::print("interrupted; run the same command again to continue\n");
     return ExitStatus::interrupted;
   }
-  if (result.count(campaign::Status::failed)) return ExitStatus::blow_up;
+  if (result.count(campaign::Status::failed))
+    return result.blew_up ? ExitStatus::blow_up : ExitStatus::failure;
   const auto is_met = [](const campaign::Outcome& o) { return o.unmet() == 0; };
   const bool met = std::all_of(result.outcomes.begin(), result.outcomes.end(), is_met) &&
                    std::all_of(result.preparations.begin(), result.preparations.end(), is_met);

@@ -146,6 +146,7 @@ class Executor {
     std::erase(running_, &job);
     if (job.goes_on && ended.status == int(ExitStatus::bad_input)) return begin_anew(job);
     result_.gone_on += job.goes_on;
+    result_.blew_up |= ended.status == int(ExitStatus::blow_up);
     job.outcome = outcome_of(job, ended.how);
     finish(job);
     if (prepares(job)) follow(job);

@@ -37,6 +37,7 @@ struct Execution {
   std::vector<std::size_t> prepared = {};    // numbers of those that this call has run to their end
   std::size_t gone_on = 0;                   // runs and preparations that went on from a state
   std::vector<std::string> begun_anew = {};  // "<name>: <why it could not go on>"
+  bool blew_up = false;                      // a run or preparation of this call
 
   std::size_t count(Status status) const;
 };
