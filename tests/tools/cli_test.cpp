@@ -183,6 +183,42 @@ TEST_CASE("render takes single files of any name, and refuses others in one line
   CHECK(contains(range.err, "--color-range 3,1: is not a range; give two numbers"));
 }
 
+TEST_CASE("render replaces pictures of its run, and other files only with --overwrite", "[tools]") {
+  const Workspace w(std::string(discs) +
+                    "[snapshot]\nevery = 1e-4\nimage_every = 1e-4\nwidth = 200\nheight = 200\n");
+  REQUIRE(w.run().status == 0);
+  const std::string call = "render out --width 200 --height 200 --color-by speed ";
+  const std::string before = w.text("out/images/frame_0000000010.png");
+  for (const char* options : {"", "--out out/images"}) {
+    CHECK(w.scree(call + options).status == 0);
+    CHECK(w.text("out/images/frame_0000000010.png") != before);
+  }
+  std::filesystem::create_directory(w / "pictures");
+  const auto refused = [&](const std::string& arguments, const std::string& file, const std::string& line) {
+    w.write(file, "mine");
+    const Outcome outcome = w.scree(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err == "scree: " + file + ": " + line + "\n");
+    CHECK(w.text(file) == "mine");
+    std::filesystem::remove(w / file);
+  };
+  const std::string there = "is there already; give another --out, or --overwrite";
+  refused(call + "--out pictures", "pictures/frame_0000000010.png", there);
+  CHECK_FALSE(w.has("pictures/frame_0000000000.png"));
+  refused(call + "--movie movie.mp4", "movie.mp4", "is there already; give another name, or --overwrite");
+  std::filesystem::copy(w / "out/snapshots/particles_0000000010.vtp", w / "a.vtp");
+  refused("render a.vtp", "a.png", there);
+  // A picture in the run that is not of the run.
+  std::filesystem::copy(w / "out/snapshots/particles_0000000010.vtp",
+                        w / "out/snapshots/particles_0000000007.vtp");
+  refused(call, "out/images/frame_0000000007.png",
+          "is there and was not written by a run; move it elsewhere, or give another --out");
+  w.write("pictures/frame_0000000010.png", "mine");
+  CHECK(w.scree(call + "--out pictures --overwrite").status == 0);
+  CHECK(w.text("pictures/frame_0000000010.png") != "mine");
+}
+
 TEST_CASE("render joins the pictures to a movie with ffmpeg, or says that it is not there", "[tools]") {
   const Workspace w(std::string(discs) + "[snapshot]\nevery = 5e-5\n");
   REQUIRE(w.run().status == 0);
@@ -203,7 +239,7 @@ TEST_CASE("render joins the pictures to a movie with ffmpeg, or says that it is 
     pictures += w.text(std::string("out/images/frame_00000000") + step + ".png");
   CHECK(w.text("out.mp4") == pictures);
   w.write("ffmpeg", "#!/bin/sh\necho 'no such codec' >&2\nexit 1\n");
-  const Outcome failed = w.shell("chmod +x ffmpeg; PATH=$PWD:$PATH\n" + call);
+  const Outcome failed = w.shell("chmod +x ffmpeg; PATH=$PWD:$PATH\n" + call + " --overwrite");
   CHECK(failed.status == 1);
   CHECK(contains(failed.err, "out.mp4: ffmpeg failed (no such codec); "));
 }

@@ -21,6 +21,7 @@ namespace {
 struct RenderArguments {
   std::string source, out, movie, color_range;
   int frames_per_second = 25;
+  bool overwrite = false;
   snapshot::RenderOptions options;
 };
 
@@ -56,6 +57,13 @@ std::string picture_name(const fs::path& frame) {
   return (stem.starts_with(prefix) ? "frame_" + stem.substr(prefix.size()) : stem) + ".png";
 }
 
+// Throws Error for a file that is there and may not be replaced.
+void check_replaced(const fs::path& file, bool overwrite, const char* problem) {
+  std::error_code failed;
+  if (overwrite || !fs::exists(fs::symlink_status(file, failed))) return;
+  throw Error(fmt::format("{}: {}", file.string(), problem));
+}
+
 // "LOW,HIGH".
 std::optional<std::array<double, 2>> color_range_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -82,31 +90,73 @@ snapshot::ViewRange view_of(const std::vector<fs::path>& frames, const std::stri
   return view;
 }
 
-// The list of files of the run into which pictures are drawn, so that they are removed with it.
-std::optional<run::WrittenFiles> list_of(const RenderArguments& arguments) {
-  const fs::path run = arguments.source;
-  std::error_code failed;
-  if (!arguments.out.empty() || !fs::exists(run / run::WrittenFiles::file_name, failed)) return std::nullopt;
-  return run::WrittenFiles(run);
-}
+// Where pictures are drawn. Those of a run are listed there, so that they are removed with it, and may be drawn again; other files are
+// replaced only if that is asked for.
+class Pictures {
+ public:
+  explicit Pictures(const RenderArguments& arguments) : overwrite_(arguments.overwrite) {
+    const fs::path source = arguments.source;
+    const bool of_run = is_folder(source);
+    out_ = !arguments.out.empty() ? fs::path(arguments.out)
+           : of_run               ? source / "images"
+                                  : source.parent_path();
+    std::error_code failed;
+    if (of_run && fs::exists(source / run::WrittenFiles::file_name, failed) &&
+        (arguments.out.empty() || fs::equivalent(out_, source / "images", failed)))
+      list_.emplace(source);
+  }
+
+  // Throws Error for a picture of this frame that is there already.
+  void check(const fs::path& frame) const {
+    if (list_ && list_->contains(listed(frame))) return;
+    const fs::path picture = out_ / picture_name(frame);
+    if (list_)
+      check_replaced(picture, false,
+                     "is there and was not written by a run; move it elsewhere, or give another --out");
+    else
+      check_replaced(picture, overwrite_, "is there already; give another --out, or --overwrite");
+  }
+
+  void create_folder() const {
+    std::error_code failed;
+    if (!out_.empty()) fs::create_directories(out_, failed);
+    if (failed)
+      throw Error(
+          fmt::format("{}: cannot be created ({}); give another --out", out_.string(), failed.message()));
+  }
+
+  fs::path add(const fs::path& frame) {
+    return list_ ? list_->add(listed(frame)) : out_ / picture_name(frame);
+  }
+
+ private:
+  static std::string listed(const fs::path& frame) { return "images/" + picture_name(frame); }
+
+  fs::path out_;
+  bool overwrite_;
+  std::optional<run::WrittenFiles> list_;
+};
 
 ExitStatus render(const RenderArguments& arguments) {
   snapshot::RenderOptions options = arguments.options;
   options.color_range = color_range_of(arguments.color_range);
-  if (!arguments.movie.empty()) require_ffmpeg(arguments.movie);
+  if (!arguments.movie.empty()) {
+    check_replaced(arguments.movie, arguments.overwrite,
+                   "is there already; give another name, or --overwrite");
+    require_ffmpeg(arguments.movie);
+  }
   const auto backend = snapshot::load_backend();
   const std::vector<fs::path> frames = frames_of(arguments.source);
-  const fs::path base = is_folder(arguments.source) ? fs::path(arguments.source) / "images"
-                                                    : fs::path(arguments.source).parent_path();
-  const fs::path out = arguments.out.empty() ? base : fs::path(arguments.out);
+  Pictures places(arguments);
+  for (const fs::path& file : frames) places.check(file);
   const snapshot::ViewRange view = view_of(frames, options.color_by, *backend);
   if (!options.color_range) options.color_range = view.colors();
   std::vector<fs::path> pictures;
-  std::optional<run::WrittenFiles> written = list_of(arguments);
+  places.create_folder();
   for (const fs::path& file : frames) {
     snapshot::Frame frame = backend->read_frame(file);
     frame.lower = view.lower(), frame.upper = view.upper();
-    pictures.push_back(written ? written->add("images/" + picture_name(file)) : out / picture_name(file));
+    pictures.push_back(places.add(file));
     backend->render(frame, options, pictures.back());
     fmt::print("{}\n", pictures.back().string());
   }
@@ -137,6 +187,8 @@ void add_render_verb(CommandLine& line) {
   verb.option("--movie", a->movie, "Also join the pictures to a movie, with ffmpeg").shown_as("FILE.mp4");
   verb.option("--rate", a->frames_per_second, "Pictures per second of the movie (default 25)")
       .between(1, 240);
+  verb.flag("--overwrite", a->overwrite,
+            "Replace pictures in --out and a movie; those in images/ of a run are drawn again without it");
   verb.footer("Example: scree render runs/first --color-by speed --contacts --movie first.mp4");
   verb.action([a] { return render(*a); });
 }
