@@ -1,5 +1,6 @@
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -25,6 +26,13 @@ Descriptor create_file(const char* path) {
 
 Descriptor append_file(const char* path) {
   return Descriptor(open(path, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
+}
+
+bool is_at(const Descriptor& file, const char* path) {
+  struct stat open {
+  }, named{};
+  return fstat(file.get(), &open) == 0 && lstat(path, &named) == 0 && open.st_ino == named.st_ino &&
+         open.st_dev == named.st_dev;
 }
 
 int write_all(const Descriptor& file, std::string_view bytes) {

@@ -2,6 +2,8 @@
 #include <cerrno>
 #include <cstring>
 #include <sstream>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -18,6 +20,41 @@ namespace scree::run {
 namespace fs = std::filesystem;
 
 namespace {
+
+// Of states in the list, beyond which those that were removed are dropped from it.
+constexpr std::size_t most_states = 64;
+
+// The list, created if it is not there, open at its end, and locked until this object is destroyed.
+class OpenList {
+ public:
+  // Throws Error (failure).
+  explicit OpenList(const fs::path& path) : path_(path) {
+    // Another process may have replaced or removed it before it was locked.
+    constexpr int max_attempts = 100;
+    for (int k = 0; k == 0 || (k < max_attempts && !files::is_at(file_, path.c_str())); ++k) {
+      file_ = files::append_file(path.c_str());
+      if (!file_.is_open()) throw_unwritable(path, errno);
+      while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
+      }
+    }
+  }
+
+  std::uint64_t size() const {
+    struct stat now {};
+    return fstat(file_.get(), &now) == 0 ? std::uint64_t(now.st_size) : 0;
+  }
+  // Shorter only: a file of which lines were lost is not to be filled with zeros.
+  void cut(std::uint64_t size) const {
+    if (size < this->size() && ftruncate(file_.get(), off_t(size)) != 0) throw_unwritable(path_, errno);
+  }
+  void append(const std::string& line) const {
+    if (const int code = files::write_all(file_, line)) throw_unwritable(path_, code);
+  }
+
+ private:
+  const fs::path path_;
+  files::Descriptor file_;
+};
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
@@ -79,8 +116,8 @@ void WrittenFiles::read() {
   const std::vector<std::string> lines = lines_of(all);
   check_lines(directory_, lines);
   size_ = all.size();
-  steady_size_ = 0;
-  for (const std::string& line : lines) steady_size_ += is_state(line) ? 0 : line.size() + 1;
+  steady_size_ = states_ = 0;
+  for (const std::string& line : lines) is_state(line) ? ++states_ : steady_size_ += line.size() + 1;
   listed_ = {lines.begin(), lines.end()};
 }
 
@@ -98,11 +135,25 @@ std::string WrittenFiles::text() const {
 }
 
 fs::path WrittenFiles::add(const std::string& file) {
-  const fs::path path = directory_ / file, list = directory_ / file_name;
+  const fs::path path = directory_ / file;
   if (contains(file)) return path;
+  if (is_state(file) && states_ >= most_states) forget_removed_states();
+  const OpenList list(directory_ / file_name);
+  // Another process may have added lines meanwhile, or one that was killed half of one.
+  if (list.size() != size_) read();
+  if (contains(file)) return path;
+  check_new(file);
+  list.cut(size_);
+  list.append(file + '\n');
+  size_ += file.size() + 1;
+  is_state(file) ? ++states_ : steady_size_ += file.size() + 1;
+  listed_.insert(file);
+  return path;
+}
+
+void WrittenFiles::check_new(const std::string& file) const {
+  const fs::path path = directory_ / file;
   std::error_code failed;
-  // `scree render` may have added lines meanwhile, or a run that was killed half of one.
-  if (fs::file_size(list, failed) != size_ && !failed) read();
   if (!stays_below(file) || fs::exists(fs::symlink_status(path, failed)))
     throw files::PlaceError(fmt::format("{}: is there and was not written by a run", path.string()),
                             "move it elsewhere", ExitStatus::failure);
@@ -110,15 +161,20 @@ fs::path WrittenFiles::add(const std::string& file) {
     throw files::PlaceError(
         fmt::format("{}: its folder is a symbolic link, which is not followed", path.string()), "remove it",
         ExitStatus::failure);
-  const files::Descriptor descriptor = files::append_file(list.c_str());
-  if (!descriptor.is_open()) throw_unwritable(list, errno);
-  int code = ftruncate(descriptor.get(), off_t(size_)) == 0 ? 0 : errno;
-  if (!code) code = files::write_all(descriptor, file + '\n');
-  if (code) throw_unwritable(list, code);
-  size_ += file.size() + 1;
-  steady_size_ += is_state(file) ? 0 : file.size() + 1;
-  listed_.insert(file);
-  return path;
+}
+
+void WrittenFiles::forget_removed_states() {
+  const fs::path path = directory_ / file_name;
+  const OpenList list(path);
+  const auto is_there = [this](const std::string& file) {
+    std::error_code failed;
+    return fs::exists(fs::symlink_status(directory_ / file, failed));
+  };
+  std::string kept;
+  for (const std::string& line : lines_of(text()))
+    if (!is_state(line) || is_there(line) || is_there(line + files::part_suffix)) kept += line + '\n';
+  files::write_atomically(path, kept);
+  read();
 }
 
 // In bytes, of the line at which size() was this and of the states that follow it.
@@ -138,6 +194,8 @@ std::uint64_t WrittenFiles::end_of_line_at(const std::string& all, std::uint64_t
 }
 
 void WrittenFiles::return_to(std::uint64_t size) {
+  const fs::path list = directory_ / file_name;
+  const OpenList open_list(list);
   const std::string all = text();
   const std::uint64_t end = end_of_line_at(all, size);
   const std::vector<std::string> kept = lines_of(all.substr(0, end)), dropped = lines_of(all.substr(end));
@@ -149,13 +207,13 @@ void WrittenFiles::return_to(std::uint64_t size) {
     remove_file(directory_ / (*file + files::part_suffix));
     remove_empty_folders(directory_, *file);
   }
-  const fs::path list = directory_ / file_name;
   if (size == 0)
     remove_file(list);
-  else if (truncate(list.c_str(), off_t(end)) != 0)
-    throw_unwritable(list, errno);
+  else
+    open_list.cut(end);
   size_ = end;
   steady_size_ = size;
+  states_ = std::size_t(std::count_if(remaining.begin(), remaining.end(), is_state));
   listed_ = std::move(remaining);
 }
 

@@ -1,5 +1,7 @@
 #include "temporary_folder.hpp"
 
+#include <thread>
+
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
@@ -111,4 +113,58 @@ TEST_CASE("a list that is a link is neither read nor written", "[run]") {
   CHECK_THROWS_WITH(WrittenFiles(folder / "run"), Catch::Contains("run/written.txt: is not a file"));
   CHECK_THROWS_AS(before.add("a.csv"), Error);
   CHECK(text_of(folder / "list") == "run.json\n");
+}
+
+TEST_CASE("of two that add lines at once, as render beside a run, neither loses any", "[run]") {
+  const TemporaryFolder folder;
+  constexpr int lines = 500;
+  const auto add = [&](const std::string& kind) {
+    WrittenFiles files(folder.path());
+    for (int k = 0; k < lines; ++k) files.add(kind + std::to_string(k));
+  };
+  std::thread other([&] { add("images/"); });
+  add("snapshots/");
+  other.join();
+  const WrittenFiles files(folder.path());
+  int found = 0;
+  for (const std::string kind : {"images/", "snapshots/"})
+    for (int k = 0; k < lines; ++k) found += files.contains(kind + std::to_string(k));
+  CHECK(found == 2 * lines);
+}
+
+TEST_CASE("a list that was removed or shortened is not filled up with zeros", "[run]") {
+  const TemporaryFolder folder;
+  WrittenFiles files(folder.path());
+  files.add("a.csv");
+  files.add("b.csv");
+  SECTION("shortened") {
+    fs::resize_file(folder / "written.txt", 6);
+    files.add("c.csv");
+    CHECK(text_of(folder / "written.txt") == "a.csv\nc.csv\n");
+  }
+  SECTION("removed") {
+    fs::remove(folder / "written.txt");
+    files.add("c.csv");
+    CHECK(text_of(folder / "written.txt") == "c.csv\n");
+  }
+}
+
+TEST_CASE("names of states that were removed do not fill the list", "[run]") {
+  const TemporaryFolder folder;
+  WrittenFiles files(folder.path());
+  write(files, "run.json");
+  const std::uint64_t size = files.size();
+  write(files, "images/1.png");
+  constexpr int states = 1000;
+  const auto name = [](int k) { return "checkpoint/step_" + std::to_string(k) + ".h5"; };
+  for (int k = 0; k < states; ++k) {
+    write(files, name(k));
+    if (k > 1) fs::remove(folder / name(k - 2));
+  }
+  CHECK(fs::file_size(folder / "written.txt") < 100 * name(states).size());
+  for (const std::string& kept : {std::string("run.json"), name(states - 2), name(states - 1)})
+    CHECK(WrittenFiles(folder.path()).contains(kept));
+  files.return_to(size);
+  CHECK(text_of(folder / "written.txt") == "run.json\n");
+  CHECK_FALSE(fs::exists(folder / "checkpoint"));
 }

@@ -27,6 +27,9 @@ Descriptor create_file(const char* path);
 // The same for a file that is written on at its end, if there is one.
 Descriptor append_file(const char* path);
 
+// Whether a path, of which the last part is no link, is that of this open file: false once it was removed or moved.
+bool is_at(const Descriptor& file, const char* path);
+
 // Writes all bytes. Returns 0, or the value of errno of the first call that failed.
 int write_all(const Descriptor& file, std::string_view bytes);
 

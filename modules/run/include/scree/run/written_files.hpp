@@ -8,7 +8,8 @@
 namespace scree::run {
 
 // The list of the files that runs wrote into a directory, in the directory itself: one relative path per line, there
-// before the file is. Only what is listed is ever removed.
+// before the file is. Only what is listed is ever removed. Several processes may add lines, as `scree render` does beside
+// a run: the list is locked meanwhile.
 class WrittenFiles {
  public:
   static constexpr const char* file_name = "written.txt";
@@ -21,7 +22,8 @@ class WrittenFiles {
 
   bool contains(const std::string& file) const { return listed_.contains(file); }
   // Lists a file, unless it is listed. Returns its path. Throws Error (failure) if there is a file of that name that
-  // is not listed, its folder is a symbolic link, or the list cannot be written.
+  // is not listed, its folder is a symbolic link, or the list cannot be written. Of many states, those that were
+  // removed since are no longer listed then.
   std::filesystem::path add(const std::string& file);
 
   bool empty() const { return listed_.empty(); }
@@ -35,10 +37,13 @@ class WrittenFiles {
  private:
   std::string text() const;
   void read();
+  void check_new(const std::string& file) const;
+  void forget_removed_states();
   std::uint64_t end_of_line_at(const std::string& all, std::uint64_t size) const;
 
   std::filesystem::path directory_;
-  std::uint64_t size_ = 0, steady_size_ = 0;  // with and without the states
+  std::uint64_t size_ = 0, steady_size_ = 0;  // with and without the states; of whole lines
+  std::size_t states_ = 0;                    // lines
   std::unordered_set<std::string> listed_;
 };
 
