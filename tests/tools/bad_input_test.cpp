@@ -177,7 +177,10 @@ TEST_CASE("a disk too full for the first file leaves nothing behind", "[tools]")
   const Workspace w;
   const Outcome full = w.shell("ulimit -f 2; scree run scene.toml --out out/deep");
   CHECK(full.status == 1);
-  CHECK(full.err == "scree: out/deep/run.json: cannot be written; free disk space, or give another --out\n");
+  CHECK(
+      full.err ==
+      "scree: out/deep/run.json: cannot be written (it would be too large); raise the limit (ulimit -f) or sample less "
+      "often\n");
   CHECK_FALSE(w.has("out"));
 }
 
@@ -224,6 +227,32 @@ TEST_CASE("a full disk leaves a spectrum that is told to have failed", "[tools]"
   CHECK_THAT(full.err, Catch::Contains("cannot be written"));
   CHECK(w.record("out/spectrum", "spectrum.json")["status"] == "failed");
   CHECK_FALSE(w.has("out/spectrum/.room"));
+}
+
+TEST_CASE("a full disk leaves a quasi-static load that is told to have failed, and goes on", "[tools]") {
+  const Workspace w(text_of(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml"));
+  // Something else fills the disk once the load is followed; then it is gone.
+  const Outcome full = on_small_disk(
+      w, "2M",
+      "response scene.toml --quasi-static --set scene.seed=12 --set stage.cycles.cycles=300 --out disk/load --quiet &\n"
+      "until test -e disk/load/state.h5; do sleep 0.01; done; cat /dev/zero > disk/more 2> no; wait $!; status=$?\n"
+      "grep -q failed disk/load/response.json && test ! -e disk/load/.room && echo failed\n"
+      "rm disk/more; \"" SCREE_TEST_PROGRAM "\" resume disk/load --quiet; (exit $status)");
+  if (full.status == 77) return;
+  INFO(full.err);
+  CHECK(full.status == 1);
+  CHECK_THAT(full.err, Catch::Contains("quasi_static.csv: cannot be written; free disk space"));
+  CHECK_THAT(full.out, Catch::StartsWith("failed\n"));
+  CHECK(w.record("out/load", "response.json")["status"] == "finished");
+  fs::remove_all(w / "out");
+  for (const char* kind : {"--quasi-static", "--modes 5"}) {
+    const Outcome tiny =
+        on_small_disk(w, "40k", std::string("response scene.toml --out disk/load --quiet ") + kind);
+    CHECK(tiny.status == 1);
+    CHECK_THAT(tiny.err, Catch::EndsWith(
+                             "disk/load/.room: cannot be written; free disk space, or give another --out\n"));
+    CHECK(fs::is_empty(w / "out"));
+  }
 }
 
 TEST_CASE("a full disk leaves a run that is told to have failed, and whole files", "[tools]") {

@@ -68,6 +68,7 @@ campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::Camp
 ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
   if (a.list) return list_points(c, a, host);
   campaign::CampaignDirectory directory(directory_of(c, a), c, true);
+  directory.files().report_lock(report_warning);
   const campaign::Execution result = execute_with_bar(c, directory, a, host);
   fmt::print("{}{}", campaign::text_report(c, result), campaign::leftover_report(directory.leftovers(c)));
   const std::filesystem::path& path = directory.files().path();

@@ -38,11 +38,12 @@ int DirectoryLock::make_directories(bool must_be_new) {
   return 0;
 }
 
-bool DirectoryLock::is_current() const {
-  struct stat open {
-  }, named{};
-  return fstat(file_.get(), &open) == 0 && lstat(lock_in(directory_).c_str(), &named) == 0 &&
-         open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+bool DirectoryLock::is_current() const { return is_at(file_, lock_in(directory_).c_str()); }
+
+fs::path DirectoryLock::moved_to() const {
+  std::error_code failed;
+  const fs::path lock = fs::read_symlink(fmt::format("/proc/self/fd/{}", file_.get()), failed);
+  return !failed && is_at(file_, lock.c_str()) ? lock.parent_path() : fs::path();
 }
 
 DirectoryLock::Attempt DirectoryLock::attempt(Children children, bool must_be_new) {
@@ -55,7 +56,8 @@ DirectoryLock::Attempt DirectoryLock::attempt(Children children, bool must_be_ne
   Descriptor file(open(lock_in(directory_).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | closing, 0666));
   if (!file.is_open() && errno == ENOENT) return Attempt::removed;
   if (!file.is_open()) throw unusable(lock_in(directory_), "written", errno);
-  if (flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return Attempt::refused;
+  excludes_ = flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+  if (!excludes_ && errno == EWOULDBLOCK) return Attempt::refused;
   file_ = std::move(file);
   if (is_current()) return Attempt::taken;
   file_ = Descriptor();

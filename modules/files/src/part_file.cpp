@@ -15,7 +15,9 @@ namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int code) {
   const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG || code == EIO;
-  const char* cure = full ? "check the space on the disk" : "check that its folder exists and is writable";
+  const char* cure = full             ? "check the space on the disk"
+                     : code == EISDIR ? "move it elsewhere"
+                                      : "check that its folder exists and is writable";
   throw Error(fmt::format("{}: cannot be written ({}); {}", path.string(), std::strerror(code), cure),
               ExitStatus::failure);
 }
@@ -36,7 +38,7 @@ bool is_folder_on_disk(const std::filesystem::path& file) {
 
 PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
   temporary_ += part_suffix;
-  if (::unlink(temporary_.c_str()) != 0 && errno != ENOENT) fail(path_, errno);
+  if (::unlink(temporary_.c_str()) != 0 && errno != ENOENT) fail(errno == EISDIR ? temporary_ : path_, errno);
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(path_, errno);
 }

@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <unistd.h>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,16 +42,15 @@ std::string read_blocks(std::FILE* file, std::size_t expected, std::size_t large
 }
 
 void write_whole(const fs::path& path, const fs::path& temporary, std::string_view text) {
-  const Descriptor file = create_file(temporary.c_str());
   const std::string unopened =
       line(path, "cannot be opened for writing", "check that its folder exists and is writable");
-  if (!file.is_open()) throw Error(unopened, ExitStatus::failure);
-  if (write_all(file, text) != 0)
-    throw Error(line(path, "could not be written in full", "check the space on the disk"),
-                ExitStatus::failure);
+  const Descriptor file = create_file(temporary.c_str());
+  if (!file.is_open()) throw WriteError(unopened, errno);
+  if (const int code = write_all(file, text))
+    throw WriteError(line(path, "could not be written in full", "check the space on the disk"), code);
   std::error_code failed;
   fs::rename(temporary, path, failed);
-  if (failed) throw Error(unopened, ExitStatus::failure);
+  if (failed) throw WriteError(unopened, failed.value());
 }
 
 // Throws ReadError.
@@ -107,8 +107,7 @@ void write_atomically(const fs::path& path, std::string_view text) {
   try {
     write_whole(path, temporary, text);
   } catch (...) {
-    std::error_code failed;
-    fs::remove(temporary, failed);
+    unlink(temporary.c_str());  // not a directory of that name
     throw;
   }
 }

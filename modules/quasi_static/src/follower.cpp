@@ -43,12 +43,15 @@ Follower::Follower(const scenario::Plan& plan, const FollowOptions& options, run
 
 Course Follower::begin() {
   find_start();
-  directory_.create();
-  return follow([this] {
+  directory_.begin([this] {
     write_record("running", course_, directory_);
+    room_.reserve(directory_, results.record);
     directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     series_.emplace(directory_.add("series/quasi_static.csv"));
     series_->add(box_->head());
+    series_->flush();
+  });
+  return follow([this] {
     sample(dynamics_ ? sample_of(*dynamics_, course_.start) : sample_of(*packing_, course_.start));
     begin_part();
   });
@@ -58,21 +61,24 @@ Course Follower::resume(const State& state) {
   const StateTransfer from = StateTransfer::restoring_from(state).below(results.group);
   transfer_state(from);
   kept_ = state;
+  // A state that does not fit is refused before anything is changed.
+  if (from.has("moves"))
+    dynamics_ = simulation_of(state);
+  else
+    begin_packing(state);
   series_.emplace(directory_.path() / "series/quasi_static.csv", series_bytes_);
   directory_.create();
-  return follow([&] {
+  room_.reserve(directory_, results.record);
+  return follow([this] {
     series_->cut();
     write_record("running", course_, directory_);
-    if (from.has("moves"))
-      dynamics_ = simulation_of(state);
-    else
-      begin_packing(state);
+    if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
   });
 }
 
-Course Follower::follow(const std::function<void()>& open) {
+Course Follower::follow(const std::function<void()>& begin) {
   try {
-    open();
+    begin();
     while (interval_ < intervals() && proceeds()) {
       const std::size_t next = interval_ + 1;
       advance(next < intervals() ? course_.start + double(next) * course_.increment : course_.end);
@@ -85,11 +91,11 @@ Course Follower::follow(const std::function<void()>& open) {
     save(course_.interrupted ? "interrupted" : "finished");
   } catch (const Error& error) {
     course_.error = error.what();
-    files::try_each([&] { save("failed"); });
+    save_failed();
     files::rethrow_as_failure(error);
   } catch (const std::exception& error) {  // such as of memory
     course_.error = error.what();
-    files::try_each([&] { save("failed"); });
+    save_failed();
     throw;
   }
   return std::move(course_);
@@ -232,6 +238,7 @@ void Follower::end_packing() {
 }
 
 void Follower::sample(const Sample& sample) {
+  directory_.check_in_place();
   series_->add(box_->line(sample));
   series_->flush();
   times_.push_back(course_.reached = sample.time);

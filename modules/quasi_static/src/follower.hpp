@@ -9,6 +9,7 @@
 
 #include <scree/quasi_static/follow.hpp>
 #include <scree/run/line_file.hpp>
+#include <scree/run/spare_room.hpp>
 #include <scree/run/unfinished.hpp>
 #include <scree/state_transfer.hpp>
 
@@ -34,8 +35,8 @@ class Follower {
   response::QuasiStaticOptions quasi_static_options() const;
   std::unique_ptr<Simulation> simulation_of(const State& state) const;
 
-  // Follows the load after `open` has opened the files.
-  Course follow(const std::function<void()>& open);
+  // Follows the load after `begin`.
+  Course follow(const std::function<void()>& begin);
   std::size_t intervals() const;
   // To the end of an interval, without dynamics where that can be.
   void advance(double time);
@@ -57,7 +58,9 @@ class Follower {
   void write_kept_state();
   void write_final_state();  // from which runs may begin
   void transfer_state(const StateTransfer& state);
+  void end_course();
   void save(const std::string& status);
+  void save_failed();
   double seconds() const;  // of wall time, also before it was interrupted
 
   const scenario::Plan& plan_;
@@ -71,6 +74,7 @@ class Follower {
   std::unique_ptr<BoxRow> box_;
   std::vector<double> lengths_at_start_;  // (m) of the box, for box_
   std::optional<run::LineFile> series_;
+  run::SpareRoom room_;
   std::uint64_t series_bytes_ = 0;  // up to the state that is kept
   std::vector<double> times_, strains_;
   std::optional<State> kept_;  // at the start of the present part, if it is not in the file

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/try_each.hpp>
 #include <scree/run/input_hashes.hpp>
 #include <scree/state_file/state_file.hpp>
 
@@ -93,17 +94,30 @@ void Follower::write_final_state() {
   state_file::write_state(directory_.add("final_state.h5"), state);
 }
 
-void Follower::save(const std::string& status) {
-  if (status == "finished") write_final_state();
+void Follower::end_course() {
   end_packing();
   course_.wall = seconds();
   if (const std::string warning = dynamics_warning(course_); !warning.empty()) warn(warning);
+}
+
+// The record first, for which room was kept.
+void Follower::save_failed() {
+  end_course();
+  room_.release();
+  files::try_each([&] { write_record("failed", course_, directory_); }, [&] { write_kept_state(); },
+                  [&] { draw_chart(course_, times_, strains_, directory_); });
+}
+
+void Follower::save(const std::string& status) {
+  if (status == "finished") write_final_state();
+  end_course();
   if (status != "finished") write_kept_state();
   try {
     draw_chart(course_, times_, strains_, directory_);
   } catch (const std::exception& error) {
     warn(fmt::format("the chart was not drawn: {}", error.what()));
   }
+  room_.release();
   write_record(status, course_, directory_);
   if (status != "finished") return;
   std::error_code failed;  // of no use any more, and replaced by the next course

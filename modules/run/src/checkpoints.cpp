@@ -40,9 +40,10 @@ std::vector<fs::path> Checkpoints::all() const {
 }
 
 fs::path Checkpoints::add(std::uint64_t steps) const {
+  const fs::path path = directory_.add(fmt::format("{}/{}", WrittenFiles::states_folder, name_of(steps)));
   std::error_code failed;  // a failure is reported when the file is opened
   fs::create_directories(folder(), failed);
-  return directory_.add(fmt::format("{}/{}", WrittenFiles::states_folder, name_of(steps)));
+  return path;
 }
 
 void Checkpoints::remove_old() const {

@@ -54,6 +54,13 @@ void LineFile::add(std::string_view line) {
 
 void LineFile::flush() {
   const std::string lines = std::exchange(buffer_, {});
+  if (!lines.empty() && !files::is_at(file_, path_.c_str()))
+    throw Error(
+        fmt::format(
+            "{}: was moved or removed while it was written, and the lines that follow are lost; put it back "
+            "and give scree resume, or start again",
+            path_.string()),
+        ExitStatus::failure);
   const int code = files::write_all(file_, lines);
   if (!code) {
     bytes_ += lines.size();

@@ -87,6 +87,10 @@ void Results::warn(const std::string& line) {
   if (options_.on_warning) options_.on_warning(line);
 }
 
+void Results::note(const std::vector<std::string>& lines) {
+  result_.warnings.insert(result_.warnings.end(), lines.begin(), lines.end());
+}
+
 void Results::judge(const Sampler& sampler) {
   if (result_.interrupted) return;
   result_.quantities = scenario::run_quantities(simulation_);

@@ -31,6 +31,8 @@ class Results {
   void interrupt() { result_.interrupted = true; }
   bool interrupted() const { return result_.interrupted; }
   void warn(const std::string& line);
+  // Warnings that are reported later.
+  void note(const std::vector<std::string>& lines);
   // Counts a state that was written in a time (s).
   void count_state(double seconds) { ++result_.states, result_.state_output += seconds; }
   void judge(const Sampler& sampler);

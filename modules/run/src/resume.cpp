@@ -1,12 +1,16 @@
 #include "checkpoints.hpp"
 #include "run_from.hpp"
 #include "run_record.hpp"
+#include "scenario_file.hpp"
 #include "stage_lengths.hpp"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include <scree/document/document.hpp>
 #include <scree/files/place_error.hpp>
+#include <scree/files/text_file.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/scene_record.hpp>
 
@@ -16,14 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The scenario that the directory holds, with overrides; resolved_text if it cannot be read.
-std::string text_in(const fs::path& directory, const std::vector<std::string>& overrides,
-                    const std::string& resolved_text) {
-  try {
-    return document::Document::load(directory / "scenario.toml", overrides).resolved_text();
-  } catch (const Error&) {
-    return resolved_text;
-  }
+// The scenario that the directory holds, or that which is to be restored there, with overrides.
+std::string text_in(const fs::path& directory, const std::string& restored,
+                    const std::vector<std::string>& overrides) {
+  using document::Document;
+  return (restored.empty() ? Document::load(directory / scenario_file, overrides)
+                           : Document::parse(restored, scenario_file, overrides))
+      .resolved_text();
 }
 
 std::string scenario_of(const State& state) {
@@ -45,29 +48,41 @@ scenario::Plan changed_plan(const ResumeChanges& changes, const State* state, co
 }
 
 scenario::Plan plan_of(const Checkpoints::Latest& latest, const std::vector<Body>& bodies,
-                       const fs::path& directory, const ResumeChanges& changes, PluginHost& host) {
-  const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)";
+                       const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+  const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)",
+                    restored = restored_scenario(options.out, text, options.on_warning);
   return changed_plan(changes, &latest.state, [&](const std::vector<std::string>& overrides) {
     scenario::Plan plan = scenario::read_plan_again(text, name, overrides, bodies, host);
-    if (!overrides.empty()) plan.text_for_any_folder = text_in(directory, overrides, plan.resolved_text);
+    if (!overrides.empty() || !restored.empty())
+      plan.text_for_any_folder = text_in(options.out, restored, overrides);
     return plan;
   });
 }
 
-// Of a run that was killed before its first state: from its start.
-scenario::Plan plan_at_start(const fs::path& directory, const ResumeChanges& changes, PluginHost& host) {
-  return changed_plan(changes, nullptr, [&](const std::vector<std::string>& overrides) {
-    return scenario::read_plan(directory / "scenario.toml", overrides, host);
+// Of a run that was killed before its first state: from its start. Its warnings are those of its first beginning, with their places in the
+// file with which it was begun.
+scenario::Plan plan_at_start(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+  const fs::path& directory = options.out;
+  const Recorded before = recorded_in(directory);
+  if (!before.scenario.empty())
+    if (const auto text = restored_scenario(directory, before.scenario, options.on_warning); !text.empty())
+      files::write_atomically(directory / scenario_file, text);
+  scenario::Plan plan = changed_plan(changes, nullptr, [&](const std::vector<std::string>& overrides) {
+    return scenario::read_plan(directory / scenario_file, overrides, host);
   });
+  if (changes.overrides.empty() && before.warnings.size() >= plan.warnings.size())
+    std::copy_n(before.warnings.begin(), plan.warnings.size(), plan.warnings.begin());
+  return plan;
 }
 
-RunDirectory directory_of(const fs::path& path) {
+RunDirectory directory_of(const fs::path& path, const std::function<void(const std::string&)>& on_warning) {
   std::error_code failed;
   if (!fs::exists(path / "run.json", failed))
     throw Error(
         fmt::format("{}: contains no run; give the directory of a run, spectrum or response", path.string()));
   RunDirectory directory(path, RunDirectory::Existing::keep);
   directory.take();
+  directory.report_lock(on_warning);
   return directory;
 }
 
@@ -97,7 +112,7 @@ std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const R
   } catch (const Error& error) {
     return error.what();
   }
-  start.plan = plan_of(latest, bodies, options.out, changes, host);
+  start.plan = plan_of(latest, bodies, options, changes, host);
   try {
     const StateTransfer stages = StateTransfer::restoring_from(latest.state).below("run/stages");
     start.simulation = resumed(start.plan, latest.state, stages, options.threads);
@@ -109,7 +124,7 @@ std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const R
 
 RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
   check_overrides(changes.overrides);
-  RunDirectory directory = directory_of(options.out);
+  RunDirectory directory = directory_of(options.out, options.on_warning);
   const auto warn = [&](const std::string& line) {
     if (options.on_warning) options.on_warning(line);
   };
@@ -118,7 +133,7 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
     return begin_from(state, options, changes, host, start);
   };
   const auto latest = Checkpoints(directory).latest(refusal, warn);
-  if (!latest) start.plan = plan_at_start(options.out, changes, host);
+  if (!latest) start.plan = plan_at_start(options, changes, host);
   scenario::Plan& plan = start.plan;
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
   if (latest) check_unfinished(latest->state, plan, options.out);

@@ -4,6 +4,7 @@
 #include "results.hpp"
 #include "run_from.hpp"
 #include "sampler.hpp"
+#include "scenario_file.hpp"
 #include "state_writer.hpp"
 #include "stopwatch.hpp"
 
@@ -61,10 +62,13 @@ class Run {
   }
 
   RunResult execute() {
+    const std::vector<std::string> warnings =
+        runner_ ? std::vector<std::string>() : start_warnings(plan_, *simulation_);
+    results_.note(warnings);
     runner_ ? reopen() : prepare();
     if (options_.on_start) options_.on_start(*simulation_);
-    if (!runner_)
-      for (const std::string& warning : start_warnings(plan_, *simulation_)) results_.warn(warning);
+    if (options_.on_warning)
+      for (const std::string& warning : warnings) options_.on_warning(warning);
     try {
       loop();
       watch_.time_output([&] {
@@ -77,6 +81,7 @@ class Run {
       if (no_final_state_) std::rethrow_exception(no_final_state_);
     } catch (const Error& error) {
       fail(files::record_line(error, place_ == Place::same));
+      directory_.check_in_place();  // a better reason than the file that could not be written
       files::rethrow_as_failure(error);
     } catch (const std::exception& error) {
       fail(error.what());
@@ -120,9 +125,9 @@ class Run {
     try {
       directory_.add("run.json");  // first, so that the list is known as that of a run
       // A run that is killed goes on from its text even before its first state.
-      directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+      directory_.write_file(scenario_file, plan_.text_for_any_folder);
       results_.record("running", "", watch_);
-      reserve_room();
+      room_.reserve(directory_, "run.json");
       directory_.add(final_packing);
       for (const scenario::ProbePlan& probe : plan_.probes) directory_.add("series/" + probe.name + ".csv");
       sampler_.open(directory_.series());
@@ -151,19 +156,14 @@ class Run {
   void reopen() {
     sampler_.reopen(directory_.series(), results_.stages());
     directory_.create();
+    room_.reserve(directory_, "run.json");
     directory_.written().return_to(written_);
     states_.remove_later();
     sampler_.cut();
     results_.record("running", "", watch_);
-    if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
-    reserve_room();
+    if (!plan_.text_for_any_folder.empty()) directory_.write_file(scenario_file, plan_.text_for_any_folder);
     // Its scenario is that of the state from which the run goes on should it be killed.
     if (prolonged_) states_.write_checkpoint(), states_.finish();
-  }
-
-  void reserve_room() {
-    room_.reserve(directory_.add(SpareRoom::file_name),
-                  SpareRoom::size + std::filesystem::file_size(directory_.path() / "run.json"));
   }
 
   // But what does not change, which the writer adds. The list of files must contain that of the state already.
@@ -227,6 +227,7 @@ class Run {
     const double wall = watch_.total();
     if (wall - last_report_ < seconds_between_reports) return;
     last_report_ = wall;
+    directory_.check_in_place();
     sampler_.flush();
     states_.look_at_clock();
     if (options_.on_progress && !runner.finished())
@@ -236,7 +237,7 @@ class Run {
   void save() {
     sampler_.flush();
     pictures_.take_last(*simulation_);
-    write_final_packing(*simulation_, directory_.path() / final_packing);
+    write_final_packing(*simulation_, directory_.add(final_packing));
   }
 
   // Saves what can be saved. Further errors are discarded, so that the user sees the original one.
@@ -245,7 +246,7 @@ class Run {
     room_.release();
     files::try_each([&] { results_.record("failed", files::one_line(reason, 2000), watch_); },
                     [&] { sampler_.flush(); },
-                    [&] { write_final_packing(*simulation_, directory_.path() / final_packing); },
+                    [&] { write_final_packing(*simulation_, directory_.add(final_packing)); },
                     [&] { pictures_.take_last(*simulation_); });
   }
 
@@ -277,6 +278,7 @@ RunResult run_from(std::optional<Resumed> from, const scenario::Plan& plan, cons
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
   require_stages(plan);
   RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs);
+  directory.report_lock(options.on_warning);
   return run_from(std::nullopt, plan, options, directory, Place::free);
 }
 

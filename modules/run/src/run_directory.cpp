@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <set>
 #include <unistd.h>
 #include <vector>
@@ -92,16 +94,25 @@ void check_list(const fs::path& path, const Layout& layout) {
   throw refusal(path, fmt::format("contains files that are not part of a scree {}", layout.name));
 }
 
+// Whether there is a state from which results go on.
+bool has_state(const fs::path& path, RunDirectory::Kind kind) {
+  std::error_code failed;
+  if (kind != RunDirectory::Kind::run) return fs::exists(path / "state.h5", failed);
+  const fs::directory_iterator states(path / WrittenFiles::states_folder, failed);
+  return std::any_of(begin(states), end(states),
+                     [](const auto& entry) { return entry.path().extension() == ".h5"; });
+}
+
 // Whether scree resume goes on with what is there.
 bool goes_on(const fs::path& path, RunDirectory::Kind kind) {
   if (kind == RunDirectory::Kind::study || kind == RunDirectory::Kind::campaign) return false;
-  std::error_code failed;
-  if (kind != RunDirectory::Kind::run && !fs::exists(path / "state.h5", failed)) return false;
+  if (kind != RunDirectory::Kind::run && !has_state(path, kind)) return false;
   try {
     const auto record = parse_record(files::read_text(path / layout_of(kind).record));
-    // "running" where it was killed.
-    return record.is_object() && record.contains("status") &&
-           (record["status"] == "interrupted" || record["status"] == "running");
+    if (!record.is_object() || !record.contains("status")) return false;
+    // "running" where it was killed; "failed" also where the disk was full.
+    return record["status"] == "interrupted" || record["status"] == "running" ||
+           (record["status"] == "failed" && has_state(path, kind));
   } catch (const Error&) {  // it cannot be read
     return false;
   }
@@ -194,6 +205,16 @@ void RunDirectory::create() {
   if (existing_ != Existing::keep) written_->return_to(0);
 }
 
+void RunDirectory::begin(const std::function<void()>& open) {
+  create();
+  try {
+    open();
+  } catch (const std::exception&) {
+    discard();
+    throw;
+  }
+}
+
 void RunDirectory::discard() {
   try {
     if (written_) written_->return_to(0);
@@ -203,26 +224,65 @@ void RunDirectory::discard() {
   lock_.reset();
 }
 
+void RunDirectory::report_lock(const std::function<void(const std::string&)>& on_warning) const {
+  if (!on_warning || !lock_ || lock_->excludes()) return;
+  on_warning(fmt::format(
+      "{}: its file system has no locks, so that another process may replace what is written there; let no other scree "
+      "write there until this one has ended, or give a directory on another file system",
+      path_.string()));
+}
+
+void RunDirectory::check_in_place() const {
+  if (!lock_ || lock_->is_current()) return;
+  const std::string name = layout_of(kind_).name;
+  if (const fs::path there = lock_->moved_to(); !there.empty())
+    throw Error(
+        fmt::format("{}: was moved to {} while the {} was written, and what was to follow is lost; {}",
+                    path_.string(), there.string(), name,
+                    goes_on(there, kind_) ? fmt::format("go on with it: scree resume {}", there.string())
+                                          : "start it again"),
+        ExitStatus::failure);
+  throw Error(
+      fmt::format(
+          "{}: it or its file {} was removed while the {} was written, and with it the results so far; "
+          "start it again",
+          path_.string(), files::DirectoryLock::file_name, name),
+      ExitStatus::failure);
+}
+
+fs::path RunDirectory::add(const std::string& name) const {
+  check_in_place();
+  return written_->add(name);
+}
+
 void RunDirectory::write_file(const std::string& name, const std::string& text) const {
+  check_in_place();
   const fs::path path = written_ ? add(name) : path_ / name;
   std::error_code failed;  // a folder that is missing is reported with the file
   fs::create_directories(path.parent_path(), failed);
   try {
     files::write_atomically(path, text);
-  } catch (const Error&) {
-    throw_unwritable(path);
+  } catch (const files::WriteError& error) {
+    throw_unwritable(path, error.code());
   }
 }
 
 void throw_unwritable(const fs::path& path, int code) {
   const std::string problem = fmt::format("{}: cannot be written", path.string());
   const auto failure = ExitStatus::failure;
+  for (const fs::path& place : {path, fs::path(path) += files::part_suffix})
+    if (std::error_code failed; fs::is_directory(fs::symlink_status(place, failed)))
+      throw files::PlaceError(fmt::format("{}: is a directory in the place of a file", place.string()),
+                              "move it elsewhere", failure);
   if (code == EMFILE)
     throw Error(problem + " (too many files are open); use fewer probes, or raise the limit (ulimit -n)",
                 failure);
   if (code == EFBIG)
     throw Error(problem + " (it would be too large); raise the limit (ulimit -f) or sample less often",
                 failure);
+  if (code == EACCES || code == EPERM || code == EROFS || code == ENOENT || code == ENOTDIR || code == ELOOP)
+    throw files::PlaceError(fmt::format("{} ({})", problem, std::strerror(code)),
+                            "check its folder and its permissions", failure);
   throw files::PlaceError(problem, "free disk space", failure);
 }
 

@@ -67,8 +67,13 @@ std::string run_record(const scenario::Plan& plan, const RunOptions& options, co
 Recorded recorded_in(const std::filesystem::path& directory) {
   try {
     const Json json = parse_record(files::read_text(directory / "run.json"));
-    return {json.value("status", ""), json.value("wall_s", 0.0), json.value("output_s", 0.0),
-            json.value("states_s", 0.0), json.value("states", std::uint64_t(0))};
+    return {json.value("status", ""),
+            json.value("wall_s", 0.0),
+            json.value("output_s", 0.0),
+            json.value("states_s", 0.0),
+            json.value("states", std::uint64_t(0)),
+            json.value("warnings", std::vector<std::string>()),
+            json.value("scenario", "")};
   } catch (const std::exception&) {
     return {};
   }

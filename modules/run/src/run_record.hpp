@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <scree/run/run.hpp>
 
@@ -16,6 +17,8 @@ struct Recorded {
   std::string status;
   double wall = 0, output = 0, state_output = 0;  // (s)
   std::uint64_t states = 0;
+  std::vector<std::string> warnings = {};
+  std::string scenario = {};
 };
 Recorded recorded_in(const std::filesystem::path& directory);
 

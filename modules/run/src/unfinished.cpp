@@ -1,3 +1,5 @@
+#include "scenario_file.hpp"
+
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -32,15 +34,17 @@ bool has_results(const fs::path& directory, const ResultKind& kind) {
   return is_there(directory / kind.record);
 }
 
-RunDirectory directory_of(const fs::path& path, const ResultKind& kind) {
+RunDirectory directory_of(const fs::path& path, const ResultKind& kind, const OnWarning& on_warning) {
   if (!has_results(path, kind))
     throw Error(fmt::format("{}: contains no {}; give the directory of one", path.string(), kind.noun));
   RunDirectory directory(path, RunDirectory::Existing::keep, kind.directory);
   directory.take();
+  directory.report_lock(on_warning);
   return directory;
 }
 
-Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, PluginHost& host) {
+Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, PluginHost& host,
+                         const OnWarning& on_warning) {
   const fs::path& directory = from.path();
   const auto record = parse_record(files::read_text(directory / kind.record));
   if (text_of(record, "status") == "finished")
@@ -67,6 +71,7 @@ Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, Plugi
         file.string(), kind.noun, kind.record));
   scenario::Plan plan =
       scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
+  plan.text_for_any_folder = restored_scenario(directory, text, on_warning);
   return {std::move(state), std::move(plan)};
 }
 

@@ -52,10 +52,12 @@ Measurement Course::begin() {
             plan_.source.string()),
         ExitStatus::interrupted);
   if (start_) check_start(*simulation);
-  directory_.create();
-  try {
-    open_record();
+  directory_.begin([this] {
+    write_record("running", result_, directory_);
+    room_.reserve(directory_, results.record);
     directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+  });
+  try {
     if (!start_ && !run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
     simulation.reset();
     take_roads();
@@ -80,8 +82,10 @@ Measurement Course::resume(const State& state) {
   if (!in_stages) set_start(state);
   if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
   directory_.create();
+  room_.reserve(directory_, results.record);
   try {
-    open_record();
+    write_record("running", result_, directory_);
+    if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     if (in_stages) return go_on_in_stages(state);
     take_roads();
     return finish();
@@ -97,20 +101,13 @@ Measurement Course::resume(const State& state) {
 void Course::save_failed(const std::string& failure) {
   result_.error = failure;
   room_.release();
-  files::try_each(
-      [&] {
-        if (sweep_) write_sweep_table();
-      },
-      [&] {
-        if (kept_) write_state(*kept_);
-      },
-      [&] { write_record("failed", result_, directory_); });
-}
-
-void Course::open_record() {
-  write_record("running", result_, directory_);
-  room_.reserve(directory_.add(run::SpareRoom::file_name),
-                run::SpareRoom::size + std::filesystem::file_size(directory_.path() / "spectrum.json"));
+  files::try_each([&] { write_record("failed", result_, directory_); },
+                  [&] {
+                    if (sweep_) write_sweep_table();
+                  },
+                  [&] {
+                    if (kept_) write_state(*kept_);
+                  });
 }
 
 void Course::set_start(State state) {

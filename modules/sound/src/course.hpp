@@ -40,8 +40,6 @@ class Course {
   // left out.
   void take_short(Road road, const std::function<RoadSpectrum(const Start&)>& take);
   void take_sweep();
-  // Writes the record of a measurement that runs, and keeps room for the last one.
-  void open_record();
   void save();
   void write_sweep_table();
   void write_state(const State& state);

@@ -17,6 +17,7 @@ Measurement measure(const scenario::Plan& plan, const MeasurementOptions& option
         plan.source.string()));
   RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs,
                                                     RunDirectory::Kind::spectrum);
+  directory.report_lock(options.on_warning);
   return Course(plan, options, directory).begin();
 }
 
@@ -26,8 +27,8 @@ bool is_measurement(const std::filesystem::path& directory) {
 
 Measurement resume_measurement(const MeasurementOptions& options, PluginHost& host) {
   return files::in_place([&] {
-    RunDirectory directory = run::directory_of(options.out, Course::results);
-    const run::Unfinished from = run::unfinished_in(directory, Course::results, host);
+    RunDirectory directory = run::directory_of(options.out, Course::results, options.on_warning);
+    const run::Unfinished from = run::unfinished_in(directory, Course::results, host, options.on_warning);
     return Course(from.plan, options, directory).resume(from.state);
   });
 }

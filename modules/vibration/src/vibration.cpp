@@ -15,6 +15,7 @@
 #include <scree/files/try_each.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/spare_room.hpp>
 #include <scree/snapshot/load_backend.hpp>
 #include <scree/vibration/vibration.hpp>
 
@@ -59,10 +60,12 @@ class Course {
     began_ = Clock::now();
     check(*simulation);
     describe(*simulation);
-    directory_.create();
-    try {
+    directory_.begin([this] {
       write_record("running", result_, directory_);
+      room_.reserve(directory_, record_name);
       directory_.write_file("scenario.toml", plan_.text_for_any_folder);
+    });
+    try {
       take_parts(*simulation);
       return finish();
     } catch (const Error& error) {
@@ -229,14 +232,16 @@ class Course {
 
   void save_failed(const std::string& failure) {
     result_.error = failure;
-    files::try_each([&] { write_tables(result_, directory_); },
-                    [&] { write_record("failed", result_, directory_); });
+    room_.release();
+    files::try_each([&] { write_record("failed", result_, directory_); },
+                    [&] { write_tables(result_, directory_); });
   }
 
   Vibration finish() {
     result_.interrupted = !proceeds();
     write_tables(result_, directory_);
     try_to_draw("charts", [&] { draw_charts(result_, directory_); });
+    room_.release();
     write_record(result_.interrupted ? "interrupted" : "finished", result_, directory_);
     return std::move(result_);
   }
@@ -247,6 +252,7 @@ class Course {
   response::AssemblyOptions assembly_;
   std::optional<response::LinearSystem> system_;
   Vibration result_;
+  run::SpareRoom room_;
   double done_ = 0, part_ = 0;  // in factorisations
   Clock::time_point began_ = Clock::now();
 };
@@ -256,6 +262,7 @@ class Course {
 Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options) {
   RunDirectory directory = RunDirectory::of_results(options.out, options.overwrite, plan.source, plan.inputs,
                                                     RunDirectory::Kind::response);
+  directory.report_lock(options.on_warning);
   return Course(plan, options, directory).begin();
 }
 

@@ -188,7 +188,7 @@ void write_record(const std::string& status, const Vibration& v, const run::RunD
   json["expect"] = Json::array();
   json["inputs"] = run::json_of(v.inputs);
   json["scenario"] = v.scenario;
-  directory.write_file("response.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  directory.write_file(record_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void write_tables(const Vibration& v, const run::RunDirectory& directory) {

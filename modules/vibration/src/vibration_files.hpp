@@ -7,7 +7,9 @@
 
 namespace scree::vibration {
 
-// response.json, by which the directory is known.
+inline constexpr const char* record_name = "response.json";
+
+// The record, by which the directory is known.
 void write_record(const std::string& status, const Vibration& vibration, const run::RunDirectory& directory);
 
 // modes.csv, floppy.csv, elastic.csv and density.csv, those that there are.

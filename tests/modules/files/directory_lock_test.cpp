@@ -93,3 +93,18 @@ TEST_CASE("of threads that take and release a directory that comes and goes, nev
   CHECK(most == 1);
   CHECK(taken > 0);
 }
+
+TEST_CASE("a lock tells whether its directory is in place, and where else it is", "[files]") {
+  const test::TemporaryFolder folder;
+  const auto lock = DirectoryLock::take(folder / "a");
+  CHECK(lock->is_current());
+  CHECK(lock->excludes());
+  fs::rename(folder / "a", folder / "b");
+  CHECK_FALSE(lock->is_current());
+  CHECK(lock->moved_to() == fs::canonical(folder / "b"));
+  fs::create_directory(folder / "a");
+  folder.write("a/.lock", "");
+  CHECK_FALSE(lock->is_current());
+  fs::remove_all(folder / "b");
+  CHECK(lock->moved_to().empty());
+}

@@ -176,6 +176,45 @@ TEST_CASE("a quasi-static course that is interrupted goes on to the same bits") 
              Catch::Contains("parted: the response is finished; give --overwrite"));
 }
 
+TEST_CASE(
+    "a quasi-static course that goes on restores its scenario, and changes nothing if its state does not fit") {
+  const TemporaryFolder folder;
+  std::atomic<bool> stop = false;
+  std::vector<std::string> warnings;
+  quasi_static::FollowOptions options = {
+      .out = folder / "out",
+      .increments = 20,
+      .on_progress = [&](double share, double, const std::string&) { stop = share > 0.3; },
+      .on_warning = [&](const std::string& line) { warnings.push_back(line); },
+      .stop = &stop};
+  REQUIRE(quasi_static::follow(box_of_discs("12"), options).interrupted);
+  stop = false;
+  options.on_progress = {};
+  const std::string began = text_of(folder / "out/scenario.toml"),
+                    record = text_of(folder / "out/response.json");
+  const State good = state_file::read_state(folder / "out/state.h5");
+  State bad = good;
+  StateArray integrator = good.at("scene/integrator");
+  std::get<std::vector<std::string>>(integrator.values).at(0) = "another";
+  bad.put("scene/integrator", integrator);
+  state_file::write_state(folder / "out/state.h5", bad);
+  try {
+    quasi_static::resume_following(options, host());
+    FAIL("not refused");
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::bad_input);
+  }
+  CHECK(text_of(folder / "out/response.json") == record);
+  state_file::write_state(folder / "out/state.h5", good);
+  CHECK(warnings.empty());
+  folder.write("out/scenario.toml", with(began, "seed = 12", "seed = 13"));
+  CHECK_FALSE(quasi_static::resume_following(options, host()).interrupted);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0],
+             Catch::Contains("out/scenario.toml: is not the scenario with which these results began"));
+  CHECK(text_of(folder / "out/scenario.toml") == began);
+}
+
 TEST_CASE("a quasi-static load without period is kept in parts too") {
   const TemporaryFolder folder;
   const std::string biaxial = text_of(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml");

@@ -282,3 +282,75 @@ TEST_CASE("a run that goes on in its directory is not told to take another", "[r
   INFO(line);
   CHECK(line.ends_with("out: another run is running there; wait for it"));
 }
+
+TEST_CASE("a scenario that is edited beside a run that goes on is reported, and restored", "[run]") {
+  const std::string packed =
+      with(stages,
+           "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\nrandom_velocity = 0.1\n",
+           "file = 'bodies.csv'\n");
+  const TemporaryFolder folder;
+  folder.write("bodies.csv", "x,y,radius\n0.02,0.02,0.01\n0.05,0.03,0.01\n");
+  RunOptions options;
+  options.out = folder / "out";
+  run_plan(scenario::read_plan(folder.write("scene.toml", packed), {}, host()), options);
+  const std::string began = text_of(folder / "out/scenario.toml"), file = folder / "out/scenario.toml";
+  const auto scenario_now = [&] { return text_of(file); };
+  std::vector<std::string> warnings;
+  options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  const auto prolong = [&](double until) { resume_run(options, {{}, until, {}}, host()); };
+  SECTION("as it was") {
+    prolong(2e-4);
+    prolong(3e-4);
+    CHECK(warnings.empty());
+    CHECK_THAT(scenario_now(), Catch::Contains((folder / "bodies.csv").string()));
+    return;
+  }
+  SECTION("a value") {
+    folder.write("out/scenario.toml", with(began, "normal_stiffness = 1e4", "normal_stiffness = 2e4"));
+  }
+  SECTION("the file of bodies") {
+    folder.write("out/scenario.toml", with(began, "bodies.csv", "others.csv"));
+  }
+  SECTION("no TOML any more") { folder.write("out/scenario.toml", "edit"); }
+  SECTION("removed") { std::filesystem::remove(file); }
+  prolong(2e-4);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0],
+             Catch::Contains("out/scenario.toml: is not the scenario with which these results began") &&
+                 Catch::Contains("begin a new run from a state (particles.state)"));
+  CHECK_THAT(scenario_now(),
+             Catch::Contains("normal_stiffness = 1e4") || Catch::Contains("normal_stiffness = 10000"));
+  CHECK_THAT(scenario_now(), Catch::Contains("bodies.csv"));
+  CHECK_THAT(scenario_now(), !Catch::Contains("others.csv"));
+}
+
+TEST_CASE("a run that is killed before its first state begins again as it was, also with its warnings",
+          "[run]") {
+  // 12 steps in the shortest contact, and a wave of less than two steps.
+  const std::string drive =
+      "[[boundary]]\nplugin = 'plane'\nname = 'drive'\npoint = [-1, 0]\nnormal = [1, 0]\ncontrol = 'displacement'\n"
+      "displacement = { amplitude = 1e-6, frequency_hz = 60000 }\n";
+  const Bench bench(with(stages, "1e4", "1e8") + drive, {"checkpoint.final_state=false"});
+  const RunResult whole = bench.run();
+  REQUIRE(whole.warnings.size() == 2);
+  std::string record = text_of(bench.options.out / "run.json");
+  // As it is written before the first step.
+  record.replace(record.find("finished"), 8, "running");
+  bench.folder.write("out/run.json", record);
+  std::vector<std::string> warnings;
+  RunOptions options = bench.options;
+  options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  bool edited = false;
+  SECTION("left alone") {}
+  SECTION("edited") {
+    const auto file = bench.options.out / "scenario.toml";
+    bench.folder.write("out/scenario.toml", with(text_of(file), "name = \"drive\"", "name = \"wall\""));
+    edited = true;
+  }
+  const RunResult again = resume_run(options, {}, host());
+  CHECK(again.warnings == whole.warnings);
+  CHECK(again.state_hash == whole.state_hash);
+  REQUIRE(warnings.size() == (edited ? 4 : 3));
+  if (edited) CHECK_THAT(warnings[0], Catch::Contains("is not the scenario with which these results began"));
+  CHECK_THAT(text_of(bench.options.out / "scenario.toml"), Catch::Contains("drive"));
+}

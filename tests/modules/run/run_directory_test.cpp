@@ -1,16 +1,41 @@
 #include "document_support.hpp"
 #include "temporary_folder.hpp"
 
+#include <cerrno>
+#include <sys/file.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 
 #include <scree/run/run_directory.hpp>
+#include <scree/run/spare_room.hpp>
 
 using namespace scree;
 using namespace scree::run;
 using namespace scree::test;
 namespace fs = std::filesystem;
+
+// The line of the Error (failure) that the action throws.
+template <class Action>
+static std::string failure(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::failure);
+    return error.what();
+  }
+  return "no error";
+}
+
+// In place of that of the system: of a file system without locks while this is set.
+static bool no_locks = false;
+
+extern "C" int flock(int descriptor, int operation) {
+  if (!no_locks) return int(syscall(SYS_flock, descriptor, operation));
+  errno = ENOLCK;
+  return -1;
+}
 
 namespace {
 
@@ -198,4 +223,93 @@ TEST_CASE("a run that is kept goes on behind what it had listed", "[run]") {
   again.written().return_to(size);
   CHECK(fs::exists(folder / "run/run.json"));
   CHECK_FALSE(fs::exists(folder / "run/final_packing.csv"));
+}
+
+TEST_CASE("a directory that is moved or removed is noticed when the next file is written", "[run]") {
+  const TemporaryFolder folder;
+  RunDirectory directory(folder / "run", Existing::refuse);
+  directory.create();
+  directory.write_file("run.json", "{\"status\": \"running\"}");
+  const auto problems = [&] {
+    return std::vector{failure([&] { directory.add("a.csv"); }), failure([&] { directory.add("run.json"); }),
+                       failure([&] { directory.write_file("b.csv", ""); })};
+  };
+  SECTION("moved") {
+    fs::rename(folder / "run", folder / "other");
+    const std::string other = fs::canonical(folder / "other");
+    for (const std::string& line : problems())
+      CHECK(line ==
+            (folder / "run").string() + ": was moved to " + other +
+                " while the run was written, and what was to follow is lost; go on with it: scree resume " +
+                other);
+    CHECK(text_of(folder / "other/written.txt") == "run.json\n");
+  }
+  SECTION("removed, and its name taken by another") {
+    fs::remove_all(folder / "run");
+    RunDirectory second(folder / "run", Existing::refuse);
+    second.create();
+    second.write_file("run.json", "other");
+    for (const std::string& line : problems())
+      CHECK_THAT(line, Catch::Contains("run: it or its file .lock was removed while the run was written"));
+    CHECK(text_of(folder / "run/run.json") == "other");
+    CHECK(text_of(folder / "run/written.txt") == "run.json\n");
+  }
+  SECTION("removed") {
+    fs::remove_all(folder / "run");
+    for (const std::string& line : problems())
+      CHECK_THAT(line, Catch::EndsWith("the results so far; start it again"));
+    CHECK_FALSE(fs::exists(folder / "run"));
+  }
+}
+
+TEST_CASE("a file system without locks is warned of", "[run]") {
+  const TemporaryFolder folder;
+  std::vector<std::string> warnings;
+  const auto warn = [&](const std::string& line) { warnings.push_back(line); };
+  RunDirectory locked(folder / "run", Existing::refuse);
+  locked.take();
+  locked.report_lock(warn);
+  CHECK(warnings.empty());
+  no_locks = true;
+  RunDirectory unlocked(folder / "other", Existing::refuse);
+  unlocked.take();
+  no_locks = false;
+  unlocked.report_lock(warn);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0],
+             Catch::Contains("other: its file system has no locks, so that another process may replace"));
+}
+
+TEST_CASE("a directory in the place of a file is named, and not a full disk", "[run]") {
+  const TemporaryFolder folder;
+  RunDirectory directory(folder / "run", Existing::refuse);
+  directory.create();
+  fs::create_directories(folder / "run/run.json.part");
+  CHECK_THAT(
+      failure([&] { directory.write_file("run.json", "{}"); }),
+      Catch::EndsWith(
+          "run/run.json.part: is a directory in the place of a file; move it elsewhere, or give another --out"));
+  fs::remove(folder / "run/run.json.part");
+  directory.write_file("run.json", "{}");
+  SpareRoom room;
+  room.reserve(directory, "run.json");
+  room.release();
+  fs::create_directories(folder / "run/.room");
+  CHECK_THAT(failure([&] { room.reserve(directory, "run.json"); }),
+             Catch::Contains("run/.room: is a directory in the place of a file"));
+}
+
+TEST_CASE("a run that failed can go on if it has a state, and the refusal of another says so", "[run]") {
+  const TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  {
+    RunDirectory first(run, Existing::refuse);
+    first.create();
+    first.write_file("run.json", "{\"status\": \"failed\"}");
+  }
+  CHECK_THAT(reason(run, Existing::refuse),
+             Catch::EndsWith("contains a run; give another --out, or --overwrite to replace it"));
+  fs::create_directory(run / "checkpoint");
+  folder.write("run/checkpoint/step_1.h5", "");
+  CHECK_THAT(reason(run, Existing::refuse), Catch::Contains("go on with it: scree resume " + run.string()));
 }

@@ -15,6 +15,7 @@
 using namespace scree;
 using namespace scree::run;
 using namespace scree::test;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -45,6 +46,24 @@ class FileSizeLimit {
 };
 
 }  // namespace
+
+TEST_CASE("a series whose file is moved or removed says so at its next rows", "[run]") {
+  const TemporaryFolder folder;
+  Series series(folder / "series/p.csv", names, units, false);
+  series.add(0, {1, 2});
+  series.flush();
+  fs::rename(folder / "series", folder / "elsewhere");
+  series.flush();  // no rows
+  series.add(1, {1, 2});
+  CHECK_THROWS_WITH(series.flush(),
+                    Catch::Contains("series/p.csv: was moved or removed while it was written"));
+  folder.write("p.csv", "another");
+  fs::create_directory(folder / "series");
+  fs::rename(folder / "p.csv", folder / "series/p.csv");
+  series.add(2, {1, 2});
+  CHECK_THROWS_AS(series.flush(), Error);
+  CHECK(text_of(folder / "series/p.csv") == "another");
+}
 
 TEST_CASE("the columns of a series are read back from its file with the same bits", "[run]") {
   const TemporaryFolder folder;

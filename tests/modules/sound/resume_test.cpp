@@ -1,6 +1,7 @@
 #include "bench.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include <catch2/catch.hpp>
 
@@ -34,6 +35,27 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
   CHECK(message([&] { resume_measurement(parted.options, host()); }).find("the spectrum is finished") !=
         std::string::npos);
+}
+
+TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported, and restored", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\n"));
+  bench.options.roads = {Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
+  REQUIRE(measure(bench.plan, bench.options).interrupted);
+  stop = false;
+  bench.options.on_progress = {};
+  std::vector<std::string> warnings;
+  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  const auto file = bench.options.out / "scenario.toml";
+  const std::string began = bench.text("scenario.toml");
+  std::ofstream(file) << with(began, "to_hz = 110", "to_hz = 200");
+  CHECK_FALSE(resume_measurement(bench.options, host()).interrupted);
+  REQUIRE(warnings.size() >= 1);
+  CHECK_THAT(warnings[0],
+             Catch::Contains("out/scenario.toml: is not the scenario with which these results began"));
+  CHECK(bench.text("scenario.toml") == began);
 }
 
 TEST_CASE("a measurement that is interrupted in its stages goes on within them", "[sound]") {
@@ -177,10 +199,10 @@ TEST_CASE("a measurement that goes on and cannot write records the cure for its 
   bench.options.on_progress = {};
   const auto [status, line] = status_of([&] { resume_measurement(bench.options, host()); });
   CHECK(status == ExitStatus::failure);
-  CHECK_THAT(line, Catch::Contains("peaks.csv: cannot be written; free disk space"));
+  const std::string problem = "peaks.csv: is a directory in the place of a file; move it elsewhere";
+  CHECK_THAT(line, Catch::Contains(problem));
   const std::string record = bench.text("spectrum.json");
-  CHECK_THAT(record, Catch::Contains("\"status\": \"failed\"") &&
-                         Catch::Contains("peaks.csv: cannot be written; free disk space\""));
+  CHECK_THAT(record, Catch::Contains("\"status\": \"failed\"") && Catch::Contains(problem + "\""));
   std::filesystem::remove(bench.options.out / "peaks.csv");
   CHECK(!resume_measurement(bench.options, host()).interrupted);
 }

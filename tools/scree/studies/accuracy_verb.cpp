@@ -58,6 +58,7 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
   using run::RunDirectory;
   RunDirectory directory = RunDirectory::of_results(arguments.out, arguments.overwrite, arguments.scenario,
                                                     plan.inputs, RunDirectory::Kind::study);
+  directory.report_lock(report_warning);
   // The table is worth having without them.
   if (!snapshot::has_pictures())
     report(

@@ -23,17 +23,18 @@ namespace {
               full ? ExitStatus::failure : ExitStatus::bad_input);
 }
 
-void create_directories_of(const std::filesystem::path& file) {
+// But not what it is in: a directory of results that was removed is not made anew.
+void create_directory_of(const std::filesystem::path& file) {
   if (!file.has_parent_path()) return;
   std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
+  std::filesystem::create_directory(file.parent_path(), error);
   if (error) fail(file, error.value());
 }
 
 }  // namespace
 
 void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
-  create_directories_of(file);
+  create_directory_of(file);
   const std::string temporary = file.string() + files::part_suffix;
   files::Descriptor open_file = files::create_file(temporary.c_str());
   if (!open_file.is_open()) fail(file, errno);

@@ -6,7 +6,7 @@
 namespace scree::snapshot {
 
 // Writes the bytes to a temporary file in the same directory and renames it, so the file is never incomplete.
-// Creates missing directories. Throws scree::Error.
+// Creates its directory, but none above. Throws scree::Error.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace scree::snapshot

@@ -18,7 +18,7 @@ class DirectoryLock {
   enum class Children { none, inherit };
 
   // Makes the directory, with its parents, if it is not there, and locks it. Absent: another process has it. Throws
-  // Error "path: what is wrong; what to do". Where a file system has no locks, two processes can have one.
+  // Error "path: what is wrong; what to do". Where a file system has no locks, two processes can have one: see excludes().
   static std::optional<DirectoryLock> take(const std::filesystem::path& directory,
                                            Children children = Children::none);
   // The same, but absent also if something has this name already.
@@ -26,6 +26,13 @@ class DirectoryLock {
 
   // Whether a process, also this one, has the directory.
   static bool is_held(const std::filesystem::path& directory);
+
+  // Whether other processes are kept out: false on a file system without locks.
+  bool excludes() const { return excludes_; }
+  // Whether the lock file in the directory is still the open one: false once it or the directory was removed or moved.
+  bool is_current() const;
+  // Where a directory that is no longer current is now; empty if it was removed, or that cannot be told.
+  std::filesystem::path moved_to() const;
 
   DirectoryLock(DirectoryLock&&) = default;
   DirectoryLock& operator=(DirectoryLock&&) = delete;
@@ -39,12 +46,11 @@ class DirectoryLock {
   Attempt attempt(Children children, bool must_be_new);
   // Returns 0, or the value of errno.
   int make_directories(bool must_be_new);
-  // Whether the lock file in the directory is still the open one.
-  bool is_current() const;
 
   std::filesystem::path directory_;          // absolute
   std::vector<std::filesystem::path> made_;  // from the top down
   Descriptor file_;
+  bool excludes_ = true;
 };
 
 }  // namespace scree::files

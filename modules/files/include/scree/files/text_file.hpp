@@ -23,6 +23,17 @@ class ReadError : public Error {
   int code_;
 };
 
+// Error (failure) for a file that cannot be written: "path: what is wrong; what to do".
+class WriteError : public Error {
+ public:
+  WriteError(const std::string& line, int code) : Error(line, ExitStatus::failure), code_(code) {}
+  // Value of errno.
+  int code() const { return code_; }
+
+ private:
+  int code_;
+};
+
 inline constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();
 
 // Reads a file of at most `largest` bytes. Without a limit only regular files are read, since a device may
@@ -36,7 +47,7 @@ std::FILE* open_text(const std::filesystem::path& path);
 inline constexpr const char* part_suffix = ".part";
 
 // Writes a temporary file in the same directory and renames it, so that the file is either complete or
-// unchanged. Throws Error (failure) "path: what is wrong; what to do" after removing the temporary file.
+// unchanged. Throws WriteError after removing the temporary file.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace scree::files

@@ -10,7 +10,8 @@
 namespace scree::run {
 
 // A text file that grows line by line. Lines wait in a buffer until it is full or flushed. If the file cannot be
-// written, it is cut back to its last whole line, and Error (failure) is thrown. Links are not followed.
+// written, it is cut back to its last whole line, and Error (failure) is thrown; likewise if it was moved or removed meanwhile.
+// Links are not followed.
 class LineFile {
  public:
   // Creates the file, with its folder; replaces a file of that name.

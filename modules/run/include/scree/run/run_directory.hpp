@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,12 @@ class RunDirectory {
   // Takes it, and removes the files of an earlier run that is to be replaced. Throws Error (failure) if one cannot be
   // removed.
   void create();
+  // Warns if other processes cannot be kept out, on a file system without locks. After take().
+  void report_lock(const std::function<void(const std::string&)>& on_warning) const;
+  // Throws Error (failure) if the directory is no longer where it was taken: it was moved or removed, or its lock was.
+  void check_in_place() const;
+  // create(), and then `open`, which writes the first files. If that fails, what was written is removed again.
+  void begin(const std::function<void()>& open);
   // From now on what is there already is replaced.
   void replace() { existing_ = Existing::replace; }
   // Removes what is listed, as far as it can be, and the directories that were made for it.
@@ -51,8 +58,9 @@ class RunDirectory {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path series() const { return path_ / "series"; }
 
-  // Lists a file that is about to be written; returns its path. After create(), as the next two.
-  std::filesystem::path add(const std::string& name) const { return written_->add(name); }
+  // Lists a file that is about to be written; returns its path. After create(), as the next two. Throws the Error of
+  // check_in_place().
+  std::filesystem::path add(const std::string& name) const;
   WrittenFiles& written() const { return *written_; }
   // Lists a file (of a campaign: does not), writes it under a temporary name, then renames it, so that readers never
   // see an incomplete file.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include <scree/plugin_host.hpp>
@@ -33,11 +34,16 @@ struct Unfinished {
   scenario::Plan plan;
 };
 
-// The directory of such results, taken. Throws Error (bad_input) if it has none.
-RunDirectory directory_of(const std::filesystem::path& path, const ResultKind& kind);
+// on_warning: one line "<what>; <cure>"; may be empty.
+using OnWarning = std::function<void(const std::string&)>;
 
-// What is in it. Throws Error (bad_input) if the results are finished, or if their state is missing or is that of others. The
-// host must outlive it.
-Unfinished unfinished_in(const RunDirectory& directory, const ResultKind& kind, PluginHost& host);
+// The directory of such results, taken. Throws Error (bad_input) if it has none.
+RunDirectory directory_of(const std::filesystem::path& path, const ResultKind& kind,
+                          const OnWarning& on_warning);
+
+// What is in it; Plan::text_for_any_folder is set if scenario.toml is to be restored. Throws Error (bad_input) if the results are finished,
+// or if their state is missing or is that of others. The host must outlive it.
+Unfinished unfinished_in(const RunDirectory& directory, const ResultKind& kind, PluginHost& host,
+                         const OnWarning& on_warning);
 
 }  // namespace scree::run
