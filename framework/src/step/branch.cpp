@@ -29,9 +29,10 @@ const std::vector<T>& numbers_at(const State& state, const std::string& path) {
 constexpr std::uint32_t no_plane = ~std::uint32_t(0);
 constexpr double round_off = 1e-6;  // of springs and energies in single precision
 
-// Where lost energy (J) is found; nothing without an audit.
-std::string energy_text(bool audit, double energy, const char* column) {
-  return audit ? fmt::format(" ({:.3g} J, in {} of the probe energy)", energy, column) : std::string();
+// How much of an energy (J) is lost, and where it is found; nothing without an audit.
+std::string energy_text(bool audit, double lost, double before, const char* column) {
+  if (!audit) return "";
+  return fmt::format(" ({:.3g} of {:.3g} J, in {} of the probe energy)", lost, before, column);
 }
 
 Error no_place(const std::string& what, const char* cure, const char* kind) {
@@ -209,9 +210,9 @@ void Branch::count_lost(SimulationParts& parts) {
   const bool same_laws = has_laws_of(state_, wanted_);
   if (!branching_.histories) dropped_ = each_row(parts, {});
   if (!same_laws) parts.audit.add_lost(parts.contact_sums);
-  if (!same_laws && branching_.histories) report_cut(parts, lost);
   ContactSums before;
   before.transfer(from(state_).below("sums/contacts"));
+  if (!same_laws && branching_.histories) report_cut(parts, lost, before.elastic_tangential);
   const auto missing = [](double then, double now) { return then - now > round_off * then ? then - now : 0; };
   double released = 0;
   if (dropped_.all() > 0)
@@ -221,10 +222,10 @@ void Branch::count_lost(SimulationParts& parts) {
   if (!branching_.walls && same_laws && state_.at("walls/planes/point").size() > 0)
     released += missing(before.elastic_normal, parts.contact_sums.elastic_normal);
   parts.audit.add_released(released);
-  report_dropped(released);
+  report_dropped(released, before.elastic_normal + before.elastic_tangential);
 }
 
-void Branch::report_cut(SimulationParts& parts, double lost) {
+void Branch::report_cut(SimulationParts& parts, double lost, double before) {
   std::size_t cut = 0, all = 0;
   each_row(parts, [&](PairGroup& group, std::size_t row, std::span<const double> numbers) {
     const std::int32_t sliding = parts.laws[group.law].interface.sliding_column;
@@ -241,11 +242,11 @@ void Branch::report_cut(SimulationParts& parts, double lost) {
   let_go_.push_back(fmt::format(
       "the laws of the scene cut the springs of {} of {} contacts of the state{}; give them the friction and "
       "stiffness of the state, and others in a later stage, if the springs are to last",
-      cut, all, energy_text(parts.scene.audit, lost, "dissipated_friction")));
+      cut, all, energy_text(parts.scene.audit, lost, before, "dissipated_friction")));
 }
 
-void Branch::report_dropped(double energy) {
-  const std::string lost = energy_text(wanted_.audit, energy, "dissipated_release");
+void Branch::report_dropped(double energy, double before) {
+  const std::string lost = energy_text(wanted_.audit, energy, before, "dissipated_release");
   const auto add = [&](std::size_t contacts, const char* why, const char* cure) {
     if (contacts > 0)
       let_go_.push_back(

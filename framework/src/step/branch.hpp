@@ -46,10 +46,11 @@ class Branch {
   // Visits the row of each contact of the state, with its numbers there; returns the contacts without one.
   using VisitRow = std::function<void(PairGroup& group, std::size_t row, std::span<const double> numbers)>;
   Dropped each_row(SimulationParts& parts, const VisitRow& visit) const;
-  // After the forces have been evaluated without a motion: what springs have lost goes into the balance.
+  // After the forces have been evaluated without a motion: what springs have lost (J) of the elastic energy before goes
+  // into the balance, and is reported.
   void count_lost(SimulationParts& parts);
-  void report_cut(SimulationParts& parts, double lost);
-  void report_dropped(double energy);
+  void report_cut(SimulationParts& parts, double lost, double before);
+  void report_dropped(double energy, double before);
   // The plane here of each plane in the state.
   std::vector<std::uint32_t> planes_here(const SimulationParts& parts) const;
 
