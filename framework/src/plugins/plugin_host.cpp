@@ -113,9 +113,8 @@ struct PluginHost::Library {
 
   Library(const fs::path& p, bool trusted) : path(p) {
     check_file(path);
-    if (const auto end = trusted ? std::nullopt : fatal_load(path))
-      throw Error(fmt::format("{}: ends the program while it is loaded ({}); remove or correct it",
-                              path.string(), *end));
+    if (const auto fault = trusted ? std::nullopt : fatal_load(path))
+      throw Error(fmt::format("{}: {}; remove or correct it", path.string(), *fault));
     // A library built with -ffast-math changes the treatment of denormal numbers when it is loaded.
     std::fenv_t numerics;
     std::fegetenv(&numerics);

@@ -1,4 +1,5 @@
 #include "instruction_level.hpp"
+#include "plugins/trial_load.hpp"
 #include "scenes.hpp"
 
 #include <cstdlib>
@@ -244,6 +245,11 @@ TEST_CASE("a library that ends the program while it is loaded is refused by name
   CHECK_THAT(refusal(host, "exits_on_load", SCREE_BODY_FORCE),
              Catch::EndsWith(
                  "exits_on_load.so: ends the program while it is loaded (status 7); remove or correct it"));
+}
+
+TEST_CASE("a library that holds the program while it is loaded is ended after a time") {
+  const fs::path library = fs::path(SCREE_TEST_BROKEN) / "waiting/waits_on_load.so";
+  CHECK(scree::fatal_load(library, 0.1) == "holds the program while it is loaded (no end within 0.1 s)");
 }
 
 TEST_CASE("a pipe or a broken link in place of a library is refused, not waited for") {
