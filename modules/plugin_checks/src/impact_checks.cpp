@@ -105,11 +105,14 @@ std::optional<Outcome> outcome_of(const Parameters& law, const CheckedPair& pair
 // remain at a quarter of the step (first order, with a margin), unless it is round-off.
 Check falling(const std::string& name, double coarse, double fine) {
   constexpr double round_off = 1e-11, first_order = 1.0 / 3;
-  const double remaining = fine <= round_off ? 0 : fine / std::max(coarse, round_off);
+  if (fine <= round_off)
+    return {name, Verdict::passed,
+            fmt::format("{:.2g} of the energy turned over at t_c/{}: round-off", fine, fine_steps)};
+  const double remaining = fine / std::max(coarse, round_off);
   Check check = bounded(name, remaining, first_order);
-  check.detail =
-      fmt::format("{:.2g} of the energy turned over at t_c/{}, {:.2g} at t_c/{}; at most {:.2g} may remain",
-                  coarse, coarse_steps, fine, fine_steps, first_order);
+  check.detail = fmt::format(
+      "{:.2g} of the energy turned over {} to {:.2f} of itself from t_c/{} to t_c/{}; at most {:.2f}", coarse,
+      remaining > 1 ? "grows" : "falls", remaining, coarse_steps, fine_steps, first_order);
   return check;
 }
 

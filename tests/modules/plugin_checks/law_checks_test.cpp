@@ -1,5 +1,6 @@
 #include "scenes.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -61,6 +62,31 @@ TEST_CASE("each mistake of a law fails the checks that are meant for it", "[plug
     CHECK(failed.count(check) == 1);
     // A wrong force also changes the outcome of impacts; a mistake elsewhere changes nothing else.
     if (fault >= 4 && fault < 9) CHECK(failed.size() == 1);
+  }
+}
+
+TEST_CASE("a law that ends or holds the program fails the checks that meet it", "[plugin_checks]") {
+  const char* const expected[] = {"an exception (boo)",
+                                  "an exception (of unknown type)",
+                                  "the law ends the program (signal 11, Segmentation fault)",
+                                  "the law ends the program (signal 6, Aborted)",
+                                  "the law ends the program (status 0)",
+                                  "the law ends the program (status 0)",
+                                  "no end within 2 s",
+                                  "the law ends the program (signal 11, Segmentation fault)"};
+  PluginHost host({SCREE_TEST_LAWS});
+  for (int deed = 0; deed < 8; ++deed) {
+    Parameters law(host.find("hostile", SCREE_CONTACT_LAW));
+    law.set("deed", {double(deed)});
+    INFO("deed " << deed);
+    const plugin_checks::Checks checks =
+        plugin_checks::check_law(law, host.locate("hostile", SCREE_CONTACT_LAW), {}, 2);
+    const auto first_failed = std::find_if(checks.begin(), checks.end(), [](const Check& check) {
+      return check.verdict == Check::Verdict::failed;
+    });
+    REQUIRE(first_failed != checks.end());
+    CHECK(first_failed->name == (deed == 7 ? "closed forms are usable" : "symmetries, 2D"));
+    CHECK(first_failed->detail == expected[deed]);
   }
 }
 
