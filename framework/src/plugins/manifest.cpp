@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <scree/parameters.hpp>
+#include <scree/plugin/declaration.hpp>
 #include <scree/plugin_host.hpp>
 
 namespace scree {
@@ -15,8 +17,8 @@ namespace {
 
 using Problem = std::optional<std::string>;
 
-// More than a plug-in can mean; a larger number is an error in the manifest.
-constexpr std::uint32_t most_parameters = 1000;
+// More are an error in the manifest, or have no room in a Declaration.
+constexpr std::uint32_t most_parameters = Declaration::capacity;
 
 Problem missing(std::string_view what) { return fmt::format("its manifest has no {}; set it", what); }
 
@@ -75,8 +77,35 @@ Problem default_problem(const scree_parameter& p) {
       p.key, p.default_value);
 }
 
+// Keys that a scenario gives beside the parameters of a plug-in.
+std::vector<std::string_view> keys_beside(std::uint32_t kind) {
+  switch (kind) {
+    case SCREE_CONTACT_LAW:
+      return {"plugin", "name", "between"};
+    case SCREE_BOUNDARY:
+      return {"plugin", "name", "material"};
+    case SCREE_PROBE:
+      return {"plugin", "name", "every", "observe_every", "stages"};
+    default:
+      return {"plugin", "name"};
+  }
+}
+
+Problem key_problem(const scree_plugin& plugin, std::string_view key) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  if (key.empty() || !std::all_of(key.begin(), key.end(), fits))
+    return fmt::format("its parameter '{}' is not a key of a scenario; name it in snake_case", key);
+  const std::vector<std::string_view> beside = keys_beside(plugin.kind);
+  if (std::find(beside.begin(), beside.end(), key) == beside.end()) return {};
+  return fmt::format("its parameter '{}' is a key that a scenario gives to every {}; rename it", key,
+                     kind_name(scree_kind(plugin.kind)));
+}
+
 Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) {
   if (!p.key) return missing("key of a parameter");
+  if (const Problem problem = key_problem(plugin, p.key)) return problem;
   if (!p.unit || !p.doc) return missing(fmt::format("unit or doc of the parameter '{}'", p.key));
   if (p.type > SCREE_INPUT)
     return fmt::format("its parameter '{}' has the unknown type {}; give one of scree_type", p.key, p.type);
@@ -99,7 +128,7 @@ Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) 
 
 Problem parameters_problem(const scree_plugin& plugin) {
   if (plugin.parameter_count > most_parameters)
-    return fmt::format("declares {} parameters, more than the limit of {}; correct parameter_count",
+    return fmt::format("declares {} parameters, more than the limit of {}; declare fewer",
                        plugin.parameter_count, most_parameters);
   if (plugin.parameter_count > 0 && !plugin.parameters) return missing("table of parameters");
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k)

@@ -108,7 +108,7 @@ Probe::Probe(const Parameters& parameters, int dimension)
   if (!(observe_every() >= 0 && std::isfinite(observe_every())))
     throw Error(fmt::format("plug-in {}: observes every {} s; give a time above 0, or 0 for the scenario's",
                             plugin, observe_every()));
-  std::set<std::string> taken = {"time"};
+  std::set<std::string> taken;
   for (std::uint32_t c = 0; c < plugin_.instance().column_count; ++c) {
     char name[SCREE_MAX_NAME] = "", unit[SCREE_MAX_NAME] = "";
     plugin_call(plugin_.parameters().plugin().name, "column",
@@ -121,6 +121,9 @@ Probe::Probe(const Parameters& parameters, int dimension)
           fmt::format("plug-in {}: the name or unit of column {} is empty or has characters that a "
                       "CSV file cannot hold; name columns in snake_case",
                       plugin, c + 1));
+    if (names_.back() == "time" || names_.back() == "stage")
+      throw Error(fmt::format("plug-in {}: a column is named '{}', as one that every series has; rename it",
+                              plugin, names_.back()));
     if (!taken.insert(names_.back()).second)
       throw Error(fmt::format("plug-in {}: two columns are named '{}'; list every body, pair or wall once",
                               plugin, names_.back()));
@@ -151,8 +154,9 @@ void check_guard(const std::vector<double>& numbers, const char* plugin, const c
 
 std::uint64_t Probe::size_in(const scree_view& view) const {
   const scree_probe& interface = plugin_.interface();
-  return interface.state_size ? interface.state_size(plugin_.storage(), &view)
-                              : plugin_.instance().state_width;
+  if (!interface.state_size) return plugin_.instance().state_width;
+  return plugin_call(plugin_.parameters().plugin().name, "state_size",
+                     [&] { return interface.state_size(plugin_.storage(), &view); });
 }
 
 std::vector<double> Probe::started(const scree_view& view) const {

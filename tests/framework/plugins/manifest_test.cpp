@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/plugin/declaration.hpp>
+
 using scree::manifest_problem;
 using scree::test::FalseLaw;
 
@@ -84,6 +86,37 @@ TEST_CASE("a default outside its range is refused, unless the parameter must be 
   CHECK(problem_of(p).empty());
   p.flags = SCREE_OPTIONAL;
   CHECK(problem_of(p).empty());
+}
+
+TEST_CASE("a parameter with a name that a scenario cannot give, or gives to every plug-in, is refused") {
+  scree_parameter p = {};
+  p.unit = "", p.doc = "d";
+  for (const char* key : {"", "a b", "a.b", "ä", "k\n", "\"k\""}) {
+    p.key = key;
+    CHECK_THAT(problem_of(p), Catch::Contains("is not a key of a scenario; "));
+  }
+  for (const char* key : {"plugin", "name", "between"}) {
+    p.key = key;
+    CHECK_THAT(problem_of(p), Catch::Contains("that a scenario gives to every contact law; rename it"));
+  }
+  for (const char* key : {"k", "youngs_modulus", "K-1", "every", "material"}) {
+    p.key = key;
+    CHECK(problem_of(p).empty());
+  }
+}
+
+TEST_CASE("parameters for which a declaration has no room are counted, and refused") {
+  scree::Declaration declaration;
+  double member = 0;
+  int choice = 0;
+  for (std::uint32_t k = 0; k <= scree::Declaration::capacity; ++k)
+    declaration.number("k", member, "", scree::any_number, "d").optional();
+  declaration.choice("c", choice, "a|b", "d");
+  CHECK(declaration.count() == scree::Declaration::capacity + 2);
+  CHECK(problem_after([&](FalseLaw& law) {
+          law.plugin.parameters = declaration.table();
+          law.plugin.parameter_count = declaration.count();
+        }).starts_with("declares 66 parameters, more than the limit of 64; "));
 }
 
 TEST_CASE("a parameter that is declared twice is refused") {

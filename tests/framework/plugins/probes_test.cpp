@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -64,12 +65,12 @@ struct PerBody : Minimal {
 struct Named : Minimal {
   static constexpr About about = {"named", "", "", ""};
   int which = 0;
-  void declare(Declaration& d) { d.choice("which", which, "a|b|c|d|e|f|g", ""); }
+  void declare(Declaration& d) { d.choice("which", which, "a|b|c|d|e|f|g|h", ""); }
   void describe(scree_probe_instance& instance) const { instance.column_count = 2; }
   ColumnName column(std::uint32_t c) const {
     if (c == 1) return {"fine", "kg m^2/s^2"};
-    static const ColumnName bad[] = {{"a,b", ""}, {"a\nb", ""},  {"a\"b", ""}, {"", ""},
-                                     {"x", "m,"}, {"fine", "m"}, {"time", "s"}};
+    static const ColumnName bad[] = {{"a,b", ""}, {"a\nb", ""},  {"a\"b", ""},  {"", ""},
+                                     {"x", "m,"}, {"fine", "m"}, {"time", "s"}, {"stage", ""}};
     return bad[which];
   }
 };
@@ -89,6 +90,13 @@ struct Careless : Minimal {
     if (where == 1) state[2] = 1;
   }
   void sample(const scree_view&, const double*, double* row) const { row[where == 2] = 7; }
+};
+
+// Throws where it is asked for the size of its state.
+struct Sizeless : Minimal {
+  static constexpr About about = {"sizeless", "", "", ""};
+  void describe(scree_probe_instance& instance) const { instance.column_count = 1; }
+  std::uint64_t state_size(const scree_view&) const { throw std::runtime_error("boo"); }
 };
 
 template <class Author>
@@ -176,6 +184,13 @@ TEST_CASE("a probe that writes beyond its state or row is named", "[probe]") {
                     Catch::Contains("is larger than the limit of 1000000000; keep less"));
 }
 
+TEST_CASE("an exception that the size of a state throws is reported with the name of the probe", "[probe]") {
+  const Simulation s(bodies_in_a_row(1));
+  CHECK_THROWS_WITH(
+      probe_of<Sizeless>().check(SimulationView(s, 0).get()),
+      Catch::StartsWith("plug-in sizeless: its function state_size threw an exception (boo); "));
+}
+
 TEST_CASE("a probe refuses a scene with a text of its own", "[probe]") {
   const Simulation s(bodies_in_a_row(5));
   CHECK_THROWS_WITH(probe_of<PerBody>().check(SimulationView(s, 0).get()),
@@ -190,9 +205,11 @@ TEST_CASE("a probe whose columns a CSV file cannot hold is refused by name", "[p
         "plug-in named: the name or unit of column 1 is empty or has characters that a CSV file "
         "cannot hold; name columns in snake_case");
   }
-  for (const auto& [which, name] : {std::pair(5, "fine"), std::pair(6, "time")})
-    CHECK_THROWS_WITH(probe_of<Named>({{"which", {double(which)}}}),
-                      Catch::Contains("two columns are named '" + std::string(name) + "'"));
+  CHECK_THROWS_WITH(probe_of<Named>({{"which", {5.0}}}), Catch::Contains("two columns are named 'fine'"));
+  for (const auto& [which, name] : {std::pair(6, "time"), std::pair(7, "stage")})
+    CHECK_THROWS_WITH(
+        probe_of<Named>({{"which", {double(which)}}}),
+        Catch::Contains("a column is named '" + std::string(name) + "', as one that every series has"));
 }
 
 TEST_CASE("a view has materials, inertia, step, energies and contacts as far as they are needed", "[probe]") {

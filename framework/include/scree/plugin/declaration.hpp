@@ -38,7 +38,7 @@ inline constexpr Range positive_coefficient{.minimum = 0, .maximum = 1, .minimum
 //   }
 class Declaration {
  public:
-  static constexpr std::uint32_t capacity = 64;
+  static constexpr std::uint32_t capacity = 64;  // the host refuses more
 
   // Options of the parameter that was declared last.
   class Entry {
@@ -89,7 +89,7 @@ class Declaration {
     assign(value);
     member = int(value);
     const Entry entry = add(SCREE_CHOICE, key, "", doc, value, any_number);
-    table_[count_ - 1].choices = choices;
+    last().choices = choices;
     return entry;
   }
   Entry vector(const char* key, std::array<double, 3>& member, const char* unit, const char* doc) {
@@ -129,12 +129,14 @@ class Declaration {
   const scree_value* next() const {
     return values_ && values_[count_].count > 0 ? &values_[count_] : nullptr;
   }
+  scree_parameter& last() { return table_[(count_ < capacity ? count_ : capacity) - 1]; }
   void assign(double& member) const {
     if (const scree_value* value = next()) member = value->data[0];
   }
   Entry add(scree_type type, const char* key, const char* unit, const char* doc, double initial,
             const Range& range) {
-    scree_parameter& p = table_.at(count_++);
+    ++count_;
+    scree_parameter& p = last();
     p = {.struct_size = sizeof(scree_parameter),
          .type = std::uint32_t(type),
          .flags = (range.minimum_excluded ? std::uint32_t(SCREE_MINIMUM_EXCLUDED) : 0) |
