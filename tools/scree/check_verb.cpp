@@ -45,13 +45,14 @@ void print_spectrum(const scenario::Plan& plan) {
              steps);
 }
 
-void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation) {
+void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation,
+                   const std::string& step) {
   fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", files::escaped(plan.title));
   fmt::print("  {} in {}D, {}, {}, {}, {}\n", counted(simulation.particles().size(), "body", "bodies"),
              plan.scene.dimension, counted(simulation.planes().size(), "wall"),
              counted(plan.scene.laws.size(), "contact law"),
              counted(plan.scene.body_forces.size(), "body force"), counted(plan.probes.size(), "probe"));
-  fmt::print("  {}\n", run::describe_step(simulation));
+  fmt::print("  {}\n", step);
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
                largest.bodies);
@@ -63,8 +64,11 @@ ExitStatus check(const CheckArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
   const auto simulation = run::set_up(plan);
-  print_summary(arguments.scenario, plan, *simulation);
-  for (const std::string& warning : run::start_warnings(plan, *simulation)) report_warning(warning);
+  // What a plug-in states may be refused: nothing is printed before.
+  const std::string step = run::describe_step(*simulation);
+  const std::vector<std::string> warnings = run::start_warnings(plan, *simulation);
+  print_summary(arguments.scenario, plan, *simulation, step);
+  for (const std::string& warning : warnings) report_warning(warning);
   return ExitStatus::success;
 }
 

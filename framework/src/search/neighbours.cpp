@@ -49,6 +49,16 @@ void check_periodic_lengths(const Domain& domain, int dimension, double reach) {
           domain.length(k), "xyz"[k], reach, 2 * reach * (1 + 1e-5)));
 }
 
+// A body that is alone has no pairs, but must not touch itself.
+void check_own_images(const Domain& domain, int dimension, double radius) {
+  for (int k = 0; k < dimension; ++k)
+    if (domain.periodic[k] && !(domain.length(k) >= 2 * radius))
+      throw Error(fmt::format(
+          "the periodic length {:g} m along {} is under the diameter of the body, {:g} m, which would touch itself; "
+          "give a length of at least that",
+          domain.length(k), "xyz"[k], 2 * radius));
+}
+
 struct Extent {
   Vec3 lower, upper;   // of centres (m)
   double largest = 0;  // radius (m)
@@ -211,6 +221,7 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> 
                                                         const Domain& domain, double skin,
                                                         ThreadPool& threads) {
   sorted_.clear();
+  if (bodies.size() == 1) check_own_images(domain, dimension, bodies[0].radius);
   if (bodies.size() < 2) return sorted_;
   bin_bodies(bodies, dimension, domain, skin);
   collect_pairs(domain, skin, threads);

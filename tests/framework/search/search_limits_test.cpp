@@ -21,6 +21,19 @@ TEST_CASE("centres that differ by less than the smallest normal number along an 
   }
 }
 
+TEST_CASE("a body that is alone is refused where it would touch its own image") {
+  scree::ThreadPool threads(1);
+  const auto find = [&](double length) {
+    const scree::Domain domain = {{true, false, false}, {}, {{length, 0, 0}}};
+    scree::NeighbourSearch().find(std::vector<scree::Sphere>{{{}, 1}}, 3, domain, 0.1, threads);
+  };
+  for (const double length : {1.9, 1e-300, 0.0})
+    CHECK_THROWS_WITH(find(length),
+                      Catch::Contains("along x is under the diameter of the body, 2 m, which would "
+                                      "touch itself; give a length of at least that"));
+  CHECK_NOTHROW(find(2));
+}
+
 TEST_CASE("more pairs than fit into memory are refused with the skin") {
   std::vector<scree::Sphere> bodies(3000);
   for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i] = {{{1e-3 * double(i), 0, 0}}, 1};
