@@ -70,3 +70,30 @@ TEST_CASE("a plug-in that ends the program does not pass for a success", "[tools
   CHECK(outcome.status != 0);
   CHECK_THAT(outcome.err, Catch::Contains("a plug-in ended the program with exit(); "));
 }
+
+TEST_CASE("a plug-in that ends the program at once does not pass for a success", "[tools]") {
+  for (const char* where : {"force", "unloading"}) {
+    INFO(where);
+    const std::string touching = with(discs, "gap = 0.1", "gap = 0.0");
+    const Workspace w(with(with(touching, "linear_spring_dashpot", "ends_run"),
+                           "normal_stiffness = 1e4\nnormal_damping = 0\n",
+                           "where = '" + std::string(where) + "'\n"));
+    const Outcome outcome = w.run(options);
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("a plug-in ended the program with _exit(); "));
+  }
+}
+
+TEST_CASE("a law that states no step short enough is refused before anything is printed or written",
+          "[tools]") {
+  for (const bool guard : {true, false}) {
+    const Workspace w(with(with(with(discs, "linear_spring_dashpot", "no_step"),
+                                "normal_stiffness = 1e4\nnormal_damping = 0\n", ""),
+                           "duration = 1e-4\n",
+                           guard ? "duration = 1e-4\n" : "duration = 1e-4\nstep_guard = false\n"));
+    const Outcome outcome = w.scree("check scene.toml " + options);
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+  }
+}

@@ -47,15 +47,17 @@ TEST_CASE("signals within a second are one request to save", "[tools]") {
 }
 
 // A pipe that is full holds the program up when it has saved and tells so.
-TEST_CASE("Ctrl-C again, more than a second later, ends the program at once", "[tools]") {
-  const Workspace w(endless);
-  const Outcome outcome =
-      w.shell("mkfifo pipe; exec 3<>pipe; head -c 65536 /dev/zero >&3\nexec 4>&1 >&3\n" + start +
-              "kill -INT $run; until grep -q interrupted out/run.json; do sleep 0.05; done\n"
-              "sleep 1.1; kill -TERM $run; sleep 0.1; kill -0 $run && echo 'still there' >&4\n"
-              "kill -INT $run; wait $run");
-  CHECK(outcome.status == 130);
-  CHECK(outcome.out == "still there\n");
+TEST_CASE("a signal again, more than a second later, ends the program at once", "[tools]") {
+  for (const std::string again : {"INT", "TERM"}) {
+    const Workspace w(endless);
+    const Outcome outcome =
+        w.shell("mkfifo pipe; exec 3<>pipe; head -c 65536 /dev/zero >&3\nexec 4>&1 >&3\n" + start +
+                "kill -TERM $run; until grep -q interrupted out/run.json; do sleep 0.05; done\n"
+                "sleep 1.1; kill -HUP $run; sleep 0.1; kill -0 $run && echo 'still there' >&4\n"
+                "kill -" + again + " $run; wait $run");
+    CHECK(outcome.status == 130);
+    CHECK(outcome.out == "still there\n");
+  }
 }
 
 TEST_CASE("a run in the background of a script outlives Ctrl-C, which is for the script", "[tools]") {

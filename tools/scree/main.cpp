@@ -1,3 +1,4 @@
+#include "foreign_exit.hpp"
 #include "program_verbs.hpp"
 #include "studies.hpp"
 #include "support/program.hpp"
@@ -43,14 +44,8 @@ ExitStatus main_of(int argc, char** argv) {
 int main(int argc, char** argv) {
   scree::tool::open_closed_descriptors();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is reported where a file is written
-  static bool returned = false;
-  // The program itself never calls exit; a plug-in may, with a status that would pass for a result.
-  std::atexit([] {
-    if (returned) return;
-    std::fputs("scree: a plug-in ended the program with exit(); let it report the problem instead\n", stderr);
-    std::_Exit(int(scree::ExitStatus::failure));
-  });
+  scree::tool::watch_for_exit();
   const int status = int(scree::tool::main_of(argc, argv));
-  returned = true;
+  scree::tool::expect_exit();
   return status;
 }

@@ -24,7 +24,7 @@ void on_interrupt(int signal) {
   if (!interrupted) {
     first_signal = milliseconds();
     interrupted = true;
-  } else if (signal == SIGINT && milliseconds() - first_signal > same_request) {
+  } else if (signal != SIGHUP && milliseconds() - first_signal > same_request) {
     _exit(int(ExitStatus::interrupted));
   }
 }

@@ -1,0 +1,35 @@
+// A law that ends the program without a word, with the status of success: in a force, or where the library is unloaded.
+
+#include <unistd.h>
+
+#include <scree/plugin/contact_law.hpp>
+
+namespace {
+
+struct Ending {
+  bool armed = false;
+  ~Ending() {
+    if (armed) _exit(0);
+  }
+} ending;
+
+struct EndsRun : scree::ContactLaw {
+  int where = 0;
+  static constexpr scree::About about = {"ends_run", "ends the program", "f = 0", "—"};
+  void declare(scree::Declaration& d) { d.choice("where", where, "force|unloading", "where it does"); }
+  void prepare(const scree::Setup&) { ending.armed = where == 1; }
+  std::uint32_t closed_forms(const scree_encounter&, scree_closed_form*, std::uint32_t) const { return 0; }
+};
+
+struct Kernel : EndsRun {
+  template <int D, class T>
+  using History = scree::NoHistory<D, T>;
+  template <int D, class T>
+  void force(const scree::Contact<D, T, reads>&, History<D, T>&, scree::Response<D, T>&) const {
+    if (where == 0) _exit(0);
+  }
+};
+
+}  // namespace
+
+SCREE_CONTACT_LAW_PLUGIN(EndsRun, Kernel)
