@@ -194,6 +194,18 @@ TEST_CASE("a state that the simulation refuses is passed over for the one before
   }
 }
 
+TEST_CASE("a run goes on from a stage that needs no spins, which the friction of the scene did", "[run]") {
+  Bench bench(with(with(stages, "normal_damping = 0\n",
+                        "normal_damping = 0\ntangential_stiffness = 5e3\nstatic_friction = 0.4\n"),
+                   "name = 'second'\n", "name = 'second'\nset.linear_spring_dashpot.static_friction = 0\n"));
+  bench.plan.checkpoint.every_time = 3e-5;
+  bench.run();
+  const std::string energy = series_of(bench, "energy");
+  std::filesystem::remove(bench.options.out / "final_state.h5");
+  resume(bench, {});
+  CHECK(series_of(bench, "energy") == energy);
+}
+
 TEST_CASE("two runs of a scene leave the same bytes as their final state, whenever they wrote checkpoints",
           "[run]") {
   const auto final_state = [](std::optional<double> every) {
