@@ -104,7 +104,7 @@ TEST_CASE("an invalid scene is refused with the name of the fault") {
              Catch::StartsWith("boundary 'floor': material"));
   CHECK_THAT(refused([](Scene& s) { s.law_of = {1}; }), Catch::Contains("law 1 of 1"));
   CHECK_THAT(refused([](Scene& s) { s.materials.push_back("other"); }),
-             Catch::StartsWith("2 materials need 4"));
+             Catch::StartsWith("law_of has 1 entry instead of 4 for 2 materials; "));
 }
 
 TEST_CASE("a spin that is not finite stops the run") {
