@@ -189,6 +189,17 @@ std::vector<fs::path> PluginHost::default_directories() {
   return found;
 }
 
+namespace {
+
+// Names come from scenario files and must not lead out of the directories.
+bool is_plain(const std::string& name) {
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+  });
+}
+
+}  // namespace
+
 std::vector<std::string> PluginHost::names(scree_kind kind) const {
   std::set<std::string> found;
   for (const fs::path& directory : directories_) {
@@ -218,23 +229,21 @@ const scree_plugin* PluginHost::load(const fs::path& path) {
 }
 
 fs::path PluginHost::locate(const std::string& name, scree_kind kind) const {
-  // Names come from scenario files and must not lead out of the directories.
-  const auto plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
-  };
-  if (!std::all_of(name.begin(), name.end(), plain)) return {};
+  if (!is_plain(name)) return {};
   for (const fs::path& directory : directories_)
     if (const auto build = any_build(directory / kind_folder(kind) / (name + ".so"))) return *build;
   return {};
 }
 
 void PluginHost::refuse(const std::string& name, scree_kind kind) const {
-  const std::vector<std::string> known = names(kind);
+  std::vector<std::string> known = names(kind);
+  std::erase_if(known, [](const std::string& other) { return !is_plain(other); });
   std::string cure = known.empty() ? "" : fmt::format("; there are: {}", fmt::join(known, ", "));
   if (const auto near = nearest_word(name, known)) cure = fmt::format("; did you mean '{}'?", *near);
   for (const scree_kind other : all_kinds)
     if (other != kind && !locate(name, other).empty())
       cure = fmt::format("; '{}' is a {}{}", name, kind_name(other), cure);
+  if (!is_plain(name)) cure = "; a name has letters, digits, '_' and '-' only" + cure;
   std::vector<std::string> places;
   for (const fs::path& directory : directories_) places.push_back((directory / kind_folder(kind)).string());
   throw Error(fmt::format("no {} plug-in '{}' in {}{}", kind_name(kind), name,

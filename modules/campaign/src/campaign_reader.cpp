@@ -184,6 +184,17 @@ std::string read_roads(const Table& table) {
                     "give \"sweep\", \"pulse\", \"linear\" or \"all\", as for scree spectrum --by");
 }
 
+// Quantities, a column of the table each.
+std::vector<std::string> read_collected(const Table& table) {
+  const std::vector<std::string> names = table.strings("collect");
+  std::set<std::string> used;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (!used.insert(names[k]).second)
+      throw table.error("collect", k, fmt::format("'{}' appears twice in the list", one_line(names[k])),
+                        "remove one");
+  return names;
+}
+
 }  // namespace
 
 Campaign read_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
@@ -198,7 +209,7 @@ Campaign read_campaign(const std::filesystem::path& path, const std::vector<std:
   c.scenario_place = table.place("scenario");
   check_scenario(c);
   c.roads = read_roads(table);
-  if (table.optional("collect")) c.collect = table.strings("collect");
+  if (table.optional("collect")) c.collect = read_collected(table);
   c.collect_place = table.place("collect");
   if (!c.roads.empty() && !c.collect.empty())
     throw table.error("collect", "spectra have no series to collect from",

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -49,9 +51,9 @@ class Reader {
     if (values.empty())
       throw table.error(key, fmt::format("the list of '{}' is empty", one_line(path)),
                         "give at least one value");
+    std::unordered_set<std::string_view> used;
     for (std::size_t k = 0; k < values.size(); ++k) {
-      if (std::find(values.begin(), values.begin() + std::ptrdiff_t(k), values[k]) <
-          values.begin() + std::ptrdiff_t(k))
+      if (!used.insert(values[k]).second)
         throw table.error(
             key, k, fmt::format("{} appears twice in the list of '{}'", one_line(values[k]), one_line(path)),
             "remove one; a value that is itself a list needs its own brackets, [[...]]");

@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t nowhere = std::string_view::npos;
 constexpr std::size_t most_segments = 64;
 constexpr std::size_t longest_shown = 160;
-constexpr std::string_view naming_keys[] = {"name", "plugin", "type"};
 
 // One part of a dotted path: stage[1] has the name "stage" and one index.
 struct Segment {
@@ -138,7 +137,8 @@ class Override {
     Slot slot{nullptr, {}, 0, nullptr};
     if (!last && from.is_array_of_tables()) slot.value = named_entry(*from.as_array(), segment.name);
     if (slot.value == nullptr) slot = child_of(table_at(from, segment.name), segment, last);
-    for (const std::size_t index : segment.indices) slot = entry_at(slot, index);
+    for (std::size_t k = 0; k < segment.indices.size(); ++k)
+      slot = entry_at(slot, segment.indices[k], k == 0);
     return slot;
   }
 
@@ -194,10 +194,10 @@ class Override {
     return {&table, segment.name, 0, child};
   }
 
-  // Index 0 of a table denotes the table itself.
-  Slot entry_at(const Slot& slot, std::size_t index) const {
+  // The first index 0 of a table denotes the table itself.
+  Slot entry_at(const Slot& slot, std::size_t index, bool first) const {
     toml::array* array = slot.value->as_array();
-    if (slot.value->is_table() && index == 0) return slot;
+    if (slot.value->is_table() && index == 0 && first) return slot;
     const std::string path = document_.path(*slot.value);
     if (array == nullptr) {
       throw error("{} is {}, so it has no entry {}; leave the index out", path,

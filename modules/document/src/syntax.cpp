@@ -1,6 +1,8 @@
 #include "tree.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
@@ -146,9 +148,25 @@ std::optional<toml::source_region> find_endless_key(std::string_view text) {
   return std::nullopt;
 }
 
-void check_depth(std::string_view name, const toml::node& node, int depth) {
+// Depth, and texts: as the end of a C string a character 0 would hide the rest of a path.
+void check_nodes(std::string_view name, const toml::node& node, int depth) {
   if (depth > deepest_nesting) throw too_deep(place_text(name, node.source()));
-  each_child(node, [&](const toml::node& child) { check_depth(name, child, depth + 1); });
+  if (const auto* text = node.as_string(); text && text->get().find('\0') != std::string::npos)
+    throw Error(fmt::format("{}: the text \"{}\" has a character U+0000; remove it",
+                            place_text(name, node.source()), files::one_line(text->get())));
+  each_child(node, [&](const toml::node& child) { check_nodes(name, child, depth + 1); });
+}
+
+// Whether a text that is no TOML is a number beyond the range of numbers.
+bool is_beyond_range(std::string_view text) {
+  const std::string number(text);
+  char* end = nullptr;
+  errno = 0;
+  if (number.find_first_not_of("+-0123456789") == std::string::npos)
+    std::strtoll(number.c_str(), &end, 10);
+  else
+    std::strtod(number.c_str(), &end);
+  return errno == ERANGE && *end == 0;
 }
 
 }  // namespace
@@ -157,7 +175,7 @@ toml::table parse_text(std::string_view text, std::string_view name) {
   if (const auto region = find_endless_key(text)) throw too_deep(place_text(name, *region));
   try {
     toml::table root = toml::parse(text);
-    check_depth(name, root, 0);
+    check_nodes(name, root, 0);
     return root;
   } catch (const toml::parse_error& error) {
     throw no_toml(name, text, error);
@@ -169,12 +187,12 @@ toml::table parse_value(std::string_view text, const std::string& place) {
   try {
     toml::table parsed = toml::parse("value = " + std::string(text), place);
     if (parsed.size() == 1) {
-      check_depth(place, *parsed.get("value"), 0);
+      check_nodes(place, *parsed.get("value"), 0);
       return parsed;
     }
   } catch (const toml::parse_error& error) {
     const bool meant_as_toml = std::string_view("[{\"'").find(text.front()) != std::string_view::npos;
-    if (meant_as_toml) throw no_toml(place, text, error);
+    if (meant_as_toml || is_beyond_range(text)) throw no_toml(place, text, error);
   }
   return toml::parse("value = " + quoted_text(text), place);
 }

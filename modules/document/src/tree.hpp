@@ -17,6 +17,9 @@ namespace scree::document {
 
 struct DocumentState;
 
+// By the value of the first of these that has it an override names an entry of a list of tables.
+inline constexpr std::string_view naming_keys[] = {"name", "plugin", "type"};
+
 // State behind the handle Table: a table of the document, and the keys that readers have requested from it.
 struct TableState {
   DocumentState* document;

@@ -287,3 +287,13 @@ TEST_CASE("a law that lacks the level of the processor is named") {
   const scree::test::InstructionLevel baseline("baseline");
   CHECK(slow.slow_laws().empty());  // chosen by the user
 }
+
+TEST_CASE("a name that no scenario may give is not offered", "[plugin_host]") {
+  const Folder folder;
+  folder.copy("contact/linear_spring_dashpot.so", "contact/a b.so");
+  PluginHost host({folder.path()});
+  const std::string line = refusal(host, "a b", SCREE_CONTACT_LAW);
+  CHECK(line.find("no contact law plug-in 'a b' in ") == 0);
+  CHECK(line.find("did you mean") == std::string::npos);
+  CHECK(line.ends_with("; a name has letters, digits, '_' and '-' only"));
+}

@@ -131,7 +131,43 @@ TEST_CASE("an override that fits several entries lists them") {
         "count from 0: stage[0] (settle), stage[1] (cycle)");
 }
 
+TEST_CASE("a misspelt name of the only entry of a list is taken for its name, not for a key") {
+  const Document wrong = set({"contact.hertx.range.at_most=2"});
+  const Table contact = wrong.root().tables("contact")[0];
+  for (const char* key : {"plugin", "friction", "her"}) contact.accept(key);
+  CHECK(
+      message([&] { contact.refuse_unused(); }) ==
+      "--set contact.hertx.range.at_most=2: unknown key 'hertx' in [[contact]]; did you mean 'hertz'? known keys: "
+      "plugin, friction, her");
+  // A key of the file is no name.
+  const Document file = Document::parse("[[contact]]\nplugin = 'hertz'\nhertx = 1\n", "scene.toml");
+  const Table other = file.root().tables("contact")[0];
+  other.accept("plugin");
+  CHECK(message([&] { other.refuse_unused(); }) ==
+        "scene.toml:3:1: unknown key 'hertx' in [[contact]]; known keys: plugin");
+}
+
+TEST_CASE("a number beyond the range of numbers is no text") {
+  for (const char* beyond : {"1e400", "-1e400"})
+    CHECK(refusal(std::string("time.step=") + beyond)
+              .starts_with(std::string("--set time.step=") + beyond + ": not valid TOML: "));
+  CHECK(refusal("time.step=99999999999999999999").ends_with("; give a number that fits 64 bits"));
+  CHECK(set({"time.name=01"}).root().table("time").string("name") == "01");
+  CHECK(set({"time.name=1e5x"}).root().table("time").string("name") == "1e5x");
+}
+
+TEST_CASE("a text with a character 0 is refused, which would hide the rest of a path") {
+  CHECK(refusal("time.name=\"a\\u0000b\"") ==
+        "--set time.name=\"a\\u0000b\": the text \"a\\x00b\" has a character U+0000; remove it");
+  CHECK(message([] { Document::parse("[a]\nfile = ['x', \"s.toml\\u0000x\"]\n", "scene.toml"); }) ==
+        "scene.toml:2:14: the text \"s.toml\\x00x\" has a character U+0000; remove it");
+}
+
 TEST_CASE("an override that leads nowhere is refused") {
+  CHECK(refusal("probe[0][0].every=1") ==
+        "--set probe[0][0].every=1: probe[0] is a table, so it has no entry 0; leave the index out");
+  CHECK(refusal("time[0][0].step=1") ==
+        "--set time[0][0].step=1: time is a table, so it has no entry 0; leave the index out");
   CHECK(refusal("time.step.x=2") ==
         "--set time.step.x=2: time.step is a floating-point number (0.0001), so it has no 'x'; "
         "give time.step itself a value or correct the path");

@@ -233,8 +233,8 @@ TEST_CASE("more than 1000 materials are refused", "[scenario]") {
 }
 
 TEST_CASE("control characters in the name of a plug-in are refused in one line", "[scenario]") {
-  CHECK(set("contact.plugin=\"en\\u0000ergy\"") ==
-        "--set contact.plugin=\"en\\u0000ergy\": the name 'en\\x00ergy' has control characters; "
+  CHECK(set("contact.plugin=\"en\\u0001ergy\"") ==
+        "--set contact.plugin=\"en\\u0001ergy\": the name 'en\\x01ergy' has control characters; "
         "see scree describe for the names");
 }
 
