@@ -8,6 +8,7 @@
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/step_guard.hpp>
+#include <scree/told_apart.hpp>
 
 namespace scree {
 
@@ -30,10 +31,11 @@ void report_not_a_number(const Simulation& s, const Body& body) {
 
 void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
   if (speed <= limit) return;
+  const auto [shown, bound] = told_apart(speed, limit);
   stop(
-      fmt::format("particle {} moves at {:g} m/s {}, above the limit of {:g} m/s; "
+      fmt::format("particle {} moves at {} m/s {}, above the limit of {} m/s; "
                   "use a shorter time.step (now {:g} s), or raise limits.speed if this speed is intended",
-                  id, speed, where(s), limit, s.step_length()));
+                  id, shown, where(s), bound, s.step_length()));
 }
 
 void report_overlap(const Simulation& s) {
@@ -55,10 +57,11 @@ void report_overlap(const Simulation& s) {
                      : s.steps() > 0           ? "use a stiffer contact, a lower load or a shorter time.step"
                      : worst_ratio >= 2 && b < p.size() ? "their centres coincide: move them apart"
                                                         : "they overlap at the start: move them apart";
+  const auto [shown, bound] = told_apart(worst_ratio, s.scene().limits.overlap_ratio, 3);
   stop(fmt::format(
-      "contact of particle {} with {}: overlap is {:.3g} of the smaller radius {}, above the limit of {:g}; "
+      "contact of particle {} with {}: overlap is {} of the smaller radius {}, above the limit of {}; "
       "{}, or raise limits.overlap_ratio",
-      p.id[list.a[worst]], other, worst_ratio, where(s), s.scene().limits.overlap_ratio, cure));
+      p.id[list.a[worst]], other, shown, where(s), bound, cure));
 }
 
 }  // namespace

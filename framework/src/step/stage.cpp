@@ -7,6 +7,7 @@
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/stage.hpp>
+#include <scree/told_apart.hpp>
 
 namespace scree {
 
@@ -61,10 +62,10 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, cons
 
 void StageRunner::check_resumed() const {
   const Stage& stage = stages_[current_];
-  if (stage.duration && steps_in(*stage.duration) <= steps())
-    throw Error(
-        fmt::format("stage '{}' has already taken {:g} s, and its duration is {:g} s; give a longer one",
-                    stage.name, simulation_.time() - began_, *stage.duration));
+  if (!stage.duration || steps_in(*stage.duration) > steps()) return;
+  const auto [taken, duration] = told_apart(simulation_.time() - began_, *stage.duration);
+  throw Error(fmt::format("stage '{}' has already taken {} s, and its duration is {} s; give a longer one",
+                          stage.name, taken, duration));
 }
 
 void StageRunner::save(const StateTransfer& state) const { StageRunner(*this).transfer(state); }

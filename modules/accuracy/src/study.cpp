@@ -12,6 +12,7 @@
 #include <scree/accuracy/study.hpp>
 #include <scree/error.hpp>
 #include <scree/run/trial.hpp>
+#include <scree/told_apart.hpp>
 
 namespace scree::accuracy {
 
@@ -101,11 +102,12 @@ class StudyRunner {
   void check_length() const {
     constexpr double max_steps = 1e10;
     const double steps = 8 * longest_duration(plan_) / finest_;
+    const auto [shown, bound] = told_apart(steps, max_steps, 3);
     if (steps > max_steps)
       throw Error(
-          fmt::format("the finest reference of {:g} s would take {:.3g} steps; give a larger --coarsest or a "
-                      "smaller --count, for at most {:g}",
-                      finest_ / 8, steps, max_steps));
+          fmt::format("the finest reference of {:g} s would take {} steps; give a larger --coarsest or a "
+                      "smaller --count, for at most {}",
+                      finest_ / 8, shown, bound));
   }
 
   void note_ends() {

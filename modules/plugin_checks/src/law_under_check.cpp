@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/closed_forms.hpp>
+#include <scree/told_apart.hpp>
 
 namespace scree::plugin_checks {
 
@@ -38,8 +39,9 @@ double contact_time_of(const ConfiguredLaw& law, const CheckedPair& pair, int di
 Check bounded(const std::string& name, double measured, double bound) {
   // False for NaN.
   const bool holds = measured <= bound;
+  const auto [shown, most] = told_apart(measured, bound, 2);
   return {name, holds ? Check::Verdict::passed : Check::Verdict::failed,
-          fmt::format("{:.2g}, at most {:.2g}", measured, bound)};
+          fmt::format("{}, at most {}", shown, most)};
 }
 
 }  // namespace scree::plugin_checks

@@ -7,6 +7,7 @@
 #include <scree/probes.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/step_guard.hpp>
+#include <scree/told_apart.hpp>
 
 namespace scree::run {
 
@@ -145,25 +146,29 @@ void require_stages(const scenario::Plan& plan) {
 
 namespace {
 
+// Of a step that is computed from the limit with which it is compared.
+constexpr double round_off = 1e-12;
+
 // Rounded down to two digits, so that the printed number is allowed.
 double rounded_down(double step) {
   const double unit = std::pow(10, std::floor(std::log10(step)) - 1);
-  return std::floor(step / unit * (1 + 1e-12)) * unit;
+  return std::floor(step / unit * (1 + round_off)) * unit;
 }
 
 // "<problem>; <cure>" if the time step is above its limit.
 std::optional<std::string> too_long(const Simulation& s) {
   const StepLimit limit = shortest_limit(s);
-  if (s.step_length() <= limit.longest_step) return std::nullopt;
+  if (s.step_length() <= limit.longest_step * (1 + round_off)) return std::nullopt;
   const std::string_view plural = limit.cause.starts_with("the contacts") ? "" : "s";
   if (!(limit.longest_step > 0))
     return fmt::format("no time step is short enough: {} allow{} none; check speeds, masses and viscosities",
                        limit.cause, plural);
   const double contact = s.min_steps_per_contact() * s.step_length();
+  const std::string step = told_apart(s.step_length(), limit.longest_step)[0];
+  const std::string longest = told_apart(s.step_length(), limit.longest_step, 4)[1];
   return fmt::format(
-      "the time step of {:g} s is too long: {} allow{} {:.4g} s at most; use time.step = {:.2g} or less{}",
-      s.step_length(), limit.cause, plural, limit.longest_step,
-      rounded_down(std::min(contact / 50, limit.longest_step)),
+      "the time step of {} s is too long: {} allow{} {} s at most; use time.step = {:.2g} or less{}", step,
+      limit.cause, plural, longest, rounded_down(std::min(contact / 50, limit.longest_step)),
       contact / 50 < limit.longest_step ? " (50 steps per contact)" : "");
 }
 
@@ -178,11 +183,11 @@ std::string describe_step(const Simulation& s) {
 std::optional<std::string> step_warning(const Simulation& s) {
   constexpr double few = 20;  // with fewer steps, errors of contacts are several per cent
   if (const auto problem = too_long(s)) return problem;
-  if (s.min_steps_per_contact() >= few) return std::nullopt;
+  if (s.min_steps_per_contact() >= few * (1 - round_off)) return std::nullopt;
   return fmt::format(
-      "the shortest contact takes {:.3g} time steps; use 20 or more, 50 for errors of 0.1 % unless damping is "
+      "the shortest contact takes {} time steps; use {:g} or more, 50 for errors of 0.1 % unless damping is "
       "strong",
-      s.min_steps_per_contact());
+      told_apart(s.min_steps_per_contact(), few, 3)[0], few);
 }
 
 std::optional<std::string> step_problem(const Simulation& s) {

@@ -16,6 +16,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/document/document.hpp>
 #include <scree/document/message.hpp>
@@ -84,16 +85,22 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
 // A file of bodies that is periodic does not make the scene so, and its bodies may touch through its faces.
 void warn_of_box(const Domain& file, Plan& plan) {
   const Domain scene = periodic_domain(plan.scene);
+  std::vector<std::string> in_file, in_scene;
+  bool any_own = false;
   for (int k = 0; k < plan.scene.dimension; ++k) {
     const double own = scene.periodic[std::size_t(k)] ? scene.length(k) : 0, length = file.length(k);
     if (!file.periodic[std::size_t(k)] || std::abs(own - length) <= 1e-9 * length) continue;
     const char axis = "xyz"[k];
-    plan.warnings.push_back(fmt::format(
-        "the file of bodies is periodic along {} from {:g} to {:g} m, and the scene is {}; give [[boundary]] "
-        "with plugin = \"periodic\", axes, lower and upper if it is to be the same",
-        axis, file.lower[k], file.upper[k],
-        own > 0 ? fmt::format("over {:g} m", own) : "not periodic along it"));
+    in_file.push_back(fmt::format("{} from {:g} to {:g} m", axis, file.lower[k], file.upper[k]));
+    in_scene.push_back(own > 0 ? fmt::format("along {} over {:g} m", axis, own)
+                               : fmt::format("not along {}", axis));
+    any_own |= own > 0;
   }
+  if (in_file.empty()) return;
+  plan.warnings.push_back(
+      fmt::format("the file of bodies is periodic along {}, and the scene is {}; give [[boundary]] "
+                  "with plugin = \"periodic\", axes, lower and upper if it is to be the same",
+                  fmt::join(in_file, ", "), any_own ? fmt::format("{}", fmt::join(in_scene, ", ")) : "not"));
 }
 
 void read_body_forces(const document::Table& root, PluginHost& host, Scene& scene, Instances& instances) {

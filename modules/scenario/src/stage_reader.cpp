@@ -12,6 +12,7 @@
 #include <scree/plugin/program.hpp>
 #include <scree/scenario/keys.hpp>
 #include <scree/scene_checks.hpp>
+#include <scree/told_apart.hpp>
 
 namespace scree::scenario {
 
@@ -22,9 +23,10 @@ void check_steps(const document::Table& t, std::string_view key, double seconds,
   if (steps < 0.999)
     throw t.error(key, fmt::format("{:g} s is shorter than the time step of {:g} s", seconds, step),
                   "increase it, or decrease time.step");
+  const auto [shown, most] = told_apart(steps, most_steps, 3);
   if (steps > most_steps)
-    throw t.error(key, fmt::format("{:g} s takes {:.3g} time steps of {:g} s", seconds, steps, step),
-                  fmt::format("give a shorter time or a longer step, for at most {:g} steps", most_steps));
+    throw t.error(key, fmt::format("{:g} s takes {} time steps of {:g} s", seconds, shown, step),
+                  fmt::format("give a shorter time or a longer step, for at most {} steps", most));
 }
 
 void read_condition(const document::Table& until, double step, Stage& stage) {
@@ -90,18 +92,20 @@ void warn_of_other_periods(const document::Table& t, const Scene& scene, const S
                            const std::vector<Stage::Change>& instances, std::vector<std::string>& warnings) {
   if (!(stage.period > 0)) return;
   constexpr double round_off = 1e-9;
+  std::vector<std::string> others;
   for (const Stage::Change& instance : instances)
     for (const auto& [key, program] : programs_of(instance.parameters)) {
       const double period = program.period(), count = stage.period / period, whole = std::round(count);
       if (!(period > 0) || !has_effect(scene, instance.parameters, key)) continue;
       if (whole > 0 && std::abs(count - whole) <= round_off * count) continue;
-      warnings.push_back(
-          t.error("period",
-                  fmt::format("cycles of {:.10g} s are no whole number of the periods of {}.{}, {:.10g} s",
-                              stage.period, instance.name, key, period),
-                  "give cycles of a multiple of each period")
-              .what());
+      others.push_back(fmt::format("{}.{}, {:.10g} s", instance.name, key, period));
     }
+  if (others.empty()) return;
+  warnings.push_back(t.error("period",
+                             fmt::format("cycles of {:.10g} s are no whole number of the periods of {}",
+                                         stage.period, fmt::join(others, ", of ")),
+                             "give cycles of a multiple of each period")
+                         .what());
 }
 
 // Functions of time of an instance that vary and that a stage does not set anew.

@@ -74,7 +74,47 @@ TEST_CASE("the final packing of a periodic run has its box, and a scene that dro
   const std::vector<std::string> dropped = again(discs);
   REQUIRE(dropped.size() == 1);
   CHECK(dropped[0].starts_with(
-      "the file of bodies is periodic along x from 0 to 0.07 m, and the scene is not periodic along it; "));
+      "the file of bodies is periodic along x from 0 to 0.07 m, and the scene is not; "));
   CHECK(again(with(periodic, "upper = [0.07, 0]", "upper = [0.14, 0]"))[0].find("over 0.14 m") !=
         std::string::npos);
+}
+
+TEST_CASE("a scene that drops several periodic axes is warned once", "[run]") {
+  const std::string periodic =
+      with(discs, box, "plugin = 'periodic'\naxes = 'xy'\nlower = [0, 0]\nupper = [0.07, 0.08]\n");
+  const Bench bench(periodic);
+  bench.run();
+  const auto again = [&](const std::string& text) {
+    return plan_of(with(text,
+                        "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                        "random_velocity = 0.1\n",
+                        "file = '" + (bench.options.out / "final_packing.csv").string() + "'\n"))
+        .warnings;
+  };
+  REQUIRE(again(discs).size() == 1);
+  CHECK(again(discs)[0].starts_with(
+      "the file of bodies is periodic along x from 0 to 0.07 m, y from 0 to 0.08 m, and the "
+      "scene is not; "));
+  const std::string one = with(periodic, "axes = 'xy'\nlower = [0, 0]\nupper = [0.07, 0.08]",
+                               "axes = 'x'\nlower = [0, 0]\nupper = [0.14, 0]");
+  REQUIRE(again(one).size() == 1);
+  CHECK(again(one)[0].find("and the scene is along x over 0.14 m, not along y; ") != std::string::npos);
+}
+
+TEST_CASE("the number of steps in a contact is warned of below 20, and tells that from 20", "[run]") {
+  const auto warnings = [](const std::string& fraction) {
+    const Bench bench(discs, {"time.step={fraction=" + fraction + "}", "time.duration=1", "probe.every=0.1"});
+    return run::start_warnings(bench.plan, *run::set_up(bench.plan));
+  };
+  // In these scenes contact time / (fraction × contact time) is below the bound by rounding, or not.
+  for (const char* stiffness : {"1e3", "3e3", "7e3", "1.1e4", "1.3e4", "1.7e4", "4e4"}) {
+    const Bench bench(discs, {"time.step={fraction=0.05}", "time.duration=1", "probe.every=0.1",
+                              std::string("contact.normal_stiffness=") + stiffness});
+    CHECK(run::start_warnings(bench.plan, *run::set_up(bench.plan)).empty());
+  }
+  REQUIRE(warnings("0.0500001").size() == 1);
+  CHECK(
+      warnings("0.0500001")[0].starts_with("the shortest contact takes 19.99996 time steps; use 20 or more"));
+  REQUIRE(warnings("0.06").size() == 1);
+  CHECK(warnings("0.06")[0].starts_with("the shortest contact takes 16.7 time steps; use 20 or more"));
 }

@@ -187,6 +187,18 @@ TEST_CASE("cycles that are no multiple of the periods of their loads are warned 
   }
 }
 
+TEST_CASE("several functions of other periods are one warning", "[scenario]") {
+  const std::string scene =
+      with(discs, "duration = 1e-4\n", "") +
+      "[[boundary]]\nplugin = 'box'\nname = 'cell'\ngap = 0.01\n"
+      "stress_x = { from = 1, to = 2, period = 0.02 }\nstress_y = { from = 1, to = 2, period = 0.03 }\n"
+      "[[stage]]\ncycles = 3\nperiod = 0.01\n";
+  const std::vector<std::string> found = plan_of(scene).warnings;
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0],
+             Catch::Contains("of the periods of cell.stress_x, 0.02 s, of cell.stress_y, 0.03 s; give"));
+}
+
 TEST_CASE("a stage cannot change what describes the start of a boundary", "[scenario]") {
   const std::string scene =
       with(discs, "duration = 1e-4\n", "") +
