@@ -1,12 +1,14 @@
 #!/bin/sh
 # In an empty directory, with an installed tree: `scree new-plugin` writes a project of each kind, which builds and
-# passes its tests with two commands. Usage: plugin_outside_test.sh BUILD_DIRECTORY
+# passes its tests with two commands; and the links of its documents lead somewhere. Usage: plugin_outside_test.sh BUILD_DIRECTORY
 set -eu
 build=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
+tests=$(cd "$(dirname "$0")" && pwd)
 cmake --install "$build" --prefix "$folder/installed" > "$folder/install.log"
+sh "$tests/links_test.sh" "$folder/installed/share/doc/scree"
 cd "$folder"
 for kind in contact boundary body_force probe; do
   installed/bin/scree new-plugin "$kind" "my_$kind" > new.log

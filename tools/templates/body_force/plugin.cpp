@@ -1,5 +1,5 @@
 // A body force: a spring to a point. Replace equations, parameters and forces by your own; the guide is
-// share/doc/scree/plugins.md of scree.
+// share/doc/scree/plugins/README.md of scree.
 
 #include <scree/plugin/body_force.hpp>
 

@@ -1,0 +1,30 @@
+#!/bin/sh
+# Every relative link of every document of a tree leads to a file: links and pictures of Markdown, and names of documents in
+# code spans, which count from the folder of the document or from the top. Usage: links_test.sh TOP
+set -eu
+top=$1
+status=0
+
+# check DOCUMENT TARGET PLACE...: whether the target is in one of the places.
+check() {
+  document=$1 target=$2
+  shift 2
+  for place in "$@"; do
+    [ ! -e "$place/$target" ] || return 0
+  done
+  echo "${document#"$top"/}: $target is not there"
+  status=1
+}
+
+documents=$(find -L "$top/" -name build -prune -o -name runs -prune -o -name '*.md' -print)
+[ -n "$documents" ]
+for document in $documents; do
+  folder=$(dirname "$document")
+  for target in $(grep -o '](\([^)]*\))' "$document" | sed 's/^](//; s/)$//; s/#.*//' | grep -v '^[a-z]*:' || true); do
+    check "$document" "$target" "$folder"
+  done
+  for target in $(grep -o '`[A-Za-z0-9_./-]*\.md`' "$document" | tr -d '`' || true); do
+    check "$document" "$target" "$folder" "$top"
+  done
+done
+exit $status
