@@ -25,10 +25,11 @@ struct BodyEnergyProbe {
   }
 
   scree::ColumnName column(std::uint32_t c) const {
-    if (c < 2) return {c == 0 ? "smallest_ratio" : "largest_ratio", ""};
+    if (c == 0) return {"smallest_ratio", "", "of the selected bodies"};
+    if (c == 1) return {"largest_ratio", "", "of the selected bodies"};
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "ratio_%lld", bodies.id(c - 2));
-    return {name, ""};
+    return {name, "", "kinetic energy of the body / that at the first sample"};
   }
 
   std::string start(const scree_view& view, double* state) const {

@@ -29,12 +29,13 @@ struct BoxProbe {
   scree::ColumnName column(std::uint32_t c) const {
     const std::uint32_t d = std::uint32_t(dimension);
     const std::string axis(1, "xyz"[c % d]);
-    if (c < d) return {"length_" + axis, "m"};
-    if (c < 2 * d) return {"stress_" + axis + axis, "Pa"};
-    if (c < 3 * d) return {"strain_" + axis + axis, ""};
-    if (c == 3 * d) return {"deviatoric_stress", "Pa"};
-    if (c == 3 * d + 1) return {"deviatoric_strain", ""};
-    return {"solid_fraction", ""};
+    if (c < d) return {"length_" + axis, "m", "distance between the walls"};
+    if (c < 2 * d) return {"stress_" + axis + axis, "Pa", "mean of both walls, above 0 in compression"};
+    if (c < 3 * d) return {"strain_" + axis + axis, "", "1 − length / length at the first sample"};
+    if (c == 3 * d) return {"deviatoric_stress", "Pa", "2 (stress_xx − stress_yy)/3"};
+    if (c == 3 * d + 1) return {"deviatoric_strain", "", "strain_xx − strain_yy"};
+    return {"solid_fraction", "",
+            "volume of the bodies / volume between the walls (2D: areas); overlaps count twice"};
   }
 
   const char* start(const scree_view& view, double* state) const {

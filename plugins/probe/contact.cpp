@@ -47,13 +47,21 @@ struct ContactProbe {
     static constexpr const char* names[] = {"overlap",  "normal_force", "tangential_force", "sliding",
                                             "normal_x", "normal_y",     "normal_z"};
     static constexpr const char* units[] = {"m", "N", "N", "", "", "", ""};
+    static constexpr const char* meanings[] = {"0 while the contact is open",
+                                               "above 0 if repulsive",
+                                               "magnitude; in 2D with the sign of f·(z × n)",
+                                               "1 while the contact slides, else 0",
+                                               "component of the normal, from b or the wall to a",
+                                               "",
+                                               ""};
     const std::uint64_t entry = c / per_contact();
     const bool at_wall = is_at_wall(entry);
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "%s_%lld_%s%lld", names[c % per_contact()],
                   at_wall ? at_walls.id(entry - body_pairs()) : pairs.id(2 * entry), at_wall ? "wall" : "",
                   at_wall ? static_cast<long long>(wall(entry)) : pairs.id(2 * entry + 1));
-    return {name, units[c % per_contact()]};
+    const std::uint32_t quantity = c % per_contact();
+    return {name, units[quantity], meanings[std::min(quantity, 4u)]};
   }
 
   std::string start(const scree_view& view, double* indices) const {

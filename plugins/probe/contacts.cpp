@@ -27,7 +27,7 @@ struct ContactsProbe {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = std::size(names);
   }
-  scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c]}; }
+  scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c], meanings[c]}; }
 
   void sample(const scree_view& view, const double*, double* row) const {
     double ends = 0, sliding = 0, overlap = 0, largest = 0, force = 0;
@@ -67,6 +67,14 @@ struct ContactsProbe {
                                           "mean_normal_force",
                                           "rattlers"};
   static constexpr const char* units[] = {"", "", "", "", "m", "m", "N", ""};
+  static constexpr const char* meanings[] = {"number of touching pairs, walls included",
+                                             "contacts per body; one with a wall counts for its body",
+                                             "the same of the bodies that are no rattlers",
+                                             "share of the contacts that slide",
+                                             "over the contacts",
+                                             "of all contacts",
+                                             "over the contacts, above 0 if repulsive",
+                                             "number of bodies with fewer than rattler_below contacts"};
 };
 
 }  // namespace

@@ -39,7 +39,9 @@ struct DifferenceProbe {
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "%s_%lld_%lld", dimension == 2 ? flat[q] : spatial[q],
                   bodies.id(2 * pair), bodies.id(2 * pair + 1));
-    return {name, q < d ? "m" : velocity ? "m/s" : "rad/s"};
+    const char* const meaning =
+        q < per_pair() - 2 ? "of body a minus that of body b" : "magnitude for body a minus that for body b";
+    return {name, q < d ? "m" : velocity ? "m/s" : "rad/s", meaning};
   }
 
   std::string start(const scree_view& view, double* indices) const { return bodies.find(view, indices); }

@@ -17,7 +17,9 @@ struct EnergyProbe {
     instance.needs = SCREE_NEEDS_ENERGY;
     instance.column_count = std::size(scree::energies);
   }
-  scree::ColumnName column(std::uint32_t c) const { return {scree::energies[c].name, "J"}; }
+  scree::ColumnName column(std::uint32_t c) const {
+    return {scree::energies[c].name, "J", scree::energies[c].meaning};
+  }
   void sample(const scree_view& view, const double*, double* row) const {
     for (const scree::NamedEnergy& energy : scree::energies) *row++ = view.energy->*energy.member;
   }

@@ -29,7 +29,7 @@ struct LayerProbe {
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"bodies", "position", "velocity", "displacement"};
     static constexpr const char* units[] = {"", "m", "m/s", "m"};
-    return {names[c], units[c]};
+    return {names[c], units[c], scree::Layers::meanings[c]};
   }
 
   std::uint64_t state_size(const scree_view& view) const { return layers.state_size(view); }

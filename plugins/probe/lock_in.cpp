@@ -55,14 +55,19 @@ struct LockInProbe {
     const int h = 1 + int(c) / per_harmonic;
     if (h > harmonics) {
       static constexpr const char* names[] = {"mean", "residual", "samples"};
+      static constexpr const char* meanings[] = {
+          "of the fitted drift", "root mean square of what the fit leaves", "number in the record so far"};
       const std::uint32_t k = c - std::uint32_t(per_harmonic * harmonics);
-      return {names[k], k < 2 ? of.unit : ""};
+      return {names[k], k < 2 ? of.unit : "", meanings[k]};
     }
     static constexpr const char* names[] = {"amplitude", "phase", "amplitude_error", "phase_error"};
     const std::uint32_t k = c % per_harmonic;
     std::string name = names[k];
     if (h > 1) name.append("_").append(std::to_string(h));
-    return {name, k % 2 ? "rad" : of.unit};
+    static constexpr const char* meanings[] = {"of the sine at the frequency", "at the time origin",
+                                               "standard error", "standard error"};
+    return {name, k % 2 ? "rad" : of.unit,
+            h > 1 && k == 0 ? "of a harmonic, at a multiple of the frequency" : meanings[k]};
   }
 
   // State: time of the last sample, the lock-in, and with detrend = "period_average" what that keeps.

@@ -31,7 +31,7 @@ struct MeanSquaredDisplacementProbe {
   }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"total", "x", "y", "z"};
-    return {names[c], "m^2"};
+    return {names[c], "m^2", c == 0 ? "sum over the axes" : "part along the axis"};
   }
 
   // State: t_0; number of complete windows; sums over them along x, y, z; positions at t_0; indices of a list.

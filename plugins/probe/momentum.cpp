@@ -31,7 +31,9 @@ struct MomentumProbe {
                                               "momentum_z",         "angular_momentum_x",
                                               "angular_momentum_y", "angular_momentum_z"};
     const std::uint32_t axes = std::uint32_t(dimension);
-    return {dimension == 2 ? flat[c] : spatial[c], c < axes ? "kg m/s" : "kg m^2/s"};
+    const bool linear = c < axes;
+    return {dimension == 2 ? flat[c] : spatial[c], linear ? "kg m/s" : "kg m^2/s",
+            linear ? "of all bodies" : "of all bodies, with respect to the point about"};
   }
 
   void sample(const scree_view& view, const double*, double* row) const {

@@ -27,7 +27,9 @@ struct OrientationProbe {
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* components_3d[] = {"w_", "x_", "y_", "z_"};
     const char* component = dimension == 2 ? "angle_" : components_3d[c % 4];
-    return {component + std::to_string(bodies.id(c / components())), dimension == 2 ? "rad" : ""};
+    return {component + std::to_string(bodies.id(c / components())), dimension == 2 ? "rad" : "",
+            dimension == 2 ? "since the start, not reduced to one turn"
+                           : "component of the unit quaternion since the start"};
   }
   std::string start(const scree_view& view, double* state) const { return bodies.find(view, state); }
 

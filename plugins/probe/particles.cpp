@@ -25,13 +25,14 @@ struct ParticlesProbe {
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* quantities[] = {"", "v", "f", "spin_"};
     static constexpr const char* units[] = {"m", "m/s", "N", "rad/s"};
+    static constexpr const char* meanings[] = {"position", "velocity", "force", "angular velocity"};
     const std::uint32_t d = std::uint32_t(dimension), q = c % per_body();
     const bool is_spin = q >= 3 * d;
     const char axis = is_spin && dimension == 2 ? 'z' : "xyz"[is_spin ? q - 3 * d : q % d];
     char name[SCREE_MAX_NAME];
     std::snprintf(name, sizeof(name), "%s%c_%lld", quantities[is_spin ? 3 : q / d], axis,
                   bodies.id(c / per_body()));
-    return {name, units[is_spin ? 3 : q / d]};
+    return {name, units[is_spin ? 3 : q / d], meanings[is_spin ? 3 : q / d]};
   }
 
   std::string start(const scree_view& view, double* indices) const { return bodies.find(view, indices); }

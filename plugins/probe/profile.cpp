@@ -41,7 +41,7 @@ struct ProfileProbe {
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"bodies_", "position_", "velocity_", "displacement_"};
     static constexpr const char* units[] = {"", "m", "m/s", "m"};
-    return {names[c % 4] + std::to_string(c / 4 + 1), units[c % 4]};
+    return {names[c % 4] + std::to_string(c / 4 + 1), units[c % 4], scree::Layers::meanings[c % 4]};
   }
 
   std::uint64_t state_size(const scree_view& view) const { return layers.state_size(view); }

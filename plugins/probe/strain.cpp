@@ -33,7 +33,10 @@ struct StrainProbe {
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"strain", "strain_rate", "distance", "bodies_low", "bodies_high"};
     static constexpr const char* units[] = {"", "1/s", "m", "", ""};
-    return {names[c], units[c]};
+    static constexpr const char* meanings[] = {"distance / distance at the start − 1, above 0 in extension",
+                                               "its rate", "between the mean heights of the two layers",
+                                               "number in the lower layer", "number in the upper layer"};
+    return {names[c], units[c], meanings[c]};
   }
 
   std::uint64_t state_size(const scree_view& view) const { return layers.state_size(view); }

@@ -30,9 +30,10 @@ struct TouchingProbe {
   }
 
   scree::ColumnName column(std::uint32_t c) const {
-    if (c == 0) return {"observations", ""};
+    if (c == 0) return {"observations", "", "number so far"};
     const std::string id = std::to_string(bodies.id((c - 1) / 2));
-    return c % 2 ? scree::ColumnName{"touched_" + id, ""} : scree::ColumnName{"last_touch_" + id, "s"};
+    if (c % 2) return {"touched_" + id, "", "observations in which the body touched another or a wall"};
+    return {"last_touch_" + id, "s", "time of the last of these; that of the first observation before"};
   }
 
   // State: number of observations; of each body the number in which it touched, the time of the last, its index.

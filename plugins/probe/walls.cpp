@@ -38,10 +38,10 @@ struct WallsProbe {
     const std::uint32_t q = c % per_wall(), scalars = std::uint32_t(std::size(names));
     const std::uint32_t component = q - scalars, d = std::uint32_t(dimension);
     const std::string wall = '_' + std::to_string(static_cast<long long>(numbers.data[c / per_wall()]));
-    if (q < scalars) return {names[q] + wall, units[q]};
+    if (q < scalars) return {names[q] + wall, units[q], meanings[q]};
     const std::string axis(1, "xyz"[component % d]);
-    return component < d ? scree::ColumnName{"displacement_" + axis + wall, "m"}
-                         : scree::ColumnName{"force_" + axis + wall, "N"};
+    if (component < d) return {"displacement_" + axis + wall, "m", "since the start"};
+    return {"force_" + axis + wall, "N", "of all contacts on the wall"};
   }
 
   // State: the point of each wall at the start.
@@ -77,6 +77,9 @@ struct WallsProbe {
  private:
   static constexpr const char* names[] = {"position", "velocity", "normal_force", "tangential_force"};
   static constexpr const char* units[] = {"m", "m/s", "N", "N"};
+  static constexpr const char* meanings[] = {
+      "of a point of the wall along its normal, which points to the bodies", "along the normal",
+      "above 0 in compression", "magnitude"};
   std::uint32_t per_wall() const { return std::uint32_t(std::size(names)) + 2 * std::uint32_t(dimension); }
   static double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 };

@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <sstream>
+
 using namespace scree::test;
 
 namespace {
@@ -93,6 +95,40 @@ TEST_CASE("describe prints equations, parameters and closed forms", "[tools]") {
       "--density 1000");
   CHECK(contains(forms.out, "\n  contact_time     0.000454652 s  "));
   CHECK(contains(forms.out, "\n  restitution      1  "));
+}
+
+TEST_CASE("describe prints the columns of a probe with unit and meaning, those of a pattern once",
+          "[tools]") {
+  const Workspace w;
+  const Outcome box = w.scree("describe probe/box");
+  CHECK(contains(box.out, "\n  length_z [m]            3D only; distance between the walls\n"));
+  CHECK(contains(box.out, "\n  solid_fraction [1]      volume of the bodies / "));
+  CHECK(contains(w.scree("describe energy").out, "\n  residual [J]  "));
+  const Outcome walls = w.scree("describe walls");
+  CHECK(contains(walls.out, "\n  normal_force_<n> [N]      above 0 in compression\n"));
+  CHECK_FALSE(contains(walls.out, "normal_force_1"));
+  const Outcome contact = w.scree("describe probe/contact");
+  CHECK(contains(contact.out, "\n  overlap_<n>_<n> [m] "));
+  CHECK(contains(contact.out, "\n  overlap_<n>_wall<n> [m] "));
+  CHECK(contains(w.scree("describe orientation").out, "\n  angle_<n> [rad]  2D only; since the start"));
+  CHECK(contains(w.scree("describe lock_in").out, "\n  amplitude [unit of the column] "));
+}
+
+TEST_CASE("every column of every probe has a meaning", "[tools]") {
+  const Outcome all = Workspace().scree("describe --all");
+  std::istringstream lines(all.out);
+  int columns = 0;
+  bool in_table = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| `"))
+      in_table = line.starts_with("| column ") || (in_table && line.starts_with("|---"));
+    if (!in_table || !line.starts_with("| `")) continue;
+    ++columns;
+    INFO(line);
+    CHECK_FALSE(line.ends_with("|  |"));
+    CHECK_FALSE(line.ends_with("; |"));
+  }
+  CHECK(columns > 100);
 }
 
 TEST_CASE("describe takes two dimensions for a law of discs", "[tools]") {

@@ -22,6 +22,10 @@ for kind in contact boundary body_force probe; do
   [ "$lines" -lt 80 ] || { echo "my_$kind has $lines lines"; exit 1; }
 done
 
+# Columns are described as those of the probes of scree.
+installed/bin/scree describe probe/my_probe --plugins my_probe/build/plugins > describe.log
+grep -q "mean_squared_displacement \[m^2\]  over all bodies and windows" describe.log || { cat describe.log; exit 1; }
+
 # A law that makes energy does not pass.
 sed -i 's/const T dashpot = /const T dashpot = -/' my_contact/my_contact.cpp
 if cmake --build my_contact/build --target check > build.log 2>&1; then

@@ -1,5 +1,7 @@
 #include "describe_markdown.hpp"
 
+#include "probe_columns.hpp"
+
 #include <vector>
 
 #include <fmt/format.h>
@@ -34,14 +36,20 @@ void print_header(const char* title) {
   fmt::print("\n| {} | value | without it | meaning |\n|---|---|---|---|\n", title);
 }
 
+void print_column_rows(const std::vector<ColumnLine>& columns) {
+  fmt::print("\n| column | unit | meaning |\n|---|---|---|\n");
+  for (const ColumnLine& c : columns)
+    fmt::print("| `{}` | {} | {} |\n", c.name, cell(c.unit), cell(c.meaning));
+}
+
 void print_plugin(const scree_plugin& plugin) {
   fmt::print("\n### {}\n\n{}\n", plugin.name, plugin.summary);
-  if (plugin.parameter_count == 0) return;
-  print_header("parameter");
+  if (plugin.parameter_count > 0) print_header("parameter");
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
     print_row(p.key, describe_range(p), when_absent(p), p.doc);
   }
+  if (plugin.kind == SCREE_PROBE) print_column_rows(described_columns(Parameters(plugin)));
 }
 
 }  // namespace
@@ -65,6 +73,9 @@ void print_markdown(PluginHost& host) {
   }
   for (const KindTitle& title : titles) {
     fmt::print("\n## {}\n", title.title);
+    if (title.kind == SCREE_PROBE)
+      fmt::print(
+          "\nThe first column of a series is `time` (s); `<n>` is a number that the parameters choose.\n");
     for (const std::string& name : host.names(title.kind)) print_plugin(host.find(name, title.kind));
   }
 }

@@ -1,5 +1,6 @@
 #include "describe_markdown.hpp"
 #include "plugin_values.hpp"
+#include "probe_columns.hpp"
 #include "program_verbs.hpp"
 
 #include <algorithm>
@@ -71,6 +72,14 @@ void print_table(const scenario::TableDescription& table) {
     fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", key.name, key.value, key.absent, "", key.doc);
 }
 
+void print_columns(const std::vector<ColumnLine>& columns) {
+  const auto head = [](const ColumnLine& c) { return fmt::format("{} [{}]", c.name, c.unit); };
+  std::size_t widest = 0;
+  for (const ColumnLine& c : columns) widest = std::max(widest, head(c).size());
+  fmt::print("\ncolumns behind time [s]; <n>: a number that the parameters choose\n");
+  for (const ColumnLine& c : columns) fmt::print("  {:<{}}  {}\n", head(c), widest, c.meaning);
+}
+
 // A law with the values of the command line, in their dimension or, where they have none, in one in which it exists; none without values.
 std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, DescribeArguments& a) {
   if (a.values.empty()) return std::nullopt;
@@ -135,6 +144,7 @@ void describe_one(const scree_plugin& plugin, DescribeArguments arguments) {
              plugin.source);
   print_equation(plugin.equation);
   print_parameters(plugin);
+  if (plugin.kind == SCREE_PROBE) print_columns(described_columns(Parameters(plugin)));
   if (law)
     print_closed_forms(*law, arguments);
   else if (plugin.kind == SCREE_CONTACT_LAW)

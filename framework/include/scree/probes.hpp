@@ -40,9 +40,10 @@ class Probe {
   // Throws Error if the plug-in refuses its parameters or names columns as a CSV file cannot.
   Probe(const Parameters& parameters, int dimension);
 
-  // Names and units of the columns, without the time column.
+  // Names and units of the columns, without the time column, and what they mean; empty where the plug-in says nothing.
   std::vector<std::string> names() const { return names_; }
   std::vector<std::string> units() const { return units_; }
+  std::vector<std::string> meanings() const;
   std::uint32_t needs() const { return plugin_.instance().needs; }
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }

@@ -4,11 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/probes.hpp>
 
@@ -130,6 +132,20 @@ Probe::Probe(const Parameters& parameters, int dimension)
   }
 }
 
+std::vector<std::string> Probe::meanings() const {
+  const scree_probe& interface = plugin_.interface();
+  std::vector<std::string> meanings(names_.size());
+  if (interface.struct_size <= offsetof(scree_probe, meaning) || !interface.meaning) return meanings;
+  for (std::uint32_t c = 0; c < meanings.size(); ++c) {
+    char text[SCREE_MAX_MEANING] = "";
+    plugin_call(plugin_.parameters().plugin().name, "meaning",
+                [&] { interface.meaning(plugin_.storage(), c, text); });
+    text[SCREE_MAX_MEANING - 1] = 0;
+    meanings[c] = text;
+  }
+  return meanings;
+}
+
 namespace {
 
 // Numbers behind an array that a plug-in fills, which it must not change.
@@ -146,8 +162,8 @@ std::vector<double> guarded(std::size_t size) {
 
 void check_guard(const std::vector<double>& numbers, const char* plugin, const char* what) {
   if (std::all_of(numbers.end() - guard_size, numbers.end(), [](double x) { return x == guard; })) return;
-  throw Error(fmt::format("plug-in {}: writes beyond the {} numbers of its {}; declare as many as it writes",
-                          plugin, numbers.size() - guard_size, what));
+  throw Error(fmt::format("plug-in {}: writes beyond the {} of its {}; declare as many as it writes", plugin,
+                          counted(numbers.size() - guard_size, "number"), what));
 }
 
 }  // namespace
@@ -189,9 +205,9 @@ void Probe::check(const scree_view& view) const { started(view); }
 void Probe::check_restored(const scree_view& view) const {
   if (const std::uint64_t size = size_in(view); is_started_ && state_size_ != size)
     throw Error(
-        fmt::format("plug-in {}: its state has {} numbers instead of {}; take a state that scree has written "
+        fmt::format("plug-in {}: its state has {} instead of {}; take a state that scree has written "
                     "for this scene",
-                    plugin_.parameters().plugin().name, state_size_, size));
+                    plugin_.parameters().plugin().name, counted(state_size_, "number"), size));
 }
 
 namespace {

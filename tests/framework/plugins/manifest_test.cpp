@@ -2,6 +2,8 @@
 
 #include "plugins/false_law.hpp"
 
+#include <cstddef>
+
 #include <catch2/catch.hpp>
 
 #include <scree/plugin/declaration.hpp>
@@ -56,6 +58,26 @@ TEST_CASE("a manifest of a wrong size, kind or number of parameters is refused")
   CHECK(problem_after([](FalseLaw& l) {
           l.plugin.parameter_count = 4000000000u;
         }).starts_with("declares 4000000000 parameters, more than the limit of "));
+}
+
+TEST_CASE("a probe that was built before columns had meanings is used, and one of another size is not") {
+  const auto problem = [](std::uint32_t size) {
+    return problem_after([&](FalseLaw& l) {
+      static scree_probe probe;
+      probe = {};
+      probe.struct_size = size;
+      probe.configure = [](const scree_setup*, void*, scree_probe_instance*) { return 0; };
+      probe.column = [](const void*, std::uint32_t, char*, char*) {};
+      probe.start = [](const void*, const scree_view*, double*, char*, std::size_t) { return 0; };
+      probe.sample = [](const void*, const scree_view*, const double*, double*) {};
+      l.plugin.kind = SCREE_PROBE;
+      l.plugin.interface = &probe;
+    });
+  };
+  CHECK(problem(sizeof(scree_probe)).empty());
+  CHECK(problem(offsetof(scree_probe, meaning)).empty());
+  CHECK(problem(offsetof(scree_probe, sample))
+            .starts_with("has the interface of another version of a probe; "));
 }
 
 TEST_CASE("a parameter without a key, unit, text or choices is refused, and one of an unknown type") {

@@ -179,7 +179,7 @@ TEST_CASE("a probe that writes beyond its state or row is named", "[probe]") {
   CHECK_THROWS_WITH(observe_and_sample(0), state);
   CHECK_THROWS_WITH(observe_and_sample(1), state);
   CHECK_THROWS_WITH(observe_and_sample(2),
-                    "plug-in careless: writes beyond the 1 numbers of its row; declare as many as it writes");
+                    "plug-in careless: writes beyond the 1 number of its row; declare as many as it writes");
   CHECK_THROWS_WITH(observe_and_sample(3),
                     Catch::Contains("is larger than the limit of 1000000000; keep less"));
 }

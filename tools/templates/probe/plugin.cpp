@@ -1,5 +1,5 @@
 // A probe with memory: the mean squared displacement of all bodies over windows of time. Replace columns, state
-// and formulas by your own; the guide is share/doc/scree/plugins.md of scree.
+// and formulas by your own; the guide is share/doc/scree/plugins/README.md of scree.
 
 #include <algorithm>
 
@@ -16,7 +16,10 @@ struct PluginName {
 
   void declare(scree::Declaration& d) { d.number("window", window, "s", scree::positive, "t − t_0"); }
   void describe(scree_probe_instance& instance) const { instance.column_count = 1; }
-  scree::ColumnName column(std::uint32_t) const { return {"mean_squared_displacement", "m^2"}; }
+  // Name, unit and meaning, which scree describe shows.
+  scree::ColumnName column(std::uint32_t) const {
+    return {"mean_squared_displacement", "m^2", "over all bodies and windows"};
+  }
 
   // The host keeps the state: t_0, number of windows, sum over them; position of each body at t_0.
   std::uint64_t state_size(const scree_view& view) const { return 3 + 3 * view.body_count; }

@@ -31,6 +31,10 @@ struct LayerMotion {
 //   in start       return layers.start_around(view, centres, half_width, state);
 //   in sample      layers.motion(view, state)[0].displacement
 struct Layers {
+  // Of columns bodies, position, velocity and displacement.
+  static constexpr const char* meanings[] = {"number of bodies", "mean height", "mean along the axis",
+                                             "of the mean height since the start"};
+
   std::uint64_t count = 1;
   int axis = 1;
 

@@ -16,7 +16,7 @@
 //   void declare(scree::Declaration&);
 //   void prepare(const scree::Setup&);                 optional: derived values, refusals
 //   void describe(scree_probe_instance&) const;        columns, needs, width of the state
-//   scree::ColumnName column(std::uint32_t) const;     name and unit of a column
+//   scree::ColumnName column(std::uint32_t) const;     name, unit and meaning of a column
 //   std::uint64_t state_size(const scree_view&) const; optional: width of a state that depends on the scene
 //   std::string start(const scree_view&, double* state) const;   optional: sets the state; returns the problem
 //                                                      and a remedy, or "" (or const char*, null without one)
@@ -27,10 +27,12 @@
 
 namespace scree {
 
-// Name and unit of a column of a probe.
+// Name, unit and meaning of a column of a probe.
 struct ColumnName {
   std::string name;  // snake_case
   std::string unit;  // "" if dimensionless
+  std::string
+      meaning{};  // one line for scree describe; columns that differ in a number, as x_1 and x_2, have the same
 };
 
 // A vector of body i; components that the scene does not carry are 0.
@@ -92,6 +94,11 @@ void column_of_probe(const void* storage, std::uint32_t column, char name[SCREE_
   std::snprintf(unit, SCREE_MAX_NAME, "%s", c.unit.c_str());
 }
 template <class Author>
+void meaning_of_probe(const void* storage, std::uint32_t column, char text[SCREE_MAX_MEANING]) {
+  std::snprintf(text, SCREE_MAX_MEANING, "%s",
+                static_cast<const Author*>(storage)->column(column).meaning.c_str());
+}
+template <class Author>
 std::uint64_t state_size_of_probe(const void* storage, const scree_view* view) {
   return static_cast<const Author*>(storage)->state_size(*view);
 }
@@ -130,6 +137,7 @@ constexpr scree_probe make_probe_interface() {
   p.start = &start_probe<Author>;
   if constexpr (ObservingProbe<Author>) p.observe = &observe_probe<Author>;
   p.sample = &sample_probe<Author>;
+  p.meaning = &meaning_of_probe<Author>;
   return p;
 }
 

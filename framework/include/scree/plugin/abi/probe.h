@@ -14,6 +14,7 @@ extern "C" {
 #endif
 
 #define SCREE_MAX_NAME 64u                     /* bytes of a column name or unit, final zero included */
+#define SCREE_MAX_MEANING 256u                 /* bytes of the meaning of a column, final zero included */
 #define SCREE_MAX_ID INT64_C(1000000000000000) /* largest id of a body, exact as a double */
 
 typedef struct scree_energy { /* the energy balance (J); dissipated, created and work since the start */
@@ -114,6 +115,9 @@ typedef struct scree_probe {
   /* Writes one row of column_count values. Called at the start of each stage in which the probe records, at the
    * steps nearest to the multiples of the key `every`, and at the end. */
   void (*sample)(const void* storage, const scree_view* view, const double* state, double* row);
+  /* (optional) One line of what a column means, for documents. A library that was built without this member, as its
+   * struct_size says, is used without it. */
+  void (*meaning)(const void* storage, uint32_t column, char text[SCREE_MAX_MEANING]);
 } scree_probe;
 
 #ifdef __cplusplus
