@@ -36,6 +36,22 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   CHECK_FALSE(w.has("runs"));
 }
 
+TEST_CASE("check tells which points a chart leaves out at the start", "[tools]") {
+  const Workspace w(
+      std::string(discs) +
+      "[[chart]]\nname = 'time'\nprobe = 'energy'\ny = 'kinetic_translation'\nlog_x = true\n"
+      "[[chart]]\nname = 'work'\nprobe = 'energy'\ny = ['work', 'kinetic_translation', 'residual']\n"
+      "log_y = true\n"
+      "[[chart]]\nname = 'all'\nprobe = 'energy'\ny = 'kinetic_translation'\nlog_y = true\n");
+  const Outcome checked = w.scree("check scene.toml");
+  CHECK(
+      contains(checked.out,
+               "\n  chart time: at t = 0 s there is no logarithm of time, so that these points are left out\n"
+               "  chart work: at t = 0 s there is no logarithm of work, residual, so that these points are "
+               "left out\n"));
+  CHECK_FALSE(contains(checked.out, "chart all"));
+}
+
 TEST_CASE("check tells the largest overlap at the start, and warns of a large one", "[tools]") {
   const auto checked = [](const char* second) {
     return Workspace(
@@ -199,6 +215,38 @@ TEST_CASE("render redraws the snapshots of a run", "[tools]") {
   const Workspace empty;
   check_refused(empty, empty.scree("render ."), ".: contains no particles_*.vtp; ",
                 "([snapshot] every = <s>)");
+}
+
+TEST_CASE("render draws the charts of a run again, changed or those of another file", "[tools]") {
+  const Workspace w(
+      std::string(discs) +
+      "[[chart]]\nname = 'energies'\nprobe = 'energy'\ny = ['kinetic_translation', 'work']\nlog_x = true\n");
+  const Outcome run = w.run();
+  CHECK(run.status == 0);
+  CHECK(run.err.empty());
+  REQUIRE(w.has("out/charts/energies.png"));
+  const std::string first = w.text("out/charts/energies.png");
+  CHECK(w.scree("render out --charts --set chart.energies.log_x=false").out == "out/charts/energies.png\n");
+  CHECK(w.text("out/charts/energies.png") != first);
+  CHECK(w.scree("render out --charts").status == 0);
+  CHECK(w.text("out/charts/energies.png") == first);
+  w.write("more.toml", "[[chart]]\nname = 'stages'\nprobe = 'energy'\ny = 'residual'\n");
+  CHECK(w.scree("render out --charts --scenario more.toml --out own").out == "own/stages.png\n");
+  CHECK(w.has("own/stages.png"));
+  const auto refused = [&](const std::string& arguments, const std::string& line) {
+    const Outcome outcome = w.scree("render out " + arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.starts_with("scree: " + line));
+  };
+  refused("--set chart.energies.log_x=false", "--set and --scenario change charts; give --charts too");
+  refused("--charts --set chart.energies.y=wrk",
+          "--set chart.energies.y=wrk: no column 'wrk'; did you mean 'work'?");
+  refused("--charts --set chart.energies.log=true",
+          "--set chart.energies.log=true: unknown key 'log' in [[chart]]; ");
+  const Workspace empty;
+  CHECK(empty.scree("render . --charts").err.starts_with("scree: .: contains no series/*.csv; "));
+  // All charts of a run that are drawn again are listed, so that --overwrite removes them.
+  CHECK(w.run("--overwrite").status == 0);
 }
 
 TEST_CASE("render takes single files of any name, and refuses others in one line", "[tools]") {

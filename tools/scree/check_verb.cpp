@@ -7,6 +7,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/files/text.hpp>
+#include <scree/run/charts.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
 
@@ -68,6 +69,7 @@ ExitStatus check(const CheckArguments& arguments) {
   const std::string step = run::describe_step(*simulation);
   const std::vector<std::string> warnings = run::start_warnings(plan, *simulation);
   print_summary(arguments.scenario, plan, *simulation, step);
+  for (const std::string& line : run::left_out_at_start(plan, *simulation)) fmt::print("  {}\n", line);
   for (const std::string& warning : warnings) report_warning(warning);
   return ExitStatus::success;
 }

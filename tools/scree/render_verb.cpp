@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/run/charts.hpp>
 #include <scree/run/written_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
 #include <scree/snapshot/view_range.hpp>
@@ -20,6 +21,9 @@ namespace {
 
 struct RenderArguments {
   std::string source, out, movie, color_range;
+  bool charts = false;
+  std::string scenario;  // of charts
+  std::vector<std::string> overrides;
   int frames_per_second = 25;
   bool overwrite = false;
   snapshot::RenderOptions options;
@@ -79,15 +83,26 @@ std::optional<std::array<double, 2>> color_range_of(const std::string& text) {
 }
 
 // What all pictures have in common, from a first look at every frame.
-snapshot::ViewRange view_of(const std::vector<fs::path>& frames, const std::string& color_by,
-                            snapshot::SnapshotBackend& backend) {
-  snapshot::ViewRange view(color_by);
+struct Common {
+  snapshot::ViewRange view;
+  std::vector<double> times = {};  // (s)
+
+  // Time between pictures (s); 0 of one. The last may follow its predecessor at once.
+  double spacing() const {
+    return times.size() < 2 ? 0 : (times.back() - times.front()) / double(times.size() - 1);
+  }
+};
+
+Common common_of(const std::vector<fs::path>& frames, const std::string& color_by,
+                 snapshot::SnapshotBackend& backend) {
+  Common common = {snapshot::ViewRange(color_by)};
   for (const fs::path& file : frames) {
     const snapshot::Frame frame = backend.read_frame(file);
-    view.add_box(frame);
-    view.add_colors(frame);
+    common.view.add_box(frame);
+    common.view.add_colors(frame);
+    common.times.push_back(frame.time);
   }
-  return view;
+  return common;
 }
 
 // Where pictures are drawn. Those of a run are listed there, so that they are removed with it, and may be drawn again; other files are
@@ -137,7 +152,16 @@ class Pictures {
   std::optional<run::WrittenFiles> list_;
 };
 
+ExitStatus render_charts(const RenderArguments& a) {
+  run::redraw_charts({a.source, a.scenario, a.overrides, a.out},
+                     [](const fs::path& chart) { fmt::print("{}\n", chart.string()); });
+  return ExitStatus::success;
+}
+
 ExitStatus render(const RenderArguments& arguments) {
+  if (arguments.charts) return render_charts(arguments);
+  if (!arguments.overrides.empty() || !arguments.scenario.empty())
+    throw Error("--set and --scenario change charts; give --charts too");
   snapshot::RenderOptions options = arguments.options;
   options.color_range = color_range_of(arguments.color_range);
   if (!arguments.movie.empty()) {
@@ -149,13 +173,14 @@ ExitStatus render(const RenderArguments& arguments) {
   const std::vector<fs::path> frames = frames_of(arguments.source);
   Pictures places(arguments);
   for (const fs::path& file : frames) places.check(file);
-  const snapshot::ViewRange view = view_of(frames, options.color_by, *backend);
-  if (!options.color_range) options.color_range = view.colors();
+  const Common common = common_of(frames, options.color_by, *backend);
+  if (!options.color_range) options.color_range = common.view.colors();
+  options.time_spacing = common.spacing();
   std::vector<fs::path> pictures;
   places.create_folder();
   for (const fs::path& file : frames) {
     snapshot::Frame frame = backend->read_frame(file);
-    frame.lower = view.lower(), frame.upper = view.upper();
+    frame.lower = common.view.lower(), frame.upper = common.view.upper();
     pictures.push_back(places.add(file));
     backend->render(frame, options, pictures.back());
     fmt::print("{}\n", pictures.back().string());
@@ -169,7 +194,7 @@ ExitStatus render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render_verb(CommandLine& line) {
-  Verb verb = line.verb("render", "Redraw the snapshots of a run; needs no display");
+  Verb verb = line.verb("render", "Redraw the snapshots or the charts of a run; needs no display");
   auto a = std::make_shared<RenderArguments>();
   const std::vector<std::string> fields(snapshot::color_fields.begin(), snapshot::color_fields.end());
   const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
@@ -189,6 +214,12 @@ void add_render_verb(CommandLine& line) {
       .between(1, 240);
   verb.flag("--overwrite", a->overwrite,
             "Replace pictures in --out and a movie; those in images/ of a run are drawn again without it");
+  verb.flag("--charts", a->charts, "Redraw the charts from the series of the run, and no snapshots");
+  verb.option("--scenario", a->scenario,
+              "Of --charts: file with [[chart]] tables; default: scenario.toml of the run")
+      .shown_as("FILE.toml");
+  verb.option("--set", a->overrides, "Of --charts: change a value of the scenario, as chart.NAME.log_y=true")
+      .shown_as("KEY=VALUE");
   verb.footer("Example: scree render runs/first --color-by speed --contacts --movie first.mp4");
   verb.action([a] { return render(*a); });
 }

@@ -1,14 +1,13 @@
 #include "pictures.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/run/charts.hpp>
 #include <scree/snapshot/frame_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
-#include <scree/snapshot/scaled_unit.hpp>
 
 namespace scree::run {
 
@@ -72,6 +71,7 @@ void Pictures::write_image(const Simulation& s) {
   options.color_by = plan_.snapshot.color_by;
   options.view = plan_.snapshot.view;
   options.show_contacts = plan_.snapshot.show_contacts;
+  options.time_spacing = *plan_.snapshot.image_every;
   shown_ = next_view(shown_, scene_box(s));
   const snapshot::Frame frame = frame_of(s, plan_.title, shown_);
   range_.add_colors(frame);
@@ -79,38 +79,11 @@ void Pictures::write_image(const Simulation& s) {
   backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));
 }
 
-namespace {
-
-using Column = std::vector<double> snapshot::ChartSeries::*;
-
-// Gives the values of an axis a suitable prefix; returns the label with the unit.
-std::string scale_axis(snapshot::ChartSpec& chart, Column column, const std::string& label,
-                       const std::string& unit) {
-  double largest = 0;
-  for (const snapshot::ChartSeries& series : chart.series)
-    for (const double value : series.*column) largest = std::max(largest, std::abs(value));
-  const snapshot::ScaledUnit scaled = snapshot::scaled_unit(largest, unit);
-  for (snapshot::ChartSeries& series : chart.series)
-    for (double& value : series.*column) value *= scaled.factor;
-  if (unit.empty()) return label;
-  return label.empty() ? scaled.symbol : fmt::format("{} ({})", label, scaled.symbol);
-}
-
-}  // namespace
-
 void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
-  snapshot::ChartSpec chart;
-  chart.title = plan.title;
-  chart.log_x = plan.log_x;
-  chart.log_y = plan.log_y;
-  for (const scenario::CurvePlan& curve : plan.curves) {
-    const Series& series = sampler.series(curve.probe);
-    if (series.rows() > 0)
-      chart.series.push_back({curve.name, series.column(curve.x), series.column(curve.y)});
-  }
-  chart.x_label = scale_axis(chart, &snapshot::ChartSeries::x, plan.x_label, plan.x_unit);
-  chart.y_label = scale_axis(chart, &snapshot::ChartSeries::y, plan.y_label, plan.y_unit);
-  if (chart.series.empty()) throw Error("its probe has no samples; add a stage in which it samples");
+  const snapshot::ChartSpec chart = chart_of(plan, [&](const std::string& probe, const std::string& column) {
+    const Series& series = sampler.series(probe);
+    return series.rows() > 0 ? series.column(column) : std::vector<double>();
+  });
   backend().chart(chart, directory_.add("charts/" + plan.name + ".png"));
 }
 
@@ -119,7 +92,10 @@ void Pictures::draw_charts(const Sampler& sampler, const std::function<void(cons
     try {
       draw(chart, sampler);
     } catch (const std::exception& error) {
-      if (report) report(fmt::format("chart '{}' was not drawn: {}", chart.name, error.what()));
+      if (report)
+        report(fmt::format(
+            "chart '{}' was not drawn: {}; scree render {} --charts --set chart.{}.KEY=VALUE draws it again",
+            chart.name, error.what(), directory_.path().string(), chart.name));
     }
   }
 }

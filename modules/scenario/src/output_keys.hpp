@@ -25,10 +25,16 @@ struct ChartKeys : TableKeys {
   StringKey x = string("x", "time", "column", "default \"time\"");
   Key y = other("y", "text or [text, ...]", Range::any(), "required", "columns, a curve each");
   StringKey title = string("title", "above the chart", "default the name");
-  StringKey x_label = string("x_label", "of the axis", "default column and unit");
-  StringKey y_label = string("y_label", "of the axis", "default column and unit");
-  BooleanKey log_x = boolean("log_x", false, "logarithmic axis");
-  BooleanKey log_y = boolean("log_y", false, "logarithmic axis");
+  StringKey x_label =
+      string("x_label", "of the axis; its unit is added unless the label ends with it or has brackets",
+             "default the column");
+  StringKey y_label =
+      string("y_label", "of the axis; its unit is added unless the label ends with it or has brackets",
+             "default the column, of several the quantity");
+  BooleanKey log_x =
+      boolean("log_x", false, "logarithmic axis; points without a logarithm are left out and counted");
+  BooleanKey log_y =
+      boolean("log_y", false, "logarithmic axis; points without a logarithm are left out and counted");
 };
 
 struct SnapshotKeys : TableKeys {

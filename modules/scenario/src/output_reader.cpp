@@ -1,7 +1,6 @@
 #include "output_reader.hpp"
 
 #include "interval.hpp"
-#include "names.hpp"
 #include "output_keys.hpp"
 #include "probe_reader.hpp"
 
@@ -20,63 +19,6 @@
 namespace scree::scenario {
 
 namespace {
-
-const ProbePlan& probe_named(const document::Table& t, const std::vector<ProbePlan>& probes) {
-  std::vector<std::string> names;
-  for (const ProbePlan& probe : probes) names.push_back(probe.name);
-  return probes[find_name(t, "probe", "probe", read(t, chart_keys.probe), names)];
-}
-
-std::string as_words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
-// The label and unit of an axis; the user's own label is complete.
-void set_axis(const document::Table& t, const StringKey& key, const std::string& words,
-              const std::string& column_unit, std::string& label, std::string& unit) {
-  const bool own = t.optional(key);
-  label = own ? t.string(key) : words;
-  unit = own ? "" : column_unit;
-}
-
-// Curves of the given columns; their common unit, or none if it differs: then their names have it.
-std::string add_curves(const ProbeColumns& columns, const std::vector<std::size_t>& at, const std::string& x,
-                       ChartPlan& chart, const std::string& probe) {
-  const auto unit = [&](std::size_t k) { return columns.units[at[k]]; };
-  bool same = true;
-  for (std::size_t k = 1; k < at.size(); ++k) same &= unit(k) == unit(0);
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const std::string words = as_words(columns.names[at[k]]);
-    const std::string name = same || unit(k).empty() ? words : fmt::format("{} ({})", words, unit(k));
-    chart.curves.push_back({name, probe, x, columns.names[at[k]]});
-  }
-  return same ? unit(0) : "";
-}
-
-ChartPlan read_chart(const document::Table& t, const std::vector<ProbePlan>& probes, int dimension) {
-  ChartPlan chart;
-  chart.name = read(t, chart_keys.name);
-  check_file_name(t, chart.name);
-  const ProbePlan& probe = probe_named(t, probes);
-  const ProbeColumns columns = columns_of(probe, dimension);
-  const std::string x = read(t, chart_keys.x);
-  const std::size_t x_at = find_name(t, "x", "column", x, columns.names);
-  const bool several = t.is_array(chart_keys.y);
-  const std::vector<std::string> ys = several ? t.strings(chart_keys.y) : std::vector{t.string(chart_keys.y)};
-  if (ys.empty()) throw t.error("y", "'y' has no columns", "give one or more columns of the probe");
-  std::vector<std::size_t> at;
-  for (std::size_t k = 0; k < ys.size(); ++k)
-    at.push_back(find_name(t, "y", "column", ys[k], columns.names, k));
-  const std::string y_unit = add_curves(columns, at, x, chart, probe.name);
-  chart.title = t.string(chart_keys.title, chart.name);
-  set_axis(t, chart_keys.x_label, as_words(x), columns.units[x_at], chart.x_label, chart.x_unit);
-  // With several curves the axis has only the unit; the legend has the names.
-  set_axis(t, chart_keys.y_label, ys.size() == 1 ? as_words(ys[0]) : "", y_unit, chart.y_label, chart.y_unit);
-  chart.log_x = read(t, chart_keys.log_x);
-  chart.log_y = read(t, chart_keys.log_y);
-  return chart;
-}
 
 Expectation read_expectation(const document::Table& t) {
   Expectation e;
@@ -140,17 +82,6 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   plan.width = int(read(*t, snapshot_keys.width));
   plan.height = int(read(*t, snapshot_keys.height));
   return plan;
-}
-
-std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbePlan>& probes,
-                                   int dimension) {
-  std::vector<ChartPlan> charts;
-  UniqueNames names("chart");
-  for (const document::Table& t : root.tables("chart")) {
-    charts.push_back(read_chart(t, probes, dimension));
-    names.add(t, charts.back().name);
-  }
-  return charts;
 }
 
 void read_expectations(const document::Table& root, Plan& plan) {

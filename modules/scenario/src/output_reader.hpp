@@ -9,8 +9,6 @@ namespace scree::scenario {
 
 // step: the time step (s), minimum of all intervals.
 SnapshotPlan read_snapshot(const document::Table& root, double step);
-std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbePlan>& probes,
-                                   int dimension);
 // Reads expectations of a run and of peaks; the plan has its probes and its spectrum already.
 void read_expectations(const document::Table& root, Plan& plan);
 

@@ -237,7 +237,9 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
-  plan.charts = read_charts(root, plan.probes, plan.scene.dimension);
+  std::vector<ProbeColumns> columns;
+  for (const ProbePlan& probe : plan.probes) columns.push_back(columns_of(probe, plan.scene.dimension));
+  plan.charts = read_charts(root, columns);
   plan.spectrum = read_spectrum(root, plan);
   read_expectations(root, plan);
   plan.scene.pair_forces = needs_pair_forces(plan);

@@ -157,7 +157,7 @@ void read_probe(Entry& entry, const std::vector<Entry>& entries, const Scene& sc
 
 ProbeColumns columns_of(const ProbePlan& probe, int dimension) {
   const Probe configured(probe.parameters, dimension);
-  ProbeColumns columns = {configured.names(), configured.units()};
+  ProbeColumns columns = {probe.name, configured.names(), configured.units()};
   columns.names.insert(columns.names.begin(), "time");
   columns.units.insert(columns.units.begin(), "s");
   return columns;

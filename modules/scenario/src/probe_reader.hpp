@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <scree/document/table.hpp>
+#include <scree/scenario/charts.hpp>
 #include <scree/scenario/plan.hpp>
 
 namespace scree::scenario {
@@ -12,10 +13,6 @@ namespace scree::scenario {
 std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
                                    const std::vector<Stage>& stages, PluginHost& host);
 
-// Columns of the series of a probe; the first is time.
-struct ProbeColumns {
-  std::vector<std::string> names, units;
-};
 ProbeColumns columns_of(const ProbePlan& probe, int dimension);
 
 }  // namespace scree::scenario

@@ -190,31 +190,6 @@ TEST_CASE("a probe of energies is refused without the balance of energy", "[scen
       "remove it");
 }
 
-#if SCREE_TEST_PICTURES
-TEST_CASE("a chart has the unit of its curves on the axis, or in their names where they differ",
-          "[scenario]") {
-  const auto chart = [](const std::string& y) {
-    return plan_of(discs + ("[[probe]]\nplugin = 'box'\nevery = 1e-5\n[[chart]]\nname = 'c'\nprobe = " + y))
-        .charts[0];
-  };
-  const ChartPlan several = chart("'energy'\ny = ['work', 'residual']\n");
-  CHECK(several.y_label == "");
-  CHECK(several.y_unit == "J");
-  CHECK(several.x_label == "time");
-  CHECK(several.x_unit == "s");
-  const ChartPlan single = chart("'energy'\ny = 'work'\n");
-  CHECK(single.y_label == "work");
-  CHECK(single.y_unit == "J");
-  const ChartPlan mixed = chart("'box'\ny = ['length_x', 'stress_xx', 'strain_xx']\n");
-  CHECK(mixed.y_label + mixed.y_unit == "");
-  CHECK(mixed.curves[0].name == "length x (m)");
-  CHECK(mixed.curves[1].name == "stress xx (Pa)");
-  CHECK(mixed.curves[2].name == "strain xx");
-  const ChartPlan own = chart("'energy'\ny = 'work'\ny_label = 'work per step (J)'\n");
-  CHECK(own.y_label + own.y_unit == "work per step (J)");
-}
-#endif
-
 TEST_CASE("a material name that a packing cannot hold is refused", "[scenario]") {
   for (const std::string name : {"a,b", "a\\\"b", "a\\nb", " a", "a "})
     CHECK_THAT(set("material.name=\"" + name + "\""),

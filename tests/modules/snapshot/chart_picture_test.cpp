@@ -103,6 +103,59 @@ TEST_CASE("dashes and markers leave gaps, a solid line does not", "[snapshot]") 
   CHECK(markers > 5);
 }
 
+TEST_CASE("points without a logarithm or a value are gaps, and a note below the title counts them",
+          "[snapshot]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  ChartSpec spec = spec_of({0, 1, 10, 100}, {1, 1, 2, 3});
+  spec.log_x = true;
+  const Picture first_left_out = draw(spec);
+  const auto has_ink = [](const Picture& picture, int from, int to) {
+    for (int y = from; y < to; ++y)
+      for (int x = 0; x < picture.width; ++x)
+        if (picture.at(x, y)[0] < 128) return true;
+    return false;
+  };
+  spec.series[0].x[0] = 1;  // where the next point is: the same line, and nothing to count
+  const Picture whole = draw(spec);
+  CHECK(trace(first_left_out, 255, 0, 0).columns == trace(whole, 255, 0, 0).columns);
+  // The title is in the upper 50 of 900 pixels.
+  CHECK(has_ink(first_left_out, 52, 75));
+  CHECK_FALSE(has_ink(whole, 52, 60));
+  // A gap of a third of the line: 1 to 10 remains, from 10 to 1000 there are two decades.
+  const int all = trace(draw(spec_of({0, 1, 2, 3}, {1, 1, 1, 1})), 255, 0, 0).columns;
+  const int gap = trace(draw(spec_of({0, 1, 2, 3}, {1, 1, nan, 1})), 255, 0, 0).columns;
+  CHECK(gap > all / 4);
+  CHECK(gap < all / 2);
+}
+
+TEST_CASE("where colours repeat, curves have other dashes", "[snapshot]") {
+  // The pieces of curve number k, a level line; the others are red points.
+  const auto pieces_of = [](int k) {
+    ChartSpec spec = spec_of({}, {});
+    spec.series.assign(std::size_t(k),
+                       {"other", {0}, {0}, std::array<double, 3>{1, 0, 0}, LineStyle::none, false});
+    spec.series.push_back({"one", {0, 1}, {1, 1}, std::nullopt, LineStyle::solid, false});
+    const Picture picture = draw(spec);
+    int pieces = 0;
+    bool before = false;
+    for (int x = picture.width / 8; x < picture.width / 2; ++x) {
+      bool blue = false;
+      for (int y = picture.height / 10; y < picture.height * 85 / 100; ++y) {
+        const auto c = picture.at(x, y);
+        blue |= c[0] < 100 && c[2] > 120;
+      }
+      pieces += blue && !before;
+      before = blue;
+    }
+    return pieces;
+  };
+  // In 450 pixels dashes of 23, dots of 9 and pairs of 30 pixels.
+  CHECK(pieces_of(0) == 1);
+  CHECK(pieces_of(7) == Approx(20).margin(1));
+  CHECK(pieces_of(14) == Approx(51).margin(2));
+  CHECK(pieces_of(21) == Approx(30).margin(2));
+}
+
 TEST_CASE("the legend is placed where there are no curves", "[snapshot]") {
   ChartSpec spec = spec_of({0, 1}, {0, 1});
   const Picture alone = draw(spec);
@@ -115,13 +168,11 @@ TEST_CASE("series that cannot be drawn are refused by name", "[snapshot]") {
   CHECK_THAT(refusal(ChartSpec{}), Contains("no series"));
   CHECK_THAT(refusal(spec_of({}, {})), Contains("\"one\"") && Contains("0 x and 0 y"));
   CHECK_THAT(refusal(spec_of({1, 2}, {1})), Contains("2 x and 1 y"));
-  CHECK_THAT(refusal(spec_of({1, 2}, {1, std::numeric_limits<double>::quiet_NaN()})),
-             Contains("y[1] is not finite"));
   CHECK_THAT(refusal(spec_of({std::numeric_limits<double>::infinity()}, {1})),
-             Contains("x[0] is not finite"));
-  ChartSpec spec = spec_of({1, 2}, {0, 1});
+             Contains("no point can be drawn (it has no value); "));
+  ChartSpec spec = spec_of({1, 2}, {0, -1});
   spec.log_y = true;
-  CHECK_THAT(refusal(spec), Contains("y[0] = 0 has no logarithm"));
+  CHECK_THAT(refusal(spec), Contains("no point can be drawn (they have no logarithm); use linear axes"));
 }
 
 TEST_CASE("a file that is not a picture is refused", "[snapshot]") {

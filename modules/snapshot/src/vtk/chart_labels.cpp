@@ -21,6 +21,9 @@ vtkStandardNewMacro(ChartLabels)
               layout->width - 2 * font);
     y -= 1.6 * font;
   }
+  if (!layout->note.empty())
+    draw_text(painter, layout->width / 2, y + 0.15 * font, layout->note, {0.9 * font, Align::center},
+              layout->width - 2 * font);
   draw_text(painter, plot.left + plot.width / 2, 1.1 * font, spec->x_label, {1.1 * font, Align::center},
             layout->width - 2 * font);
   draw_text(painter, 1.2 * font, plot.bottom + plot.height / 2, spec->y_label,

@@ -16,9 +16,11 @@ using Column = std::vector<double> ChartSeries::*;
 ChartScale scale_of(const ChartSpec& spec, Column column, bool logarithmic, double pad) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const ChartSeries& series : spec.series) {
-    const auto [smallest, largest] = std::minmax_element((series.*column).begin(), (series.*column).end());
-    lower = std::min(lower, *smallest);
-    upper = std::max(upper, *largest);
+    for (const double value : series.*column) {
+      if (std::isnan(value)) continue;
+      lower = std::min(lower, value);
+      upper = std::max(upper, value);
+    }
   }
   return {lower, upper, logarithmic, pad};
 }
@@ -82,9 +84,11 @@ class CornerUse {
   }
 
   void mark_curve(const ChartSeries& series, const ChartScale& scale_x, const ChartScale& scale_y) {
+    if (series.x.empty()) return;
     double x0 = scale_x.position(series.x[0]), y0 = scale_y.position(series.y[0]);
     for (std::size_t k = 0; k < series.x.size(); ++k) {
       const double x1 = scale_x.position(series.x[k]), y1 = scale_y.position(series.y[k]);
+      if (std::isnan(x1)) continue;
       const int pieces = 1 + int(100 * std::hypot(x1 - x0, y1 - y0));
       for (int piece = 1; piece <= pieces; ++piece)
         mark(std::lerp(x0, x1, 1.0 * piece / pieces), std::lerp(y0, y1, 1.0 * piece / pieces));
@@ -131,13 +135,14 @@ void place_legend(ChartLayout& layout, const ChartSpec& spec) {
 
 }  // namespace
 
-ChartLayout ChartLayout::of(const ChartSpec& spec) {
+ChartLayout ChartLayout::of(const ChartSpec& spec, const std::string& note) {
   const int pixel_scale = supersampling(spec.width, spec.height);
   const double font = std::max(16.0, 22 * std::min(spec.width / 1200.0, spec.height / 900.0)) * pixel_scale;
   ChartLayout layout{1.0 * spec.width * pixel_scale,
                      1.0 * spec.height * pixel_scale,
                      font,
                      {},
+                     note,
                      scale_of(spec, &ChartSeries::x, spec.log_x, 0.02),
                      scale_of(spec, &ChartSeries::y, spec.log_y, 0.05),
                      {},
@@ -148,7 +153,7 @@ ChartLayout ChartLayout::of(const ChartSpec& spec) {
   layout.y_ticks = layout.y.ticks(7);
   const double left = 3.2 * font + widest(layout.y_ticks.labels, font);
   const double bottom = 4.0 * font;
-  const double top = (1.2 + 1.6 * double(layout.title_lines.size())) * font;
+  const double top = (1.2 + 1.6 * double(layout.title_lines.size()) + (note.empty() ? 0 : 1.3)) * font;
   layout.x_ticks = fitting_ticks(layout.x, layout.width - left - font, font);
   const double right = std::max(font, 0.5 * font + widest(layout.x_ticks.labels, font) / 2);
   layout.plot = {left, bottom, layout.width - left - right, layout.height - bottom - top};

@@ -24,6 +24,7 @@ struct ChartLayout {
   double height;  // (drawn pixels)
   double font;    // (drawn pixels) of the labels
   std::vector<std::string> title_lines;
+  std::string note;  // below the title
   ChartScale x;
   ChartScale y;
   Ticks x_ticks;
@@ -32,7 +33,8 @@ struct ChartLayout {
   std::optional<Box>
       legend;  // with two or more series: in a corner without curves, or beside the plot if there is none
 
-  static ChartLayout of(const ChartSpec& spec);
+  // spec: as drawable_chart() returns it.
+  static ChartLayout of(const ChartSpec& spec, const std::string& note);
 };
 
 // Rows of the legend.

@@ -1,6 +1,7 @@
 #include "chart_picture.hpp"
 
 #include "chart_curve.hpp"
+#include "chart_gaps.hpp"
 #include "chart_labels.hpp"
 #include "chart_layout.hpp"
 
@@ -24,19 +25,6 @@
 namespace scree::snapshot {
 namespace {
 
-void check_column(const ChartSeries& series, const std::vector<double>& values, const char* axis,
-                  bool logarithmic) {
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (!std::isfinite(values[k]))
-      throw Error(
-          fmt::format("chart: series \"{}\": {}[{}] is not finite; omit such points", series.name, axis, k));
-    if (logarithmic && values[k] <= 0)
-      throw Error(
-          fmt::format("chart: series \"{}\": {}[{}] = {} has no logarithm; omit it or use a linear axis",
-                      series.name, axis, k, values[k]));
-  }
-}
-
 void check(const ChartSpec& spec) {
   check_size(spec.width, spec.height);
   if (spec.series.empty())
@@ -46,8 +34,6 @@ void check(const ChartSpec& spec) {
       throw Error(
           fmt::format("chart: series \"{}\" has {} x and {} y values; give equal numbers, at least one",
                       series.name, series.x.size(), series.y.size()));
-    check_column(series, series.x, "x", spec.log_x);
-    check_column(series, series.y, "y", spec.log_y);
   }
 }
 
@@ -91,7 +77,7 @@ void add_series(vtkChartXY* chart, const ChartSeries& series, const CurveStyle& 
   for (std::size_t k = 0; k < pieces.size(); k += 2)
     append(ends, pieces[k] / layout.plot.width, pieces[k + 1] / layout.plot.height);
   for (std::size_t k = 0; k < x.size(); ++k)
-    append(points, x[k] / layout.plot.width, y[k] / layout.plot.height);
+    if (!std::isnan(x[k])) append(points, x[k] / layout.plot.width, y[k] / layout.plot.height);
   if (!pieces.empty()) add_plot(chart, ends, style, vtkPlotPoints::NONE);
   if (style.marker != vtkPlotPoints::NONE) add_plot(chart, points, style, style.marker);
 }
@@ -112,9 +98,11 @@ void set_axes(vtkChartXY* chart, const ChartLayout& layout) {
 
 }  // namespace
 
-Picture chart_picture(OffscreenContext& context, const ChartSpec& spec) {
-  check(spec);
-  const ChartLayout layout = ChartLayout::of(spec);
+Picture chart_picture(OffscreenContext& context, const ChartSpec& given) {
+  check(given);
+  std::string note;
+  const ChartSpec spec = drawable_chart(given, note);
+  const ChartLayout layout = ChartLayout::of(spec, note);
   vtkNew<vtkChartXY> chart;
   set_axes(chart, layout);
   for (std::size_t k = 0; k < spec.series.size(); ++k)

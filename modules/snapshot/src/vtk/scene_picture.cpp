@@ -31,6 +31,13 @@ bool shrinks_spheres(const Frame& frame, const RenderOptions& options) {
   return options.show_contacts && frame.dimension == 3;
 }
 
+// Times of pictures are those of steps, which need not be multiples of the spacing.
+std::string time_text(double time, double spacing) {
+  if (!(spacing > 0)) return fmt::format("{:.6g}", time);
+  const double unit = std::pow(10.0, std::floor(std::log10(spacing) + 1e-9) - 2);
+  return fmt::format("{:.12g}", std::round(time / unit) * unit);
+}
+
 void add_panel(vtkRenderer* renderer, Panel* panel) {
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->SetRenderer(renderer);
@@ -44,7 +51,7 @@ vtkNew<Panel> make_panel(const Frame& frame, const RenderOptions& options, const
   panel->layout = layout;
   panel->axes = axes;
   panel->title = frame.title;
-  panel->time = fmt::format("t = {:.6g} s", frame.time);
+  panel->time = fmt::format("t = {} s", time_text(frame.time, options.time_spacing));
   if (options.show_contacts) panel->note = contact_note(frame);
   if (shrinks_spheres(frame, options))
     panel->note =

@@ -66,7 +66,7 @@ struct CurvePlan {
 struct ChartPlan {
   std::string name;  // of the file
   std::string title, x_label, y_label;
-  std::string x_unit, y_unit;  // SI, shown with a prefix behind the label; empty: the label is complete
+  std::string x_unit, y_unit;  // SI, shown with a prefix behind the label; empty: none is added
   std::vector<CurvePlan> curves;
   bool log_x = false, log_y = false;
 };

@@ -7,16 +7,18 @@
 
 namespace scree::snapshot {
 
-enum class LineStyle { solid, dashed, dotted, none };
+enum class LineStyle { solid, dashed, dotted, dash_dotted, none };
 
-// One curve. Points are connected in the given order, not sorted by x.
+// One curve. Points are connected in the given order, not sorted by x. Those with a coordinate that is not finite, or has no
+// logarithm on a logarithmic axis, are gaps; their number stands below the title.
 struct ChartSeries {
   std::string name;       // for the legend
-  std::vector<double> x;  // finite, one or more, > 0 on a logarithmic axis
+  std::vector<double> x;  // one or more
   std::vector<double> y;  // same length as x
   std::optional<std::array<double, 3>>
       color{};  // red, green, blue in 0..1; absent: next of a colour-blind-safe cycle
-  LineStyle line = LineStyle::solid;
+  LineStyle line =
+      LineStyle::solid;  // without a colour dashed and dotted too where the cycle of colours begins again
   bool markers = false;
 };
 

@@ -20,6 +20,8 @@ struct RenderOptions {
   bool show_contacts = false;  // as bars; in 3D the spheres are drawn smaller so that the bars are visible
   bool show_walls = true;
   std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range in this frame
+  double time_spacing =
+      0;  // (s) between pictures; the time is shown to a hundredth of it, or with six digits if it is 0
 };
 
 }  // namespace scree::snapshot

@@ -1,0 +1,97 @@
+#include "names.hpp"
+#include "output_keys.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scree/scenario/charts.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+const ProbeColumns& probe_named(const document::Table& t, const std::vector<ProbeColumns>& probes) {
+  std::vector<std::string> names;
+  for (const ProbeColumns& probe : probes) names.push_back(probe.probe);
+  return probes[find_name(t, "probe", "probe", read(t, chart_keys.probe), names)];
+}
+
+std::string as_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+// What a unit measures; empty if that is not one quantity.
+std::string quantity_of(const std::string& unit) {
+  static constexpr const char* quantities[][2] = {
+      {"J", "energy"}, {"N", "force"},      {"m", "length"}, {"m/s", "velocity"},           {"Pa", "stress"},
+      {"s", "time"},   {"Hz", "frequency"}, {"W", "power"},  {"rad/s", "angular velocity"}, {"rad", "angle"}};
+  for (const auto& [of, quantity] : quantities)
+    if (unit == of) return quantity;
+  return "";
+}
+
+// Whether a label of the user's says the unit: in brackets, or as its last word.
+bool says_unit(const std::string& label, const std::string& unit) {
+  return label.find_first_of("([") != std::string::npos || label == unit || label.ends_with(' ' + unit);
+}
+
+// The label and unit of an axis; a label that says the unit is complete.
+void set_axis(const document::Table& t, const StringKey& key, const std::string& words,
+              const std::string& column_unit, std::string& label, std::string& unit) {
+  label = t.string(key, words);
+  unit = t.optional(key) && says_unit(label, column_unit) ? "" : column_unit;
+}
+
+// Curves of the given columns; their common unit, or none if it differs: then their names have it.
+std::string add_curves(const ProbeColumns& columns, const std::vector<std::size_t>& at, const std::string& x,
+                       ChartPlan& chart) {
+  const auto unit = [&](std::size_t k) { return columns.units[at[k]]; };
+  bool same = true;
+  for (std::size_t k = 1; k < at.size(); ++k) same &= unit(k) == unit(0);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const std::string words = as_words(columns.names[at[k]]);
+    const std::string name = same || unit(k).empty() ? words : fmt::format("{} ({})", words, unit(k));
+    chart.curves.push_back({name, columns.probe, x, columns.names[at[k]]});
+  }
+  return same ? unit(0) : "";
+}
+
+ChartPlan read_chart(const document::Table& t, const std::vector<ProbeColumns>& probes) {
+  ChartPlan chart;
+  chart.name = read(t, chart_keys.name);
+  check_file_name(t, chart.name);
+  const ProbeColumns& columns = probe_named(t, probes);
+  const std::string x = read(t, chart_keys.x);
+  const std::size_t x_at = find_name(t, "x", "column", x, columns.names);
+  const bool several = t.is_array(chart_keys.y);
+  const std::vector<std::string> ys = several ? t.strings(chart_keys.y) : std::vector{t.string(chart_keys.y)};
+  if (ys.empty()) throw t.error("y", "'y' has no columns", "give one or more columns of the probe");
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; k < ys.size(); ++k)
+    at.push_back(find_name(t, "y", "column", ys[k], columns.names, k));
+  const std::string y_unit = add_curves(columns, at, x, chart);
+  chart.title = t.string(chart_keys.title, chart.name);
+  set_axis(t, chart_keys.x_label, as_words(x), columns.units[x_at], chart.x_label, chart.x_unit);
+  // The names of several curves are in the legend.
+  const std::string y_words = ys.size() == 1 ? as_words(ys[0]) : quantity_of(y_unit);
+  set_axis(t, chart_keys.y_label, y_words, y_unit, chart.y_label, chart.y_unit);
+  chart.log_x = read(t, chart_keys.log_x);
+  chart.log_y = read(t, chart_keys.log_y);
+  return chart;
+}
+
+}  // namespace
+
+std::vector<ChartPlan> read_charts(const document::Table& root, const std::vector<ProbeColumns>& probes) {
+  std::vector<ChartPlan> charts;
+  UniqueNames names("chart");
+  for (const document::Table& t : root.tables("chart")) {
+    charts.push_back(read_chart(t, probes));
+    names.add(t, charts.back().name);
+  }
+  return charts;
+}
+
+}  // namespace scree::scenario
