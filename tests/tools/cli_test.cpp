@@ -232,6 +232,10 @@ TEST_CASE("render draws the charts of a run again, changed or those of another f
   CHECK(w.text("out/charts/energies.png") == first);
   w.write("more.toml", "[[chart]]\nname = 'stages'\nprobe = 'energy'\ny = 'residual'\n");
   CHECK(w.scree("render out --charts --scenario more.toml --out own").out == "own/stages.png\n");
+  const Outcome again = w.scree("render out --charts --scenario more.toml --out own");
+  CHECK(again.status == 2);
+  CHECK(again.err == "scree: own/stages.png: is there already; give another --out, or --overwrite\n");
+  CHECK(w.scree("render out --charts --scenario more.toml --out own --overwrite").status == 0);
   CHECK(w.has("own/stages.png"));
   const auto refused = [&](const std::string& arguments, const std::string& line) {
     const Outcome outcome = w.scree("render out " + arguments);

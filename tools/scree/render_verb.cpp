@@ -153,7 +153,7 @@ class Pictures {
 };
 
 ExitStatus render_charts(const RenderArguments& a) {
-  run::redraw_charts({a.source, a.scenario, a.overrides, a.out},
+  run::redraw_charts({a.source, a.scenario, a.overrides, a.out, a.overwrite},
                      [](const fs::path& chart) { fmt::print("{}\n", chart.string()); });
   return ExitStatus::success;
 }

@@ -1,4 +1,5 @@
 #include "collected.hpp"
+#include "setting_json.hpp"
 
 #include <algorithm>
 
@@ -14,7 +15,6 @@ namespace scree::campaign {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 // Absent in a run.json of former versions.
 std::optional<run::InputHashes> hashes_in(const Json& json) {

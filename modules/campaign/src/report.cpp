@@ -139,13 +139,13 @@ std::string list_report(const Campaign& campaign, const std::vector<Outcome>& pr
 }
 
 std::string leftover_report(const std::vector<std::string>& names) {
-  constexpr std::size_t max_listed = 5;
+  constexpr std::size_t most_names = 5;
   if (names.empty()) return "";
-  const std::vector<std::string> listed(names.begin(), names.begin() + std::min(max_listed, names.size()));
+  const std::vector<std::string> listed(names.begin(), names.begin() + std::min(most_names, names.size()));
   return fmt::format("{} with values no longer in the campaign, not in the tables: {}{}\n",
                      counted(names.size(), "run"),
                      files::one_line(fmt::format("{}", fmt::join(listed, "  ")), 400),
-                     names.size() > max_listed ? " ..." : "");
+                     names.size() > most_names ? " ..." : "");
 }
 
 void write_report(const Campaign& campaign, const Execution& execution, const CampaignDirectory& directory) {

@@ -114,6 +114,16 @@ std::vector<scenario::ProbeColumns> columns_in(const fs::path& run) {
   return probes;
 }
 
+// Charts of the run itself are drawn again; other files are replaced only if that is asked for.
+fs::path place_of(const ChartRequest& request, std::optional<WrittenFiles>& list, const std::string& file) {
+  if (list && list->contains("charts/" + file)) return request.run / "charts" / file;
+  const fs::path path = (list ? request.run / "charts" : request.out) / file;
+  std::error_code failed;
+  if (!request.overwrite && fs::exists(fs::symlink_status(path, failed)))
+    throw Error(fmt::format("{}: is there already; give another --out, or --overwrite", path.string()));
+  return list ? list->add("charts/" + file) : path;
+}
+
 }  // namespace
 
 void redraw_charts(const ChartRequest& request, const std::function<void(const fs::path&)>& drawn) {
@@ -130,13 +140,13 @@ void redraw_charts(const ChartRequest& request, const std::function<void(const f
   };
   std::optional<WrittenFiles> written;
   if (request.out.empty()) written.emplace(request.run);
+  std::vector<fs::path> places;
+  for (const scenario::ChartPlan& chart : charts)
+    places.push_back(place_of(request, written, chart.name + ".png"));
   const auto backend = snapshot::load_backend();
-  for (const scenario::ChartPlan& chart : charts) {
-    const std::string file = chart.name + ".png";
-    const snapshot::ChartSpec spec = chart_of(chart, column);
-    const fs::path path = written ? written->add("charts/" + file) : request.out / file;
-    backend->chart(spec, path);
-    drawn(path);
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    backend->chart(chart_of(charts[k], column), places[k]);
+    drawn(places[k]);
   }
 }
 

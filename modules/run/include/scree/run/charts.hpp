@@ -27,6 +27,7 @@ struct ChartRequest {
   std::filesystem::path scenario;      // with the tables [[chart]]; empty: that of the run
   std::vector<std::string> overrides;  // "key=value", of this scenario
   std::filesystem::path out;           // folder of the pictures; empty: charts/ of the run
+  bool overwrite = false;              // whether files that the run did not write may be replaced
 };
 
 // Draws charts from the series of a run. drawn: is called with each file. Throws Error "<place>: <what is wrong>; <cure>".
