@@ -1,5 +1,7 @@
 #include "movie.hpp"
 
+#include "temporary_file.hpp"
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -42,23 +44,6 @@ struct Pipe {
   }
 };
 
-// A file that is removed at the end.
-struct TemporaryLog {
-  std::string path = (fs::temp_directory_path() / "scree-movie-XXXXXX").string();
-  int descriptor = mkostemp(path.data(), O_CLOEXEC);
-  TemporaryLog() {
-    if (descriptor < 0)
-      throw Error(fmt::format("{}: cannot be written ({}); free space there", path, std::strerror(errno)),
-                  ExitStatus::failure);
-  }
-  ~TemporaryLog() {
-    close(descriptor);
-    unlink(path.c_str());
-  }
-  TemporaryLog(const TemporaryLog&) = delete;
-  TemporaryLog& operator=(const TemporaryLog&) = delete;
-};
-
 // Writing to a program that has ended is an error, not the end of this one.
 struct NoPipeSignal {
   void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
@@ -87,7 +72,7 @@ struct Process {
 
 // The pictures are its standard input; its messages go to a file.
 pid_t start_ffmpeg(const Pipe& pictures, int frames_per_second, const fs::path& movie,
-                   const TemporaryLog& log) {
+                   const TemporaryFile& log) {
   const std::string rate = std::to_string(frames_per_second), target = fs::absolute(movie).string();
   // Even sizes and this pixel format are what common players take.
   const char* words[] = {"ffmpeg",   "-y",         "-loglevel",    "error",
@@ -144,7 +129,7 @@ void require_ffmpeg(const fs::path& movie) {
 
 void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, const fs::path& movie) {
   const NoPipeSignal no_signal;
-  const TemporaryLog log;
+  const TemporaryFile log;
   Process ffmpeg;
   Pipe input;  // closed before the wait
   ffmpeg.id = start_ffmpeg(input, frames_per_second, movie, log);

@@ -1,5 +1,6 @@
 #include "movie.hpp"
 #include "program_verbs.hpp"
+#include "temporary_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/text_file.hpp>
 #include <scree/run/charts.hpp>
 #include <scree/run/written_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
@@ -140,8 +142,16 @@ class Pictures {
           fmt::format("{}: cannot be created ({}); give another --out", out_.string(), failed.message()));
   }
 
-  fs::path add(const fs::path& frame) {
-    return list_ ? list_->add(listed(frame)) : out_ / picture_name(frame);
+  // Returns the path of the picture of a file.
+  fs::path draw(const fs::path& file, const snapshot::Frame& frame, const snapshot::RenderOptions& options,
+                snapshot::SnapshotBackend& backend) {
+    const fs::path picture = out_ / picture_name(file);
+    // A run that goes on meanwhile removes what is listed behind its state, so that it is listed only when it is there.
+    std::optional<TemporaryFile> drawn;
+    if (list_) drawn.emplace();
+    backend.render(frame, options, drawn ? fs::path(drawn->path) : picture);
+    if (list_) list_->put(listed(file), files::read_text(drawn->path));
+    return picture;
   }
 
  private:
@@ -181,8 +191,7 @@ ExitStatus render(const RenderArguments& arguments) {
   for (const fs::path& file : frames) {
     snapshot::Frame frame = backend->read_frame(file);
     frame.lower = common.view.lower(), frame.upper = common.view.upper();
-    pictures.push_back(places.add(file));
-    backend->render(frame, options, pictures.back());
+    pictures.push_back(places.draw(file, frame, options, *backend));
     fmt::print("{}\n", pictures.back().string());
   }
   if (arguments.movie.empty()) return ExitStatus::success;

@@ -24,38 +24,6 @@ namespace {
 // Of states in the list, beyond which those that were removed are dropped from it.
 constexpr std::size_t most_states = 64;
 
-// The list, created if it is not there, open at its end, and locked until this object is destroyed.
-class OpenList {
- public:
-  // Throws Error (failure).
-  explicit OpenList(const fs::path& path) : path_(path) {
-    // Another process may have replaced or removed it before it was locked.
-    constexpr int max_attempts = 100;
-    for (int k = 0; k == 0 || (k < max_attempts && !files::is_at(file_, path.c_str())); ++k) {
-      file_ = files::append_file(path.c_str());
-      if (!file_.is_open()) throw_unwritable(path, errno);
-      while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
-      }
-    }
-  }
-
-  std::uint64_t size() const {
-    struct stat now {};
-    return fstat(file_.get(), &now) == 0 ? std::uint64_t(now.st_size) : 0;
-  }
-  // Shorter only: a file of which lines were lost is not to be filled with zeros.
-  void cut(std::uint64_t size) const {
-    if (size < this->size() && ftruncate(file_.get(), off_t(size)) != 0) throw_unwritable(path_, errno);
-  }
-  void append(const std::string& line) const {
-    if (const int code = files::write_all(file_, line)) throw_unwritable(path_, code);
-  }
-
- private:
-  const fs::path path_;
-  files::Descriptor file_;
-};
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
@@ -109,6 +77,38 @@ void remove_empty_folders(const fs::path& directory, const fs::path& file) {
 
 }  // namespace
 
+// The list, created if it is not there, open at its end, and locked until this object is destroyed.
+class WrittenFiles::OpenList {
+ public:
+  // Throws Error (failure).
+  explicit OpenList(const fs::path& path) : path_(path) {
+    // Another process may have replaced or removed it before it was locked.
+    constexpr int max_attempts = 100;
+    for (int k = 0; k == 0 || (k < max_attempts && !files::is_at(file_, path.c_str())); ++k) {
+      file_ = files::append_file(path.c_str());
+      if (!file_.is_open()) throw_unwritable(path, errno);
+      while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
+      }
+    }
+  }
+
+  std::uint64_t size() const {
+    struct stat now {};
+    return fstat(file_.get(), &now) == 0 ? std::uint64_t(now.st_size) : 0;
+  }
+  // Shorter only: a file of which lines were lost is not to be filled with zeros.
+  void cut(std::uint64_t size) const {
+    if (size < this->size() && ftruncate(file_.get(), off_t(size)) != 0) throw_unwritable(path_, errno);
+  }
+  void append(const std::string& line) const {
+    if (const int code = files::write_all(file_, line)) throw_unwritable(path_, code);
+  }
+
+ private:
+  const fs::path path_;
+  files::Descriptor file_;
+};
+
 WrittenFiles::WrittenFiles(fs::path directory) : directory_(std::move(directory)) { read(); }
 
 void WrittenFiles::read() {
@@ -138,17 +138,30 @@ fs::path WrittenFiles::add(const std::string& file) {
   const fs::path path = directory_ / file;
   if (contains(file)) return path;
   if (is_state(file) && states_ >= most_states) forget_removed_states();
-  const OpenList list(directory_ / file_name);
+  list(OpenList(directory_ / file_name), file);
+  return path;
+}
+
+void WrittenFiles::put(const std::string& file, std::string_view text) {
+  const fs::path path = directory_ / file;
+  const OpenList open_list(directory_ / file_name);
+  read();  // it may have been dropped from the list
+  list(open_list, file);
+  std::error_code failed;  // a folder that is missing is reported with the file
+  fs::create_directory(path.parent_path(), failed);
+  files::write_atomically(path, text);
+}
+
+void WrittenFiles::list(const OpenList& list, const std::string& file) {
   // Another process may have added lines meanwhile, or one that was killed half of one.
   if (list.size() != size_) read();
-  if (contains(file)) return path;
+  if (contains(file)) return;
   check_new(file);
   list.cut(size_);
   list.append(file + '\n');
   size_ += file.size() + 1;
   is_state(file) ? ++states_ : steady_size_ += file.size() + 1;
   listed_.insert(file);
-  return path;
 }
 
 void WrittenFiles::check_new(const std::string& file) const {

@@ -132,6 +132,22 @@ TEST_CASE("of two that add lines at once, as render beside a run, neither loses 
   CHECK(found == 2 * lines);
 }
 
+TEST_CASE("a file that is put beside a run that goes on is listed whenever it is there", "[run]") {
+  const TemporaryFolder folder;
+  WrittenFiles files(folder.path());
+  write(files, "run.json");
+  const std::uint64_t size = files.size();
+  WrittenFiles of_render(folder.path());
+  of_render.put("images/1.png", "first");
+  files.return_to(size);
+  CHECK_FALSE(fs::exists(folder / "images"));
+  files.add("images/2.png");  // the list is as long as before
+  of_render.put("images/1.png", "second");
+  CHECK(text_of(folder / "images/1.png") == "second");
+  CHECK(text_of(folder / "written.txt") == "run.json\nimages/2.png\nimages/1.png\n");
+  CHECK(files.add("images/1.png") == folder / "images/1.png");
+}
+
 TEST_CASE("a list that was removed or shortened is not filled up with zeros", "[run]") {
   const TemporaryFolder folder;
   WrittenFiles files(folder.path());

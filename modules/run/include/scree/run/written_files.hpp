@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <unordered_set>
 
 namespace scree::run {
@@ -26,6 +27,10 @@ class WrittenFiles {
   // removed since are no longer listed then.
   std::filesystem::path add(const std::string& file);
 
+  // Lists a file if it is not, and writes it before another process can remove what is listed: for one that does not have the
+  // directory, as `scree render` beside a run. Throws as add(), and WriteError.
+  void put(const std::string& file, std::string_view text);
+
   bool empty() const { return listed_.empty(); }
   // Bytes of the lines so far but for those of states_folder: the same in all runs of a scene.
   std::uint64_t size() const { return steady_size_; }
@@ -35,8 +40,10 @@ class WrittenFiles {
   void return_to(std::uint64_t size);
 
  private:
+  class OpenList;
   std::string text() const;
   void read();
+  void list(const OpenList& list, const std::string& file);
   void check_new(const std::string& file) const;
   void forget_removed_states();
   std::uint64_t end_of_line_at(const std::string& all, std::uint64_t size) const;
