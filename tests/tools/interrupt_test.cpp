@@ -54,7 +54,8 @@ TEST_CASE("a signal again, more than a second later, ends the program at once", 
         w.shell("mkfifo pipe; exec 3<>pipe; head -c 65536 /dev/zero >&3\nexec 4>&1 >&3\n" + start +
                 "kill -TERM $run; until grep -q interrupted out/run.json; do sleep 0.05; done\n"
                 "sleep 1.1; kill -HUP $run; sleep 0.1; kill -0 $run && echo 'still there' >&4\n"
-                "kill -" + again + " $run; wait $run");
+                "kill -" +
+                again + " $run; wait $run");
     CHECK(outcome.status == 130);
     CHECK(outcome.out == "still there\n");
   }
