@@ -20,6 +20,9 @@ std::vector<Law> laws(double restitution, Tension tension) {
   law.tangential_damping = 0.3;
   law.tangential_stiffness = 0.8 * stiffness;
   all.push_back(law);
+  law.dynamic_friction = 0.05;
+  all.push_back(law);
+  law.dynamic_friction.reset();
   law.slip_rule = SlipRule::total;
   all.push_back(law);
   return all;

@@ -40,6 +40,8 @@ double damping_ratio(double restitution, Tension tension) {
 Coefficients::Coefficients(const Law& law, double effective_mass, double effective_radius)
     : law_(law), effective_mass_(effective_mass) {
   require(law.friction >= 0, "friction must not be negative");
+  require(!law.dynamic_friction || (*law.dynamic_friction >= 0 && *law.dynamic_friction <= law.friction),
+          "dynamic friction must not be negative or above the static one");
   if (law.restitution) damping_ratio_ = damping_ratio(*law.restitution, law.tension);
   if (!hertz()) {
     require(law.normal_stiffness > 0, "the normal stiffness must be positive");

@@ -29,7 +29,8 @@ struct Law {
   // Of a head-on impact; sets the normal damping (hertz: and the tangential). Without it the hertz law has
   // none.
   std::optional<double> restitution;
-  double friction = 0;  // may be infinite
+  double friction = 0;                     // may be infinite
+  std::optional<double> dynamic_friction;  // of what slides; the same without it
 
   // The linear law alone.
   double normal_stiffness = 0;

@@ -93,7 +93,7 @@ void Motion::set_normal_force(Instant& now, const Branch& branch) const {
   now.elastic_force = coefficients_.elastic_force(now.overlap);
   now.law_force = now.elastic_force + dashpot;
   now.cut_force = branch.pushing || law().tension == Tension::allowed ? now.law_force : 0;
-  now.limit = branch.pushing ? law().friction * now.law_force : 0;
+  now.limit = branch.pushing ? friction(branch.grip) * now.law_force : 0;
   if (branch.pushing && std::isinf(law().friction)) now.limit = law().friction;
 }
 
@@ -142,7 +142,7 @@ void Motion::set_accelerations(Instant& now, const State& state, const Branch& b
   const double slope = coefficients_.elastic_force_slope(now.overlap) -
                        coefficients_.normal_damping_slope(now.overlap) * now.normal_velocity;
   if (branch.pushing && std::isfinite(now.limit))
-    now.limit_rate = law().friction * (-slope * now.normal_velocity - damping * normal_acceleration);
+    now.limit_rate = friction(branch.grip) * (-slope * now.normal_velocity - damping * normal_acceleration);
 
   // The derivative of v = w - (arm_a ω_a + arm_b ω_b) × n, in the tangent plane that turns.
   const double arm_rate = 0.5 * now.normal_velocity;

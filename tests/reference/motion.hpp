@@ -86,6 +86,11 @@ class Motion {
 
   State start() const;  // at first touch, without spring
   const Law& law() const { return coefficients_.law(); }
+  // Coulomb's limit over the normal force.
+  double friction(Grip grip) const {
+    const bool slides = grip == Grip::slide || grip == Grip::relaxed;
+    return slides ? law().dynamic_friction.value_or(law().friction) : law().friction;
+  }
   // Without friction there is no spring, whatever the rule.
   bool total_rule() const { return law().slip_rule == SlipRule::total && law().friction > 0; }
   const Coefficients& coefficients() const { return coefficients_; }

@@ -69,11 +69,7 @@ void Passage::begin_sliding_or_sticking(State& state, const Instant& now) {
   put(state, at::spring, direction(whole));
   branch_.grip = Grip::relaxed;
   ++slides_;
-  if (!total) return;
-  // The spring jumps, which no force has worked for.
-  const Instant slid = motion_.instant(state, branch_);
-  state[at::friction] -=
-      0.5 * dot(slid.spring_force, slid.stretch) - 0.5 * dot(now.spring_force, now.stretch);
+  if (total) jump(state, now);
 }
 
 void Passage::advance() {
@@ -160,10 +156,18 @@ void Passage::switch_grip() {
     branch_.grip = Grip::slide;
     put(state_, at::spring, now.slide_direction);
     ++slides_;
+    jump(state_, now);
   } else {
     branch_.grip = Grip::stick;
     put(state_, at::spring, now.stretch);
   }
+}
+
+// The spring jumps as sliding begins, with SlipRule::total or to a lower limit, which no force has worked for.
+void Passage::jump(State& state, const Instant& before) const {
+  const Instant after = motion_.instant(state, branch_);
+  state[at::friction] +=
+      0.5 * dot(before.spring_force, before.stretch) - 0.5 * dot(after.spring_force, after.stretch);
 }
 
 void Passage::let_spring_go() {

@@ -75,6 +75,7 @@ class Passage {
   void act(int signal);
   void switch_pushing();
   void switch_grip();
+  void jump(State& state, const Instant& before) const;
   void let_spring_go();
   void check_balance();
 

@@ -18,7 +18,7 @@ const char* const help = R"(reference_impact key=value...: the continuous contac
 
 law=linear     k=, kt=, gammat=0, slip=spring|total, and e= or gamma=0
 law=hertz      E=, nu=, E_b=, nu_b= (as of a), e=1, history=rescaled|displacement|potential
-both           tension=cut|allowed  mu=0 (or inf)
+both           tension=cut|allowed  mu=0 (or inf)  mud= (of what slides, as mu)
 body a         dimension=3  radius=  density= or mass=  speed=1 angle=0 (degrees from the normal) or velocity=x,y,z
                spin=x,y,z  position=x,y,z
 wall           (default) below the body, y up in two dimensions and z in three; normal=x,y,z point=x,y,z
@@ -84,6 +84,7 @@ Law law_of(Words& words) {
   law.tension =
       words.choice<Tension>("tension", {{"allowed", Tension::allowed}, {"cut", Tension::cut}}, law.tension);
   law.friction = words.number("mu", 0);
+  if (words.has("mud")) law.dynamic_friction = words.number("mud", 0);
   if (words.has("e")) law.restitution = words.number("e", 1);
   if (law.kind == LawKind::linear) {
     law.normal_stiffness = words.number("k", 0);

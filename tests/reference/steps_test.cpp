@@ -20,6 +20,7 @@ Body stepped(const Impact& impact, int steps, double duration) {
   Body a = impact.a;
   Vector stretch;
   double stiffness_before = forces.tangential_stiffness(0);
+  bool slides = false;
   const double dt = duration / steps;
   for (int i = 0; i < steps; ++i) {
     a.position = a.position + dt * a.velocity;
@@ -27,11 +28,15 @@ Body stepped(const Impact& impact, int steps, double duration) {
     const Vector n = {0, 0, 1};
     const Vector v = a.velocity - arm * cross(a.spin, n), v_t = v - v.z * n;
     const double law_force = forces.elastic_force(overlap) - forces.normal_damping(overlap) * v.z;
-    const double limit = law.friction * std::max(law_force, 0.0), k_t = forces.tangential_stiffness(overlap);
+    const double pressing = std::max(law_force, 0.0), k_t = forces.tangential_stiffness(overlap);
     if (law.history == History::rescaled && v.z < 0 && k_t > 0) stretch = (stiffness_before / k_t) * stretch;
     stiffness_before = k_t;
     stretch = stretch + dt * v_t;
-    if (k_t * norm(stretch) > limit) stretch = (limit / k_t) * direction(stretch);
+    const double still = law.friction * pressing,
+                 moving = law.dynamic_friction.value_or(law.friction) * pressing;
+    slides = k_t * norm(stretch) > (slides ? moving : still);
+    const double limit = slides ? moving : still;
+    if (slides) stretch = (limit / k_t) * direction(stretch);
     Vector f_t = -(k_t * stretch + forces.tangential_damping(overlap) * v_t);
     if (norm(f_t) > limit) f_t = limit * direction(f_t);
     double f_n = law.tension == Tension::cut ? std::max(law_force, 0.0) : law_force;
@@ -51,6 +56,8 @@ TEST_CASE("many small steps of the cut-back spring come to the same") {
   const double e = GENERATE(0.9, 0.5), friction = GENERATE(0.1, 0.4);
   std::vector<Law> laws = {linear(e, tension)};
   laws[0].tangential_damping = 0.5;
+  laws.push_back(laws[0]);
+  laws[1].dynamic_friction = 0.4 * friction;
   for (const History history : {History::displacement, History::rescaled, History::potential})
     laws.push_back(hertz(e, tension, history));
   for (const Law& law : laws)
