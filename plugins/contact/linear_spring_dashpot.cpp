@@ -4,7 +4,7 @@
 #include "linear_normal.hpp"
 #include "linear_tangential.hpp"
 
-#include <scree/plugin/friction.hpp>
+#include <scree/plugin/falling_limit.hpp>
 #include <scree/plugin/rolling.hpp>
 
 namespace {
@@ -30,11 +30,14 @@ struct LinearSpringDashpot : scree::ContactLaw {
       "f_t = −P(k_t ξ + γ_t v_t)                         P: limits the magnitude to C = μ max(f_n, 0)\n"
       "stick: |k_t ξ| <= C                               μ = μ_s while sticking, μ_d while sliding\n"
       "slip:  ξ shortened to |k_t ξ| = μ_d f_n           the dashpot never causes slip\n"
+      "       μ_d < μ_s: the jump of f_t as slip begins or ends is located within the step; so that the impulse is that\n"
+      "       of the jump, f_t of this one step may leave the range from μ_d f_n to μ_s f_n, by half the jump or less\n"
+      "       where slip begins, by the jump or less where it ends\n"
       "       both only dissipate: friction k_t ξ·s >= 0 (s: slip velocity),\n"
       "       dashpot (P(k_t ξ + γ_t v) − k_t ξ)·v >= 0 (P is monotone)\n"
       "slip_rule = total, as printed in [D3], [D4]: slip where |k_t ξ + γ_t v_t| > C,\n"
       "       then ξ = −(f_t + γ_t v_t)/k_t; may create energy where γ_t v_t changes during slip,\n"
-      "       shown by the energy audit\n"
+      "       shown by the energy audit; with μ_d < μ_s jumps are at ends of steps, an error of first order\n"
       "T = −μ_r k δ R* Δω/|Δω|  rolling; at most 0.4 m* R*² |Δω|/τ_r\n"
       "arms of the torque: R − δ/2 (angular momentum is conserved)",
       "David et al. 2005, equations 1 to 4"};
@@ -72,6 +75,12 @@ struct LinearSpringDashpot : scree::ContactLaw {
     return slip_rule == 0 ? Friction::spring : Friction::total;
   }
 
+  // Whether friction falls as slip begins, at a moment within the step. As printed, [D4] falls at the end of it.
+  bool limit_falls() const {
+    const Friction model = friction_model();
+    return (model == Friction::undamped || model == Friction::spring) && tangent.limit_falls();
+  }
+
   double parting_power() const { return along_normal.parting_power(); }
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
@@ -80,10 +89,12 @@ struct LinearSpringDashpot : scree::ContactLaw {
   }
 };
 
-template <Friction friction, bool rolling, bool by_restitution>
+// falls: μ_d < μ_s, by the spring.
+template <Friction friction, bool falls, bool rolling, bool by_restitution>
 struct Kernel : LinearSpringDashpot {
   static bool suits(const LinearSpringDashpot& p) {
-    return p.friction_model() == friction && (p.rolling_resistance.friction > 0) == rolling &&
+    return p.friction_model() == friction && p.limit_falls() == falls &&
+           (p.rolling_resistance.friction > 0) == rolling &&
            (p.along_normal.restitution > 0) == by_restitution;
   }
   static constexpr bool frictional = friction != Friction::none;
@@ -99,7 +110,7 @@ struct Kernel : LinearSpringDashpot {
   template <int D, class T>
   struct Spring {
     Vec<D, T> spring;  // ξ (m)
-    T sliding;         // 1 while the contact slides
+    T sliding;         // 1 while the contact slides; falls: state of FallingSlip (m), above 0 while it slides
     static constexpr int sliding_column = D;
     static constexpr auto names = [] {
       std::array<const char*, D + 1> all = {"spring_x", "spring_y"};
@@ -169,12 +180,23 @@ struct Kernel : LinearSpringDashpot {
                       Response<D, T, writes_couple>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     constexpr bool damped = friction != Friction::undamped;
-    const scree::Slip<D, T> slip =
-        scree::slide_or_stick<damped>(step_of(c, h, trial, v_t, f_n, c.onset_weight));
-    const Vec<D, T> mean_force = store(slip, h, out);
+    const scree::SlipStep<D, T> step = step_of(c, h, trial, v_t, f_n, c.onset_weight);
+    scree::FallingSlip<D, T> result;
+    if constexpr (falls)
+      result =
+          scree::slide_or_stick<damped>(tangent.falling(step, f_n, c.normal, h.spring, h.sliding, c.kick));
+    else
+      result.slip = scree::slide_or_stick<damped>(step);
+    const Vec<D, T> mean_force = store(result.slip, h, out);
     if constexpr (damped)
-      out.dissipation_rate_tangential = -dot(fused(T(tangent.stiffness), h.spring, slip.force), v_t);
-    out.dissipated_friction = std::max(dot(mean_force, trial - h.spring), T(0));
+      out.dissipation_rate_tangential = -dot(fused(T(tangent.stiffness), h.spring, result.slip.force), v_t);
+    T friction_work = dot(mean_force, trial - h.spring);
+    if constexpr (falls) {
+      h.sliding = result.state;
+      out.force += result.begun;
+      friction_work -= c.kick * dot(result.begun, v_t);
+    }
+    out.dissipated_friction = std::max(friction_work, T(0));
   }
 
   template <int D, class T>
@@ -200,10 +222,10 @@ using enum Friction;
 
 }  // namespace
 
-SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, Kernel<none, false, false>, Kernel<none, false, true>,
-                         Kernel<none, true, false>, Kernel<none, true, true>, Kernel<undamped, false, false>,
-                         Kernel<undamped, false, true>, Kernel<undamped, true, false>,
-                         Kernel<undamped, true, true>, Kernel<spring, false, false>,
-                         Kernel<spring, false, true>, Kernel<spring, true, false>, Kernel<spring, true, true>,
-                         Kernel<total, false, false>, Kernel<total, false, true>, Kernel<total, true, false>,
-                         Kernel<total, true, true>)
+#define KERNELS(friction, falls)                                               \
+  Kernel<friction, falls, false, false>, Kernel<friction, falls, false, true>, \
+      Kernel<friction, falls, true, false>, Kernel<friction, falls, true, true>
+
+SCREE_CONTACT_LAW_PLUGIN(LinearSpringDashpot, KERNELS(none, false), KERNELS(undamped, false),
+                         KERNELS(undamped, true), KERNELS(spring, false), KERNELS(spring, true),
+                         KERNELS(total, false))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include <scree/plugin/falling_limit.hpp>
 #include <scree/plugin/stability.hpp>
 
 namespace tangential {
@@ -15,6 +16,7 @@ struct Linear {
   double static_friction = 0;    // μ_s
   double dynamic_friction = -1;  // μ_d; below 0: same as static_friction
   double inverse_stiffness = 0;  // 1/k_t
+  double friction_ratio = 1;     // μ_d/μ_s
 
   // Returns why the parameters are refused, with the cure, or null.
   const char* prepare() {
@@ -28,7 +30,23 @@ struct Linear {
       return "tangential_stiffness is too small for the number format; "
              "give at least 1e-15 N/m and at least 1e-15/s times tangential_damping";
     if (stiffness > 0) inverse_stiffness = 1 / stiffness;
+    if (static_friction > 0) friction_ratio = dynamic_friction / static_friction;
     return nullptr;
+  }
+
+  bool limit_falls() const { return dynamic_friction < static_friction; }
+
+  // before: spring (m) before the step; state: that of FallingSlip, likewise.
+  template <int D, class T>
+  scree::FallingLimit<D, T> falling(const scree::SlipStep<D, T>& step, const T& normal_force,
+                                    const scree::Vec<D, T>& normal, const scree::Vec<D, T>& before,
+                                    const T& state, const T& kick) const {
+    return {.step = step,
+            .static_limit = T(static_friction) * normal_force,
+            .ratio = T(friction_ratio),
+            .before = tangential_part(before, normal),
+            .state_before = state,
+            .moving = kick > T(0)};
   }
 
   // Stiffness (N/m) and damping (kg/s) that act; 0 without friction.

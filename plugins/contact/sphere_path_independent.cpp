@@ -6,8 +6,6 @@
 #include "painted_points.hpp"
 #include "sphere_keys.hpp"
 
-#include <scree/plugin/friction.hpp>
-
 namespace {
 
 using scree::Contact;
@@ -81,10 +79,12 @@ struct Frictionless : SpherePathIndependent {
   }
 };
 
-template <Normal kind, bool by_restitution>
+// falls: μ_d < μ_s.
+template <Normal kind, bool by_restitution, bool falls = false>
 struct Frictional : Frictionless<kind, by_restitution> {
   static bool suits(const SpherePathIndependent& p) {
-    return p.chosen_normal() == kind && p.damped_by_mass() == by_restitution && p.friction > 0;
+    return p.chosen_normal() == kind && p.damped_by_mass() == by_restitution && p.friction > 0 &&
+           p.tangent.limit_falls() == falls;
   }
   static constexpr std::uint32_t reads =
       Frictionless<kind, by_restitution>::reads | scree::reads_tangential_increment |
@@ -97,7 +97,8 @@ struct Frictional : Frictionless<kind, by_restitution> {
   struct History {
     tangential::Points<T> points;
     Vec<D, T> spring;  // ξ (m)
-    // linear: 1 while the contact slides; hertz: ±√(R* δ) at the last update of ξ (m), above 0 while it slides
+    // linear: 1 while the contact slides; falls: state of FallingSlip (m), above 0 while it slides;
+    // hertz: ±√(R* δ) at the last update of ξ (m), above 0 while it slides
     T state;
     static constexpr int sliding_column = 9;
     static constexpr std::array<const char*, 10> names = {
@@ -132,15 +133,23 @@ struct Frictional : Frictionless<kind, by_restitution> {
     const Vec<D, T> trial = shares.a + shares.b;
 
     const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, stretching, f_n.repulsive);
-    const scree::Slip<D, T> slip = scree::slide_or_stick(step);
+    scree::FallingSlip<D, T> result;
+    if constexpr (falls)
+      result = scree::slide_or_stick(
+          this->tangent.falling(step, f_n.repulsive, c.normal, h.spring, h.state, c.kick));
+    else
+      result.slip = scree::slide_or_stick(step);
+    const scree::Slip<D, T>& slip = result.slip;
     const T stiffness_before = stiffness_of(h);
     const Vec<D, T> before = h.spring;
     shares = pair.slipped(shares, trial - slip.spring);
     place(pair, shares, painted & !slip.slides, far, h);
     h.spring = slip.spring;
-    h.state = state_of(c, slip.slides);
+    h.state = falls ? result.state : state_of(c, slip.slides);
 
-    const tangential::SpringLoads<T> loads = pair.loads(shares, step.stiffness, -slip.force);
+    Vec<D, T> pull = -slip.force;
+    if constexpr (falls) pull -= result.begun;
+    const tangential::SpringLoads<T> loads = pair.loads(shares, step.stiffness, pull);
     T along_normal = f_n.total;
     if constexpr (kind == Normal::hertz)
       along_normal += this->hertz.force_of_potential(c, dot(slip.spring, slip.spring));
@@ -149,7 +158,9 @@ struct Frictional : Frictionless<kind, by_restitution> {
     out.elastic_tangential = stored_energy(h);
     out.dissipation_rate_tangential = -dot(fused(step.stiffness, slip.spring, slip.force), rate);
     const Vec<D, T> mean_force = T(0.5) * fused(stiffness_before, before, step.stiffness * slip.spring);
-    out.dissipated_friction = std::max(dot(mean_force, without_slip - slip.spring), T(0));
+    T friction_work = dot(mean_force, without_slip - slip.spring);
+    if constexpr (falls) friction_work -= c.kick * dot(result.begun, rate);
+    out.dissipated_friction = std::max(friction_work, T(0));
   }
 
  private:
@@ -210,4 +221,5 @@ using enum Normal;
 
 SCREE_CONTACT_LAW_PLUGIN(SpherePathIndependent, Frictionless<linear, false>, Frictionless<linear, true>,
                          Frictionless<hertz, true>, Frictional<linear, false>, Frictional<linear, true>,
+                         Frictional<linear, false, true>, Frictional<linear, true, true>,
                          Frictional<hertz, true>)

@@ -25,7 +25,9 @@ struct ReferenceContact {
   Vec3 plane_point = {}, plane_normal = {};
   Vec3 spring = {};
   bool sliding = false;
-  Vec3 force = {};  // on a
+  double slip = 0;    // of the last step, while sliding (m)
+  double margin = 0;  // static limit over k_t less the spring, while sticking (m)
+  Vec3 force = {};    // on a
 };
 
 class ReferenceStep {
@@ -89,6 +91,7 @@ class ReferenceStep {
     if (m.overlap <= 0) {
       c.spring = {};
       c.sliding = false;
+      c.slip = c.margin = 0;
       return {};
     }
     // Onset weight of a dashpot over the first two steps: 3s/2, then 2 − s/2, then 1; and likewise at the
@@ -106,21 +109,59 @@ class ReferenceStep {
     const Vec3 moved = (h * touched) * in_plane(halfway.velocity, halfway.normal);
     const Vec3 spring = in_plane(c.spring + moved, m.normal);
     const Vec3 dashpot = (share * law_.gamma_t) * in_plane(m.velocity, m.normal);
-    const double most = (c.sliding ? law_.dynamic_friction : law_.static_friction) * pressing / law_.k_t;
-    c.sliding = norm(spring) > most;
+    const Vec3 v_t = in_plane(m.velocity, m.normal);
+    if (law_.dynamic_friction < law_.static_friction)
+      return normal_force * m.normal +
+             falling(c, in_plane(c.spring, m.normal), spring, dashpot, v_t, pressing, h);
+    return normal_force * m.normal + slipped(c, spring, law_.static_friction * pressing,
+                                             law_.static_friction * pressing, dashpot, v_t, h);
+  }
+
+  static Vec3 limited(const Vec3& f, double limit) { return norm(f) > limit ? (limit / norm(f)) * f : f; }
+
+  // The spring slips where it is beyond `holding`, to `limit`. Returns the tangential force.
+  Vec3 slipped(ReferenceContact& c, const Vec3& spring, double holding, double limit, const Vec3& dashpot,
+               const Vec3& v_t, double h) const {
+    c.sliding = law_.k_t * norm(spring) > holding;
     c.spring = spring;
-    const double limit = (c.sliding ? law_.dynamic_friction * pressing : most * law_.k_t);
-    if (c.sliding) {  // the spring turns towards the slip direction within the step
-      const double excess = std::pow(norm(spring) * law_.k_t / limit, 2);
-      const Vec3 towards = spring + (0.25 * h * (excess - 1)) * in_plane(m.velocity, m.normal);
-      c.spring = (limit / law_.k_t / norm(towards)) * towards;
-      const Vec3 whole = towards + (0.5 * (1 + excess) / law_.k_t) * dashpot;
-      const double size = limit / norm(towards) * norm(whole);
-      return normal_force * m.normal - (std::min(size, limit) / norm(whole)) * whole;
+    if (!c.sliding) return -limited(law_.k_t * spring + dashpot, holding);
+    // The spring turns towards the slip direction within the step.
+    const double excess = std::pow(norm(spring) * law_.k_t / limit, 2);
+    const Vec3 towards = spring + (0.25 * h * (excess - 1)) * v_t;
+    c.spring = (limit / law_.k_t / norm(towards)) * towards;
+    const Vec3 whole = towards + (0.5 * (1 + excess) / law_.k_t) * dashpot;
+    const double size = limit / norm(towards) * norm(whole);
+    return -(std::min(size, limit) / norm(whole)) * whole;
+  }
+
+  // Where slip begins, at a moment within the step, the spring falls to the dynamic limit, and the force of this step
+  // makes up for the moment; where slip ends, for that at which the limit of the sum rises to the static one.
+  Vec3 falling(ReferenceContact& c, const Vec3& before, const Vec3& trial, const Vec3& dashpot,
+               const Vec3& v_t, double pressing, double h) const {
+    const double k = law_.k_t, still = law_.static_friction * pressing,
+                 moving = law_.dynamic_friction * pressing;
+    const double share = law_.dynamic_friction / law_.static_friction, old = norm(before);
+    const double beyond = norm(trial) - still / k;
+    const bool slid = c.sliding, begins = !slid && beyond > 0;
+    const double theta = begins ? c.margin / (c.margin + beyond) : 0;
+    const double first = k * (old + c.margin), then = first + theta * (still - first);
+    const Vec3 met = before + theta * (trial - before);
+    const Vec3 along = begins && norm(met) > 0 ? (1 / norm(met)) * met : Vec3{};
+    const Vec3 fallen = trial - ((1 - share) * then / k) * along;
+    Vec3 tangential = slipped(c, fallen, slid || begins ? moving : still, moving, dashpot, v_t, h);
+    const double slip = norm(fallen) - moving / k;
+    if (!c.sliding) {
+      const Vec3 whole = k * c.spring + dashpot;
+      const double late = slid && h > 0 ? slip / (slip - c.slip) : 0;
+      tangential = -limited(whole, still) - late * (limited(whole, still) - limited(whole, moving));
     }
-    const Vec3 whole = law_.k_t * spring + dashpot;
-    const Vec3 tangential = norm(whole) > 0 ? -(std::min(norm(whole), limit) / norm(whole)) * whole : Vec3{};
-    return normal_force * m.normal + tangential;
+    if (begins && h > 0)
+      tangential +=
+          (0.5 - theta) * (limited(then * along + dashpot, then) -
+                           limited(share * then * along + dashpot, c.sliding ? share * then : then));
+    c.slip = slip;
+    c.margin = c.sliding ? 0 : still / k - norm(c.spring);
+    return tangential;
   }
 
   void evaluate(double h) {

@@ -32,7 +32,8 @@ class LawBatch {
   double output(scree_contact_output column, int k = 0) const { return contact_.output(column, k); }
   Vec3 force() const { return contact_.output_vector(SCREE_FORCE); }
   const scree_contact_instance& instance() const { return law_.instance(); }
-  void evaluate(double step) { contact_.evaluate(law_, step); }
+  // kick: time for which the force acts (s); 0: without motion.
+  void evaluate(double step, double kick = 0) { contact_.evaluate(law_, step, kick); }
 
   // Of force and couple, rows as in ContactJacobian, with component k of a motion.
   class Derivatives {

@@ -85,6 +85,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
                                          .shifts = shifts.data(),
                                          .periodic = features_.periodic,
                                          .step = e.elapsed,
+                                         .kick = e.kick,
                                          .audit = features_.audit,
                                          .pair_forces = features_.pair_forces,
                                          .max_overlap_ratio = work.max_overlap_ratio};

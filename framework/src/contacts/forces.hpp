@@ -54,6 +54,7 @@ class Forces {
     std::vector<scree_load>& loads;  // (planes)
     const Domain& domain;
     double elapsed;  // (s) since the last evaluation, by which springs advance
+    double kick;     // (s) for which the forces act on the bodies; 0: not at all
   };
   // Runs once per part of BodyTiles, after all its contact loads are summed and no remaining tile reads its
   // bodies.

@@ -30,6 +30,7 @@ scree_load TrialLoads::load(const Scene& scene, std::size_t plane, const double*
                                          .shifts = nullptr,
                                          .periodic = false,
                                          .step = scene.step,
+                                         .kick = scene.kick,
                                          .audit = false,
                                          .pair_forces = false,
                                          .max_overlap_ratio = 0};

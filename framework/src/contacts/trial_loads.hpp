@@ -29,6 +29,7 @@ class TrialLoads {
     const std::vector<scree_plane>& planes;
     const Domain& domain;
     double step;
+    double kick;  // (s) for which the forces act
   };
   // Load of a plane (N) after a displacement (m) in the step, at constant velocity.
   scree_load load(const Scene& scene, std::size_t plane, const double* displacement);

@@ -65,7 +65,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
     p.neighbours.extend(speed * std::abs(step), trial_speed * std::abs(elapsed), p.particles, p.boundaries,
                         p.contacts, *p.threads);
   laps.lap(Profile::neighbours);
-  begin_walls(elapsed);
+  begin_walls(elapsed, step);
   const double plane_speed = p.boundaries.largest_speed();
   if (!std::isfinite(plane_speed)) return std::nullopt;
   laps.lap(Profile::boundaries);
@@ -88,13 +88,13 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   return finite ? square_speed : infinity;
 }
 
-void Stepper::begin_walls(double step) {
+void Stepper::begin_walls(double step, double kick) {
   SimulationParts& p = parts_;
   if (p.boundaries.trial_speed() == 0) return p.boundaries.begin_step(force_time_, step);
   if (!p.trial_loads) p.trial_loads.emplace(p.forces.features());
   p.boundaries.begin_step(force_time_, step, [&](std::size_t plane, const double* displacement) {
     return p.trial_loads->load(
-        {p.particles, p.contacts, p.laws, p.boundaries.planes(), p.boundaries.domain(), step}, plane,
+        {p.particles, p.contacts, p.laws, p.boundaries.planes(), p.boundaries.domain(), step, kick}, plane,
         displacement);
   });
 }
@@ -128,7 +128,8 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
        .planes = p.boundaries.planes(),
        .loads = p.boundaries.loads(),
        .domain = p.boundaries.domain(),
-       .elapsed = elapsed},
+       .elapsed = elapsed,
+       .kick = moves.finish.value_or(0)},
       *p.threads,
       // Two pointers: std::function stores them without an allocation.
       [this, &moves](std::size_t part, unsigned worker) {
@@ -197,7 +198,7 @@ void Stepper::synchronise() {
   }
   const double behind = time_ - force_time_;
   p.boundaries.undo_extrapolation();
-  begin_walls(behind);
+  begin_walls(behind, 0);
   reevaluate_forces(behind);
   p.boundaries.finish_step(force_time_, behind);
   if (p.scene.audit) p.audit.add_step(behind, p.contact_sums, p.body_sums);

@@ -62,8 +62,8 @@ class Stepper {
   // bodies or walls could not be moved.
   std::optional<double> substep(double step, std::optional<double> next);
   void begin_bodies(double step);
-  // First half of a step (s) for the walls; the bodies are at its end.
-  void begin_walls(double step);
+  // First half of a step (s) for the walls; the bodies are at its end, where forces act for `kick` (s).
+  void begin_walls(double step, double kick);
   double largest_square_speed() const;
   // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);

@@ -15,9 +15,9 @@ namespace {
 constexpr double step = 1e-4;
 
 // Pairs that close at 1 m/s (or open, at −1), with overlaps of `depths` times the travel per step, and slide
-// at 1 m/s, with forces that begin and end as t to these powers.
+// at 1 m/s, with forces that begin and end as t to these powers and act for `kick` (s).
 std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, double closing,
-                                            double touching = 0, double parting = 0) {
+                                            double touching = 0, double parting = 0, double kick = step) {
   auto w = std::make_unique<BlockColumns<double>>();
   const std::vector<double> radius_sums(block_size, 1.0);
   for (std::uint32_t i = 0; i < block_size; ++i) {
@@ -28,9 +28,10 @@ std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, d
     w->mid_velocity[1][i] = 1;
     w->input[SCREE_OVERLAP][i] = i < depths.size() ? depths[i] * step : -1;
   }
-  if (resolve_motion<3, false, false, true>(true, radius_sums.data(), step, block_size, *w) > 0)
-    resolve_onsets<3, false, false, true>(true, radius_sums.data(), step, OnsetWeights::of_power(touching),
-                                          OnsetWeights::of_power(parting), block_size, *w);
+  if (resolve_motion<3, false, false, true>(true, radius_sums.data(), step, kick, block_size, *w) > 0)
+    resolve_onsets<3, false, false, true>(true, radius_sums.data(), step, kick,
+                                          OnsetWeights::of_power(touching), OnsetWeights::of_power(parting),
+                                          block_size, *w);
   else  // onset weights of a block without such pairs
     std::fill_n(w->input[SCREE_ONSET_WEIGHT], block_size, 1.0);
   return w;
@@ -55,6 +56,18 @@ TEST_CASE("the onset weights of a dashpot add up to the contact time") {
     CHECK(touched(*w, 0) == Approx(fraction));
     CHECK(touched(*w, 1) == Approx(1));
   }
+}
+
+TEST_CASE("onset weights count in kicks, displacements in steps; without a kick there are no weights") {
+  // The first step of position Verlet evaluates after half a kick.
+  const auto w = pairs({0.5, 1.5, 3}, 1, 0, 0, 2 * step), still = pairs({0.5}, 1, 0, 0, 0);
+  CHECK(w->input[SCREE_ONSET_WEIGHT][0] == Approx(1.5 * 0.25));
+  CHECK(w->input[SCREE_ONSET_WEIGHT][1] == Approx(1.5 * 0.75));
+  CHECK(w->input[SCREE_ONSET_WEIGHT][2] == Approx(2 - 0.5 * 1.5));
+  CHECK(touched(*w, 0) == Approx(0.5));
+  CHECK(touched(*w, 1) == Approx(1));
+  CHECK(still->input[SCREE_ONSET_WEIGHT][0] == 1);
+  CHECK(touched(*still, 0) == Approx(0.5));
 }
 
 TEST_CASE("Hurwitz' zeta function: known values and the recurrence in its second argument") {

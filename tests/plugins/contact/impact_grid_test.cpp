@@ -25,9 +25,11 @@ std::vector<ImpactCase> laws() {
   return all;
 }
 
+// One impact in `stride`.
 template <class Visit>
 void each_impact(const std::vector<double>& restitutions, const std::vector<double>& frictions,
-                 const std::vector<double>& angles, const std::vector<Vec3>& spins, const Visit& visit) {
+                 const std::vector<double>& angles, const std::vector<Vec3>& spins, const Visit& visit,
+                 std::size_t stride = 1) {
   std::size_t count = 0;
   for (ImpactCase c : laws())
     for (const double e : restitutions)
@@ -39,7 +41,7 @@ void each_impact(const std::vector<double>& restitutions, const std::vector<doub
                 if (e == 1 && tension == Tension::cut) continue;  // without a dashpot there is no tension
                 c.restitution = e, c.tension = tension, c.friction = mu;
                 c.angle = angle * std::numbers::pi / 180, c.spin = spin, c.wall = wall;
-                if (count++ % every == 0) visit(c);
+                if (count++ % (stride * every) == 0) visit(c);
               }
 }
 
@@ -185,4 +187,102 @@ TEST_CASE("the slip rule of David et al., by the total force: impacts that slide
           coarse_squares += coarse.impulse * coarse.impulse, fine_squares += fine.impulse * fine.impulse;
         }
   CHECK(order(coarse_squares, fine_squares, 64) > 1.5);
+}
+
+namespace {
+
+// What every impact must satisfy, and squares of the errors for the order. The steps are those of the grid above.
+class Convergence {
+ public:
+  void check(const ImpactCase& c) {
+    INFO(name_of(c));
+    const auto [coarse, fine] = check_motion(c);
+    CHECK(coarse.column < 3 * step_error(50));
+    CHECK(fine.column < 3 * step_error(200));
+    CHECK(fine.residual < 3 * step_error(200));
+    CHECK(fine.largest_created < 1e-12);
+  }
+  // Returns the deviations with 50 and with 200 steps.
+  std::pair<Deviation, Deviation> check_motion(const ImpactCase& c) {
+    const ImpactPair pair(c);
+    const reference::Outcome exact = pair.reference();
+    const Deviation coarse = deviation(pair, exact, 50), fine = deviation(pair, exact, 200);
+    INFO(name_of(c));
+    CHECK(coarse.motion < step_error(50));
+    CHECK(fine.motion < step_error(200));
+    CHECK(coarse.largest_gain < 0.25 * step_error(50));
+    coarse_ += coarse.motion * coarse.motion, fine_ += fine.motion * fine.motion;
+    coarse_residual_ += coarse.residual * coarse.residual, fine_residual_ += fine.residual * fine.residual;
+    ++impacts_;
+    return {coarse, fine};
+  }
+  double motion() const { return order(coarse_, fine_, 16); }
+  double balance() const { return order(coarse_residual_, fine_residual_, 16); }
+  std::string text() const {
+    return std::to_string(impacts_) + " impacts: order of motion " + std::to_string(motion()) +
+           ", of the energy residual " + std::to_string(balance());
+  }
+
+ private:
+  double coarse_ = 0, fine_ = 0, coarse_residual_ = 0, fine_residual_ = 0;
+  int impacts_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("dynamic friction below the static one, all options together: of second order", "[grid]") {
+  // Prime to the number of values of each option, so that all values and most pairs of them occur.
+  constexpr std::size_t stride = 11;
+  for (const int dimension : {2, 3}) {
+    Convergence convergence;
+    for (const double share : {0.9, 0.6, 0.2})
+      each_impact(
+          {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85},
+          dimension == 3 ? spins : std::vector<Vec3>{{}, {{0, 0, 150}}, {{0, 0, -150}}},
+          [&](ImpactCase c) {
+            if (c.hertz) return;  // one coefficient of friction
+            c.dynamic_share = share, c.dimension = dimension;
+            convergence.check(c);
+          },
+          stride);
+    WARN(dimension << "D, " << convergence.text());
+    CHECK(convergence.motion() > 1.9);
+    CHECK(convergence.balance() > 1.8);
+  }
+}
+
+TEST_CASE("with a dashpot, slip that ends at once or while the limit rises: of second order", "[grid]") {
+  Convergence convergence;
+  for (const double mu : {0.5, 0.55, 0.6})
+    for (const double angle : {0.2, 0.25})
+      for (const Tension tension : {Tension::allowed, Tension::cut}) {
+        const ImpactCase c = {.restitution = 0.3,
+                              .tension = tension,
+                              .friction = mu,
+                              .dynamic_share = 0.3,
+                              .stiffness_ratio = 0.5,
+                              .angle = angle,
+                              .spin = {{200, 50, 80}}};
+        INFO(name_of(c));
+        CHECK(ImpactPair(c).reference().switches >= 2);  // one begin and one end at least
+        convergence.check(c);
+      }
+  WARN(convergence.text());
+  CHECK(convergence.motion() > 1.8);
+}
+
+TEST_CASE("position Verlet as velocity Verlet, also where bodies touch in its first half step", "[grid]") {
+  // Its energy balance counts half of what the first half step dissipates, a term of first order: motion only.
+  Convergence convergence;
+  each_impact(
+      {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, spins,
+      [&](ImpactCase c) {
+        if (c.hertz && c.history == History::potential) return;  // its peak is not resolved
+        c.integration = Integration::position_verlet;
+        convergence.check_motion(c);
+        if (!c.hertz) c.dynamic_share = 0.6, convergence.check_motion(c);
+      },
+      37);
+  WARN(convergence.text());
+  CHECK(convergence.motion() > 1.8);
 }

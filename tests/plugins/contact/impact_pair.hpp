@@ -19,7 +19,8 @@ struct ImpactCase {
   reference::SlipRule slip_rule = reference::SlipRule::spring;
   double restitution = 0.5;
   reference::Tension tension = reference::Tension::cut;
-  double friction = 0.3;
+  double friction = 0.3;             // μ_s
+  double dynamic_share = 1;          // μ_d/μ_s
   double stiffness_ratio = 2.0 / 7;  // k_t/k of the linear law
   bool tangential_damping = true;    // γ_t = 2ζ √(k_t m*) of the linear law; Hertz has it with e < 1
   double angle = 0.5;                // between the velocity and the normal at first touch (rad)
@@ -30,17 +31,19 @@ struct ImpactCase {
   double size_ratio = 0.6;  // R_b/R_a
   double mass_ratio = 0.4;  // m_b/m_a
   double rigidity = 1;      // scale of all stiffnesses
+  Integration integration = Integration::velocity_verlet;
 };
 
 inline std::string name_of(const ImpactCase& c) {
   char text[200];
   const char* histories[] = {"displacement", "rescaled", "potential"};
-  std::snprintf(text, sizeof(text), "%s%s %s e=%g %s mu=%g angle=%.3g spin=(%g,%g,%g) %s %g %dD%s",
+  std::snprintf(text, sizeof(text), "%s%s %s e=%g %s mu=%g,%g angle=%.3g spin=(%g,%g,%g) %s %g %dD%s %s",
                 c.painted ? "painted " : "", c.hertz ? "hertz" : "linear",
                 c.hertz ? histories[int(c.history)] : (c.tangential_damping ? "damped" : "undamped"),
                 c.restitution, c.tension == reference::Tension::cut ? "cut" : "allowed", c.friction,
-                c.angle * 180 / std::numbers::pi, c.spin[0], c.spin[1], c.spin[2], c.wall ? "wall" : "pair",
-                c.size_ratio, c.dimension, c.slip_rule == reference::SlipRule::total ? " total" : "");
+                c.dynamic_share * c.friction, c.angle * 180 / std::numbers::pi, c.spin[0], c.spin[1],
+                c.spin[2], c.wall ? "wall" : "pair", c.size_ratio, c.dimension,
+                c.slip_rule == reference::SlipRule::total ? " total" : "", traits_of(c.integration).name);
   return text;
 }
 
@@ -75,6 +78,7 @@ class ImpactPair {
                             vec(b.velocity), vec(b.spin), b.dimension));
     Scene s = scene(case_.dimension, step, bodies, parameters_of_law(), name_of_law());
     s.pair_forces = false;
+    s.integration = case_.integration;
     if (case_.wall) add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", plane_normal()}});
     Simulation simulation(s);
     ImpactResult r;
@@ -158,6 +162,7 @@ class ImpactPair {
     law.tension = case_.tension;
     law.restitution = case_.restitution;
     law.friction = case_.friction;
+    if (case_.dynamic_share < 1) law.dynamic_friction = case_.dynamic_share * case_.friction;
     law.normal_stiffness = stiffness();
     law.tangential_stiffness = tangential_stiffness();
     law.tangential_damping = tangential_damping();
@@ -189,6 +194,7 @@ class ImpactPair {
     add("tangential_stiffness", tangential_stiffness());
     add("tangential_damping", tangential_damping());
     add("static_friction", case_.friction);
+    if (case_.dynamic_share < 1) add("dynamic_friction", case_.dynamic_share * case_.friction);
     if (!case_.painted) add("slip_rule", double(case_.slip_rule));
     return values;
   }

@@ -21,21 +21,22 @@ inline void add_linear_variants(std::vector<Variant>& all) {
   for (const double rolling : {0.0, 0.1})
     for (const bool by_restitution : {false, true})
       for (const double tension : {0.0, 1.0})
-        for (const int friction : {0, 1, 2, 3}) {
+        for (const auto& [friction, dynamic] :
+             {std::pair{0, 0.0}, {1, 0.5}, {1, 0.4}, {2, 0.5}, {2, 0.4}, {3, 0.4}}) {
           Values v = {{"normal_stiffness", {5000}}, {"rolling_friction", {rolling}}, {"tension", {tension}}};
           v.push_back(by_restitution ? std::pair<std::string, std::vector<double>>{"restitution", {0.8}}
                                      : std::pair<std::string, std::vector<double>>{"normal_damping", {0.4}});
           if (friction > 0) {
             v.push_back({"tangential_stiffness", {1500}});
             v.push_back({"static_friction", {0.5}});
-            v.push_back({"dynamic_friction", {0.4}});
+            v.push_back({"dynamic_friction", {dynamic}});
             v.push_back({"tangential_damping", {friction == 1 ? 0.0 : 0.2}});
             v.push_back({"slip_rule", {friction == 3 ? 1.0 : 0.0}});
           }
           all.push_back({"linear_spring_dashpot",
-                         "friction " + std::to_string(friction) + ", rolling " + std::to_string(rolling) +
-                             ", restitution " + std::to_string(by_restitution) + ", tension " +
-                             std::to_string(tension),
+                         "friction " + std::to_string(friction) + ", dynamic " + std::to_string(dynamic) +
+                             ", rolling " + std::to_string(rolling) + ", restitution " +
+                             std::to_string(by_restitution) + ", tension " + std::to_string(tension),
                          v, 5000, 0.5 * 5000 * 2e-5 / 1500, friction > 0});
         }
 }
@@ -82,16 +83,19 @@ inline void add_sphere_variants(std::vector<Variant>& all) {
   for (const double friction : {0.0, 0.4}) {
     const std::string name = "friction " + std::to_string(friction);
     for (const bool by_restitution : {false, true})
-      all.push_back({"sphere_path_independent",
-                     "linear, " + name + ", restitution " + std::to_string(by_restitution),
-                     {{"normal_stiffness", {5000}},
-                      {by_restitution ? "restitution" : "normal_damping", {0.8}},
-                      {"tangential_stiffness", {1500}},
-                      {"tangential_damping", {0.2}},
-                      {"static_friction", {friction}}},
-                     5000,
-                     0.4 * 0.1 / 1500,
-                     friction > 0});
+      for (const double share : {1.0, 0.8})
+        all.push_back({"sphere_path_independent",
+                       "linear, " + name + ", dynamic " + std::to_string(share * friction) +
+                           ", restitution " + std::to_string(by_restitution),
+                       {{"normal_stiffness", {5000}},
+                        {by_restitution ? "restitution" : "normal_damping", {0.8}},
+                        {"tangential_stiffness", {1500}},
+                        {"tangential_damping", {0.2}},
+                        {"static_friction", {friction}},
+                        {"dynamic_friction", {share * friction}}},
+                       5000,
+                       0.4 * 0.1 / 1500,
+                       friction > 0});
     all.push_back({"sphere_path_independent",
                    "hertz, " + name,
                    {{"normal", {1}},

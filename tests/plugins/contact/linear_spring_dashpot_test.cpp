@@ -178,17 +178,22 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
   // Drag keeps it from moving with the plane.
   add_body_force(sc, "background_damping", {{"translational", {1e4}}});
   Simulation s(sc);
-  double largest_sticking = 0, smallest_sliding = 1e9, largest_sliding = 0;
+  double largest_sticking = 0, smallest_sliding = 1e9, largest_sliding = 0, smallest_begin = 1e9,
+         largest_begin = 0;
+  bool slid = false;
   for (int k = 0; k < 40000; ++k) {
     s.step();
     const ContactList c = s.contact_list();
     REQUIRE(c.size() == 1);
     const double ratio = std::abs(c.force[0]) / c.force[2];
-    if (c.sliding[0])
+    if (!c.sliding[0])
+      largest_sticking = std::max(largest_sticking, ratio);
+    else if (slid)
       smallest_sliding = std::min(smallest_sliding, ratio),
       largest_sliding = std::max(largest_sliding, ratio);
     else
-      largest_sticking = std::max(largest_sticking, ratio);
+      smallest_begin = std::min(smallest_begin, ratio), largest_begin = std::max(largest_begin, ratio);
+    slid = c.sliding[0];
   }
   // The force grows by k_t v Δt = 0.01 N, 1e-3 of f_n, per step: it sticks up to μ_s within that amount, and
   // slides at μ_d.
@@ -196,6 +201,9 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
   CHECK(largest_sticking > mu_s - 2e-3);
   CHECK(smallest_sliding == Approx(mu_d).epsilon(1e-12));
   CHECK(largest_sliding == Approx(mu_d).epsilon(1e-12));
+  // In the step in which slip begins the force makes up for the moment at which it fell: by half of the fall.
+  CHECK(smallest_begin >= mu_d - 0.5 * (mu_s - mu_d) - 1e-12);
+  CHECK(largest_begin <= mu_d + 0.5 * (mu_s - mu_d) + 1e-12);
 }
 
 TEST_CASE("rotating a touching pair as a whole does not change the tangential spring", "[objectivity]") {

@@ -78,3 +78,34 @@ TEST_CASE("painted points, all options together: motion, energy and each column 
     CHECK(fine.largest_created < 1e-12);
   });
 }
+
+TEST_CASE("painted points with dynamic friction below the static one: of second order", "[grid]") {
+  double coarse = 0, fine = 0;
+  for (const bool damped : {true, false})
+    for (const double degrees : {20.0, 35.0, 60.0})
+      for (const bool wall : {true, false}) {
+        const ImpactPair pair({.friction = 0.4,
+                               .dynamic_share = 0.5,
+                               .tangential_damping = damped,
+                               .angle = degrees * std::numbers::pi / 180,
+                               .spin = {{0, -60, 0}},
+                               .wall = wall,
+                               .painted = true});
+        // Its own error is below that of 160 steps by (160/3000)².
+        const ImpactResult exact = pair.run(3000, 0.5);
+        const auto square_error = [&](double steps) {
+          double sum = 0;
+          for (int k = 0; k < phases; ++k) {
+            const ImpactResult r = pair.run(steps, (k + 0.5) / phases);
+            const Vec3 off = r.velocity - exact.velocity, turned = ImpactPair::radius * (r.spin - exact.spin);
+            sum += (dot(off, off) + 0.4 * dot(turned, turned)) / phases;
+            CHECK(r.balance.created / r.kinetic_before < 1e-12);
+          }
+          return sum;
+        };
+        coarse += square_error(40), fine += square_error(160);
+      }
+  const double observed = order(coarse, fine, 16);
+  WARN("order " << observed);
+  CHECK(observed > 1.8);
+}

@@ -125,13 +125,13 @@ TEST_CASE("friction between spheres has a dynamic value while they slide", "[sph
   SpherePair pair = sphere_pair(values, 1, 1, spun(0));
   // k_t/(k δ) = 8/m: static friction holds to 0.0375 m, dynamic friction leaves 0.025 m.
   pair.follow([&](double s) { return spun(0.037 * s); }, 1);
-  CHECK(pair.law().history("sliding") == 0);
+  CHECK(pair.law().history("sliding") <= 0);
   pair.follow([&](double s) { return spun(0.037 + 0.001 * s); }, 1);
-  CHECK(pair.law().history("sliding") == 1);
+  CHECK(pair.law().history("sliding") > 0);
   CHECK(norm(pair.spring()) == Approx(0.025).epsilon(1e-12));
   // It goes on sliding at the dynamic limit, below the static one.
   pair.follow([&](double s) { return spun(0.038 + 0.001 * s); }, 1);
-  CHECK(pair.law().history("sliding") == 1);
+  CHECK(pair.law().history("sliding") > 0);
   CHECK(norm(pair.spring()) == Approx(0.025).epsilon(1e-12));
 }
 

@@ -33,7 +33,7 @@ struct NotListedInReads {};
 template <std::uint32_t reads, scree_contact_input column, class T>
 using Input = std::conditional_t<(reads & (1u << column)) != 0, T, NotListedInReads<column>>;
 
-// Input of a law: one touching pair. `reads` is that of the kernel; overlap and step are always there.
+// Input of a law: one touching pair. `reads` is that of the kernel; overlap, step and kick are always there.
 template <int D, class T, std::uint32_t reads>
 struct Contact {
   using Vector = Vec<D, T>;
@@ -43,6 +43,7 @@ struct Contact {
   Input<reads, SCREE_NORMAL, Vector> normal;  // unit, from b to a
   T overlap;                                  // (m) > 0
   T step;                                     // (s) negative in a substep backwards in time
+  T kick;                                     // (s) for which the force acts; 0: evaluated without motion
   // (m/s) of the contact points, a minus b, at the end of the step
   Input<reads, SCREE_RELATIVE_VELOCITY, Vector> relative_velocity;
   // (m) displacement of a's contact point relative to b's while touching in this step, perpendicular to the

@@ -20,7 +20,8 @@ void differentiate_contacts(const void* storage, const scree_contact_batch* batc
   const Kernel kernel{*static_cast<const Parameters*>(storage)};
   for (std::uint32_t i = 0; i < batch->count; ++i) {
     const auto contact = load_contact<Kernel, D>(
-        [&](std::uint32_t k) { return dual_at(batch->input[k], tangent->input[k], i); }, Dual(batch->step));
+        [&](std::uint32_t k) { return dual_at(batch->input[k], tangent->input[k], i); }, Dual(batch->step),
+        Dual(batch->kick));
     History history{};
     each_component<history_width<Kernel, D>, Dual>(
         history, [&](std::uint32_t k, Dual& value) { value = batch->history[k][i]; });

@@ -17,11 +17,12 @@ inline void load(Vec<N, T>& vector, const Read& read, std::uint32_t column) {
 
 // read(column) returns the pair's value in an input column.
 template <class Kernel, int D, class Read, class T>
-inline Contact<D, T, Kernel::reads> load_contact(const Read& read, const T& step) {
+inline Contact<D, T, Kernel::reads> load_contact(const Read& read, const T& step, const T& kick) {
   constexpr std::uint32_t reads = Kernel::reads;
   Contact<D, T, reads> c{};
   c.overlap = read(SCREE_OVERLAP);
   c.step = step;
+  c.kick = kick;
   if constexpr (reads & reads_normal) load(c.normal, read, SCREE_NORMAL);
   if constexpr (reads & reads_relative_velocity) load(c.relative_velocity, read, SCREE_RELATIVE_VELOCITY);
   if constexpr (reads & reads_tangential_increment)
@@ -94,10 +95,11 @@ template <class Parameters, class Kernel, int D, bool audit, class T>
   const Kernel kernel{parameters};
   const ContactBatch<T> batch = shared;
   const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
-  const T step = T(batch.step);
+  const T step = T(batch.step), kick = T(batch.kick);
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto contact = load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step);
+    const auto contact =
+        load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step, kick);
     History history{};
     each_component<width, T>(history, [&](std::uint32_t k, T& value) { value = batch.history[k][i]; });
     const T released = audit ? released_energy<T>(kernel, history) : T(0);

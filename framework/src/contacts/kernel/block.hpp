@@ -25,7 +25,8 @@ struct EvaluationInput {
   const Domain& domain;
   const double* shifts;  // (27, 4) periodic shift for each image code (m)
   bool periodic;
-  double step;
+  double step;  // (s) since the last evaluation
+  double kick;  // (s) for which the forces act
   bool audit, pair_forces;
   double max_overlap_ratio;  // largest in earlier evaluations
 };

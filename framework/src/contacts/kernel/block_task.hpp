@@ -65,14 +65,14 @@ SCREE_HOT void resolve(const BlockTask<T>& task, BlockColumns<T>& block) {
   resolve_overlaps<D, planes>(task.radius_sum, padded, block);
   if (task.reads(SCREE_CONTACT_RADIUS))
     resolve_contact_radii(task.constant(SCREE_EFFECTIVE_RADIUS), padded, block);
-  const double step = task.tile.input->step;
+  const double step = task.tile.input->step, kick = task.tile.input->kick;
   const auto motion = [&]<bool increments>() SCREE_INLINE_LAMBDA {
     const bool near = resolve_motion<D, spin, planes, increments>(to_contact_point, task.radius_sum, step,
-                                                                  padded, block) > 0;
+                                                                  kick, padded, block) > 0;
     block.batch.input[SCREE_ONSET_WEIGHT] = near ? block.input[SCREE_ONSET_WEIGHT] : block.ones;
     if (near)
-      resolve_onsets<D, spin, planes, increments>(to_contact_point, task.radius_sum, step, task.law.touching,
-                                                  task.law.parting, padded, block);
+      resolve_onsets<D, spin, planes, increments>(to_contact_point, task.radius_sum, step, kick,
+                                                  task.law.touching, task.law.parting, padded, block);
   };
   if (task.reads(SCREE_TANGENTIAL_INCREMENT))
     motion.template operator()<true>();
@@ -86,6 +86,7 @@ SCREE_HOT void begin_batch(const EvaluationInput& input, BlockColumns<T>& block)
   block.batch = {};
   block.batch.struct_size = sizeof(block.batch);
   block.batch.step = input.step;
+  block.batch.kick = input.kick;
   for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) block.batch.input[k] = block.input[k];
   std::fill(std::begin(block.ones), std::end(block.ones), T(1));
   const std::uint32_t outputs = input.audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;

@@ -98,9 +98,10 @@ SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double 
 // for pairs that touch during the whole step. Returns the number of touching pairs within two steps of first
 // touch or parting.
 template <int D, bool spin, bool planes, bool increments, class T>
-SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_sum, double step,
+SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_sum, double step, double kick,
                                   std::uint32_t padded, BlockColumns<T>& block) {
   constexpr int S = spin_components<D>;
+  const T longest = std::max(T(std::abs(step)), T(std::abs(kick)));
   Count<T> near = 0;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
@@ -114,7 +115,7 @@ SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_su
       set_lanes<S>(block.input + SCREE_RELATIVE_SPIN, i, spin_a - spin_b);
     }
     set_lanes<D>(block.input + SCREE_RELATIVE_VELOCITY, i, v);
-    const T approach = dot(v, n) * T(step), overlap = block.input[SCREE_OVERLAP][i];
+    const T approach = dot(v, n) * longest, overlap = block.input[SCREE_OVERLAP][i];
     near += overlap > T(0) && overlap < T(2) * std::abs(approach);
     if constexpr (increments)
       set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, T(1), i, block);
@@ -133,25 +134,28 @@ SCREE_HOT T onset_weight(const OnsetWeights& weights, const T& s) {
   return s < T(1) ? first : second;
 }
 
-// Corrections for pairs near first touch or parting, where w is the travel along the normal within a step:
+// Corrections for pairs near first touch or parting, where w is the travel along the normal within a time:
 //   touched  a pair that first touched within the step, δ < w, has touched for the fraction δ/w of the step
-//   onset    weight of forces that begin or end abruptly, at s = δ/w < 2 steps from first touch or parting
+//   onset    weight of forces that begin or end abruptly, at s = δ/w < 2 kicks from first touch or parting
+// A kick, the time for which the forces act, is as long as the step, but for the first of `position_verlet`.
 // Most blocks have no such pair, and skip this.
 template <int D, bool spin, bool planes, bool increments, class T>
-SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step,
+SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step, double kick,
                               const OnsetWeights& touching, const OnsetWeights& parting, std::uint32_t padded,
                               BlockColumns<T>& block) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
     const Vec<D, T> v = lanes_of<D>(block.input + SCREE_RELATIVE_VELOCITY, i);
-    const T approach = -dot(v, lanes_of<D>(block.input + SCREE_NORMAL, i)) * T(step);
-    const T overlap = block.input[SCREE_OVERLAP][i], travel = std::abs(approach);
-    const T inverse_travel = T(1) / (travel > T(0) ? travel : T(1));
-    const T s = std::max(overlap, T(0)) * inverse_travel;
+    const T closing_speed = -dot(v, lanes_of<D>(block.input + SCREE_NORMAL, i));
+    const T overlap = block.input[SCREE_OVERLAP][i], approach = closing_speed * T(step);
+    const auto part_of = [&](const T& travel) SCREE_INLINE_LAMBDA {  // δ/w
+      return std::max(overlap, T(0)) * (T(1) / (travel > T(0) ? travel : T(1)));
+    };
+    const T travel = std::abs(closing_speed * T(kick)), s = part_of(travel);
     const T closing = onset_weight(touching, s), opening = onset_weight(parting, s);
     block.input[SCREE_ONSET_WEIGHT][i] =
         overlap < T(2) * travel ? (approach > T(0) ? closing : opening) : T(1);
-    const T touched = overlap < approach ? s : T(1);
+    const T touched = overlap < approach ? part_of(approach) : T(1);
     if constexpr (increments)
       set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, touched, i, block);
   }

@@ -65,6 +65,7 @@ typedef struct scree_contact_batch {
   uint32_t struct_size;
   uint32_t count; /* multiple of SCREE_LANES; padding lanes do not touch and hold finite numbers */
   double step;    /* (s); negative in a substep backwards in time */
+  double kick;    /* (s) time for which the forces act on the bodies; 0: they are evaluated without motion */
   const double* input[SCREE_CONTACT_INPUT_COUNT]; /* filled only for columns that the law reads */
   double* history[SCREE_MAX_HISTORY];             /* updated in place; 0 before the first touch */
   double* output[SCREE_CONTACT_OUTPUT_COUNT];     /* energy columns are NULL without an audit */
@@ -75,6 +76,7 @@ typedef struct scree_contact_batch_single {
   uint32_t struct_size;
   uint32_t count;
   double step;
+  double kick;
   const float* input[SCREE_CONTACT_INPUT_COUNT];
   float* history[SCREE_MAX_HISTORY];
   float* output[SCREE_CONTACT_OUTPUT_COUNT];
