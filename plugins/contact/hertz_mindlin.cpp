@@ -37,7 +37,8 @@ struct HertzMindlin : scree::ContactLaw {
       "         dissipates ½ ξ² |dk_t|),\n"
       "         potential (½ k_t(δ) ξ², with the extra normal force ½ k_t'(δ) ξ² that conserves energy; with μ from 100 on\n"
       "         and restitution 1 the spring is still stretched at parting, where this force grows as δ^(-1/2): the\n"
-      "         energy of such impacts errs by some per cent at any usual step)",
+      "         energy of such impacts errs by some per cent at any usual step; with e < 1 it has a peak soon after\n"
+      "         first touch, which impacts that graze resolve with `grazing_steps` only)",
       "Lemrich et al. 2017, equations 1 to 7"};
 
   void declare(scree::Declaration& d) {
@@ -68,7 +69,7 @@ struct HertzMindlin : scree::ContactLaw {
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
                              std::uint32_t capacity) const {
-    return along_normal.closed_forms(e, friction > 0, forms, capacity);
+    return along_normal.closed_forms(e, friction, history == potential, forms, capacity);
   }
 };
 

@@ -24,6 +24,7 @@ struct Hertz {
   double damping = 0, tangential_damping = 0;                  // 2β √(5/3 E*), 4β √(5/3 G*)
   double inverse_shear_stiffness = 0;                          // 1/(8 G*)
 
+  static constexpr double tan_80 = 5.671281819617709;
   static constexpr scree::Range poissons_range{.minimum = -1, .maximum = 0.5, .minimum_excluded = true};
 
   void prepare() {
@@ -44,8 +45,10 @@ struct Hertz {
     return scree::Tension(tension) == scree::Tension::cut ? scree::ContactLaw::continuous : 0.25;
   }
 
-  std::uint32_t closed_forms(const scree_encounter& e, bool frictional, scree_closed_form* forms,
-                             std::uint32_t capacity) const {
+  // potential: whether the tangential spring has a potential, ½ k_t(δ) ξ².
+  std::uint32_t closed_forms(const scree_encounter& e, double friction, bool potential,
+                             scree_closed_form* forms, std::uint32_t capacity) const {
+    const bool frictional = friction > 0;
     const double stiffness = 4.0 / 3.0 * effective_modulus * std::sqrt(e.effective_radius);
     const double max_overlap = std::pow(5 * e.reduced_mass * e.speed * e.speed / (4 * stiffness), 0.4);
     const double contact_time =
@@ -60,10 +63,26 @@ struct Hertz {
         {"rayleigh_time", "s", "π R √(ρ/G)/(0.1631 ν + 0.8766), of equal bodies", rayleigh_time(e)},
         {"damping_ratio", "", "β", damping_ratio},
         {"max_overlap", "m", "δ_max = (5 m* v²/(4 k))^(2/5), k = (4/3) E* √R*, undamped", max_overlap},
-        {"max_force", "N", "k δ_max^(3/2)", stiffness * max_overlap * std::sqrt(max_overlap)}};
+        {"max_force", "N", "k δ_max^(3/2)", stiffness * max_overlap * std::sqrt(max_overlap)},
+        {"grazing_steps", "1",
+         "4 (tan α/(0.0865 (E*/G*) μ β))^(4/5), steps in t_c that resolve the extra normal force of the potential in\n"
+         "                        impacts at α = 80° from the normal; 0 where it contributes below 1e-3",
+         grazing_steps(friction, tan_80)}};
+    const std::size_t stated = std::size(all) - (frictional && potential && damping_ratio > 0 ? 0 : 1);
     std::uint32_t n = 0;
-    for (; n < std::min<std::size_t>(capacity, std::size(all)); ++n) forms[n] = all[n];
+    for (; n < std::min<std::size_t>(capacity, stated); ++n) forms[n] = all[n];
     return n;
+  }
+
+  // History potential, damped: k_t ξ reaches μ f_n soon after first touch, at t_s, before which the spring grows as t and
+  // after which the limit, of the dashpot, grows as δ^(1/4):
+  //   k_t v_t t_s = μ γ_n v_n  at  δ = v_n t_s:  (t_s/t_c)^(5/4) = 0.0865 (E*/G*) μ β/tan α,  tan α = v_t/v_n
+  // The extra normal force has a peak there and then falls as 1/t. Its share of the normal impulse is about
+  // (5/24) (E*/G*) (μ β)². Four steps in t_s resolve it. 0: the share is below 1e-3.
+  double grazing_steps(double friction, double tangent) const {
+    const double moduli = effective_modulus / effective_shear_modulus, limit = friction * damping_ratio;
+    if (!(5.0 / 24 * moduli * limit * limit > 1e-3)) return 0;
+    return 4 * std::pow(tangent / (0.0865 * moduli * limit), 0.8);
   }
 
   // Factor of both dashpots, (m*)^½ (R* δ)^¼ with the onset weight.

@@ -47,7 +47,7 @@ struct SpherePathIndependent : sphere::Keys {
 
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms,
                              std::uint32_t capacity) const {
-    if (chosen_normal() == Normal::hertz) return hertz.closed_forms(e, friction > 0, forms, capacity);
+    if (chosen_normal() == Normal::hertz) return hertz.closed_forms(e, friction, true, forms, capacity);
     return linear.closed_forms(e, tangent.acting(), forms, capacity);
   }
 };

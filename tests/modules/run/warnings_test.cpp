@@ -118,3 +118,42 @@ TEST_CASE("the number of steps in a contact is warned of below 20, and tells tha
   REQUIRE(warnings("0.06").size() == 1);
   CHECK(warnings("0.06")[0].starts_with("the shortest contact takes 16.7 time steps; use 20 or more"));
 }
+
+TEST_CASE("fourth_order is warned of where friction or dashpots make it lose its order", "[run]") {
+  const auto warnings = [](const std::vector<std::string>& overrides) {
+    const Bench bench(discs, overrides);
+    return start_warnings(bench.plan, *set_up(bench.plan));
+  };
+  const std::string integrator = "time.integrator=fourth_order";
+  CHECK(warnings({integrator}).empty());
+  CHECK(warnings({"contact.normal_damping=1"}).empty());
+  for (const std::vector<std::string>& lossy :
+       {std::vector<std::string>{integrator, "contact.normal_damping=1"},
+        {integrator, "contact.tangential_stiffness=1e3", "contact.static_friction=0.3"}}) {
+    const std::vector<std::string> told = warnings(lossy);
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].starts_with("time.integrator = \"fourth_order\" "));
+    CHECK(told[0].find("6 times the errors of velocity_verlet") != std::string::npos);
+  }
+}
+
+TEST_CASE("grazing impacts of springs with a potential are warned of with the steps that they need",
+          "[run]") {
+  const std::string hertz = with(with(discs, "linear_spring_dashpot", "hertz_mindlin"),
+                                 "normal_stiffness = 1e4\nnormal_damping = 0\n",
+                                 "youngs_modulus = 2e10\npoissons_ratio = 0.3\nrestitution = 0.5\n"
+                                 "tension = 'cut'\nfriction = 0.5\nhistory = 'potential'\n");
+  const auto warnings = [&](const std::vector<std::string>& overrides) {
+    const Bench bench(hertz, overrides);
+    return start_warnings(bench.plan, *set_up(bench.plan));
+  };
+  const std::vector<std::string> told = warnings({});
+  REQUIRE(told.size() == 1);
+  // β = 0.2553 of e = 0.5 without tension; E*/G* = 2 (2 − ν)/(1 − ν) = 4.857:
+  // 4 (tan 80°/(0.0865 · 4.857 · 0.5 · 0.2553))^0.8.
+  CHECK(told[0].find("impacts at 80 degrees from the normal need 167 with") != std::string::npos);
+  CHECK(warnings({"contact.history=rescaled"}).empty());
+  CHECK(warnings({"contact.restitution=1"}).empty());
+  CHECK(warnings({"contact.friction=0.05"}).empty());  // a share of the impulse of 2e-4
+  CHECK(warnings({"time.step=1e-6"}).empty());
+}

@@ -286,3 +286,37 @@ TEST_CASE("position Verlet as velocity Verlet, also where bodies touch in its fi
   WARN(convergence.text());
   CHECK(convergence.motion() > 1.8);
 }
+
+TEST_CASE("grazing impacts with the potential of the tangential spring need the steps that the law states",
+          "[grid]") {
+  double coarse_squares = 0, fine_squares = 0, worst = 0, few = 0;
+  for (const double e : {0.5, 0.3})
+    for (const Tension tension : {Tension::allowed, Tension::cut})
+      for (const double mu : {0.3, 1.0})
+        for (const double angle : {73.0, 80.0, 85.0, 89.0})
+          for (const bool wall : {true, false}) {
+            const ImpactCase c = {.hertz = true,
+                                  .history = History::potential,
+                                  .restitution = e,
+                                  .tension = tension,
+                                  .friction = mu,
+                                  .angle = angle * std::numbers::pi / 180,
+                                  .wall = wall};
+            const ImpactPair pair(c);
+            const double steps = std::max(50.0, pair.grazing_steps());
+            const reference::Outcome exact = pair.reference();
+            const double impulse = exact.normal_impulse / exact.a.mass / ImpactPair::speed;
+            const double coarse = deviation(pair, exact, steps).motion / impulse,
+                         fine = deviation(pair, exact, 3 * steps).motion / impulse;
+            INFO(name_of(c) << ", " << steps << " steps");
+            // As of other histories with fifty steps; of the impulse, which is small.
+            CHECK(coarse < step_error(50));
+            worst = std::max(worst, coarse);
+            few = std::max(few, deviation(pair, exact, 50).motion / impulse);
+            coarse_squares += coarse * coarse, fine_squares += fine * fine;
+          }
+  const double observed = order(coarse_squares, fine_squares, 9);
+  WARN("largest error of the impulse " << worst << ", with fifty steps " << few << "; order " << observed);
+  CHECK(observed > 1.5);
+  CHECK(few > 5 * step_error(50));  // where the law states more than fifty steps, they are needed
+}

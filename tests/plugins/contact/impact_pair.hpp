@@ -9,6 +9,8 @@
 #include <numbers>
 #include <string>
 
+#include <scree/closed_forms.hpp>
+
 // One impact, computed by the kernel and by the reference, which share no code.
 
 namespace scree::test {
@@ -107,6 +109,16 @@ class ImpactPair {
     return reference::integrate(impact, tolerance);
   }
 
+  // Steps per contact that the law states for an impact of 80 degrees, at the angle of this one.
+  double grazing_steps() const {
+    const ConfiguredLaw law(parameters(name_of_law(), SCREE_CONTACT_LAW, parameters_of_law()),
+                            case_.dimension, nowhere, nowhere);
+    for (const scree_closed_form& form : closed_forms(law, {reduced_mass(), effective_radius(), speed, 1}))
+      if (std::string(form.name) == "grazing_steps")
+        return form.value * std::pow(std::tan(case_.angle) / std::tan(80 * std::numbers::pi / 180), 0.8);
+    return 0;
+  }
+
   Vec3 normal() const { return vec(up()); }  // of the contact at first touch
   static Vec3 vec(const reference::Vector& v) { return {{v.x, v.y, v.z}}; }
   // Of the reference with painted points; four times as many change no motion by 1e-6 of the speed.
@@ -116,6 +128,7 @@ class ImpactPair {
 
  private:
   static constexpr double mass = 1.3e-3, poissons_ratio = 0.3;
+  static constexpr double nowhere[3] = {};
 
   static double kinetic(const scree_energy& e) { return e.kinetic_translation + e.kinetic_rotation; }
   reference::Vector up() const {
