@@ -98,6 +98,25 @@ TEST_CASE("cycles with the touches of bodies names rattlers and their touches be
                 "run/series/touching.csv: there is no row at 300 s", "`stages` that of the load");
 }
 
+TEST_CASE("cycles of a creep and of a line behind a settling part writes their laws", "[tools]") {
+  const Workspace w;
+  std::string text = "time,creep,late\n";
+  for (int k = 0; k < 272; ++k)
+    text += fmt::format("{},{},{}\n", k, 1e-4 * std::sqrt(k + 1), 1e-5 * k - 1e-3 * std::exp(-k / 5.0));
+  w.write("x.csv", text);
+  REQUIRE(w.scree("cycles --csv x.csv --strain creep --drop 0 --out creep").status == 0);
+  const auto creep = w.record("creep", "cycles.json");
+  CHECK(creep["class"] == "creep");
+  CHECK(creep["law"]["form"] == "constant + amplitude (1 + k/scale)^exponent");
+  CHECK(double(creep["law"]["exponent"]) == Approx(0.5).epsilon(0.01));
+  REQUIRE(w.scree("cycles --csv x.csv --strain late --drop 0 --out late").status == 0);
+  const auto late = w.record("late", "cycles.json");
+  CHECK(late["class"] == "late ratcheting");
+  CHECK(late["ratchets"] == true);
+  CHECK(late["ratchets_from"] == 24);  // 5 log(100)
+  CHECK(double(late["fit_from_there"]["slope"]) == Approx(1e-5).epsilon(1e-3));
+}
+
 TEST_CASE("cycles of several runs counts the classes and the signs", "[tools]") {
   const Workspace w;
   write_run(w, "a");
@@ -105,10 +124,11 @@ TEST_CASE("cycles of several runs counts the classes and the signs", "[tools]") 
   const auto outcome = w.scree("cycles a b/ --out out");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  CHECK(outcome.out.find(
-            "2 runs: 0 constant, 2 ratcheting, 0 periodic, 0 outliers, 0 shakedown, 0 irregular\n"
-            "ratcheting: geometric mean of |slope| 9.9997e-07 per cycle; 2 with slopes above 0, 0 below\n") !=
-        std::string::npos);
+  CHECK(
+      outcome.out.find(
+          "2 runs: 0 constant, 2 ratcheting, 0 late ratcheting, 0 periodic, 0 outliers, 0 shakedown, 0 creep, 0 settling, 0 irregular\n"
+          "ratcheting: geometric mean of |slope| 9.9997e-07 per cycle; 2 with slopes above 0, 0 below\n") !=
+      std::string::npos);
   const std::string table = w.text("out/verdicts.csv");
   CHECK(std::count(table.begin(), table.end(), '\n') == 3);
   CHECK_FALSE(w.has("a/cycles.csv"));

@@ -60,11 +60,28 @@ TEST_CASE("cycles warns of a period that is not quite the load's", "[tools]") {
 TEST_CASE("cycles of a run that did not finish says so", "[tools]") {
   const Workspace w;
   write_run(w, "run");
-  w.write(
-      "run/run.json",
-      R"({"status": "interrupted", "stages": [{"start": 0, "end": 1.5}, {"start": 1.5, "end": 101.5, "ended": "interrupted"}]})");
-  const auto outcome = w.scree("cycles run");
-  CHECK(outcome.status == 0);
-  CHECK(outcome.err ==
-        "scree: warning: run/series/box.csv: the run is interrupted: these are its cycles so far\n");
+  const auto said = [&](const std::string& arguments, const std::string& status) {
+    const auto outcome = w.scree("cycles run --out out --overwrite " + arguments);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err ==
+          "scree: warning: run/series/box.csv: the run is " + status + ": these are its cycles so far\n");
+  };
+  const auto record = [&](const std::string& status, double end, const std::string& ended) {
+    w.write("run/run.json",
+            fmt::format(R"({{"status": "{}", "stages": [{{"start": 0, "end": 1.5, "ended": "duration"}}, )"
+                        R"({{"start": 1.5, "end": {}, "ended": "{}"}}]}})",
+                        status, end, ended));
+  };
+  record("interrupted", 101.5, "interrupted");
+  said("", "interrupted");
+  // A record that is as old as the beginning of the stage does not hide the rows that are there.
+  record("running", 1.5, "running");
+  said("", "running");
+  record("failed", 101.5, "duration");
+  said("", "failed");
+  // Without a period each row is a cycle.
+  w.write("run/scenario.toml", "[[stage]]\nduration = 121.5\n");
+  said("--strain strain", "failed");
+  w.write("run/run.json", R"({"status": "finished", "stages": [{"start": 0, "end": 121.5}]})");
+  CHECK(w.scree("cycles run --out out --overwrite --strain strain").err.empty());
 }

@@ -61,6 +61,30 @@ std::string table_of(const CyclesResult& r) {
   return text;
 }
 
+Json fit_of(const cycles::StraightLine& line) {
+  return {{"intercept", line.intercept},
+          {"slope", line.slope},
+          {"slope_error", line.slope_error},
+          {"rms", line.rms}};
+}
+
+// k counts from the first cycle that is not dropped.
+Json law_of(const cycles::Slowing& s) {
+  using Law = cycles::Slowing::Law;
+  const bool has_line = s.law == Law::exponential_and_line || s.law == Law::power_and_line;
+  const bool is_power = s.law == Law::power || s.law == Law::power_to_limit || s.law == Law::power_and_line;
+  const char* const form = s.law == Law::logarithm ? "constant + amplitude log(1 + k/scale)"
+                           : is_power              ? "constant + amplitude (1 + k/scale)^exponent"
+                                                   : "constant + amplitude exp(-k/scale)";
+  Json json = {{"form", std::string(form) + (has_line ? " + slope k" : "")},
+               {"constant", s.constant},
+               {"amplitude", s.amplitude},
+               {"scale", s.scale}};
+  if (is_power) json["exponent"] = s.exponent;
+  if (has_line) json["slope"] = s.slope;
+  return json;
+}
+
 std::string record_of(const CyclesResult& r, const fs::path& folder) {
   const cycles::Classification& c = r.found;
   Json json;
@@ -73,12 +97,14 @@ std::string record_of(const CyclesResult& r, const fs::path& folder) {
   json["dropped"] = r.drop;
   json["class"] = cycles::class_name(c.kind);
   json["reason"] = c.reason;
-  json["ratchets"] = c.kind == cycles::Class::ratcheting;
-  json["fit"] = {{"intercept", c.line.intercept},
-                 {"slope", c.line.slope},
-                 {"slope_error", c.line.slope_error},
-                 {"rms", c.line.rms},
-                 {"robust_slope", c.robust.slope}};
+  json["ratchets"] = c.kind == cycles::Class::ratcheting || c.kind == cycles::Class::late_ratcheting;
+  json["fit"] = fit_of(c.line);
+  json["fit"]["robust_slope"] = c.robust.slope;
+  if (c.kind == cycles::Class::late_ratcheting) {
+    json["ratchets_from"] = c.ratchets_from;
+    json["fit_from_there"] = fit_of(c.after_settling);
+  }
+  if (c.slowing) json["law"] = law_of(*c.slowing);
   json["range"] = c.range;
   json["round_off"] = c.round_off;
   if (c.period > 0) json["repeats_after"] = c.period;
@@ -93,22 +119,42 @@ std::string record_of(const CyclesResult& r, const fs::path& folder) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// What the class says of the cycles that count.
+snapshot::ChartSeries fitted_curve(const CyclesResult& r) {
+  const cycles::Classification& c = r.found;
+  const std::size_t last = r.source.series.strain.size() - 1;
+  const double reference = r.source.series.strain[r.drop];
+  snapshot::ChartSeries curve;
+  if (c.slowing && c.kind != cycles::Class::late_ratcheting) {
+    curve.name = cycles::law_text(*c.slowing);
+    for (std::size_t n = r.drop; n <= last; ++n) {
+      curve.x.push_back(double(n));
+      curve.y.push_back(cycles::value_of(*c.slowing, double(n - r.drop)) - reference);
+    }
+    return curve;
+  }
+  const bool is_late = c.kind == cycles::Class::late_ratcheting;
+  // That of least squares lies where no cycle is if a few stand off.
+  const cycles::StraightLine& fit = is_late                             ? c.after_settling
+                                    : c.kind == cycles::Class::outliers ? c.robust
+                                                                        : c.line;
+  curve.name = fmt::format("{:.3e} per cycle", fit.slope);
+  for (const std::size_t n : {is_late ? c.ratchets_from : r.drop, last}) {
+    curve.x.push_back(double(n));
+    curve.y.push_back(on_line(fit, n) - reference);
+  }
+  return curve;
+}
+
 // The cycles that count, relative to the first of them: the transient before would hide them.
 snapshot::ChartSpec chart_of(const CyclesResult& r) {
   const std::vector<double>& strain = r.source.series.strain;
   const double reference = strain[r.drop];
-  // That of least squares lies where no cycle is if a few stand off.
-  const cycles::StraightLine& fit = r.found.kind == cycles::Class::outliers ? r.found.robust : r.found.line;
-  snapshot::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}},
-      line{fmt::format("{:.3e} per cycle", fit.slope), {}, {}};
+  snapshot::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}};
   for (std::size_t n = r.drop; n < strain.size(); ++n) {
     snapshot::ChartSeries& series = is_outlier(r, n) ? outliers : values;
     series.x.push_back(double(n));
     series.y.push_back(strain[n] - reference);
-  }
-  for (const std::size_t n : {r.drop, strain.size() - 1}) {
-    line.x.push_back(double(n));
-    line.y.push_back(on_line(fit, n) - reference);
   }
   values.line = outliers.line = snapshot::LineStyle::none;
   snapshot::ChartSpec chart;
@@ -120,7 +166,7 @@ snapshot::ChartSpec chart_of(const CyclesResult& r) {
       "strain{}, less that of cycle {}",
       r.source.strain_unit.empty() ? "" : fmt::format(" ({})", files::one_line(r.source.strain_unit)),
       r.drop);
-  chart.series = {values, line};
+  chart.series = {values, fitted_curve(r)};
   if (!outliers.x.empty()) chart.series.push_back(outliers);
   return chart;
 }

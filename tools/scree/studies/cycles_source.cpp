@@ -143,9 +143,10 @@ CyclesSource read_cycles(const CyclesRequest& request) {
   if (request.period > 0) of.times.period = request.period;
   if (request.first_minimum) of.times.first_minimum = *request.first_minimum;
   try {
-    if (!(of.times.period > 0)) return rows_as_cycles(request, file, std::move(columns));
-    CyclesSource source = by_period(request, file, std::move(columns), of);
-    if (found) source.stage_period = found->times.period, source.status = found->status;
+    CyclesSource source = of.times.period > 0 ? by_period(request, file, std::move(columns), of)
+                                              : rows_as_cycles(request, file, std::move(columns));
+    if (found) source.stage_period = found->times.period;
+    if (request.csv.empty()) source.status = found ? found->status : unfinished_status(request.directory);
     return source;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()), error.status());

@@ -127,7 +127,7 @@ void print_summary(const CyclesResult& r) {
 }
 
 void print_line(const CyclesResult& r, std::size_t width) {
-  fmt::print("{:<{}}  {:<10}  slope {:>11.3e}  rms {:>9.2e}  range {:>9.2e}  outliers {}\n", r.name, width,
+  fmt::print("{:<{}}  {:<15}  slope {:>11.3e}  rms {:>9.2e}  range {:>9.2e}  outliers {}\n", r.name, width,
              cycles::class_name(r.found.kind), r.found.line.slope, r.found.line.rms, r.found.range,
              r.found.outliers.size());
 }
@@ -240,6 +240,7 @@ void add_cycles_verb(CommandLine& line) {
   verb.flag("--overwrite", a->overwrite, "Replace results of other series and runs in the directory");
   verb.footer(
       "Ratcheting: the root mean square deviation from a straight line is below its slope per cycle (McNamara et al. 2008).\n"
+      "Shakedown goes to a limit, creep does not; settling: the strain per cycle falls, and the cycles do not tell which.\n"
       "Example: scree cycles runs/biaxial\n"
       "         scree cycles campaigns/laws/*/ --out campaigns/laws\n"
       "         scree cycles --csv box.csv --strain deviatoric_strain --load deviatoric_stress --period 10 --drop 5");

@@ -1,5 +1,7 @@
 #include "studies/run_cycle.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -22,10 +24,10 @@ double number_in(const Json& times, const char* key, const std::string& place) {
   return times[key];
 }
 
-// Why the cycles ended before they were to; empty if they did not. ended: of their stage, or of the record.
-std::string unfinished(const Json& record, const char* ended) {
+// Why what a record is of ended before it was to; empty if it did not. key: of the status.
+std::string unfinished(const Json& record, const char* key) {
   for (const char* status : {"running", "interrupted", "failed"})
-    if (record.contains(ended) && record[ended] == status) return status;
+    if (record.is_object() && record.contains(key) && record[key] == status) return status;
   return "";
 }
 
@@ -48,8 +50,13 @@ RunCycles stage_of(const fs::path& file, std::size_t stage, double period) {
                             file.string(), stage + 1));
   const Json& times = record["stages"][stage];
   const std::string place = fmt::format("{}: stage {}", file.string(), stage + 1);
-  return {
-      {period, number_in(times, "start", place)}, number_in(times, "end", place), unfinished(times, "ended")};
+  std::string status = unfinished(times, "ended");
+  if (status.empty() && stage + 1 == record["stages"].size()) status = unfinished(record, "status");
+  // A record that was written while the stage ran may be older than the series, which then has no rows of later stages.
+  const double end = number_in(times, "end", place);
+  return {{period, number_in(times, "start", place)},
+          status.empty() ? end : std::numeric_limits<double>::max(),
+          status};
 }
 
 }  // namespace
@@ -62,6 +69,15 @@ std::optional<RunCycles> cycles_of_run(const fs::path& directory) {
     if (stages[k].is_number("period"))
       return stage_of(directory / "run.json", k, stages[k].number("period", document::Range::positive("s")));
   return std::nullopt;
+}
+
+std::string unfinished_status(const fs::path& directory) {
+  for (const char* name : {"response.json", "run.json"}) {
+    std::error_code failed;
+    if (fs::exists(directory / name, failed))
+      return unfinished(run::parse_record(files::read_text(directory / name)), "status");
+  }
+  return "";
 }
 
 }  // namespace scree::tool

@@ -17,7 +17,7 @@ inline constexpr std::array study_verbs = {
               "Compare run time and error of a scenario for several steps, integrators and precisions"},
     StudyVerb{"spectrum",
               "Response of a packing to a driven wall over frequency; or the lines of a time series"},
-    StudyVerb{"cycles", "Strain over the cycles of a load: ratcheting, shakedown or neither"},
+    StudyVerb{"cycles", "Strain over the cycles of a load: ratcheting, shakedown, creep or none of them"},
     StudyVerb{"response",
               "Modes and elastic constants of a packing at rest, or a load on it without dynamics"},
 };
