@@ -91,6 +91,36 @@ TEST_CASE("response refuses frequencies at which there is no mode to find", "[to
   refused("--density 5 --density-to 1e200", "1e+200 Hz is above 1e+100 Hz", "give a lower --density-to");
 }
 
+TEST_CASE("what a plan cannot give is refused before a step is taken", "[tools]") {
+  // Twice the gravity makes the beads too fast in the first step.
+  const std::string falls =
+      "[[probe]]\nplugin = 'energy'\nevery = 1\n[limits]\nspeed = 1e-9\n"
+      "[[stage]]\nname = 'falls'\nduration = 0.01\nset.gravity.acceleration = [0, 0, -20]\n";
+  const Workspace w(with(with(chain, "[spectrum]\n", falls + "[spectrum]\n"), "ids = [1, 8]\n",
+                         "ids = [1, 8]\nevery = 1\n"));
+  const Outcome late = w.scree("response scene.toml --quiet --out out");
+  INFO(late.err);
+  REQUIRE(late.status == 3);
+  const auto refused = [&](const std::string& arguments, const std::string& problem,
+                           const std::string& cure) {
+    check_refused(w, w.scree(arguments + " --quiet --out out"), problem, cure);
+  };
+  refused("response scene.toml --elastic", "scene.toml: elastic constants need two parallel walls",
+          "or prepare such a packing");
+  refused("response scene.toml --loads", "scene.toml: no wall is moved by forces", "or leave --loads out");
+  refused("response scene.toml --density 5 --density-to 1e200", "scene.toml: 1e+200 Hz is above",
+          "give a lower --density-to");
+  refused("spectrum scene.toml --by linear --set \"spectrum.observe=['energy.kinetic_translation']\"",
+          "--set spectrum.observe=", "or leave the road linear out");
+  refused("spectrum scene.toml --by linear --set stage.falls.set.floor.control=fixed",
+          "scene.toml:", "set the control that uses it");
+  const std::string moved =
+      "[[stage]]\nname = 'moves'\nduration = 1\nset.floor.displacement = { from = 0, to = 1e-6, duration = 1 }\n";
+  w.write("scene.toml", with(w.text("scene.toml"), "[spectrum]\n", moved + "[spectrum]\n"));
+  refused("response scene.toml --quasi-static", "scene.toml: wall floor is moved with",
+          "a quasi-static load is by these");
+}
+
 // A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a load.
 TEST_CASE("response and the linear road warn of laws without a derivative at rest", "[tools]") {
   const std::string inclined =

@@ -12,6 +12,7 @@
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
 #include <scree/files/try_each.hpp>
+#include <scree/response/linear_system.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/stage.hpp>
 
@@ -142,12 +143,23 @@ void Follower::find_start() {
 
 void Follower::run_stages_before() {
   simulation_ = run::set_up(plan_, options_.threads);
+  if (plan_.stages.size() > 1) check_last_stage();
   for (const std::string& line : simulation_->let_go()) warn(line);
   StageRunner stages(*simulation_, plan_.stages);
   while (stages.current() + 1 < plan_.stages.size()) {
     stages.run(steps_at_once, [this] { return proceeds(); });
     if (!proceeds()) throw interrupted("before the stages had ended");
     if (options_.on_progress) options_.on_progress(0, 0, plan_.stages[stages.current()].name);
+  }
+}
+
+// What can be told before the stages have run.
+void Follower::check_last_stage() const {
+  try {
+    response::check_laws(plan_.scene, response::LawsNeeded::all);
+    if (const auto last = run::set_up_with_last_stage(plan_)) response::loads_of_walls(*last, last->time());
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
   }
 }
 

@@ -31,6 +31,7 @@ class Follower {
   // Up to the balance at the beginning of the last stage.
   void find_start();
   void run_stages_before();
+  void check_last_stage() const;
   Error interrupted(const std::string& when) const;
   response::QuasiStaticOptions quasi_static_options() const;
   std::unique_ptr<Simulation> simulation_of(const State& state) const;

@@ -3,8 +3,11 @@
 #include "entries.hpp"
 #include "held_bodies.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/response/linear_system.hpp>
 
@@ -52,6 +55,20 @@ Eigen::VectorXd masses(const DegreesOfFreedom& freedom, const Particles& p, cons
   return mass;
 }
 
+void check_integrated_spins(const std::vector<ContactTerms>& contacts) {
+  if (std::any_of(contacts.begin(), contacts.end(), [](const ContactTerms& c) { return c.integrates_spin; }))
+    throw Error(
+        "a contact law integrates spins over time steps, whose motion with the time step of the run is not known; leave the linear "
+        "response in the limit of short steps");
+}
+
+Eigen::VectorXd viscosities(const DegreesOfFreedom& freedom, const WallEquations& equations) {
+  Eigen::VectorXd viscosity = Eigen::VectorXd::Zero(freedom.size());
+  for (std::size_t w = 0; w < freedom.walls(); ++w)
+    if (freedom.wall(w) != DegreesOfFreedom::none) viscosity[freedom.wall(w)] = equations.walls[w].viscosity;
+  return viscosity;
+}
+
 // Pressing forces, viscosity and inertia of walls; the latter two belong to q − w.
 void add_walls(const WallEquations& equations, const DegreesOfFreedom& freedom, Entries& stiffness,
                Entries& damping, Entries& mass) {
@@ -69,14 +86,19 @@ void add_walls(const WallEquations& equations, const DegreesOfFreedom& freedom, 
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options) {
   const Particles& p = simulation.particles();
   const int spins = p.spin_axes().last - p.spin_axes().first;
-  const std::vector<ContactTerms> contacts = linearise_contacts(simulation, spins, options.at_limit);
+  const std::vector<ContactTerms> contacts =
+      linearise_contacts(simulation, spins, options.at_limit, options.time_step);
+  if (options.time_step == TimeStep::of_run) {
+    check_integration(simulation.scene());
+    check_integrated_spins(contacts);
+  }
   const std::vector<bool> held =
       held_bodies(contacts, p.size(), simulation.dimension(), options.fewest_contacts);
   const WallEquations equations = equations_of_walls(simulation, options);
   const DegreesOfFreedom freedom = number_motions(contacts, held, equations, simulation.dimension(), spins);
   if (freedom.size() == 0)
-    throw Error(fmt::format("no body is held at t = {:g} s, of {} with {} contacts; compress the packing{}",
-                            simulation.time(), p.size(), contacts.size(),
+    throw Error(fmt::format("no body is held at t = {:g} s, of {} with {}; compress the packing{}",
+                            simulation.time(), p.size(), counted(contacts.size(), "contact"),
                             options.fewest_contacts > 1
                                 ? fmt::format(", or give a fewest_contacts below {}", options.fewest_contacts)
                                 : ""));
@@ -108,14 +130,24 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
           .wall_mass = mass.of_walls(),
           .rattlers = rattlers,
           .sliding_contacts = sliding_contacts,
-          .one_way_contacts = one_way_contacts};
+          .one_way_contacts = one_way_contacts,
+          .time_step = options.time_step == TimeStep::of_run ? simulation.step_length() : 0,
+          .wall_viscosity = viscosities(freedom, equations)};
+}
+
+void check_integration(const Scene& scene) {
+  if (scene.integration != Integration::velocity_verlet)
+    throw Error(fmt::format(
+        "the linear response with the time step of the run is that of velocity_verlet, not of {}; leave it in the limit of short steps",
+        traits_of(scene.integration).name));
 }
 
 std::string one_way_warning(std::size_t contacts) {
   return fmt::format(
-      "{} contacts that bear a tangential load have different stiffnesses in loading and unloading, so that small motions are "
+      "{} different stiffnesses in loading and unloading, so that small motions are "
       "not linear: their mean is taken; set history = \"potential\" (hertz_mindlin), or a law whose forces have a derivative",
-      contacts);
+      counted(contacts, "contact that bears a tangential load has",
+              "contacts that bear a tangential load have"));
 }
 
 }  // namespace scree::response

@@ -106,11 +106,9 @@ class BandSolution {
       omega[k] = 2 * std::numbers::pi * frequencies_[sorted_[from + k]];
       loads.col(k) = weighted_.load(drive_, omega[k]);
     }
-    const bool single = tolerance_ >= single_precision_tolerance && count > 1;
-    const int basis = backend_->solve({int(count), omega.data(), loads.data(), tolerance_, single,
-                                       amplitude.data(), residual.data(), error.data(), options_.stop});
+    solve_window(omega, loads, amplitude, residual, error);
+    if (weighted_.has_time_step()) add_time_step(omega, loads, amplitude, residual, error);
     if (!proceeds()) return;
-    count_factorisation(basis);
     for (std::size_t k = 0; k < count;) {
       if (count == 1 || error[k] <= tolerance_) {
         keep(sorted_[from + k], amplitude.col(k), residual[k], error[k]);
@@ -123,6 +121,37 @@ class BandSolution {
       k = end;
     }
     report_progress();
+  }
+
+  void solve_window(const Eigen::VectorXd& omega, const Eigen::MatrixXcd& loads, Eigen::MatrixXcd& amplitude,
+                    Eigen::VectorXd& residual, Eigen::VectorXd& error) {
+    const Eigen::VectorXd nearest = omega.unaryExpr([this](double w) { return weighted_.nearest_omega(w); });
+    const int count = int(omega.size());
+    const bool single = tolerance_ >= single_precision_tolerance && count > 1;
+    const int basis = backend_->solve({count, nearest.data(), loads.data(), tolerance_, single,
+                                       amplitude.data(), residual.data(), error.data(), options_.stop});
+    if (proceeds()) count_factorisation(basis);
+  }
+
+  // The time step changes the damping by some per cent, which goes to the loads and is found by iteration.
+  void add_time_step(const Eigen::VectorXd& omega, const Eigen::MatrixXcd& loads, Eigen::MatrixXcd& amplitude,
+                     Eigen::VectorXd& residual, Eigen::VectorXd& error) {
+    constexpr int most_rounds = 20;
+    constexpr double share_of_tolerance = 0.1;
+    Eigen::MatrixXcd changed = loads;
+    Eigen::VectorXd change(omega.size());
+    for (int round = 0; round < most_rounds && proceeds() && !error.hasNaN(); ++round) {
+      const Eigen::MatrixXcd before = amplitude;
+      for (Eigen::Index k = 0; k < omega.size(); ++k)
+        changed.col(k) = loads.col(k) - weighted_.difference(omega[k], before.col(k));
+      solve_window(omega, changed, amplitude, residual, error);
+      for (Eigen::Index k = 0; k < omega.size(); ++k) {
+        const double length = amplitude.col(k).norm();
+        change[k] = length > 0 ? (amplitude.col(k) - before.col(k)).norm() / length : 0;
+      }
+      if (change.maxCoeff() <= share_of_tolerance * tolerance_) break;
+    }
+    error += change;
   }
 
   void count_factorisation(int basis) {

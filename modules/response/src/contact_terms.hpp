@@ -28,7 +28,8 @@ struct ContactTerms {
 };
 
 // spins: rotations of a body that count, 0, 1 or 3. Throws Error as `assemble` does.
-std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit);
+std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit,
+                                             TimeStep time_step = TimeStep::limit);
 
 // A law with its derivatives. Throws Error if it has none.
 ConfiguredLaw differentiable(const Scene::Law& law, int dimension);

@@ -1,5 +1,7 @@
 #include "static_packing.hpp"
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include <scree/error.hpp>
@@ -77,6 +79,11 @@ LoadResponse response_to(const StaticPacking& packing, const Particles& particle
   return response;
 }
 
+Error no_loaded_wall() {
+  return Error(
+      "no wall is moved by forces, on which a load could grow; give a wall a stress or a force, or leave --loads out");
+}
+
 }  // namespace
 
 std::vector<LoadResponse> load_responses(const Simulation& simulation, const AssemblyOptions& options,
@@ -89,10 +96,15 @@ std::vector<LoadResponse> load_responses(const Simulation& simulation, const Ass
       throw Error("interrupted before all responses to loads were known", ExitStatus::interrupted);
     all.push_back(response_to(packing, simulation.particles(), w));
   }
-  if (all.empty())
-    throw Error(
-        "no wall is moved by forces, on which a load could grow; give a wall a stress or a force, or leave --loads out");
+  if (all.empty()) throw no_loaded_wall();
   return all;
+}
+
+void check_loaded_walls(const Simulation& simulation) {
+  const WallEquations equations = simulation.linear_walls();
+  if (std::none_of(equations.walls.begin(), equations.walls.end(),
+                   [](const auto& wall) { return wall.free; }))
+    throw no_loaded_wall();
 }
 
 }  // namespace scree::response

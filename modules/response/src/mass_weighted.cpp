@@ -1,6 +1,7 @@
 #include "mass_weighted.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -41,11 +42,41 @@ MassWeighted::MassWeighted(const LinearSystem& system)
 }
 
 ComplexMatrix MassWeighted::dynamic_stiffness(double omega) const {
-  const std::complex<double> i_omega(0, omega);
+  const HarmonicRates rates(system_.time_step, omega);
   ComplexMatrix sum = stiffness_.cast<std::complex<double>>();
-  sum += i_omega * damping_.cast<std::complex<double>>();
-  sum -= omega * omega * mass_.cast<std::complex<double>>();
+  if (!has_time_step()) {
+    sum += rates.exact * damping_.cast<std::complex<double>>();
+  } else {
+    sum += damping_.cast<std::complex<double>>() * velocity_rates(rates).asDiagonal();
+    ComplexMatrix viscous = mass_.cast<std::complex<double>>();  // has all of the diagonal
+    viscous.diagonal() = viscous_terms(rates);
+    sum += viscous;
+  }
+  sum -= rates.square * mass_.cast<std::complex<double>>();
   return sum;
+}
+
+Eigen::VectorXcd MassWeighted::velocity_rates(const HarmonicRates& rates) const {
+  Eigen::VectorXcd all(system_.mass.size());
+  for (Eigen::Index j = 0; j < all.size(); ++j)
+    all[j] = system_.mass[j] > 0 ? rates.predicted : rates.backward;
+  return all;
+}
+
+Eigen::VectorXcd MassWeighted::viscous_terms(const HarmonicRates& rates) const {
+  return (inverse_root_.cwiseAbs2().cwiseProduct(system_.wall_viscosity)).cast<std::complex<double>>() *
+         (rates.central - rates.predicted);
+}
+
+double MassWeighted::nearest_omega(double omega) const {
+  return has_time_step() ? std::sqrt(HarmonicRates(system_.time_step, omega).square) : omega;
+}
+
+Eigen::VectorXcd MassWeighted::difference(double omega, const Eigen::VectorXcd& q) const {
+  const HarmonicRates rates(system_.time_step, omega);
+  const Eigen::VectorXcd further =
+      velocity_rates(rates).array() - std::complex<double>(0, nearest_omega(omega));
+  return damping_ * further.cwiseProduct(q) + viscous_terms(rates).cwiseProduct(q);
 }
 
 Eigen::VectorXcd MassWeighted::load(const Drive& drive, double omega) const {
@@ -55,6 +86,10 @@ Eigen::VectorXcd MassWeighted::load(const Drive& drive, double omega) const {
   Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(system_.freedom.size());
   if (drive.force.size() > 0) sum += drive.force;
   if (drive.walls.size() > 0) {
+    if (has_time_step() && (system_.wall_mass * drive.walls).norm() > 0)
+      throw Error(
+          "a motion that is superposed on a wall with mass has no linear response with the time step of the run; leave it in the limit "
+          "of short steps, or drive a wall whose motion is prescribed");
     sum -= system_.wall_stiffness * drive.walls;
     sum -= i_omega * (system_.wall_damping * drive.walls);
     sum += omega * omega * (system_.wall_mass * drive.walls);

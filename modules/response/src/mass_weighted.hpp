@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 
 #include <scree/response/frequency_response.hpp>
+#include <scree/response/harmonic_rates.hpp>
 #include <scree/response/linear_system.hpp>
 
 namespace scree::response {
@@ -20,14 +21,22 @@ class MassWeighted {
   const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   const Eigen::SparseMatrix<double>& damping() const { return damping_; }
   const Eigen::VectorXd& inverse_root() const { return inverse_root_; }  // S^−½
-  // K + iωC − ω²M, ω in rad/s. It has the same pattern at all frequencies.
+  // K + iωC − ω²M, ω in rad/s, or what takes its place with the time step of the system. It has the same pattern at all frequencies.
   ComplexMatrix dynamic_stiffness(double omega) const;
-  // The right-hand side f. Throws Error if the drive has another size.
+  // The ω of continuous time whose matrix is nearest to it, and the product of the difference with a vector; zero without a time step.
+  double nearest_omega(double omega) const;
+  Eigen::VectorXcd difference(double omega, const Eigen::VectorXcd& q) const;
+  bool has_time_step() const { return system_.time_step > 0; }
+  // The right-hand side f. Throws Error if the drive has another size, or, with a time step, moves a wall that has a mass.
   Eigen::VectorXcd load(const Drive& drive, double omega) const;
   // q of √S q.
   Eigen::VectorXcd amplitude(const Eigen::VectorXcd& weighted) const;
 
  private:
+  // Of velocities in each column of C, and what the viscosity of walls has beside it.
+  Eigen::VectorXcd velocity_rates(const HarmonicRates& rates) const;
+  Eigen::VectorXcd viscous_terms(const HarmonicRates& rates) const;
+
   const LinearSystem& system_;
   Eigen::VectorXd inverse_root_;
   Eigen::SparseMatrix<double> stiffness_, damping_, mass_;

@@ -129,6 +129,14 @@ std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads)
   return simulation;
 }
 
+std::unique_ptr<Simulation> set_up_with_last_stage(const scenario::Plan& plan) {
+  try {
+    return simulation_of(plan, scene_in_stage(plan.scene, plan.stages, plan.stages.size()));
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
 std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state,
                                     const StateTransfer& stages, unsigned threads) {
   Scene scene = scene_in_stage(plan.scene, plan.stages, stage_of(stages));

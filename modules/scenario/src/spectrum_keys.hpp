@@ -57,6 +57,10 @@ struct SpectrumKeys : TableKeys {
   ChoiceKey sliding_contacts = choice_or_first(
       "sliding_contacts", {"stick", "slide"},
       "what contacts at the limit of friction do in the linear response: stick, as small oscillations make them, or slide on, one way");
+  ChoiceKey linear_step = choice_or_first(
+      "linear_step", {"limit", "run"},
+      "time step of the linear response: the limit of short steps, or that of the run, with which it is the response that velocity_verlet has, "
+      "step by step, to compare with a sweep; takes more factorisations");
 };
 
 inline const SpectrumKeys spectrum_keys;

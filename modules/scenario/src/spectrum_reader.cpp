@@ -228,6 +228,7 @@ void read_pulse(const document::Table& t, double step, SpectrumPlan& plan) {
   plan.fewest_contacts =
       int(t.optional_integer(spectrum_keys.fewest_contacts, spectrum_keys.fewest_contacts.range).value_or(0));
   plan.contacts_slide = read(t, spectrum_keys.sliding_contacts) == "slide";
+  plan.step_of_run = read(t, spectrum_keys.linear_step) == "run";
 }
 
 }  // namespace

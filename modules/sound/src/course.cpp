@@ -42,6 +42,7 @@ Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, ru
 
 Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
+  if (!plan_.stages.empty()) check_before_stages(plan_, asked_);
   for (const std::string& line : simulation->let_go()) warn(line);
   // What is there stays until something can take its place.
   StageRunner runner(*simulation, plan_.stages);

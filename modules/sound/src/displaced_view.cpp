@@ -5,13 +5,14 @@
 namespace scree::sound {
 
 DisplacedView::DisplacedView(const Simulation& simulation, const std::vector<Vec3>& walls,
-                             const response::DegreesOfFreedom& freedom)
+                             const response::DegreesOfFreedom& freedom, double time_step)
     : simulation_(simulation),
       walls_(walls),
       freedom_(freedom),
       rest_(simulation, 0),
       view_(rest_.get()),
-      equations_(simulation.linear_walls()) {
+      equations_(simulation.linear_walls()),
+      time_step_(time_step) {
   for (int k = 0; k < simulation.dimension(); ++k) {
     position_[std::size_t(k)].resize(freedom.bodies());
     velocity_[std::size_t(k)].resize(freedom.bodies());
@@ -23,9 +24,9 @@ DisplacedView::DisplacedView(const Simulation& simulation, const std::vector<Vec
 const scree_view& DisplacedView::displaced(const response::HarmonicResponse& motion, Part part,
                                            double share) {
   const Complex turn = part == Part::real ? Complex(share, 0) : Complex(0, -share);
-  const Complex to_velocity(0, 2 * std::numbers::pi * motion.frequency_hz);
-  displace_bodies(motion, turn, to_velocity);
-  displace_walls(motion, turn, to_velocity);
+  const response::HarmonicRates rates(time_step_, 2 * std::numbers::pi * motion.frequency_hz);
+  displace_bodies(motion, turn, rates.central);
+  displace_walls(motion, turn, rates);
   return view_;
 }
 
@@ -44,10 +45,13 @@ void DisplacedView::displace_bodies(const response::HarmonicResponse& motion, Co
 }
 
 void DisplacedView::displace_walls(const response::HarmonicResponse& motion, Complex turn,
-                                   Complex to_velocity) {
+                                   const response::HarmonicRates& rates) {
   planes_ = simulation_.planes();
   for (std::size_t w = 0; w < planes_.size(); ++w) {
     const Eigen::Index number = freedom_.wall(w);
+    const Complex to_velocity = number == response::DegreesOfFreedom::none ? rates.exact
+                                : equations_.walls[w].mass > 0             ? rates.central
+                                                                           : rates.backward;
     for (int k = 0; k < 3; ++k) {
       const Complex q = turn * (number == response::DegreesOfFreedom::none
                                     ? Complex(walls_[w][k])

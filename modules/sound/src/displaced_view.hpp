@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scree/probes.hpp>
+#include <scree/response/harmonic_rates.hpp>
 #include <scree/wall_equations.hpp>
 
 namespace scree::sound {
@@ -17,8 +18,9 @@ class DisplacedView {
  public:
   enum class Part { real, imaginary };
 
+  // time_step: (s) of velocity Verlet, by which velocities are output; 0: continuous time.
   DisplacedView(const Simulation& simulation, const std::vector<Vec3>& walls,
-                const response::DegreesOfFreedom& freedom);
+                const response::DegreesOfFreedom& freedom, double time_step);
 
   const scree_view& at_rest() const { return rest_.get(); }
   // Valid until the next call.
@@ -28,7 +30,8 @@ class DisplacedView {
   using Complex = std::complex<double>;
   // turn: the share with its phase; both displacement and velocity are real parts of what it gives.
   void displace_bodies(const response::HarmonicResponse& motion, Complex turn, Complex to_velocity);
-  void displace_walls(const response::HarmonicResponse& motion, Complex turn, Complex to_velocity);
+  void displace_walls(const response::HarmonicResponse& motion, Complex turn,
+                      const response::HarmonicRates& rates);
 
   const Simulation& simulation_;
   const std::vector<Vec3>& walls_;
@@ -37,6 +40,7 @@ class DisplacedView {
   scree_view view_;
   std::array<std::vector<double>, 3> position_, velocity_;
   WallEquations equations_;
+  double time_step_;
   std::vector<scree_plane> planes_;
 };
 

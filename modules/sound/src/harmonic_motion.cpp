@@ -19,9 +19,9 @@ HarmonicMotion harmonic_motion(const Simulation& simulation, const std::vector<V
   for (std::size_t w = 0; w < walls.size(); ++w)
     for (int k = 0; k < dimension; ++k) drive.walls[Eigen::Index(w) * dimension + k] = walls[w][k];
   if (system.freedom.size() <= few_degrees_of_freedom)
-    return {system.freedom, system.sliding_contacts, system.one_way_contacts,
+    return {system.freedom, system.sliding_contacts, system.one_way_contacts, system.time_step,
             response::solve(system, drive, frequencies_hz, band.stop)};
-  return {system.freedom, system.sliding_contacts, system.one_way_contacts,
+  return {system.freedom, system.sliding_contacts, system.one_way_contacts, system.time_step,
           response::solve_band(system, drive, frequencies_hz, band).responses};
 }
 

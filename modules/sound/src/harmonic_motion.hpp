@@ -13,6 +13,7 @@ namespace scree::sound {
 struct HarmonicMotion {
   response::DegreesOfFreedom freedom;
   std::size_t sliding_contacts, one_way_contacts;     // as in response::LinearSystem
+  double time_step;                                   // likewise
   std::vector<response::HarmonicResponse> responses;  // for each frequency, until band.stop said stop
 };
 

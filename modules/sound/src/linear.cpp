@@ -15,6 +15,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
+#include <scree/response/rest.hpp>
 
 namespace scree::sound {
 
@@ -98,7 +99,8 @@ void note_one_way(const HarmonicMotion& motion, RoadSpectrum& road) {
 
 response::AssemblyOptions assembly_of(const scenario::SpectrumPlan& plan) {
   return {.fewest_contacts = plan.fewest_contacts,
-          .at_limit = plan.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick};
+          .at_limit = plan.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick,
+          .time_step = plan.step_of_run ? response::TimeStep::of_run : response::TimeStep::limit};
 }
 
 // The road at some of its frequencies.
@@ -124,7 +126,7 @@ bool add_batch(const Start& start, Simulation& simulation, const DrivenWalls& wa
                                                  .threads = start.scene.threads,
                                                  .on_progress = on_progress,
                                                  .stop = start.stop});
-  LinearColumns columns(start.plan, simulation, walls.motion(), motion.freedom);
+  LinearColumns columns(start.plan, simulation, walls.motion(), motion.freedom, motion.time_step);
   note_sliding(motion, plan, road);
   note_one_way(motion, road);
   for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
@@ -211,6 +213,8 @@ void check_linear(const Start& start) {
           "{}: '{}' is of a probe that reads contacts or energies, which has no linear response; observe positions, "
           "such as a strain, or leave the road linear out",
           column.place, column.name));
+  response::check_laws(start.scene, response::LawsNeeded::any);
+  if (plan.spectrum->step_of_run) response::check_integration(start.scene);
 }
 
 RoadSpectrum without_linearity(RoadSpectrum road) {
@@ -223,10 +227,15 @@ bool add_linear(const Start& start, RoadSpectrum& road, const std::function<void
   const auto began = Clock::now();
   const scenario::SpectrumPlan& plan = start.spectrum();
   check_linear(start);
-  Simulation simulation(start.scene, start.state);
+  Simulation present(start.scene, start.state);
+  const response::Rest rest =
+      response::rest_of(present, assembly_of(plan), [&start] { return start.proceeds(); });
+  if (!start.proceeds()) return false;
+  Simulation& simulation = rest.equilibrium ? *rest.equilibrium : present;
   const DrivenWalls walls(start);
   road.road = "linear";
   road.columns.resize(plan.observed.size());
+  if (road.frequencies.empty() && !rest.warning.empty()) road.notes.push_back("linear: " + rest.warning);
   const bool complete = add_all_frequencies(start, simulation, walls, on_part, road);
   road.wall += std::chrono::duration<double>(Clock::now() - began).count();
   if (!complete) return false;

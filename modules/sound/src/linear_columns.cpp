@@ -32,8 +32,9 @@ scenario::Plan observing(scenario::Plan plan, std::size_t probe) {
 }  // namespace
 
 LinearColumns::LinearColumns(const scenario::Plan& plan, const Simulation& simulation,
-                             const std::vector<Vec3>& walls, const response::DegreesOfFreedom& freedom)
-    : observer_(plan), view_(simulation, walls, freedom) {
+                             const std::vector<Vec3>& walls, const response::DegreesOfFreedom& freedom,
+                             double time_step)
+    : observer_(plan), view_(simulation, walls, freedom, time_step) {
   rest_ = observer_.values(view_.at_rest());
   for (std::size_t i = 0; i < simulation.particles().size(); ++i)
     smallest_ =
@@ -83,7 +84,7 @@ std::vector<std::string> responding_columns(const scenario::Plan& plan, const Si
     if (!is_of_motion(plan.probes[p], plan.scene.dimension)) continue;
     const scenario::Plan all = observing(plan, p);
     try {
-      const auto [derivatives, change] = LinearColumns(all, simulation, walls, freedom).along(motion);
+      const auto [derivatives, change] = LinearColumns(all, simulation, walls, freedom, 0).along(motion);
       for (std::size_t c = 0; c < derivatives.size(); ++c)
         if (std::abs(derivatives[c]) > 0) names.push_back(all.spectrum->observed[c].name);
     } catch (const Error&) {

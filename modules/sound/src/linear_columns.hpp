@@ -15,9 +15,9 @@ namespace scree::sound {
 // Observed columns, linearised about the present state by central differences of their probes along a motion.
 class LinearColumns {
  public:
-  // walls: displacement of each wall (m).
+  // walls: displacement of each wall (m). time_step: (s) by which velocities are output; 0: continuous time.
   LinearColumns(const scenario::Plan& plan, const Simulation& simulation, const std::vector<Vec3>& walls,
-                const response::DegreesOfFreedom& freedom);
+                const response::DegreesOfFreedom& freedom, double time_step);
 
   const std::vector<double>& at_rest() const { return rest_; }
   // Derivatives along a motion, and how much they change if the difference has half the size.

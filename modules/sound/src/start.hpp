@@ -3,9 +3,11 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
+#include <scree/sound/road_spectrum.hpp>
 
 namespace scree::sound {
 
@@ -20,5 +22,9 @@ struct Start {
   const scenario::SpectrumPlan& spectrum() const { return *plan.spectrum; }
   bool proceeds() const { return !stop || !*stop; }
 };
+
+// What can be told of a plan before its stages have run: that its drive moves walls and, if it is the only one, that a road can be taken. Throws
+// Error.
+void check_before_stages(const scenario::Plan& plan, const std::vector<Road>& roads);
 
 }  // namespace scree::sound

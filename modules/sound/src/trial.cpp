@@ -42,6 +42,7 @@ SpectrumTrial try_roads(const scenario::Plan& plan, const std::vector<Road>& roa
   if (const auto problem = scenario::sampling_problem(plan.spectrum->to_hz, plan.scene.step))
     throw Error(*problem + "; give a shorter step");
   auto simulation = run::set_up(plan);
+  if (!plan.stages.empty()) check_before_stages(plan, roads);
   const auto began = Clock::now();
   std::optional<State> state = after_stages(*simulation, plan, stop, trial.steps);
   simulation.reset();

@@ -32,6 +32,13 @@ void check_memory(const response::UndampedSystem& system, unsigned modes) {
 
 }  // namespace
 
+void check_density(const VibrationOptions& options) {
+  if (!(options.density_to_hz <= largest_hz))
+    throw Error(
+        fmt::format("{:g} Hz is above {:g} Hz, up to which modes can be counted; give a lower --density-to",
+                    options.density_to_hz, largest_hz));
+}
+
 void check_search(const response::UndampedSystem& system, const VibrationOptions& options) {
   const double highest = frequency_of(system.largest()), floppy = frequency_of(system.rounding());
   if (options.near_hz > highest)
@@ -39,10 +46,6 @@ void check_search(const response::UndampedSystem& system, const VibrationOptions
   if (options.density > 0 && options.density_to_hz > 0 && options.density_to_hz <= floppy)
     throw Error(fmt::format("no mode below {:g} Hz can be told from a floppy one; give a higher --density-to",
                             floppy));
-  if (!(options.density_to_hz <= largest_hz))
-    throw Error(
-        fmt::format("{:g} Hz is above {:g} Hz, and all modes are below {:g} Hz; give a lower --density-to",
-                    options.density_to_hz, largest_hz, highest));
   check_memory(system, options.modes);
 }
 

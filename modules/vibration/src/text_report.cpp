@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 
 namespace scree::vibration {
@@ -20,14 +21,16 @@ std::string names_of(const Vibration& v, const std::vector<Participant>& bodies)
 }
 
 std::string head(const Vibration& v) {
-  std::string text = fmt::format(
-      "{} bodies with {} contacts, {} degrees of freedom; {} rattlers are left out; asymmetry of K {:.2g}\n",
-      v.bodies, v.contacts, v.degrees_of_freedom, v.rattlers.size(), v.asymmetry);
-  text += v.counted ? fmt::format("{} unstable modes, {} floppy modes", v.unstable, v.floppy)
-                    : "unstable and floppy modes were not counted";
+  std::string text = fmt::format("{} with {}, {}; {} left out; asymmetry of K {:.2g}\n",
+                                 counted(v.bodies, "body", "bodies"), counted(v.contacts, "contact"),
+                                 counted(v.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
+                                 counted(v.rattlers.size(), "rattler is", "rattlers are"), v.asymmetry);
+  text += v.counted
+              ? fmt::format("{}, {}", counted(v.unstable, "unstable mode"), counted(v.floppy, "floppy mode"))
+              : "unstable and floppy modes were not counted";
   if (!v.floppy_bodies.empty())
-    text +=
-        fmt::format(" of {} bodies: {} (floppy.csv)", v.floppy_bodies.size(), names_of(v, v.floppy_bodies));
+    text += fmt::format(" of {}: {} (floppy.csv)", counted(v.floppy_bodies.size(), "body", "bodies"),
+                        names_of(v, v.floppy_bodies));
   return text + "\n";
 }
 
@@ -92,8 +95,9 @@ std::string text_report(const Vibration& v) {
   if (v.elastic) text += elastic_lines(*v.elastic);
   if (!v.loads.empty()) text += load_lines(v);
   if (!v.density.empty())
-    text += fmt::format("{} modes up to {:.6g} Hz counted at {} frequencies: density.csv\n",
-                        v.density.back().below, v.density.back().to_hz, v.density.size());
+    text += fmt::format("{} up to {:.6g} Hz counted at {}: density.csv\n",
+                        counted(v.density.back().below, "mode"), v.density.back().to_hz,
+                        counted(v.density.size(), "frequency", "frequencies"));
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
 #include <scree/files/try_each.hpp>
+#include <scree/response/rest.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/spare_room.hpp>
@@ -46,7 +47,8 @@ class Course {
   }
 
   Vibration begin() {
-    const auto simulation = run::set_up(plan_, options_.threads);
+    auto simulation = run::set_up(plan_, options_.threads);
+    check_plan(*simulation);
     for (const std::string& line : simulation->let_go()) warn(line);
     StageRunner stages(*simulation, plan_.stages);
     if (!run::run_stages(
@@ -58,7 +60,7 @@ class Course {
               plan_.source.string()),
           ExitStatus::interrupted);
     began_ = Clock::now();
-    check(*simulation);
+    check(simulation);
     describe(*simulation);
     directory_.begin([this] {
       write_record("running", result_, directory_);
@@ -87,14 +89,30 @@ class Course {
   bool proceeds() const { return !options_.stop || !*options_.stop; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
-  // What cannot be done is refused before anything is written.
-  void check(const Simulation& simulation) {
+  // What cannot be done with this plan is refused before a step is taken.
+  void check_plan(const Simulation& simulation) const {
     if (!options_.pictures.empty() && !snapshot::has_pictures())
       throw Error(
           fmt::format("{}; {}, or leave --picture out", snapshot::no_pictures, snapshot::no_pictures_cure));
     try {
+      check_density(options_);
+      response::check_laws(plan_.scene, response::LawsNeeded::any);
       if (options_.elastic) response::wall_pair(simulation);
-      system_.emplace(response::assemble(simulation, assembly_));
+      const auto last = options_.loads ? run::set_up_with_last_stage(plan_) : nullptr;
+      if (last) response::check_loaded_walls(*last);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+    }
+  }
+
+  // What cannot be done with this packing is refused before anything is written. The equilibrium nearby takes the place of a packing that
+  // is not at rest.
+  void check(std::unique_ptr<Simulation>& simulation) {
+    try {
+      response::Rest rest = response::rest_of(*simulation, assembly_, [this] { return proceeds(); });
+      if (rest.equilibrium) simulation = std::move(rest.equilibrium);
+      if (!rest.warning.empty()) warn(rest.warning);
+      system_.emplace(response::assemble(*simulation, assembly_));
     } catch (const Error& error) {
       throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
     }

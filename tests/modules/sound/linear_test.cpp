@@ -28,6 +28,61 @@ TEST_CASE("the linear road gives the response of the discrete chain", "[sound]")
     }
 }
 
+TEST_CASE("the linear road does not depend on the time step", "[sound]") {
+  // Restitution makes dampers with the weight that makes up for predicted velocities: (ωh)²/2 of the damping.
+  const auto road_with = [](const std::string& step) {
+    const scenario::Plan plan =
+        plan_of(with(with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nfewest_contacts = 1\n"),
+                          "normal_damping = 0.05", "restitution = 0.9"),
+                     fmt::format("step = {}\n", Chain::step), "step = " + step + "\n"));
+    return linear_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+  };
+  const RoadSpectrum coarse = road_with("1e-4"), fine = road_with("1e-6");
+  for (std::size_t k = 0; k < fine.frequencies.size(); ++k)
+    for (const std::size_t c : {0u, 1u}) {
+      CAPTURE(fine.frequencies[k], c);
+      const std::complex<double> h = fine.columns[c].response[k];
+      CHECK(std::abs(coarse.columns[c].response[k] - h) <
+            1e-10 * std::abs(h) + 1e-11);  // round-off, as above
+    }
+}
+
+TEST_CASE("the linear road of a packing that is not at rest is that of the equilibrium nearby", "[sound]") {
+  // Hertzian contacts, whose overlaps are off by 1 % of the total, one way or the other: their stiffness is off by 0.5 %.
+  const auto road_with = [](double share) {
+    std::string text = Chain{}.text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nfewest_contacts = 1\n");
+    text = with(text, "plugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n",
+                "plugin = 'hertz_mindlin'\nyoungs_modulus = 2e6\npoissons_ratio = 0.25\nrestitution = 0.9\n");
+    // f = (4/3) E* sqrt(R*) overlap^(3/2), E* = E/(2 (1 - nu^2)); R* is R at the wall and R/2 between beads.
+    const double modulus = 2e6 / (2 * (1 - 0.0625));
+    double top = 0;
+    for (int i = 1; i <= Chain::beads; ++i) {
+      const std::string before = fmt::format("id = {}\nposition = [0, 0, ", i);
+      const std::size_t at = text.find(before) + before.size();
+      const double force = (Chain::beads - i + 1) * Chain::mass * Chain::gravity;
+      const double radius = i == 1 ? Chain::radius : 0.5 * Chain::radius;
+      const double overlap = std::pow(0.75 * force / (modulus * std::sqrt(radius)), 2.0 / 3);
+      top += (i == 1 ? 1 : 2) * Chain::radius - overlap * (1 + share);
+      text.replace(at, text.find(']', at) - at, fmt::format("{:.17g}", top));
+    }
+    const scenario::Plan plan = plan_of(text);
+    return linear_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+  };
+  const RoadSpectrum rest = road_with(0), more = road_with(0.01), less = road_with(-0.01);
+  CHECK(rest.notes.empty());
+  REQUIRE(more.notes.size() == 1);
+  CHECK_THAT(more.notes[0],
+             Catch::StartsWith("linear: the packing is not at rest: net forces are up to ") &&
+                 Catch::Contains("from the equilibrium nearby, whose linear response this is; "));
+  for (std::size_t k = 0; k < rest.frequencies.size(); ++k) {
+    CAPTURE(rest.frequencies[k]);
+    const std::complex<double> h = rest.columns[1].response[k];
+    // Balance to 1e-11 of the largest force; round-off of differences, as above.
+    CHECK(std::abs(more.columns[1].response[k] - h) < 1e-8 * std::abs(h) + 1e-10);
+    CHECK(std::abs(less.columns[1].response[k] - h) < 1e-8 * std::abs(h) + 1e-10);
+  }
+}
+
 TEST_CASE("a linear road that was stopped goes on with the frequencies that it lacks", "[sound]") {
   const Chain chain;
   const scenario::Plan plan =

@@ -26,12 +26,20 @@ struct LinearSystem {
   std::size_t sliding_contacts = 0;     // of held bodies, as the laws found them in the last step
   // Contacts of held bodies whose stiffness differs in loading and unloading: K has the mean, and small motions are not linear.
   std::size_t one_way_contacts = 0;
+  double time_step = 0;                 // (s) of the run, or 0: continuous time
+  Eigen::VectorXd wall_viscosity = {};  // (q) (kg/s) the part of C that is of walls alone
 };
 
 // What contacts do whose tangential force is at the limit of friction.
 enum class AtLimit {
   slide,  // on along their slip, one way: the tangential force follows the normal force, and K is not symmetric
   stick  // as in small oscillations, in which slip stops within a few periods
+};
+
+// The time step with which laws see motions: velocities are predictions, and dashpots make up for their errors.
+enum class TimeStep {
+  limit,  // h → 0: motions in continuous time
+  of_run  // that of the run: harmonic motions are those of velocity Verlet, step by step
 };
 
 struct AssemblyOptions {
@@ -41,12 +49,20 @@ struct AssemblyOptions {
   // Walls that forces move stay where they are, and are displaced by w alone.
   bool hold_walls = false;
   AtLimit at_limit = AtLimit::slide;
+  TimeStep time_step = TimeStep::limit;
 };
 
 // Linearises all contacts, body forces and walls at the present positions, orientations and springs, with bodies
 // and walls at rest. Contacts within the limit of friction stick. Throws Error if a law has
-// no derivatives, or if no body is held.
+// no derivatives, if no body is held, or, with the time step of the run, if it is not of velocity Verlet or a law integrates spins.
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
+
+// Whether a law must have derivatives where others have them.
+enum class LawsNeeded { any, all };
+// Throws Error if no law, or not each, has derivatives, which is known before there are contacts.
+void check_laws(const Scene& scene, LawsNeeded needed);
+// Throws Error if the scene has no linear response with TimeStep::of_run.
+void check_integration(const Scene& scene);
 
 // "<what>; <cure>" of so many LinearSystem::one_way_contacts.
 std::string one_way_warning(std::size_t contacts);

@@ -33,6 +33,9 @@ struct LoadResponse {
   static constexpr double largest_residual = 1e-6;
 };
 
+// Throws Error if forces move no wall.
+void check_loaded_walls(const Simulation& simulation);
+
 // One for each wall that forces move and a held body touches. Throws Error as assemble() does, if no such wall is there, or (interrupted)
 // if `proceed` says so.
 std::vector<LoadResponse> load_responses(

@@ -46,6 +46,7 @@ struct SpectrumPlan {
   double longest_pulse = 0;     // (s)
   int fewest_contacts = 0;      // see response::AssemblyOptions
   bool contacts_slide = false;  // those at the limit of friction, in the linear response
+  bool step_of_run = false;     // in the linear response, instead of the limit of short steps
 
   // from_hz, from_hz + step_hz, ... up to to_hz.
   std::vector<double> frequencies() const;
