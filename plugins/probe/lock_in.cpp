@@ -90,13 +90,13 @@ struct LockInProbe {
           periods, samples, unknowns);
     if (from >= view.end_time)
       return problem(
-          "from = %.12g s is not before %.12g s, when the run or the stages of the probe end, so that there are no samples; "
-          "give an earlier time, or a longer run",
+          "from = %.12g s is not before %.12g s, when the run or the stages of the probe end, so that there are no "
+          "samples; give an earlier time, or a longer run",
           from, view.end_time);
     if (end() > view.end_time + 0.5 * view.step_length)
       return problem(
-          "the record from %.12g to %.12g s lasts beyond %.12g s, when the run or the stages of the probe end; give fewer periods, "
-          "an earlier from, or a longer run",
+          "the record from %.12g to %.12g s lasts beyond %.12g s, when the run or the stages of the probe end; give "
+          "fewer periods, an earlier from, or a longer run",
           from, end(), view.end_time);
     // Where the end is not known, this may be found in the middle of a run, which then goes on.
     if (std::isfinite(view.end_time) && from < view.time - 0.5 * view.step_length)

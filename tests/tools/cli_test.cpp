@@ -36,6 +36,7 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   CHECK_FALSE(w.has("runs"));
 }
 
+#if SCREE_TEST_PICTURES
 TEST_CASE("check tells which points a chart leaves out at the start", "[tools]") {
   const Workspace w(
       std::string(discs) +
@@ -51,6 +52,7 @@ TEST_CASE("check tells which points a chart leaves out at the start", "[tools]")
                "left out\n"));
   CHECK_FALSE(contains(checked.out, "chart all"));
 }
+#endif
 
 TEST_CASE("check tells the largest overlap at the start, and warns of a large one", "[tools]") {
   const auto checked = [](const char* second) {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every relative link of every document of a tree leads to a file: links and pictures of Markdown, and names of documents in
-# code spans, which count from the folder of the document or from the top. Usage: links_test.sh TOP
+# Every relative link of every document of a tree leads to a file: links and pictures of Markdown, and names of documents
+# in code spans, which count from the folder of the document or from the top. Usage: links_test.sh TOP
 set -eu
 top=$1
 status=0

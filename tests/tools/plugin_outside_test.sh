@@ -1,6 +1,7 @@
 #!/bin/sh
 # In an empty directory, with an installed tree: `scree new-plugin` writes a project of each kind, which builds and
-# passes its tests with two commands; and the links of its documents lead somewhere. Usage: plugin_outside_test.sh BUILD_DIRECTORY
+# passes its tests with two commands; and the links of its documents lead somewhere.
+# Usage: plugin_outside_test.sh BUILD_DIRECTORY
 set -eu
 build=$1
 folder=$(mktemp -d)

@@ -14,8 +14,8 @@ struct ColumnLine {
   std::string meaning;  // also whether it is there in 2D or 3D only; empty if the plug-in says nothing
 };
 
-// The columns of a probe with these parameters; those that are required and not given, and lists, have examples as values.
-// Empty if the plug-in refuses the examples.
+// The columns of a probe with these parameters; those that are required and not given, and lists, have examples as
+// values. Empty if the plug-in refuses the examples.
 std::vector<ColumnLine> described_columns(const Parameters& probe);
 
 }  // namespace scree::tool

@@ -147,12 +147,13 @@ void Table::refuse_unused() const {
   find_unknown(document, *state_->toml, unknown);
   if (unknown.table == nullptr) return;
   const std::vector<std::string>& known = document.state_of(*unknown.table).known;
-  // An override may mean the entry of a list by its name.
+  // An override may mean the entry of a list by its name, which it misspells.
+  const std::string_view key = unknown.entry.first->str();
   std::vector<std::string> meant = known;
   if (document.override_of(unknown.entry.second->source()) < document.overrides.size())
     for (const std::string_view naming : naming_keys)
-      if (const auto* name = unknown.table->get_as<std::string>(naming)) meant.push_back(name->get());
-  const std::string_view key = unknown.entry.first->str();
+      if (const auto* name = unknown.table->get_as<std::string>(naming); name && name->get() != key)
+        meant.push_back(name->get());
   const std::string cure = known.empty() ? "remove it, no key is read here" : "known keys: " + listed(known);
   throw Error(fmt::format("{}: unknown key '{}' in {}{} {}", document.key_place(unknown.entry),
                           files::one_line(key), document.label(*unknown.table), suggestion(key, meant),

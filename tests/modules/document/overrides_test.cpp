@@ -139,6 +139,12 @@ TEST_CASE("a misspelt name of the only entry of a list is taken for its name, no
       message([&] { contact.refuse_unused(); }) ==
       "--set contact.hertx.range.at_most=2: unknown key 'hertx' in [[contact]]; did you mean 'hertz'? known keys: "
       "plugin, friction, her");
+  // The name itself is no cure.
+  const Document twice = set({"contact.hertz.hertz=2"});
+  const Table named = twice.root().tables("contact")[0];
+  for (const char* key : {"plugin", "friction"}) named.accept(key);
+  CHECK(message([&] { named.refuse_unused(); }) ==
+        "--set contact.hertz.hertz=2: unknown key 'hertz' in [[contact]]; known keys: plugin, friction");
   // A key of the file is no name.
   const Document file = Document::parse("[[contact]]\nplugin = 'hertz'\nhertx = 1\n", "scene.toml");
   const Table other = file.root().tables("contact")[0];

@@ -18,8 +18,8 @@ struct CurveStyle {
   static CurveStyle of(const ChartSeries& series, std::size_t index, double font);
 };
 
-// The drawn pieces of a line as pairs of end points (x, y, x, y in drawn pixels), without those to points that are NaN; dashes
-// and dots scale with the font.
+// The drawn pieces of a line as pairs of end points (x, y, x, y in drawn pixels), without those to points that are NaN;
+// dashes and dots scale with the font.
 std::vector<float> line_pieces(const std::vector<double>& x, const std::vector<double>& y, LineStyle style,
                                double font);
 

@@ -6,8 +6,8 @@
 
 namespace scree::snapshot {
 
-// The chart with NaN for both coordinates of points that cannot be drawn, and without those at the ends of curves. note:
-// receives how many there are, in a sentence, or "". Throws Error if no point is left.
+// The chart with NaN for both coordinates of points that cannot be drawn, and without those at the ends of curves.
+// note: receives how many there are, in a sentence, or "". Throws Error if no point is left.
 ChartSpec drawable_chart(const ChartSpec& spec, std::string& note);
 
 }  // namespace scree::snapshot
