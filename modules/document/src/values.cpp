@@ -72,14 +72,7 @@ bool read_boolean(const DocumentState& document, const toml::node& node) {
 
 std::string read_string(const DocumentState& document, const toml::node& node) {
   if (!node.is_string()) throw document.wrong_type(node, "give a string in quotes");
-  const std::string& text = node.as_string()->get();
-  // Files and libraries take it for the end of a text.
-  if (text.find('\0') != std::string::npos)
-    throw document.error(
-        node,
-        fmt::format("{} = \"{}\" contains the character \\x00", document.path(node), files::one_line(text)),
-        "leave it out");
-  return text;
+  return node.as_string()->get();
 }
 
 using Words = std::vector<std::string>;

@@ -101,7 +101,8 @@ TEST_CASE("a simulation goes on from its state within a later stage") {
   check_resumed(whole, scene);
 }
 
-TEST_CASE("a state at the beginning of a stage is that of the simulation, which saving does not change", "[threads]") {
+TEST_CASE("a state at the beginning of a stage is that of the simulation, which saving does not change",
+          "[threads]") {
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
                                     Integration::fourth_order, Integration::predictor_corrector);
   Scene scene = heap(3, false);

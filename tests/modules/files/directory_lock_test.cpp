@@ -74,7 +74,8 @@ TEST_CASE("a link in place of the lock file is not followed", "[files]") {
   CHECK_FALSE(fs::exists(folder / "outside"));
 }
 
-TEST_CASE("of threads that take and release a directory that comes and goes, never two have it", "[files][threads]") {
+TEST_CASE("of threads that take and release a directory that comes and goes, never two have it",
+          "[files][threads]") {
   const test::TemporaryFolder folder;
   std::atomic<int> holders = 0, most = 0, taken = 0;
   std::vector<std::thread> threads;

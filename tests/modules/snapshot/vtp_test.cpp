@@ -43,10 +43,13 @@ void check_equal(const Frame& a, const Frame& b) {
 TEST_CASE("a frame comes back from its files with the same bits", "[snapshot]") {
   const ScratchDirectory directory;
   const Frame frame = sample_frame();
-  backend().write_frame(frame, directory / "deep/er");
-  const Frame back = backend().read_frame(directory / "deep/er" / particles_file);
+  backend().write_frame(frame, directory / "new");
+  const Frame back = backend().read_frame(directory / "new" / particles_file);
   check_equal(frame, back);
   CHECK(std::signbit(back.force[0]));
+  // A directory of results that was removed is not made anew.
+  CHECK_THROWS_AS(backend().write_frame(frame, directory / "removed/snapshots"), scree::Error);
+  CHECK_FALSE(std::filesystem::exists(directory / "removed"));
 }
 
 TEST_CASE("columns that a scene lacks are omitted from the file", "[snapshot]") {
