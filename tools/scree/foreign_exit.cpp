@@ -29,11 +29,11 @@ pid_t program = 0;
 // Exported by the program, so that plug-ins find them before those of the C library; what the C library itself calls
 // stays its own. Status 0 would pass for success; with others a signal handler or a child process ends.
 extern "C" {
-[[noreturn, gnu::visibility("default")]] void _exit(int status) {
+__attribute__((noreturn, visibility("default"))) void _exit(int status) {
   if (status != 0 || getpid() != program) leave(status);
   report_exit("_exit()");
 }
-[[noreturn, gnu::visibility("default")]] void _Exit(int status) noexcept { _exit(status); }
+__attribute__((noreturn, visibility("default"))) void _Exit(int status) noexcept { _exit(status); }
 }
 
 namespace scree::tool {

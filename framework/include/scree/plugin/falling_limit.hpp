@@ -92,13 +92,13 @@ inline FallingSlip<D, T> slide_or_stick(const FallingLimit<D, T>& in) {
   const Vec<D, T> fallen = fused(fall, begin.direction, step.trial_spring);
   // e decides on the begin of slip; without it no spring is beyond a limit of twice its length.
   const T held_limit = std::max(in.static_limit, T(2) * step.stiffness * length);
-  const T limit = begin.slid | begin.begins ? step.sliding_limit : held_limit;
+  const T limit = (begin.slid | begin.begins) ? step.sliding_limit : held_limit;
   Slip<D, T> slip = slide_or_stick<damped>(SlipStep<D, T>{fallen, step.stiffness, step.inverse_stiffness,
                                                           step.velocity, step.delay, step.step, limit,
                                                           step.sliding_limit, step.stretching});
   const bool sticks = !slip.slides;  // also where the spring has fallen and not slipped after that
   slip.slides = begin.begins | !sticks;
-  const T part = begin.begins & in.moving ? T(0.5) - begin.theta : T(0);
+  const T part = (begin.begins & in.moving) ? T(0.5) - begin.theta : T(0);
   const T limit_then = step.stiffness * begin.longest, moving_then = in.ratio * limit_then;
   const T excess = std::min(length_of(slip.spring).value - longest, T(0));
   if constexpr (!damped)
@@ -109,7 +109,7 @@ inline FallingSlip<D, T> slide_or_stick(const FallingLimit<D, T>& in) {
       detail::jump_of(begin.direction, limit_then, in.ratio, sticks ? limit_then : moving_then, dashpot);
   const T slipped = length_of(fallen).value - step.sliding_limit * step.inverse_stiffness;  // S
   const T over = std::min(slipped - in.state_before, -smallest_divisor<T>);
-  const T late = begin.slid & in.moving ? slipped / over : T(0);  // u, where slip has ended
+  const T late = (begin.slid & in.moving) ? slipped / over : T(0);  // u, where slip has ended
   const Vec<D, T> whole = fused(step.stiffness, slip.spring, dashpot);
   const Vec<D, T> held = detail::limited(whole, in.static_limit);
   const Vec<D, T> stuck = fused(late, held - detail::limited(whole, step.sliding_limit), held);
