@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <new>
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include <scree/state_hash.hpp>
 #include <scree/state_transfer.hpp>
 #include <scree/step_guard.hpp>
+#include <scree/threads.hpp>
 
 namespace scree {
 
@@ -111,12 +111,12 @@ State Simulation::state() const {
 
 State Simulation::changing_state() const {
   // Three parts that take about equally long.
-  std::future<State> pairs_copied = std::async(std::launch::async, [this] {
+  std::future<State> pairs_copied = in_background([this] {
     State pairs;
     parts_->transfer_pairs(StateTransfer::saving_to(pairs));
     return pairs;
   });
-  std::future<std::uint64_t> hashed = std::async(std::launch::async, [this] { return state_hash(); });
+  std::future<std::uint64_t> hashed = in_background([this] { return state_hash(); });
   State state;
   const StateTransfer to = StateTransfer::saving_to(state);
   save_scene(to.below("scene"), parts_->scene);

@@ -16,6 +16,7 @@
 
 #include <scree/error.hpp>
 #include <scree/response/band_response.hpp>
+#include <scree/threads.hpp>
 
 namespace scree::response {
 
@@ -64,10 +65,7 @@ class BandSolution {
           next = windows;
         }
     };
-    std::vector<std::thread> others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(threads, windows); ++t) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    on_threads(std::min<std::size_t>(threads, windows), work);
     if (failure_) std::rethrow_exception(failure_);
     leave_out_from(ends, finished);
     std::erase_if(result_.responses, [](const HarmonicResponse& r) { return r.amplitude.size() == 0; });

@@ -9,6 +9,7 @@
 
 #include <scree/error.hpp>
 #include <scree/state_file/state_file.hpp>
+#include <scree/threads.hpp>
 
 namespace scree::run {
 
@@ -55,11 +56,18 @@ void StateWriter::write_checkpoint() {
   last_step_ = simulation_.steps();
   try {
     const std::filesystem::path path = checkpoints_.add(last_step_);
-    writing_ = std::async(std::launch::async, [this, path, state = take()]() mutable {
-      simulation_.add_unchanging_state(state);
-      state_file::write_state(path, state);
-      checkpoints_.remove_old();
-    });
+    bool has_thread = true;
+    writing_ = in_background(
+        [this, path, state = take()]() mutable {
+          simulation_.add_unchanging_state(state);
+          state_file::write_state(path, state);
+          checkpoints_.remove_old();
+        },
+        &has_thread);
+    if (!has_thread && !std::exchange(without_thread_, true))
+      results_.warn(
+          "no thread can be started, and the run waits while a checkpoint is written; raise the limit of processes "
+          "(ulimit -u), or end others");
     results_.record_times(watch_);  // they are in no state
   } catch (const Error& error) {
     report(error.what());

@@ -14,7 +14,7 @@
 namespace scree::run {
 
 // Writes the states of a run when they are due by wall time or simulated time, and at its end. A checkpoint is
-// written by a thread of its own while the run goes on, one at a time.
+// written by a thread of its own while the run goes on, one at a time; by this one if there is no other.
 class StateWriter {
  public:
   // save: the state of the run at the time of the call, after its file has been listed.
@@ -51,7 +51,7 @@ class StateWriter {
   Results& results_;
   const Stopwatch& watch_;
   std::function<State()> save_;
-  bool waiting_ = false, failed_ = false;
+  bool waiting_ = false, failed_ = false, without_thread_ = false;
   double last_ = 0;  // (s) of wall time
   std::uint64_t last_step_;
   std::future<void> writing_;

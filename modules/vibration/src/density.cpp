@@ -4,8 +4,8 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
-#include <thread>
 
+#include <scree/threads.hpp>
 #include <scree/vibration/density.hpp>
 
 namespace scree::vibration {
@@ -51,10 +51,7 @@ std::vector<std::optional<std::size_t>> counts_below(const response::UndampedSys
         next = frequencies.size();
       }
   };
-  std::vector<std::thread> others;
-  for (unsigned t = 1; t < options.threads; ++t) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  on_threads(options.threads, work);
   if (failure) std::rethrow_exception(failure);
   return counts;
 }

@@ -1,8 +1,12 @@
-#include "plan_support.hpp"
+#include "no_threads.hpp"
+#include "run_support.hpp"
+
+#include <algorithm>
 
 #include <catch2/catch.hpp>
 
 #include <scree/run/run.hpp>
+#include <scree/state_file/state_file.hpp>
 
 using namespace scree;
 using namespace scree::scenario;
@@ -44,4 +48,23 @@ TEST_CASE("a run whose bodies have left the range of numbers fails instead of en
   CHECK_THROWS_WITH(
       run_in(folder, plan),
       Catch::Contains("is beyond the range of numbers, so that final_packing.csv is not written"));
+}
+
+TEST_CASE("a run writes its checkpoints where no thread can be started, and says so once", "[run]") {
+  Bench bench(discs, {"checkpoint.every_time=2e-5"});
+  std::vector<std::string> warnings;
+  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  {
+    const NoThreads none;
+    bench.run();
+  }
+  CHECK(std::count_if(warnings.begin(), warnings.end(), [](const std::string& line) {
+          return line.starts_with("no thread can be started");
+        }) == 1);
+  const auto final_state = state_file::read_state(bench.options.out / "final_state.h5");
+  const Bench usual(discs, {"checkpoint.every_time=2e-5"});
+  usual.run();
+  CHECK(std::filesystem::exists(bench.options.out / "checkpoint/step_000000000000008.h5"));
+  CHECK(final_state.at("bodies/position") ==
+        state_file::read_state(usual.options.out / "final_state.h5").at("bodies/position"));
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <thread>
 
 #include <GL/osmesa.h>
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <scree/error.hpp>
+#include <scree/threads.hpp>
 
 namespace scree::snapshot {
 namespace {
@@ -32,6 +35,17 @@ Picture average_down(const std::uint8_t* rgb, int width, int height, int scale) 
     for (std::size_t k = 0; k < sums.size(); ++k) out[k] = std::uint8_t((sums[k] + pixels / 2) / pixels);
   }
   return picture;
+}
+
+// Mesa starts a thread per processor and waits for ever for one that did not start; told so, it draws in this thread.
+void draw_without_threads_if_there_are_none() {
+  constexpr const char* variable = "LP_NUM_THREADS";
+  constexpr unsigned most_of_mesa = 32, of_its_cache = 1;
+  const char* chosen = std::getenv(variable);
+  const unsigned wanted =
+      chosen ? unsigned(std::strtoul(chosen, nullptr, 10)) : std::thread::hardware_concurrency();
+  if (wanted > 0 && !can_start_threads(std::min(wanted, most_of_mesa) + of_its_cache))
+    setenv(variable, "0", 1);
 }
 
 }  // namespace
@@ -71,6 +85,7 @@ struct OffscreenContext::Window {
   }
 
   static OSMesaContext create_context() {
+    draw_without_threads_if_there_are_none();
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_DEPTH_BITS,
