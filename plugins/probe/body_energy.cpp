@@ -35,7 +35,7 @@ struct BodyEnergyProbe {
   std::string start(const scree_view& view, double* state) const {
     if (const std::string missing = bodies.find(view, state); !missing.empty()) return missing;
     for (std::uint64_t k = 0; k < bodies.size(); ++k) {
-      double& first = state[bodies.size() + k] = energy(view, bodies.index(state, k));
+      double& first = state[bodies.size() + k] = energy(view, bodies.index(view, state, k));
       if (!(first > 0))
         return "body " + std::to_string(bodies.id(k)) +
                " is at rest at the first sample and has no reference energy; remove its id, or give it a "
@@ -48,7 +48,7 @@ struct BodyEnergyProbe {
     const double* const first = state + bodies.size();
     double* const ratios = row + 2;
     for (std::uint64_t k = 0; k < bodies.size(); ++k)
-      ratios[k] = energy(view, bodies.index(state, k)) / first[k];
+      ratios[k] = energy(view, bodies.index(view, state, k)) / first[k];
     row[0] = *std::min_element(ratios, ratios + bodies.size());
     row[1] = *std::max_element(ratios, ratios + bodies.size());
   }

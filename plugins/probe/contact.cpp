@@ -77,14 +77,15 @@ struct ContactProbe {
   void sample(const scree_view& view, const double* indices, double* row) const {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> wanted;  // key of a pair, its place in the row
     for (std::uint64_t entry = 0; entry < contacts(); ++entry)
-      wanted.emplace_back(key(first(indices, entry), second(view, indices, entry)), entry);
+      wanted.emplace_back(key(first(view, indices, entry), second(view, indices, entry)), entry);
     std::sort(wanted.begin(), wanted.end());
     std::fill(row, row + contacts() * per_contact(), 0.0);
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {
       const std::uint64_t found = key(view.contact_a[c], view.contact_b[c]);
       auto at = std::lower_bound(wanted.begin(), wanted.end(), std::pair(found, std::uint64_t(0)));
       for (; at != wanted.end() && at->first == found; ++at)
-        record(view, c, view.contact_a[c] == first(indices, at->second), row + at->second * per_contact());
+        record(view, c, view.contact_a[c] == first(view, indices, at->second),
+               row + at->second * per_contact());
     }
   }
 
@@ -97,13 +98,13 @@ struct ContactProbe {
   double wall(std::uint64_t entry) const { return at_walls.ids.data[2 * (entry - body_pairs()) + 1]; }
 
   // The ends of an entry, as the host numbers bodies and planes.
-  std::uint64_t first(const double* indices, std::uint64_t entry) const {
-    return is_at_wall(entry) ? at_walls.index(indices + pairs.size(), entry - body_pairs())
-                             : pairs.index(indices, 2 * entry);
+  std::uint64_t first(const scree_view& view, const double* indices, std::uint64_t entry) const {
+    return is_at_wall(entry) ? at_walls.index(view, indices + pairs.size(), entry - body_pairs())
+                             : pairs.index(view, indices, 2 * entry);
   }
   std::uint64_t second(const scree_view& view, const double* indices, std::uint64_t entry) const {
     return is_at_wall(entry) ? view.body_count + std::uint64_t(wall(entry)) - 1
-                             : pairs.index(indices, 2 * entry + 1);
+                             : pairs.index(view, indices, 2 * entry + 1);
   }
   // The same for both orders of the ends.
   static std::uint64_t key(std::uint64_t a, std::uint64_t b) { return std::max(a, b) << 32 | std::min(a, b); }

@@ -48,7 +48,7 @@ struct DifferenceProbe {
 
   void sample(const scree_view& view, const double* indices, double* row) const {
     for (std::uint64_t n = 0; n < bodies.size(); n += 2) {
-      const std::uint64_t a = bodies.index(indices, n), b = bodies.index(indices, n + 1);
+      const std::uint64_t a = bodies.index(view, indices, n), b = bodies.index(view, indices, n + 1);
       for (const auto* columns : {&view.position, &view.velocity, &view.spin}) {
         const scree::Vec3 difference = scree::vector_of(*columns, a) - scree::vector_of(*columns, b);
         const bool of_disc = columns == &view.spin && dimension == 2;

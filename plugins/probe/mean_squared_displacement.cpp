@@ -66,7 +66,8 @@ struct MeanSquaredDisplacementProbe {
 
  private:
   scree::Vec3 position(const scree_view& view, const double* state, std::uint64_t n) const {
-    return scree::unwrapped_position(view, bodies.size() ? bodies.index(state + 5 + 3 * count(view), n) : n);
+    return scree::unwrapped_position(view,
+                                     bodies.size() ? bodies.index(view, state + 5 + 3 * count(view), n) : n);
   }
   void begin_window(const scree_view& view, double* state) const {
     state[0] = view.time;

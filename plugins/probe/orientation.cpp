@@ -34,8 +34,10 @@ struct OrientationProbe {
   std::string start(const scree_view& view, double* state) const { return bodies.find(view, state); }
 
   void sample(const scree_view& view, const double* state, double* row) const {
-    for (std::uint64_t n = 0; n < bodies.size(); ++n)
-      for (std::uint32_t k = 0; k < components(); ++k) *row++ = view.orientation[k][bodies.index(state, n)];
+    for (std::uint64_t n = 0; n < bodies.size(); ++n) {
+      const std::uint64_t i = bodies.index(view, state, n);
+      for (std::uint32_t k = 0; k < components(); ++k) *row++ = view.orientation[k][i];
+    }
   }
 
  private:

@@ -39,7 +39,7 @@ struct ParticlesProbe {
 
   void sample(const scree_view& view, const double* indices, double* row) const {
     for (std::uint64_t n = 0; n < bodies.size(); ++n) {
-      const std::uint64_t i = bodies.index(indices, n);
+      const std::uint64_t i = bodies.index(view, indices, n);
       for (const auto* columns : {view.position, view.velocity, view.force})
         for (int k = 0; k < dimension; ++k) *row++ = columns[k][i];
       for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = view.spin[k] ? view.spin[k][i] : 0;

@@ -50,7 +50,7 @@ struct TouchingProbe {
     const bool first = state[0] == 0;
     state[0] += 1;
     for (std::uint64_t k = 0; k < bodies.size(); ++k) {
-      const bool now = touches[bodies.index(indices(state), k)];
+      const bool now = touches[bodies.index(view, indices(state), k)];
       touched[k] += now;
       if (now || first) last[k] = view.time;
     }

@@ -117,21 +117,21 @@ double EnergyAudit::share(double energy, const scree_energy& now) const {
 }
 
 void BodySums::transfer(const StateTransfer& state) {
-  state.value("potential", "J", potential);
-  state.value("dissipation_rate_translation", "W", dissipation_rate_translation);
-  state.value("dissipation_rate_rotation", "W", dissipation_rate_rotation);
+  state.value("potential", "J", potential, stored::any);
+  state.value("dissipation_rate_translation", "W", dissipation_rate_translation, stored::any);
+  state.value("dissipation_rate_rotation", "W", dissipation_rate_rotation, stored::any);
 }
 
 void EnergyAudit::transfer(const StateTransfer& state) {
   for (const NamedEnergy& energy : energies)
     if (std::find(std::begin(computed), std::end(computed), energy.member) == std::end(computed))
-      state.value(energy.name, "J", totals_.*energy.member);
+      state.value(energy.name, "J", totals_.*energy.member, stored::any);
   contacts_.transfer(state.below("contacts"));
   bodies_.transfer(state.below("body_forces"));
-  state.value("stored_at_start", "J", stored_at_start_);
-  state.value("kinetic_at_start", "J", kinetic_at_start_);
-  state.value("potential_at_start", "J", potential_at_start_);
-  state.value("max_stored", "J", max_stored_);
+  state.value("stored_at_start", "J", stored_at_start_, stored::any);
+  state.value("kinetic_at_start", "J", kinetic_at_start_, stored::any);
+  state.value("potential_at_start", "J", potential_at_start_, stored::any);
+  state.value("max_stored", "J", max_stored_, stored::any);
   state.value("started", "", started_);
 }
 

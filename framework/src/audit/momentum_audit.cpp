@@ -59,8 +59,8 @@ void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_loa
 double MomentumAudit::residual() const { return exchanged_ > 0 ? norm(net_) / exchanged_ : 0; }
 
 void MomentumAudit::transfer(const StateTransfer& state) {
-  state.numbers("net", "N s", net_.component, 3);
-  state.value("exchanged", "N s", exchanged_);
+  state.numbers("net", "N s", net_.component, 3, stored::any);
+  state.value("exchanged", "N s", exchanged_, stored::any);
 }
 
 }  // namespace scree

@@ -94,6 +94,13 @@ void Orientations::transfer(const StateTransfer& state, std::size_t bodies) {
   const char* const unit = components_ == orientation_components<2> ? "rad" : "1";
   state.vectors("orientation", unit, sums, 0, components_);
   state.vectors("orientation_rounded_off", unit, rounded_off, 0, components_);
+  if (!state.restoring() || components_ == orientation_components<2>) return;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const double* const q = values_.data() + i * stride();
+    constexpr double tolerance = 1e-6;  // far above the round-off of rotations
+    if (!(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) <= tolerance))
+      state.refuse("orientation", "has a quaternion whose length is not 1");
+  }
 }
 
 }  // namespace scree

@@ -148,7 +148,7 @@ std::size_t Forces::bytes_per_pair() const {
 void Forces::transfer(const StateTransfer& state, Particles& particles, const Contacts& contacts,
                       const std::vector<LawInstance>& laws, std::size_t planes) {
   update_pairs(particles, contacts, reads_of(laws), planes);
-  state.value("max_overlap_ratio", "1", work_->max_overlap_ratio);
+  state.value("max_overlap_ratio", "1", work_->max_overlap_ratio, stored::non_negative);
   if (!features_.pair_forces) return;
   PairColumns& force = work_->constants.force;
   std::vector<std::uint32_t> rows;

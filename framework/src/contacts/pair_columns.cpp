@@ -18,7 +18,7 @@ void transfer_rows(const StateTransfer& state, const std::string& name, const ch
   if (!state.restoring())
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (std::uint32_t k = 0; k < width; ++k) packed[r * width + k] = columns[k][rows[r]];
-  state.moved_rows(name, unit, packed, width);
+  state.moved_rows(name, unit, packed, width, stored::any);
   if (!state.restoring()) return;
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::uint32_t k = 0; k < width; ++k) columns[k][rows[r]] = packed[r * width + k];

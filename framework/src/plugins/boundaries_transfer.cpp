@@ -14,18 +14,22 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
     std::uint64_t first_plane = member.first_plane, planes = member.plugin.instance().plane_count;
     of_member.value("first_plane", "", first_plane);
     of_member.value("plane_count", "1", planes);
+    if (first_plane != member.first_plane || planes != member.plugin.instance().plane_count)
+      of_member.refuse("plane_count", "or 'first_plane' is not that of the boundary here");
     of_member.value("clock_start", "s", member.clock_start);
-    of_member.sized_rows("state", "1", member.state);
-    of_member.value("kinetic", "J", member.energy.kinetic);
-    of_member.value("work", "J", member.energy.work);
-    of_member.value("dissipated", "J", member.energy.dissipated);
+    of_member.sized_rows("state", "1", member.state, 1, stored::any);
+    of_member.value("kinetic", "J", member.energy.kinetic, stored::any);
+    of_member.value("work", "J", member.energy.work, stored::any);
+    of_member.value("dissipated", "J", member.energy.dissipated, stored::any);
   }
   transfer_planes(state.below("planes"), planes_);
   double* const force = loads_.empty() ? nullptr : loads_[0].force;
   state.vectors("load", "N", {force, 3, loads_.size(), 0, 3}, 0, 3);
-  state.numbers("domain_lower", "m", domain_.lower.component, 3);
-  state.numbers("domain_upper", "m", domain_.upper.component, 3);
-  if (state.restoring()) show_domain();
+  Vec3 lower = domain_.lower, upper = domain_.upper;
+  state.numbers("domain_lower", "m", lower.component, 3);
+  state.numbers("domain_upper", "m", upper.component, 3);
+  if (lower != domain_.lower || upper != domain_.upper)
+    state.refuse("domain_lower", "or 'domain_upper' is not that of the periodic boundaries here");
   if (!extrapolated) return;
   planes_before_extrapolation_.resize(planes_.size());
   transfer_planes(state.below("before_extrapolation"), planes_before_extrapolation_);
@@ -39,8 +43,8 @@ void Boundaries::take_over(const State& state, std::size_t from, const std::stri
     std::uint64_t first_plane = 0, count = 0;
     of_member.value("first_plane", "", first_plane);
     of_member.value("plane_count", "1", count);
-    of_member.sized_rows("state", "1", member.state);
-    of_member.value("kinetic", "J", member.energy.kinetic);
+    of_member.sized_rows("state", "1", member.state, 1, stored::any);
+    of_member.value("kinetic", "J", member.energy.kinetic, stored::any);
     std::vector<scree_plane> all(state.at("walls/planes/point").size() / 3);
     transfer_planes(walls.below("planes"), all);
     const std::span<scree_plane> planes = planes_of(member);

@@ -251,7 +251,7 @@ std::vector<double> Probe::sample(const scree_view& view, std::span<const double
 void Probe::transfer(const StateTransfer& state) {
   std::vector<double> kept(state_.begin(), state_.begin() + std::ptrdiff_t(state_size_));
   state.value("is_started", "", is_started_);
-  state.rows("state", "1", kept);
+  state.rows("state", "1", kept, 1, stored::any);
   if (!state.restoring() || !is_started_) return;
   state_size_ = kept.size();
   state_ = guarded(state_size_);

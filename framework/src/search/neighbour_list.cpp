@@ -154,15 +154,13 @@ void NeighbourList::transfer(const StateTransfer& state, const Particles& partic
     for (std::size_t i = 0; i < particles.size(); ++i) bodies_at_search_[i] = {{}, particles.radius()[i]};
     planes_at_search_ = boundaries.planes();
   }
-  state.value("skin", "m", skin_);
+  state.value("skin", "m", skin_, stored::positive);
+  skin_ = std::min(skin_, choice_.largest());
   choice_.transfer(state);
   state.value("steps", "1", steps_);
   state.value("searches", "1", rebuilds_);
-  state.value("body_travel", "m", body_travel_);
-  state.value("plane_travel", "m", plane_travel_);
-  if (!(skin_ > 0 && std::isfinite(skin_))) state.refuse("skin", "is not a length above 0");
-  if (!std::isfinite(body_travel_) || !std::isfinite(plane_travel_))
-    state.refuse("body_travel", "or 'plane_travel' is not a finite length");
+  state.value("body_travel", "m", body_travel_, stored::non_negative);
+  state.value("plane_travel", "m", plane_travel_, stored::non_negative);
   double* const first = bodies_at_search_.empty() ? nullptr : bodies_at_search_[0].position.component;
   state.vectors("position_at_search", "m",
                 {first, sizeof(Sphere) / sizeof(double), bodies_at_search_.size(), 0, 3}, 0, 3);

@@ -22,6 +22,8 @@ class SkinChoice {
 
   double first() const { return first_; }
   bool fixed() const { return fixed_; }
+  // No skin (m) that is chosen is larger.
+  double largest() const { return fixed_ ? first_ : max_skin_; }
   // A skin that is chosen from now on is not smaller (m), unless the largest allowed one is.
   void keep_above(double skin) { least_ = skin; }
   // Whether the skin should be reviewed after this many steps; the interval grows while nothing changes.

@@ -215,14 +215,14 @@ std::vector<Body> present_bodies(const State& state) {
   const StateTransfer present = StateTransfer::restoring_from(state).below("bodies");
   const bool spinning = state.has("bodies/spin");
   std::int32_t dimension = 0;
-  StateTransfer::restoring_from(state).value("scene/dimension", "", dimension);
+  StateTransfer::restoring_from(state).value("scene/dimension", "", dimension, {.least = 2, .most = 3});
   const std::size_t axes = dimension == 2 ? 2 : 3;
   const std::size_t spins = axes == 2 ? 1 : 3;
   std::vector<double> position(axes * bodies.size()), velocity(position),
       spin(spinning ? spins * bodies.size() : 0);
-  present.sized_rows("position", "m", position);
-  present.sized_rows("velocity", "m/s", velocity);
-  if (spinning) present.sized_rows("spin", "rad/s", spin);
+  present.sized_rows("position", "m", position, axes);
+  present.sized_rows("velocity", "m/s", velocity, axes);
+  if (spinning) present.sized_rows("spin", "rad/s", spin, spins);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies[i].position = bodies[i].velocity = bodies[i].spin = {};
     for (std::size_t k = 0; k < axes; ++k) {

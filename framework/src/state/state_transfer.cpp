@@ -1,10 +1,18 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
+
+std::string StoredRange::text() const {
+  const bool below = std::isfinite(least), above = std::isfinite(most);
+  if (below && above) return fmt::format("from {:g} to {:.16g}", least, most);
+  if (below) return least > 0 ? "above 0 and finite" : fmt::format("finite and {:g} or more", least);
+  return "finite";
+}
 
 void StateTransfer::refuse(const std::string& name, const std::string& problem) const {
   throw Error(
@@ -14,6 +22,21 @@ void StateTransfer::refuse(const std::string& name, const std::string& problem) 
 std::vector<std::size_t> StateTransfer::shape_of(std::size_t numbers, std::size_t width) {
   if (width == 1) return {numbers};
   return {width > 0 ? numbers / width : 0, width};
+}
+
+std::string StateTransfer::text_of(double number) { return fmt::format("{}", number); }
+
+void StateTransfer::expect_shape(const std::string& name, const StateArray& array, const char* unit,
+                                 const std::vector<std::size_t>& shape) const {
+  // Rows of one number have two forms, and nothing has no width.
+  const auto rows_of_one = [](const std::vector<std::size_t>& s) { return s.size() == 2 && s[1] == 1; };
+  const bool same = array.shape == shape || (array.size() == 0 && !shape.empty()) ||
+                    (rows_of_one(array.shape) && shape == std::vector{array.shape[0]}) ||
+                    (rows_of_one(shape) && array.shape == std::vector{shape[0]});
+  if (!same)
+    refuse(name, fmt::format("has the shape ({}) instead of ({})", fmt::join(array.shape, ", "),
+                             fmt::join(shape, ", ")));
+  if (array.unit != unit) refuse(name, fmt::format("has another unit than \"{}\"", unit));
 }
 
 void StateTransfer::expect(const std::string& name, std::size_t found, std::size_t expected) const {
@@ -26,8 +49,10 @@ void StateTransfer::vectors(const std::string& name, const char* unit, const Vec
   const std::size_t rows = width > 0 ? vectors[first].size() : 0;
   std::vector<double> all;
   if (restoring()) {
-    all = stored<double>(name);
+    all = found<double>(name);
     expect(name, all.size(), rows * width);
+    expect_shape(name, get(name), unit, {rows, width});
+    expect_range(name, all, stored::finite);
   } else {
     all.resize(rows * width);
   }

@@ -133,7 +133,7 @@ void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
   body_sums.transfer(state.below("sums/body_forces"));
   audit.transfer(state.below("audit/energy"));
   momentum_audit.transfer(state.below("audit/momentum"));
-  state.numbers("start/lengths", "m", lengths_at_start.component, 3);
+  state.numbers("start/lengths", "m", lengths_at_start.component, 3, stored::any);  // NaN: not enclosed
 }
 
 void SimulationParts::transfer_pairs(const StateTransfer& state) {

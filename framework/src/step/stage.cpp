@@ -52,8 +52,8 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages)
 
 StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state)
     : simulation_(simulation), stages_(std::move(stages)) {
+  if (stages_.empty()) state.refuse("stage", "is one of a scenario without stages");
   transfer(state);
-  if (current_ > stages_.size()) state.refuse("stage", "is not one of the scenario");
   if (began_step_ > simulation_.steps()) state.refuse("began_step", "is after the step of the state");
   const Stage& last = stages_.back();
   if (finished() && last.duration && steps_in(*last.duration) > steps()) --current_;
@@ -71,11 +71,11 @@ void StageRunner::check_resumed() const {
 void StageRunner::save(const StateTransfer& state) const { StageRunner(*this).transfer(state); }
 
 void StageRunner::transfer(const StateTransfer& state) {
-  state.value("stage", "", current_);
+  state.value("stage", "", current_, stored::at_most(stages_.size()));
   state.value("began", "s", began_);
   state.value("began_step", "1", began_step_);
   double ratio = kinetic_over_elastic_.value_or(-1);
-  state.value("kinetic_over_elastic", "1", ratio);
+  state.value("kinetic_over_elastic", "1", ratio, stored::any);
   kinetic_over_elastic_ = ratio >= 0 ? std::optional(ratio) : std::nullopt;
 }
 

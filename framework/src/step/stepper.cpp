@@ -228,13 +228,13 @@ bool Stepper::may_become_too_deep(double distance) const {
 }
 
 void Stepper::transfer(const StateTransfer& state) {
+  constexpr std::uint64_t most_steps = std::uint64_t(1)
+                                       << 53;  // times are exact multiples of the step up to here
   state.value("time", "s", time_);
-  state.value("steps", "1", steps_);
+  state.value("steps", "1", steps_, stored::at_most(most_steps));
   state.value("force_time", "s", force_time_);
-  state.value("forces_at", "", forces_at_);
-  state.value("max_square_speed", "m^2/s^2", max_square_speed_);
-  if (!std::isfinite(time_) || !std::isfinite(force_time_) || !std::isfinite(max_square_speed_))
-    state.refuse("time", "or another number of the clock is not finite");
+  state.value("forces_at", "", forces_at_, stored::at_most(std::uint64_t(ForcesAt::middle_of_step)));
+  state.value("max_square_speed", "m^2/s^2", max_square_speed_, stored::non_negative);
 }
 
 void Stepper::begin_anew() {

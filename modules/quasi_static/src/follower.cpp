@@ -59,6 +59,7 @@ Course Follower::begin() {
 }
 
 Course Follower::resume(const State& state) {
+  check_plan();
   const StateTransfer from = StateTransfer::restoring_from(state).below(results.group);
   transfer_state(from);
   kept_ = state;
@@ -102,7 +103,7 @@ Course Follower::follow(const std::function<void()>& begin) {
   return std::move(course_);
 }
 
-void Follower::find_start() {
+void Follower::check_plan() const {
   if (plan_.stages.empty() || !plan_.stages.back().duration)
     throw Error(fmt::format(
         "{}: the last stage is followed, and has no duration; give it one, or cycles and a period",
@@ -110,6 +111,10 @@ void Follower::find_start() {
   if (plan_.scene.precision != Precision::double_precision)
     throw Error(fmt::format("{}: a quasi-static load takes double precision; leave time.precision out",
                             plan_.source.string()));
+}
+
+void Follower::find_start() {
+  check_plan();
   run_stages_before();
   began_ = Clock::now();
   course_.period = plan_.stages.back().period;

@@ -28,6 +28,8 @@ class Follower {
 
  private:
   bool proceeds() const { return !options_.stop || !*options_.stop; }
+  // Throws Error if the last stage cannot be followed.
+  void check_plan() const;
   // Up to the balance at the beginning of the last stage.
   void find_start();
   void run_stages_before();
@@ -60,6 +62,7 @@ class Follower {
   void write_final_state();  // from which runs may begin
   void transfer_state(const StateTransfer& state);
   void end_course();
+  void check_restored(const StateTransfer& state) const;
   void save(const std::string& status);
   void save_failed();
   double seconds() const;  // of wall time, also before it was interrupted

@@ -20,7 +20,8 @@ void transfer_hand_overs(const StateTransfer& state, std::vector<HandOver>& all)
   std::vector<double> from, to;
   for (const HandOver& h : all) from.push_back(h.from), to.push_back(h.to);
   state.rows("from", "s", from);
-  state.rows("to", "s", to);
+  to.resize(from.size());
+  state.sized_rows("to", "s", to);
   all.resize(from.size());
   for (std::size_t k = 0; k < all.size(); ++k) all[k] = {from[k], to[k]};
 }
@@ -67,6 +68,7 @@ void Follower::transfer_state(const StateTransfer& state) {
   interval_ = std::size_t(number("intervals_done", interval_));
   between_states_ = std::size_t(number("intervals_between_states", between_states_));
   series_bytes_ = number("series_bytes", series_bytes_);
+  if (between_states_ == 0) state.refuse("intervals_between_states", "is 0");
   for (const auto& [name, time] : {std::pair{"start", &course_.start},
                                    {"end", &course_.end},
                                    {"reached", &course_.reached},
@@ -75,18 +77,32 @@ void Follower::transfer_state(const StateTransfer& state) {
                                    {"dynamic_wall", &course_.dynamic_wall}})
     state.value(name, "s", *time);
   double wall = seconds();
-  state.value("wall", "s", wall);
+  state.value("wall", "s", wall, stored::non_negative);
   transfer_counts(state, course_);
   transfer_hand_overs(state.below("hand_overs"), course_.hand_overs);
   state.rows("lengths_at_start", "m", lengths_at_start_);
   state.rows("times", "s", times_);
-  state.rows("strains", "1", strains_);
+  strains_.resize(times_.size());
+  state.sized_rows("strains", "1", strains_, 1, stored::any);  // NaN: the box is not known along x and y
   state.rows("warnings", "", course_.warnings);
   const run::InputHashes inputs = run::transfer_inputs(state.below("inputs"), course_.inputs);
   if (!state.restoring()) return;
+  check_restored(state);
   course_.inputs = run::inputs_after(inputs, course_.inputs, [this](const std::string& line) { warn(line); });
   box_ = std::make_unique<BoxRow>(lengths_at_start_);
   wall_before_ = last_state_ = wall;
+}
+
+// Intervals are counted, and a packing that moves was handed over.
+void Follower::check_restored(const StateTransfer& state) const {
+  constexpr double most_intervals = 1e9;
+  if (!(course_.increment > 0 && course_.end > course_.start &&
+        (course_.end - course_.start) / course_.increment < most_intervals))
+    state.refuse("increment", "does not divide the time from 'start' to 'end'");
+  if (interval_ > intervals()) state.refuse("intervals_done", "is larger than the number of intervals");
+  if (state.has("moves") && course_.hand_overs.empty()) state.refuse("hand_overs/from", "has none");
+  if (lengths_at_start_.size() > std::size_t(plan_.scene.dimension))
+    state.refuse("lengths_at_start", "has a length for more axes than the scene has");
 }
 
 void Follower::write_final_state() {

@@ -17,10 +17,10 @@ bool is_due(std::uint64_t steps, double every, double step) {
 std::uint64_t next_due(std::uint64_t steps, double every, double step) {
   // Starts one multiple early, for rounding.
   double multiple = std::max(0.0, std::floor((double(steps) + 0.5) * step / every) - 1);
-  while (std::round(multiple * every / step) <= double(steps)) ++multiple;
-  // Every count that a run reaches is below 2^53.
+  // Every count that a run reaches is below 2^53, and so is the multiple unless a state claims more.
+  while (multiple < 0x1p53 && std::round(multiple * every / step) <= double(steps)) ++multiple;
   const double next = std::round(multiple * every / step);
-  return next < 0x1p53 ? std::uint64_t(next) : never;
+  return next < 0x1p53 && next > double(steps) ? std::uint64_t(next) : never;
 }
 
 Sampler::Sampler(const scenario::Plan& plan)

@@ -33,6 +33,7 @@ void check_overrides(const std::vector<std::string>& overrides) {
 
 Position position_of(const State& state, const scenario::Plan& plan) {
   const StateTransfer stages = StateTransfer::restoring_from(state).below("run/stages");
+  if (plan.stages.empty()) stages.refuse("stage", "is one of a scenario without stages");
   Position position = {stage_of(stages), 0, false};
   stages.value("began", "s", position.began);
   position.ended = position.stage >= plan.stages.size();

@@ -81,13 +81,23 @@ Measurement Course::resume(const State& state) {
   transfer(from);
   const bool in_stages = from.has("stages/stage");
   if (!in_stages) set_start(state);
-  if (from.has("sweep/points")) sweep_ = std::make_unique<Sweep>(*start_, state);
+  // A state that does not fit is refused before anything is written.
+  std::unique_ptr<Simulation> in_stage;
+  std::optional<StageRunner> runner;
+  if (in_stages) {
+    in_stage = run::resumed(plan_, state, from.below("stages"), options_.threads);
+    runner.emplace(*in_stage, plan_.stages, from.below("stages"));
+  } else if (from.has("sweep/points")) {
+    sweep_ = std::make_unique<Sweep>(*start_, state);
+  } else {
+    Simulation(start_->scene, state);
+  }
   directory_.create();
   room_.reserve(directory_, results.record);
   try {
     write_record("running", result_, directory_);
     if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
-    if (in_stages) return go_on_in_stages(state);
+    if (in_stages) return go_on_in_stages(std::move(in_stage), *runner);
     take_roads();
     return finish();
   } catch (const Error& error) {
@@ -149,10 +159,7 @@ Measurement Course::stop_in_stages(const Simulation& simulation, const StageRunn
   return std::move(result_);
 }
 
-Measurement Course::go_on_in_stages(const State& state) {
-  const StateTransfer stages = StateTransfer::restoring_from(state).below("spectrum/stages");
-  auto simulation = run::resumed(plan_, state, stages, options_.threads);
-  StageRunner runner(*simulation, plan_.stages, stages);
+Measurement Course::go_on_in_stages(std::unique_ptr<Simulation> simulation, StageRunner& runner) {
   if (!run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
   simulation.reset();
   take_roads();

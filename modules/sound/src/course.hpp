@@ -31,7 +31,7 @@ class Course {
   bool run_stages(Simulation& simulation, StageRunner& runner);
   // Keeps the state within the stages.
   Measurement stop_in_stages(const Simulation& simulation, const StageRunner& runner);
-  Measurement go_on_in_stages(const State& state);
+  Measurement go_on_in_stages(std::unique_ptr<Simulation> simulation, StageRunner& runner);
   bool asks(Road road) const;
   bool has(const std::string& road) const;
   bool proceeds() const { return !options_.stop || !*options_.stop; }

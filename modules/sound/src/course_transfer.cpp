@@ -42,10 +42,15 @@ void Course::transfer(const StateTransfer& state) {
     if (std::find(asked.begin(), asked.end(), road_names[std::size_t(road)]) != asked.end())
       asked_.push_back(road);
   std::uint64_t count = result_.roads.size();
-  state.value("count", "1", count);
+  state.value("count", "1", count, stored::at_most(std::size(road_names)));
   result_.roads.resize(count);
-  for (std::size_t k = 0; k < count; ++k) result_.roads[k].transfer(state.below("road_" + std::to_string(k)));
-  unfinished_.transfer(state.below("unfinished"));
+  const std::size_t observed = result_.observed.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const StateTransfer of_road = state.below("road_" + std::to_string(k));
+    result_.roads[k].transfer(of_road, observed);
+    if (result_.roads[k].frequencies.empty()) of_road.refuse("frequencies", "has none");
+  }
+  unfinished_.transfer(state.below("unfinished"), observed);
   const run::InputHashes inputs = run::transfer_inputs(state.below("inputs"), result_.inputs);
   if (state.restoring())
     result_.inputs =

@@ -85,14 +85,20 @@ void DrivenWalls::transfer(const StateTransfer& state) {
     std::vector<double> numbers;
     for (const Vec3& v : all) numbers.insert(numbers.end(), {v[0], v[1], v[2]});
     state.rows(name, unit, numbers);
+    if (numbers.size() % 3) state.refuse(name, "does not have three numbers for each wall");
     all.resize(numbers.size() / 3);
     for (std::size_t k = 0; k < all.size(); ++k)
       all[k] = {{numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]}};
   };
   vectors("motion", "1", motion_);
   vectors("at_rest", "m", at_rest_);
-  state.value("square", "1", square_);
+  state.value("square", "1", square_, stored::positive);
   state.value("prescribed", "", prescribed_);
+}
+
+void DrivenWalls::check_restored(const StateTransfer& state, std::size_t walls) const {
+  if (motion_.size() != walls || at_rest_.size() != walls)
+    state.refuse("at_rest", "or 'motion' does not have a vector for each wall");
 }
 
 }  // namespace scree::sound

@@ -20,6 +20,8 @@ class DrivenWalls {
   // The drive (m) that follows from the position of the walls; only if they are prescribed.
   double drive_of(const std::vector<scree_plane>& planes) const;
   void transfer(const StateTransfer& state);
+  // Throws Error if a state had another number of walls.
+  void check_restored(const StateTransfer& state, std::size_t walls) const;
 
  private:
   std::vector<Vec3> motion_, at_rest_;

@@ -29,6 +29,9 @@ Measurement resume_measurement(const MeasurementOptions& options, PluginHost& ho
   return files::in_place([&] {
     RunDirectory directory = run::directory_of(options.out, Course::results, options.on_warning);
     const run::Unfinished from = run::unfinished_in(directory, Course::results, host, options.on_warning);
+    if (!from.plan.spectrum)
+      throw Error(fmt::format("{}: its scenario has no [spectrum]; take a state that scree has written there",
+                              (directory.path() / Course::results.state).string()));
     return Course(from.plan, options, directory).resume(from.state);
   });
 }

@@ -63,4 +63,9 @@ void Observer::transfer(const StateTransfer& state) {
   for (std::size_t k = 0; k < probes_.size(); ++k) probes_[k].probe.transfer(state.below(std::to_string(k)));
 }
 
+void Observer::check_restored(const Simulation& simulation) const {
+  const SimulationView view(simulation, needs());
+  for (const Watched& watched : probes_) watched.probe.check_restored(view.get());
+}
+
 }  // namespace scree::sound

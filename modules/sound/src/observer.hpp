@@ -20,6 +20,8 @@ class Observer {
   const std::vector<double>& values(const scree_view& view);
   const std::vector<double>& values(const Simulation& simulation);
   void transfer(const StateTransfer& state);
+  // Throws Error if a state had another number of values for a probe than it keeps in this simulation.
+  void check_restored(const Simulation& simulation) const;
 
  private:
   struct Watched {

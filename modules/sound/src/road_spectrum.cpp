@@ -9,15 +9,18 @@ namespace scree::sound {
 
 namespace {
 
-void transfer_column(const StateTransfer& state, RoadSpectrum::Column& column) {
+void transfer_column(const StateTransfer& state, std::size_t frequencies, RoadSpectrum::Column& column) {
   std::vector<double> parts;
   for (const std::complex<double>& h : column.response) parts.insert(parts.end(), {h.real(), h.imag()});
-  state.rows("response", "1", parts);
+  if (state.restoring()) parts.resize(2 * frequencies), column.error.resize(frequencies);
+  state.sized_rows("response", "1", parts, 1, stored::any);
   column.response.resize(parts.size() / 2);
   for (std::size_t k = 0; k < column.response.size(); ++k)
     column.response[k] = {parts[2 * k], parts[2 * k + 1]};
-  state.rows("error", "1", column.error);
-  state.rows("linearity", "1", column.linearity);
+  state.sized_rows("error", "1", column.error, 1, stored::any);
+  state.rows("linearity", "1", column.linearity, 1, stored::any);
+  if (!column.linearity.empty() && column.linearity.size() != frequencies)
+    state.refuse("linearity", "does not have a number for each frequency");
 }
 
 }  // namespace
@@ -43,17 +46,20 @@ void RoadSpectrum::note_silent(const std::vector<scenario::ObservedColumn>& obse
   }
 }
 
-void RoadSpectrum::transfer(const StateTransfer& state) {
+void RoadSpectrum::transfer(const StateTransfer& state, std::size_t observed) {
   state.value("road", "", road);
-  state.rows("frequencies", "1/s", frequencies);
+  state.rows("frequencies", "1/s", frequencies, 1, stored::positive);
+  if (!std::is_sorted(frequencies.begin(), frequencies.end())) state.refuse("frequencies", "do not increase");
   state.value("steps", "1", steps);
-  state.value("wall", "s", wall);
+  state.value("wall", "s", wall, stored::non_negative);
   state.rows("notes", "", notes);
   std::uint64_t count = columns.size();
-  state.value("columns", "1", count);
+  state.value("columns", "1", count, stored::at_most(observed));
+  if (count < observed && !frequencies.empty() && state.restoring())
+    state.refuse("columns", fmt::format("is {}, and the scenario observes {}", count, observed));
   columns.resize(count);
   for (std::size_t c = 0; c < columns.size(); ++c)
-    transfer_column(state.below(std::to_string(c)), columns[c]);
+    transfer_column(state.below(std::to_string(c)), frequencies.size(), columns[c]);
 }
 
 }  // namespace scree::sound

@@ -42,10 +42,14 @@ Sweep::Sweep(const Start& start)
 }
 
 Sweep::Sweep(const Start& start, const State& state) : start_(start), observer_(start.plan) {
-  transfer(StateTransfer::restoring_from(state).below("spectrum/sweep"));
+  const StateTransfer from = StateTransfer::restoring_from(state).below("spectrum/sweep");
+  transfer(from);
+  check_restored(from);
   Scene scene = start.scene;
   if (!points_.empty()) set_wave(scene, start.spectrum(), wave());
   simulation_ = std::make_unique<Simulation>(scene, state);
+  walls_.check_restored(from.below("walls"), simulation_->planes().size());
+  observer_.check_restored(*simulation_);
 }
 
 State Sweep::save() {
@@ -57,14 +61,29 @@ State Sweep::save() {
 void Sweep::transfer(const StateTransfer& state) {
   observer_.transfer(state.below("observer"));
   walls_.transfer(state.below("walls"));
-  state.rows("frequencies", "1/s", frequencies_);
-  state.value("wall", "s", wall_);
+  state.rows("frequencies", "1/s", frequencies_, 1, stored::positive);
+  state.value("wall", "s", wall_, stored::non_negative);
   state.value("phase", "rad", phase_);
   state.value("began_phase", "rad", began_phase_);
   std::uint64_t count = points_.size();
-  state.value("points", "1", count);
+  state.value("points", "1", count, stored::at_most(frequencies_.size()));
   points_.resize(count);
-  for (std::size_t k = 0; k < points_.size(); ++k) points_[k].transfer(state.below(std::to_string(k)));
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    points_[k].transfer(state.below(std::to_string(k)), start_.spectrum().observed.size());
+}
+
+void Sweep::check_restored(const StateTransfer& state) const {
+  const std::vector<double> planned = start_.spectrum().frequencies(),
+                            first = first_frequencies(start_.spectrum());
+  const bool begins =
+      frequencies_.size() >= first.size() && std::equal(first.begin(), first.end(), frequencies_.begin());
+  if (!begins || !std::all_of(frequencies_.begin(), frequencies_.end(), [&](double f) {
+        return std::binary_search(planned.begin(), planned.end(), f);
+      }))
+    state.refuse("frequencies", "are not those of the scenario");
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (points_[k].frequency != frequencies_[k])
+      state.refuse(fmt::format("{}/frequency", k), "is not that of the sweep there");
 }
 
 std::uint64_t Sweep::steps_at(double frequency, double periods) const {

@@ -40,6 +40,8 @@ class Sweep {
 
  private:
   void transfer(const StateTransfer& state);
+  // Throws Error unless the frequencies of a state are those of the plan, and the points are measured at them.
+  void check_restored(const StateTransfer& state) const;
   Wave wave_at(double frequency) const;
   // Nothing if it was stopped.
   std::optional<SweepPoint> measure(double frequency);

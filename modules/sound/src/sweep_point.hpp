@@ -24,7 +24,8 @@ struct SweepPoint {
   bool is_steady = true;  // false if an adaptive sweep gave up before it was, or halves of a fixed one differ
   std::vector<Column> columns;
 
-  void transfer(const StateTransfer& state);
+  // observed: number of columns of a point that is restored.
+  void transfer(const StateTransfer& state, std::size_t observed);
 };
 
 }  // namespace scree::sound

@@ -33,6 +33,14 @@ PeriodAverage::PeriodAverage(double period, std::span<double> state) : period_(p
   if (state.size() < state_size(2))
     throw Error(
         fmt::format("period average: a state of {} numbers; give {} or more", state.size(), state_size(2)));
+  check_counts();
+}
+
+// Samples are counted: what comes from a file may claim more than the ring holds.
+void PeriodAverage::check_counts() const {
+  const double first = state_[oldest], next = state_[centre], end = state_[count];
+  if (!(first >= 0 && first <= next && next <= end && end < 0x1p53 && end - first <= double(size_of_ring())))
+    throw Error("period average: the numbers of its samples do not fit; take a state that scree has written");
 }
 
 std::size_t PeriodAverage::size_of_ring() const { return (state_.size() - head) / sample_size; }

@@ -271,10 +271,20 @@ TEST_CASE("a list of bodies finds each id, in the order of the list", "[probe]")
   const SimulationView view(s, 0);
   double indices[4];
   CHECK(list.find(view.get(), indices) == "");
-  for (std::uint64_t k = 0; k < 4; ++k) CHECK(view.get().id[list.index(indices, k)] == list.id(k));
+  const auto all_found = [&] {
+    for (std::uint64_t k = 0; k < 4; ++k)
+      if (view.get().id[list.index(view.get(), indices, k)] != list.id(k)) return false;
+    return true;
+  };
+  CHECK(all_found());
+  for (const double wrong : {1e16, -1.0, 3.0, 0.5, std::nan(""), double(INFINITY), -double(INFINITY)}) {
+    indices[1] = wrong;  // as a state file of a stranger may have it
+    CHECK(all_found());
+  }
   CHECK(every_second.size() == 2);
   CHECK(every_second.id(1) == 3);
   const Simulation two(bodies_in_a_row(2));
+  CHECK_THROWS(list.index(SimulationView(two, 0).get(), indices, 0));
   CHECK(list.find(SimulationView(two, 0).get(), indices) ==
         "a body with the id 3 does not exist; bodies without an id are numbered from 1, after the largest id "
         "given");

@@ -9,6 +9,7 @@
 
 #include <scree/run/set_up.hpp>
 #include <scree/sound/resonance.hpp>
+#include <scree/sound/trial.hpp>
 
 using namespace scree;
 using namespace scree::sound;

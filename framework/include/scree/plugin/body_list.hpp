@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ inline constexpr Range body_ids{.minimum = 1, .maximum = SCREE_MAX_ID};
 //   in declare   d.list("ids", bodies.ids, "", scree::body_ids, "ids of the bodies to record").required();
 //   in describe  instance.state_width = std::uint32_t(bodies.size());
 //   in start     return bodies.find(view, state);
-//   in sample    view.mass[bodies.index(state, k)]
+//   in sample    view.mass[bodies.index(view, state, k)]
 struct BodyList {
   scree_value ids = {};
   std::uint64_t stride = 1;  // 2: only the first of each two numbers is an id
@@ -63,8 +64,16 @@ struct BodyList {
     return "";
   }
 
-  // Index of the k-th body in the columns of a view.
-  std::uint64_t index(const double* indices, std::uint64_t k) const { return std::uint64_t(indices[k]); }
+  // Index of the k-th body in the columns of a view. What is kept tells where to look first: a state that comes from
+  // a file may hold any number. Throws if there is no such body.
+  std::uint64_t index(const scree_view& view, const double* indices, std::uint64_t k) const {
+    const long long wanted = id(k);
+    if (indices[k] >= 0 && indices[k] < double(view.body_count))
+      if (const auto kept = std::uint64_t(indices[k]); view.id[kept] == wanted) return kept;
+    for (std::uint64_t i = 0; i < view.body_count; ++i)
+      if (view.id[i] == wanted) return i;
+    throw std::out_of_range("there is no body with the id " + std::to_string(wanted));
+  }
 };
 
 }  // namespace scree

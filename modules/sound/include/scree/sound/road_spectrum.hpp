@@ -37,7 +37,8 @@ struct RoadSpectrum {
   // Adds a note for each column of `observed` that is 0 at all frequencies.
   void note_silent(const std::vector<scenario::ObservedColumn>& observed);
 
-  void transfer(const StateTransfer& state);
+  // observed: number of columns of a road that is restored, unless it has no frequencies.
+  void transfer(const StateTransfer& state, std::size_t observed);
 };
 
 }  // namespace scree::sound

@@ -26,7 +26,8 @@ class PeriodAverage {
   static std::size_t state_size(std::size_t samples_per_period);
 
   // period: (s). Goes on with what `state` holds; all zeros: no sample yet. The memory is the caller's and is the whole state.
-  // Throws Error for a period that is not above 0, or a state for fewer than 2 samples per period.
+  // Throws Error for a period that is not above 0, or a state for fewer than 2 samples per period or with other
+  // counts than add() leaves.
   PeriodAverage(double period, std::span<double> state);
 
   // Adds a sample at a time (s) after the last, and emits those around which a whole period is known now. Throws Error if
@@ -38,6 +39,7 @@ class PeriodAverage {
   Sample sample(std::size_t number) const;
   void set(std::size_t number, const Sample& sample);
   std::size_t size_of_ring() const;
+  void check_counts() const;
   void drop_old(std::size_t end);
   void rebase(std::size_t oldest, std::size_t end);
   double integral_to(double time) const;
