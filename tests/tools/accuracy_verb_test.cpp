@@ -28,3 +28,17 @@ TEST_CASE("accuracy refuses invalid options and writes nothing", "[tools]") {
   CHECK(w.scree("accuracy scene.toml --out study --set time.step=1").status == 2);
   CHECK_FALSE(w.has("study"));
 }
+
+TEST_CASE("accuracy prints control characters in the name of a law escaped", "[tools]") {
+  using scree::test::discs, scree::test::with;
+  const Workspace w(with(discs, "[[contact]]\n", "[[contact]]\nname = \"l\\u001b[31m\"\n"));
+  // The coarser steps are too long for the contacts, which the table says.
+  const auto outcome = w.scree(
+      "accuracy scene.toml --out study --count 3 --coarsest 4 --integrator velocity_verlet "
+      "--set contact.normal_stiffness=1e9");
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.find("the contacts of law 'l\\x1B[31m' allow") != std::string::npos);
+  CHECK(outcome.out.find('\x1b') == std::string::npos);
+  CHECK(outcome.out.find("\nvelocity_verlet") != std::string::npos);
+}

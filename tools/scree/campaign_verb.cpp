@@ -36,8 +36,10 @@ std::filesystem::path directory_of(const campaign::Campaign& c, const CampaignAr
 
 ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {
   const campaign::CampaignDirectory directory(directory_of(c, a), c, false);
-  fmt::print("{}{}", campaign::list_report(c, directory.preparations(c, host), directory.outcomes(c, host)),
-             campaign::leftover_report(directory.leftovers(c)));
+  fmt::print("{}", files::escaped(campaign::list_report(c, directory.preparations(c, host),
+                                                        directory.outcomes(c, host)) +
+                                      campaign::leftover_report(directory.leftovers(c)),
+                                  files::Escapes::lines));
   return ExitStatus::success;
 }
 
@@ -70,7 +72,9 @@ ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a,
   campaign::CampaignDirectory directory(directory_of(c, a), c, true);
   directory.files().report_lock(report_warning);
   const campaign::Execution result = execute_with_bar(c, directory, a, host);
-  fmt::print("{}{}", campaign::text_report(c, result), campaign::leftover_report(directory.leftovers(c)));
+  fmt::print("{}", files::escaped(
+                       campaign::text_report(c, result) + campaign::leftover_report(directory.leftovers(c)),
+                       files::Escapes::lines));
   const std::filesystem::path& path = directory.files().path();
   if (std::filesystem::exists(path / "table.csv"))
     fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n",

@@ -48,7 +48,8 @@ void print_spectrum(const scenario::Plan& plan) {
 
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation,
                    const std::string& step) {
-  fmt::print("{}: valid{}{}\n", file, plan.title.empty() ? "" : ", ", files::escaped(plan.title));
+  fmt::print("{}: valid{}{}\n", files::escaped(file), plan.title.empty() ? "" : ", ",
+             files::escaped(plan.title));
   fmt::print("  {} in {}D, {}, {}, {}, {}\n", counted(simulation.particles().size(), "body", "bodies"),
              plan.scene.dimension, counted(simulation.planes().size(), "wall"),
              counted(plan.scene.laws.size(), "contact law"),

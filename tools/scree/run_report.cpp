@@ -26,7 +26,8 @@ void print_carried(const Simulation& simulation) {
   if (simulation.steps() > 0)
     fmt::print("goes on from t = {:g} s, after {}\n", simulation.time(), counted(simulation.steps(), "step"));
   if (!simulation.taken_over().empty())
-    fmt::print("taken over from the state: {}\n", fmt::join(simulation.taken_over(), ", "));
+    fmt::print("taken over from the state: {}\n",
+               files::escaped(fmt::format("{}", fmt::join(simulation.taken_over(), ", "))));
 }
 
 double quantity_of(const run::RunResult& r, const char* name) {

@@ -9,10 +9,12 @@ struct Rules {
   std::string_view named, names;  // characters with an escape of one letter, and these letters
   const char* code;               // format of other escapes
   unsigned beyond;                // codes from this one on are also escaped
+  std::string_view kept = {};     // characters that stay
 };
 
 // In the order of Escapes.
 constexpr Rules rules[] = {{"\n\r\t", "nrt", "\\x{:02X}", 0x100},
+                           {"\r\t", "rt", "\\x{:02X}", 0x100, "\n"},
                            {"", "", "\\x{:02x}", 0x80},
                            {"\n\"\\", "n\"\\", "\\u{:04X}", 0x100}};
 
@@ -23,7 +25,9 @@ std::string escaped(std::string_view text, Escapes form) {
   std::string result;
   for (const char c : text) {
     const unsigned code = static_cast<unsigned char>(c);
-    if (const std::size_t at = rule.named.find(c); at != std::string_view::npos) {
+    if (rule.kept.find(c) != std::string_view::npos) {
+      result += c;
+    } else if (const std::size_t at = rule.named.find(c); at != std::string_view::npos) {
       result += '\\';
       result += rule.names[at];
     } else if (code < 0x20 || code == 0x7F || code >= rule.beyond) {

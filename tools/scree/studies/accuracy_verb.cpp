@@ -69,9 +69,9 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
     return accuracy::study(plan, options_of(arguments, bar));
   }();
   if (arguments.quiet)
-    fmt::print("{}\n", accuracy::verdict(study));
+    fmt::print("{}\n", files::escaped(accuracy::verdict(study)));
   else
-    fmt::print("{}", accuracy::text_report(study));
+    fmt::print("{}", files::escaped(accuracy::text_report(study), files::Escapes::lines));
   std::fflush(stdout);
   accuracy::write_report(study, plan.heading(), directory);
   fmt::print("results in {}\n", files::escaped(directory.path().string()));

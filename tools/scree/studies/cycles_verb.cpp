@@ -112,7 +112,7 @@ void print_rattlers(const CyclesResult& r) {
 void print_summary(const CyclesResult& r) {
   const cycles::Classification& c = r.found;
   const std::string period = r.source.period > 0 ? fmt::format("of {:.10g} s ", r.source.period) : "";
-  fmt::print("{}: {}, {} {}from {:.10g} s, {} dropped\n", r.source.file.string(),
+  fmt::print("{}: {}, {} {}from {:.10g} s, {} dropped\n", files::escaped(r.source.file.string()),
              files::one_line(r.source.strain), counted(r.source.series.strain.size() - 1, "cycle"), period,
              r.source.minimum_times.front(), r.drop);
   fmt::print("{:<14}{:.4e} ± {:.1e} per cycle; of the median {:.4e}\n", "slope", c.line.slope,
@@ -127,9 +127,9 @@ void print_summary(const CyclesResult& r) {
 }
 
 void print_line(const CyclesResult& r, std::size_t width) {
-  fmt::print("{:<{}}  {:<15}  slope {:>11.3e}  rms {:>9.2e}  range {:>9.2e}  outliers {}\n", r.name, width,
-             cycles::class_name(r.found.kind), r.found.line.slope, r.found.line.rms, r.found.range,
-             r.found.outliers.size());
+  fmt::print("{:<{}}  {:<15}  slope {:>11.3e}  rms {:>9.2e}  range {:>9.2e}  outliers {}\n",
+             files::escaped(r.name), width, cycles::class_name(r.found.kind), r.found.line.slope,
+             r.found.line.rms, r.found.range, r.found.outliers.size());
 }
 
 void print_counts(const std::vector<CyclesResult>& results) {

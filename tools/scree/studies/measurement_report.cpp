@@ -26,7 +26,7 @@ std::string written_in(const std::filesystem::path& directory) {
 ExitStatus report_measurement(bool quiet,
                               const std::function<sound::Measurement(sound::MeasurementOptions)>& work) {
   const sound::Measurement measurement = watch<sound::MeasurementOptions>(quiet, work);
-  if (!quiet) fmt::print("{}", sound::text_report(measurement));
+  if (!quiet) fmt::print("{}", files::escaped(sound::text_report(measurement), files::Escapes::lines));
   const bool met = report_verdicts(measurement.verdicts, quiet);
   if (measurement.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",

@@ -73,7 +73,8 @@ vibration::Vibration solve_with_progress(const ResponseArguments& arguments) {
 
 ExitStatus respond(const ResponseArguments& arguments) {
   const vibration::Vibration vibration = solve_with_progress(arguments);
-  if (!arguments.quiet) fmt::print("{}", vibration::text_report(vibration));
+  if (!arguments.quiet)
+    fmt::print("{}", files::escaped(vibration::text_report(vibration), files::Escapes::lines));
   if (vibration.interrupted) fmt::print("interrupted; what was complete is saved\n");
   fmt::print("results in {}\n", files::escaped(vibration.directory.string()));
   return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;

@@ -8,6 +8,7 @@ namespace scree::files {
 // How escaped() writes control characters.
 enum class Escapes {
   message,  // \n, \r, \t, \x1B; bytes beyond ASCII are unchanged
+  lines,    // the same but for line breaks, for reports of several lines
   bytes,    // \x0a, \x1b; also every byte beyond ASCII, for text of unknown encoding
   toml      // as in a string in double quotes in TOML: \n, \", \\, \u001B
 };
