@@ -84,9 +84,9 @@ std::string describe_state_file(const std::filesystem::path& path) {
   const OpenedFile file(path);
   const State state = file.state();
   const Seal& seal = file.seal();
-  std::string text =
-      fmt::format("{}: state written by scree {}, format {}, {} bytes, checksum {:016x}\n", path.string(),
-                  seal.program_version, Seal::format, seal.bytes, seal.checksum);
+  std::string text = fmt::format(
+      "{}: state written by scree {}, format {}, {} bytes, checksum {:016x}\n", files::escaped(path.string()),
+      files::one_line(seal.program_version, longest_value), Seal::format, seal.bytes, seal.checksum);
   text += summary_line(state, "time", "clock/time");
   text += summary_line(state, "steps", "clock/steps");
   text += bodies_line(state);

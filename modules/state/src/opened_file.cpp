@@ -1,18 +1,24 @@
 #include "opened_file.hpp"
 
+#include "array_reader.hpp"
 #include "backend.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <new>
+#include <stdexcept>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include <scree/available_memory.hpp>
+#include <scree/child_process.hpp>
 #include <scree/error.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::state_file {
 namespace {
@@ -31,7 +37,37 @@ int open_regular(const std::filesystem::path& path) {
   throw Error(fmt::format("{}: is not a regular file; give a state file", path.string()));
 }
 
+// (bytes) Far above what the places of the arrays of a state take.
+void limit_memory() {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  constexpr rlim_t most = rlim_t(4) << 30;
+  rlimit now = {};
+  getrlimit(RLIMIT_DATA, &now);
+  now.rlim_cur = std::min(now.rlim_cur, most);
+  setrlimit(RLIMIT_DATA, &now);
+#endif
+}
+
 }  // namespace
+
+std::vector<PlacedArray> places_in(int descriptor, StateBackend& backend) {
+  const ChildEnd end = in_child(
+      [&](const Send& send) {
+        limit_memory();
+        try {
+          send("+" + packed(backend.places(name_of(descriptor))));
+        } catch (const Error& error) {
+          send(std::string("-") + error.what());
+        }
+      },
+      {.seconds = 30, .silent = true});
+  if (end.how == ChildEnd::not_started) return backend.places(name_of(descriptor));
+  const bool refused = end.sent.starts_with('-');
+  if (end.how != ChildEnd::returned || end.sent.empty())
+    throw Error(fmt::format("is damaged, so that HDF5 cannot read it ({})", end.text()));
+  if (refused) throw Error(end.sent.substr(1));
+  return unpacked(std::string_view(end.sent).substr(1));
+}
 
 OpenedFile::OpenedFile(std::filesystem::path path)
     : path_(std::move(path)), descriptor_(open_regular(path_)) {
@@ -45,13 +81,26 @@ OpenedFile::OpenedFile(std::filesystem::path path)
 
 OpenedFile::~OpenedFile() { ::close(descriptor_); }
 
+void OpenedFile::refuse(const std::string& problem) const {
+  struct stat status = {};
+  if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0)
+    throw Error(fmt::format("{}: was removed while it was read; give a file that stays", path_.string()));
+  throw Error(fmt::format("{}: {}; write it anew with this version of scree", path_.string(),
+                          files::one_line(problem, 300)));
+}
+
 State OpenedFile::state() const {
-  StateBackend& backend = load_backend();
+  StateBackend& backend = load_backend(path_);
   try {
-    return backend.read(name_of(descriptor_), available_memory());
+    State state;
+    ArrayReader reader(descriptor_, seal_.bytes, available_memory());
+    for (const PlacedArray& place : places_in(descriptor_, backend))
+      state.put(place.path, reader.read(place));
+    return state;
   } catch (const Error& error) {
-    throw Error(
-        fmt::format("{}: {}; write it anew with this version of scree", path_.string(), error.what()));
+    refuse(error.what());
+  } catch (const std::length_error& error) {
+    refuse(fmt::format("is damaged, so that HDF5 cannot read it ({})", error.what()));
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: does not fit into memory; use a computer with more", path_.string()));
   }

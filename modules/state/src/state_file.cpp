@@ -34,7 +34,7 @@ void check(const State& state) {
 
 void write_state(const std::filesystem::path& path, const State& state) {
   check(state);
-  StateBackend& backend = load_backend();
+  StateBackend& backend = load_backend(path);
   files::PartFile file(path);
   try {
     backend.write(name_of(file.descriptor()), state);

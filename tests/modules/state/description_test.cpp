@@ -1,3 +1,5 @@
+#include "opened_file.hpp"
+#include "resealed.hpp"
 #include "sample_state.hpp"
 #include "temporary_folder.hpp"
 
@@ -39,6 +41,30 @@ TEST_CASE("What is written of texts and units in a description is printable", "[
   const std::string text = state_file::describe_state_file(folder / "a.h5");
   CHECK_THAT(text, Contains("a\\nb\\x1B[2J"));
   CHECK(text.find('\x1b') == text.npos);
+}
+
+TEST_CASE("The version in a seal is printable in a description", "[description]") {
+  const TemporaryFolder folder;
+  state_file::write_state(folder / "a.h5", sample_state());
+  const auto file = folder.write(
+      "b.h5", resealed(text_of(folder / "a.h5"), {.program_version = "0\x1b[2J\t" + std::string(200, 'x')}));
+  const std::string text = state_file::describe_state_file(file);
+  CHECK_THAT(text, Contains("state written by scree 0\\x1B[2J\\txxx"));
+  CHECK(text.find('\x1b') == text.npos);
+}
+
+TEST_CASE("A file that is removed while it is read is said to have been removed", "[description]") {
+  const TemporaryFolder folder;
+  const auto file = folder / "a.h5";
+  state_file::write_state(file, sample_state());
+  const state_file::OpenedFile opened(file);
+  std::filesystem::remove(file);
+  CHECK_THROWS_WITH(opened.state(),
+                    file.string() + ": was removed while it was read; give a file that stays");
+  state_file::write_state(file, sample_state());
+  const state_file::OpenedFile replaced(file);
+  state_file::write_state(file, odd_state());
+  CHECK_THROWS_WITH(replaced.state(), Contains(": was removed while it was read; "));
 }
 
 TEST_CASE("A damaged file is not described", "[description]") {

@@ -1,3 +1,4 @@
+#include "resealed.hpp"
 #include "sample_state.hpp"
 #include "seal.hpp"
 #include "temporary_folder.hpp"
@@ -155,6 +156,48 @@ TEST_CASE("Groups that hold themselves are read once, and what other programs ad
   CHECK(refusal_after([](hid_t file) {
           H5Lcreate_hard(file, "/", file, "h5md/root", H5P_DEFAULT, H5P_DEFAULT);
         }) == "");
+}
+
+TEST_CASE("Groups in many others are refused, and so are second names of groups", "[foreign_file]") {
+  const auto nested = [](int depth) {
+    return refusal_after([depth](hid_t file) {
+      std::string name = "scree";
+      for (int k = 0; k < depth; ++k) {
+        name += "/g";
+        H5Gclose(H5Gcreate2(file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+      }
+    });
+  };
+  CHECK(nested(9) == "");
+  CHECK_THAT(nested(10), Contains("/scree/g/g/g/g/g/g/g/g/g/g lies in too many groups"));
+  CHECK_THAT(nested(2000), Contains("lies in too many groups"));
+  CHECK_THAT(refusal_after([](hid_t file) {
+               H5Lcreate_hard(file, "scree", file, "scree/again", H5P_DEFAULT, H5P_DEFAULT);
+             }),
+             Contains("/scree/again is a second name of a group"));
+}
+
+TEST_CASE("A file with any byte changed and sealed again is read or refused in one line", "[foreign_file]") {
+  const TemporaryFolder folder;
+  state_file::write_state(folder / "a.h5", sample_state());
+  const std::string sound = text_of(folder / "a.h5");
+  std::size_t refused = 0, read = 0;
+  for (std::size_t at = 512; at < sound.size(); at += 11) {
+    std::string changed = sound;
+    changed[at] = char(changed[at] ^ (at % 2 ? 0xFF : 1 << (at / 11 % 8)));
+    const auto file = folder.write("b.h5", resealed(changed));
+    try {
+      state_file::read_state(file);
+      ++read;
+    } catch (const Error& error) {
+      const std::string line = error.what();
+      CHECK((line.starts_with(file.string() + ": ") && line.find('\n') == line.npos));
+      CHECK(line.ends_with("; write it anew with this version of scree"));
+      ++refused;
+    }
+  }
+  CHECK(refused > 0);
+  CHECK(read > 0);
 }
 
 TEST_CASE("A sealed file that is not HDF5 is refused", "[foreign_file]") {

@@ -2,7 +2,10 @@
 #include "temporary_folder.hpp"
 
 #include <csignal>
+#include <fcntl.h>
+#include <fstream>
 #include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -80,6 +83,55 @@ TEST_CASE("A state that does not fit leaves the earlier one whole and no part be
   state_file::write_state(folder / "a.h5", large_state());
   CHECK(state_file::read_state(folder / "a.h5") == large_state());
 }
+
+TEST_CASE("HDF5 prints nothing of a failure, in whatever thread it happens", "[write_failure]") {
+  const TemporaryFolder folder;
+  const int output = open((folder / "stderr").c_str(), O_CREAT | O_WRONLY, 0600), before = dup(STDERR_FILENO);
+  std::string line;
+  {
+    dup2(output, STDERR_FILENO);
+    std::thread([&] {
+      const FileSizeLimit limit(3000);
+      line = failure(folder / "a.h5", large_state());
+    }).join();
+    dup2(before, STDERR_FILENO);
+  }
+  close(output), close(before);
+  CHECK_THAT(line, Contains("File too large"));
+  CHECK(text_of(folder / "stderr") == "");
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("A state is neither written nor read where HDF5 has no memory", "[write_failure]") {
+  const TemporaryFolder folder;
+  const auto file = folder / "a.h5";
+  state_file::write_state(file, sample_state());
+  const std::string before = text_of(file);
+  rlimit usual = {};
+  getrlimit(RLIMIT_AS, &usual);
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlimit scarce = {rlim_t(pages) * rlim_t(sysconf(_SC_PAGESIZE)) + (rlim_t(8) << 20), usual.rlim_max};
+  std::string written, read;
+  setrlimit(RLIMIT_AS, &scarce);
+  try {
+    state_file::write_state(file, odd_state());
+  } catch (const Error& error) {
+    written = error.what();
+  }
+  try {
+    state_file::read_state(file);
+  } catch (const Error& error) {
+    read = error.what();
+  }
+  setrlimit(RLIMIT_AS, &usual);
+  CHECK(written == file.string() +
+                       ": there is no memory for HDF5, which writes and reads states; give the program more "
+                       "(ulimit -v)");
+  CHECK(read == written);
+  CHECK(text_of(file) == before);
+}
+#endif
 
 TEST_CASE("A state is not written where there is no folder or no permission", "[write_failure]") {
   const TemporaryFolder folder;

@@ -15,13 +15,15 @@ namespace {
 
 constexpr std::string_view own_group = "scree/";
 
-// Path of the array at a place of the file, and whether it has a leading dimension for the time; none for what
-// is there for other programs.
-std::optional<std::string> path_of(const FileReader& reader, const std::string& link) {
-  if (const auto path = path_at(link)) return path;
-  if (!link.starts_with(own_group) || reader.is_group(link)) return std::nullopt;
-  return link.substr(own_group.size());
+// Path of the array at a place of the file; none for what is there for other programs.
+std::optional<std::string> path_of(const std::string& dataset) {
+  if (const auto path = path_at(dataset)) return path;
+  if (!dataset.starts_with(own_group)) return std::nullopt;
+  return dataset.substr(own_group.size());
 }
+
+// Failures are reported by Error alone. HDF5 keeps this setting for each thread.
+void print_no_failures() { checked(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "messages"); }
 
 class Hdf5Backend final : public StateBackend {
  public:
@@ -29,11 +31,12 @@ class Hdf5Backend final : public StateBackend {
     // At the end of the program HDF5 would close again what it could not close, and crash. It is too late to say so
     // where other code has used HDF5 before.
     H5dont_atexit();
-    checked(H5open(), "HDF5");
-    checked(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "HDF5");  // failures are reported by Error alone
+    if (H5open() < 0)
+      throw Error("libscree_state_hdf5.so: HDF5 cannot be started; give the program more memory (ulimit -v)");
   }
 
   void write(const std::filesystem::path& file, const State& state) override {
+    print_no_failures();
     FileWriter writer(file);
     write_h5md_group(writer);
     writer.group("scree");
@@ -43,18 +46,20 @@ class Hdf5Backend final : public StateBackend {
     writer.close();
   }
 
-  State read(const std::filesystem::path& file, double largest) override {
-    FileReader reader(file, largest);
-    State state;
-    for (const std::string& link : reader.links()) {
-      const auto path = path_of(reader, link);
+  std::vector<PlacedArray> places(const std::filesystem::path& file) override {
+    print_no_failures();
+    FileReader reader(file);
+    std::vector<PlacedArray> arrays;
+    for (const std::string& dataset : reader.datasets()) {
+      const auto path = path_of(dataset);
       if (!path) continue;
-      if (!is_state_path(*path)) throw Error("/" + link + " is not the name of an array of a state");
+      if (!is_state_path(*path)) throw Error("/" + dataset + " is not the name of an array of a state");
       const auto place = h5md_place(*path);
-      const bool of_bodies = !link.starts_with(own_group);
-      state.put(*path, reader.array(link, of_bodies && place->as_frame));
+      const bool of_bodies = !dataset.starts_with(own_group);
+      arrays.push_back(reader.array(dataset, of_bodies && place->as_frame));
+      arrays.back().path = *path;
     }
-    return state;
+    return arrays;
   }
 };
 

@@ -4,10 +4,16 @@
 #include "file_writer.hpp"
 #include "text.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
+
+#include <scree/state.hpp>
 
 namespace scree::state_file {
 namespace {
+
+constexpr int deepest = 10;  // groups within each other; states have six
 
 [[noreturn]] void refuse(const std::string& name, std::string_view problem) {
   throw Error(fmt::format("/{} {}", name, problem));
@@ -19,7 +25,7 @@ Handle open_file(const std::filesystem::path& file) {
   return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "is not an HDF5 file"};
 }
 
-std::vector<std::size_t> shape_of(hid_t dataset, const std::string& name, bool as_frame) {
+std::vector<std::uint64_t> shape_of(hid_t dataset, const std::string& name, bool as_frame) {
   const Handle space(H5Dget_space(dataset), H5Sclose, name);
   if (H5Sget_simple_extent_type(space) == H5S_NULL) refuse(name, "has no shape");
   std::vector<hsize_t> extents(std::size_t(checked(H5Sget_simple_extent_ndims(space), name)));
@@ -28,40 +34,31 @@ std::vector<std::size_t> shape_of(hid_t dataset, const std::string& name, bool a
   return {extents.begin() + std::ptrdiff_t(as_frame), extents.end()};
 }
 
-// Bytes of an array, if it lies in the file in one piece and in full.
-std::size_t bytes_of(hid_t dataset, hid_t type, const std::vector<std::size_t>& shape,
-                     const std::string& name) {
+// Throws Error unless all of an array lies in the file in one piece.
+void check_layout(hid_t dataset, const PlacedArray& array, const std::string& name) {
   const Handle properties(H5Dget_create_plist(dataset), H5Pclose, name);
   if (H5Pget_layout(properties) != H5D_CONTIGUOUS || H5Pget_external_count(properties) != 0)
     refuse(name, "does not lie in the file in one piece");
-  std::size_t bytes = H5Tget_size(type);
+  std::uint64_t bytes = array.width;
   bool fits = true;
-  for (const std::size_t extent : shape) fits = fits && !__builtin_mul_overflow(bytes, extent, &bytes);
+  for (const std::uint64_t extent : array.shape)
+    fits = fits && !__builtin_mul_overflow(bytes, extent, &bytes);
   if (!fits || bytes != H5Dget_storage_size(dataset)) refuse(name, "claims more values than it has");
-  return bytes;
 }
 
-std::vector<std::uint64_t> lengths_of(hid_t dataset, std::size_t lines, std::size_t width,
-                                      const std::string& name) {
+std::vector<std::uint64_t> lengths_of(hid_t dataset, const std::string& name) {
   std::vector<std::uint64_t> lengths;
   if (checked(H5Aexists(dataset, lengths_attribute), name) == 0) return lengths;
   const Handle attribute(H5Aopen(dataset, lengths_attribute, H5P_DEFAULT), H5Aclose, name);
-  const Handle space(H5Aget_space(attribute), H5Sclose, name), type(H5Aget_type(attribute), H5Tclose, name);
-  if (H5Sget_simple_extent_npoints(space) != hssize_t(lines) ||
+  const Handle space(H5Aget_space(attribute), H5Sclose, name), type(H5Aget_type(attribute), H5Tclose, name),
+      texts(H5Dget_space(dataset), H5Sclose, name);
+  const hssize_t count = H5Sget_simple_extent_npoints(texts);
+  if (count < 0 || H5Sget_simple_extent_npoints(space) != count ||
       H5Tequal(type, file_type<std::uint64_t>()) <= 0)
     refuse(name, "has no lengths for its texts");
-  lengths.resize(lines);
+  lengths.resize(std::size_t(count));
   checked(H5Aread(attribute, memory_type<std::uint64_t>(), lengths.data()), name);
-  for (const std::uint64_t length : lengths)
-    if (length > width) refuse(name, "has texts longer than their room");
   return lengths;
-}
-
-herr_t keep_link(hid_t, const char* name, const H5L_info_t* info, void* links) {
-  auto& kept = *static_cast<std::vector<std::string>*>(links);
-  if (info->type != H5L_TYPE_HARD) kept.clear();
-  kept.push_back(name);
-  return info->type == H5L_TYPE_HARD ? 0 : 1;  // above 0 stops
 }
 
 template <class T>
@@ -73,83 +70,79 @@ bool is_of(hid_t type) {
     return H5Tequal(type, file_type<T>()) > 0;
 }
 
-// Makes the values of the kind that a dataset has; false if a state has no such kind.
+using Values = decltype(StateArray::values);
+
+// Place of a type among the kinds of values of a state; their number if it is none of them.
 template <std::size_t k = 0>
-bool choose_kind(hid_t type, StateArray& array) {
-  if constexpr (k == std::variant_size_v<decltype(array.values)>) {
-    return false;
+std::size_t kind_of(hid_t type) {
+  if constexpr (k < std::variant_size_v<Values>) {
+    return is_of<typename std::variant_alternative_t<k, Values>::value_type>(type) ? k : kind_of<k + 1>(type);
   } else {
-    using Values = std::variant_alternative_t<k, decltype(array.values)>;
-    if (!is_of<typename Values::value_type>(type)) return choose_kind<k + 1>(type, array);
-    array.values.template emplace<k>();
-    return true;
+    return k;
   }
+}
+
+std::string unit_of(hid_t dataset, const std::string& name) {
+  const std::string unit = read_attribute(dataset, unit_attribute);
+  if (unit.empty()) refuse(name, "has no unit");
+  return checked(H5Aexists(dataset, label_attribute), name) > 0 ? "" : unit;
+}
+
+// Whether arrays of a state lie at or below a place; what other programs add elsewhere is left alone.
+bool has_arrays(const std::string& name) {
+  return name == "particles" || name == "particles/bodies" || name.starts_with("particles/bodies/") ||
+         name == "scree" || name.starts_with("scree/");
+}
+
+herr_t keep_link(hid_t, const char* name, const H5L_info_t* info, void* links) {
+  static_cast<std::vector<std::pair<std::string, H5L_info_t>>*>(links)->emplace_back(name, *info);
+  return 0;
 }
 
 }  // namespace
 
-FileReader::FileReader(const std::filesystem::path& file, double largest)
-    : file_(open_file(file)), memory_left_(largest) {
-  hsize_t size = 0;
-  checked(H5Fget_filesize(file_, &size), "size of the file");
-  bytes_left_ = size;
+FileReader::FileReader(const std::filesystem::path& file) : file_(open_file(file)) {}
+
+std::vector<std::string> FileReader::datasets() {
+  visit(file_, "", 0);
+  return std::move(found_);
 }
 
-std::vector<std::string> FileReader::links() const {
-  std::vector<std::string> links;
-  if (checked(H5Lvisit(file_, H5_INDEX_NAME, H5_ITER_INC, keep_link, &links), "list of what is in it") > 0)
-    refuse(links.back(), "is a link out of its place");
-  return links;
+// In the order of the file: sorted by names, HDF5 1.10 makes a table of them that it frees without having filled it
+// when it fails, and its own recursion has no limit.
+void FileReader::visit(hid_t group, const std::string& name, int depth) {
+  std::vector<std::pair<std::string, H5L_info_t>> links;
+  hsize_t next = 0;
+  checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, &next, keep_link, &links),
+          "list of what is in it");
+  for (const auto& [link, info] : links) visit_link(group, name + link, info, depth);
 }
 
-bool FileReader::is_group(const std::string& name) const {
-  const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose, name);
+void FileReader::visit_link(hid_t group, const std::string& name, const H5L_info_t& link, int depth) {
+  if (!has_arrays(name)) return;
+  if (link.type != H5L_TYPE_HARD) refuse(name, "is a link out of its place");
+  const Handle object(H5Oopen(group, name.substr(name.rfind('/') + 1).c_str(), H5P_DEFAULT), H5Oclose, name);
   const H5I_type_t type = H5Iget_type(object);
-  if (type != H5I_GROUP && type != H5I_DATASET) refuse(name, "is neither a group nor a dataset");
-  return type == H5I_GROUP;
+  if (type == H5I_DATASET) return found_.push_back(name);
+  if (type != H5I_GROUP) refuse(name, "is neither a group nor a dataset");
+  if (depth == deepest) refuse(name, "lies in too many groups");
+  if (!groups_.insert(link.u.address).second) refuse(name, "is a second name of a group");
+  visit(object, name + '/', depth + 1);
 }
 
-template <class T>
-void FileReader::read(hid_t dataset, const std::string& name, StateArray& array) {
-  const std::size_t size =
-      std::size_t(H5Sget_simple_extent_npoints(Handle(H5Dget_space(dataset), H5Sclose, name)));
-  auto& values = std::get<std::vector<T>>(array.values);
-  values.resize(size);
-  if (size > 0)
-    checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
-}
-
-template <>
-void FileReader::read<std::string>(hid_t dataset, const std::string& name, StateArray& array) {
-  const Handle type(H5Dget_type(dataset), H5Tclose, name), space(H5Dget_space(dataset), H5Sclose, name);
-  const std::size_t lines = std::size_t(H5Sget_simple_extent_npoints(space)), width = H5Tget_size(type);
-  std::vector<char> bytes(lines * width);
-  if (lines > 0) checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), name);
-  const auto lengths = lengths_of(dataset, lines, width, name);
-  auto& values = std::get<std::vector<std::string>>(array.values);
-  for (std::size_t k = 0; k < lines; ++k) {
-    values.emplace_back(bytes.data() + k * width, width);
-    values[k].resize(lengths.empty() ? values[k].find_last_not_of('\0') + 1 : lengths[k]);
-  }
-}
-
-StateArray FileReader::array(const std::string& name, bool as_frame) {
+PlacedArray FileReader::array(const std::string& name, bool as_frame) const {
   const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
   const Handle type(H5Dget_type(dataset), H5Tclose, name);
-  StateArray array;
+  PlacedArray array;
+  array.kind = kind_of(type);
+  if (array.kind == std::variant_size_v<Values>) refuse(name, "has a type that no state has");
   array.shape = shape_of(dataset, name, as_frame);
-  if (!choose_kind(type, array)) refuse(name, "has a type that no state has");
-  const std::size_t bytes = bytes_of(dataset, type, array.shape, name);
-  if (bytes > bytes_left_) refuse(name, "claims more bytes than are in the file");
-  bytes_left_ -= bytes;
-  memory_left_ -= double(bytes);
-  if (memory_left_ < 0) refuse(name, "does not fit into memory with the arrays before it");
-  array.unit = read_attribute(dataset, unit_attribute);
-  if (array.unit.empty()) refuse(name, "has no unit");
-  if (checked(H5Aexists(dataset, label_attribute), name) > 0) array.unit.clear();
-  std::visit(
-      [&](auto& values) { read<typename std::decay_t<decltype(values)>::value_type>(dataset, name, array); },
-      array.values);
+  array.width = H5Tget_size(type);
+  check_layout(dataset, array, name);
+  array.unit = unit_of(dataset, name);
+  array.lengths = lengths_of(dataset, name);
+  const haddr_t offset = H5Dget_offset(dataset);  // none of an array without values
+  array.offset = offset == HADDR_UNDEF ? 0 : offset;
   return array;
 }
 

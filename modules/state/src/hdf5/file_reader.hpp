@@ -1,36 +1,34 @@
 #pragma once
 
+#include "../placed_array.hpp"
 #include "handle.hpp"
 
 #include <filesystem>
 #include <string>
+#include <unordered_set>
 #include <vector>
-
-#include <scree/state.hpp>
 
 namespace scree::state_file {
 
-// Reads what FileWriter writes. A dataset may claim any size: before memory is taken, its size is compared with
-// what it has in the file, that of all datasets with the size of the file, and the memory with a limit.
-// Every function throws Error without path and cure.
+// Finds the arrays that FileWriter has written, without reading their values. Every function throws Error without
+// path and cure.
 class FileReader {
  public:
-  // `largest`: bytes of memory that the arrays may take.
-  FileReader(const std::filesystem::path& file, double largest);
+  explicit FileReader(const std::filesystem::path& file);
 
-  // Paths of all links, from the root without a leading '/'.
-  std::vector<std::string> links() const;
-  bool is_group(const std::string& name) const;
-  // as_frame: the array has a leading dimension of 1.
-  StateArray array(const std::string& name, bool as_frame);
+  // Paths of the datasets where a state has arrays, from the root without a leading '/'. Refuses links there that
+  // FileWriter does not make: soft ones, second names of groups, groups in more than some ten others.
+  std::vector<std::string> datasets();
+  // Type, shape, unit and place of a dataset that lies in one piece. as_frame: it has a leading dimension of 1.
+  PlacedArray array(const std::string& name, bool as_frame) const;
 
  private:
-  template <class T>
-  void read(hid_t dataset, const std::string& name, StateArray& array);
+  void visit(hid_t group, const std::string& name, int depth);
+  void visit_link(hid_t group, const std::string& name, const H5L_info_t& link, int depth);
 
   Handle file_;
-  std::uint64_t bytes_left_;  // of the file, for further datasets
-  double memory_left_;
+  std::vector<std::string> found_;
+  std::unordered_set<haddr_t> groups_;
 };
 
 }  // namespace scree::state_file

@@ -17,6 +17,14 @@ Handle without_times(hid_t kind) {
   return properties;
 }
 
+// Links lie in the header of their group, where HDF5 finds them one by one, and not in a heap with an index.
+Handle group_properties() {
+  constexpr unsigned most_links = 65535;
+  Handle properties = without_times(H5P_GROUP_CREATE);
+  checked(H5Pset_link_phase_change(properties, most_links, 0), "properties");
+  return properties;
+}
+
 Handle create_file(const std::filesystem::path& file) {
   const Handle creation = without_times(H5P_FILE_CREATE),
                access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
@@ -57,7 +65,7 @@ Handle dataspace(const std::vector<std::size_t>& shape, bool as_frame) {
 
 FileWriter::FileWriter(const std::filesystem::path& file)
     : file_(create_file(file)),
-      group_properties_(without_times(H5P_GROUP_CREATE)),
+      group_properties_(group_properties()),
       dataset_properties_(without_times(H5P_DATASET_CREATE)) {}
 
 FileWriter::~FileWriter() {

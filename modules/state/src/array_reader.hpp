@@ -1,0 +1,34 @@
+#pragma once
+
+#include "placed_array.hpp"
+
+#include <filesystem>
+
+#include <scree/state.hpp>
+
+namespace scree::state_file {
+
+// Reads arrays from the places where a file has them. Places may claim anything: before memory is taken, an array is
+// compared with the file, all arrays with its size, and the memory with a limit. Throws Error without path and cure.
+class ArrayReader {
+ public:
+  // file_bytes: size of the open file; memory: bytes that the arrays may take.
+  ArrayReader(int descriptor, std::uint64_t file_bytes, double memory)
+      : descriptor_(descriptor), file_bytes_(file_bytes), bytes_left_(file_bytes), memory_left_(memory) {}
+
+  StateArray read(const PlacedArray& place);
+
+ private:
+  // Of the values; after the comparisons.
+  std::uint64_t bytes_of(const PlacedArray& place);
+  void read_bytes(const PlacedArray& place, void* to, std::uint64_t bytes) const;
+  template <class T>
+  std::vector<T> values(const PlacedArray& place, std::uint64_t bytes) const;
+
+  int descriptor_;
+  std::uint64_t file_bytes_;
+  std::uint64_t bytes_left_;  // of the file, for further arrays
+  double memory_left_;
+};
+
+}  // namespace scree::state_file
