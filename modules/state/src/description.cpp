@@ -86,7 +86,7 @@ std::string describe_state_file(const std::filesystem::path& path) {
   const Seal& seal = file.seal();
   std::string text = fmt::format(
       "{}: state written by scree {}, format {}, {} bytes, checksum {:016x}\n", files::escaped(path.string()),
-      files::one_line(seal.program_version, longest_value), Seal::format, seal.bytes, seal.checksum);
+      files::one_line(seal.program_version, longest_value), seal.format, seal.bytes, seal.checksum);
   text += summary_line(state, "time", "clock/time");
   text += summary_line(state, "steps", "clock/steps");
   text += bodies_line(state);

@@ -86,14 +86,17 @@ Seal parse(std::string_view text, const fs::path& path) {
   const auto format = number_of<int>(take_line(text, "format "), 10);
   const auto version = take_line(text, "written by scree ");
   if (!format) refuse(path, damaged);
-  if (*format != Seal::format)
-    refuse(path, fmt::format(
-                     "has format {}, and this scree reads format {}; use the version that has written it, {}",
-                     *format, Seal::format, files::one_line(version.value_or("which it does not say"), 40)));
+  if (*format < Seal::oldest || *format > Seal::newest)
+    refuse(
+        path,
+        fmt::format(
+            "has format {}, and this scree reads formats {} to {}; use the version that has written it, {}",
+            *format, Seal::oldest, Seal::newest,
+            files::one_line(version.value_or("which it does not say"), 40)));
   const auto bytes = number_of<std::uint64_t>(take_line(text, "bytes "), 10);
   const auto checksum = number_of<std::uint64_t>(take_line(text, "checksum "), 16);
   if (!version || !bytes || !checksum) refuse(path, damaged);
-  return {std::string(*version), *bytes, *checksum};
+  return {*format, std::string(*version), *bytes, *checksum};
 }
 
 }  // namespace
@@ -109,7 +112,7 @@ std::string Seal::text() const {
 }
 
 void write_seal(int descriptor, const fs::path& path) {
-  Seal seal = {SCREE_VERSION, size_of(descriptor, path), 0};
+  Seal seal = {.program_version = SCREE_VERSION, .bytes = size_of(descriptor, path)};
   seal.checksum = checksum_of(descriptor, seal, path);
   const std::string text = seal.text();
   if (::pwrite(descriptor, text.data(), text.size(), 0) != ssize_t(text.size()))

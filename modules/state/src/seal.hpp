@@ -10,8 +10,10 @@ namespace scree::state_file {
 // What a state file says of itself in its first bytes, as text before the HDF5 file.
 struct Seal {
   static constexpr std::size_t size = 512;  // bytes; the smallest user block of HDF5
-  static constexpr int format = 1;          // counts incompatible changes of the file
+  static constexpr int newest = 2;          // format that is written
+  static constexpr int oldest = 1;          // that is read
 
+  int format = newest;  // counts incompatible changes of the file
   std::string program_version;
   std::uint64_t bytes = 0;     // of the whole file
   std::uint64_t checksum = 0;  // of the whole file, with 0 for the checksum

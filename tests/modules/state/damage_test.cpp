@@ -100,15 +100,16 @@ TEST_CASE("A state file with two regions exchanged or one set to zero is refused
 
 TEST_CASE("The refusal of a state file names the format and what wrote it", "[damage]") {
   const Sample sample;
-  for (const char* format : {"0", "2", "17"})
-    CHECK(sample.refusal_with("format 1", std::string("format ") + format) ==
-          std::string("has format ") + format +
-              ", and this scree reads format 1; use the version that has written it, " SCREE_TEST_VERSION);
+  for (const char* format : {"0", "3", "17"})
+    CHECK(
+        sample.refusal_with("format 2", std::string("format ") + format) ==
+        std::string("has format ") + format +
+            ", and this scree reads formats 1 to 2; use the version that has written it, " SCREE_TEST_VERSION);
   CHECK_THAT(sample.refusal_with("scree state", "grain state"), Contains("is not a state file of scree; "));
   CHECK_THAT(sample.refusal_of(sample.bytes.substr(512)), Contains("is not a state file of scree; "));
   CHECK_THAT(sample.refusal_of("[scene]\n"), Contains("is not a state file of scree; "));
-  for (const char* wrong : {"format x", "format  1", "format 01", "format +1", "format 1 ", "format \x1b"})
-    sample.refusal_with("format 1", wrong);
+  for (const char* wrong : {"format x", "format  2", "format 02", "format +2", "format 2 ", "format \x1b"})
+    sample.refusal_with("format 2", wrong);
 }
 
 TEST_CASE("What is no readable file is refused as a state and not waited for", "[damage]") {

@@ -21,7 +21,7 @@ TEST_CASE("The description of a state file tells what it is and lists its arrays
   const auto file = folder / "a.h5";
   state_file::write_state(file, state);
   const std::string text = state_file::describe_state_file(file);
-  CHECK(text.starts_with(file.string() + ": state written by scree " SCREE_TEST_VERSION ", format 1, " +
+  CHECK(text.starts_with(file.string() + ": state written by scree " SCREE_TEST_VERSION ", format 2, " +
                          std::to_string(std::filesystem::file_size(file)) + " bytes, checksum "));
   CHECK_THAT(text,
              Contains("\ntime         0.1 s\nsteps        18446744073709551615\nbodies       3 in 3D\n"));

@@ -48,10 +48,12 @@ std::string refusal_after(const std::function<void(hid_t)>& change) {
   }
 }
 
-void add_unit(hid_t dataset) {
+// As a file of format 1 has it.
+void add_unit(hid_t dataset, const std::string& text = "m") {
   const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+  H5Tset_size(type, text.size());
   const hid_t unit = H5Acreate2(dataset, "units", type, space, H5P_DEFAULT, H5P_DEFAULT);
-  H5Awrite(unit, type, "m");
+  H5Awrite(unit, type, text.c_str());
   H5Aclose(unit), H5Sclose(space), H5Tclose(type);
 }
 
@@ -119,7 +121,7 @@ TEST_CASE("Datasets that no state has are named", "[foreign_file]") {
       }),
       Contains("/scree/a has no shape"));
   CHECK_THAT(
-      refusal_after([](hid_t file) { H5Adelete_by_name(file, "scree/clock/time", "units", H5P_DEFAULT); }),
+      refusal_after([](hid_t file) { H5Adelete_by_name(file, "scree/clock/time", "unit", H5P_DEFAULT); }),
       Contains("/scree/clock/time has no unit"));
   CHECK_THAT(refusal_after([](hid_t file) {
                H5Ldelete(file, "particles/bodies/velocity/value", H5P_DEFAULT);
@@ -198,6 +200,25 @@ TEST_CASE("A file with any byte changed and sealed again is read or refused in o
   }
   CHECK(refused > 0);
   CHECK(read > 0);
+}
+
+TEST_CASE("A file of the format before is read", "[foreign_file]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.h5";
+  state_file::write_state(path, sample_state());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const std::pair<const char*, const char*> units[] = {{"particles/bodies/velocity/value", "m/s"},
+                                                       {"particles/bodies/position/value", "m"}};
+  for (const auto& [name, unit] : units) {
+    const hid_t dataset = H5Dopen2(file, name, H5P_DEFAULT);
+    H5Adelete(dataset, "unit");
+    add_unit(dataset, unit);
+    H5Dclose(dataset);
+  }
+  H5Fclose(file);
+  const std::string bytes = text_of(path);
+  CHECK(state_file::read_state(folder.write(
+            "b.h5", resealed(bytes, {.format = 1, .program_version = "0.1.0"}))) == sample_state());
 }
 
 TEST_CASE("A sealed file that is not HDF5 is refused", "[foreign_file]") {

@@ -72,6 +72,8 @@ TEST_CASE("A state file says that it is H5MD 1.1 by scree", "[h5md]") {
   CHECK(file.attribute("h5md/creator", "version", std::string(SCREE_TEST_VERSION).size()) ==
         SCREE_TEST_VERSION);
   CHECK_FALSE(file.attribute("h5md/author", "name", 10).empty());
+  CHECK(file.integers("h5md/modules/units", "version", 2) == std::vector{1, 0});
+  CHECK(file.attribute("h5md/modules/units", "system", 2) == "SI");
 }
 
 TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[h5md]") {
@@ -88,10 +90,10 @@ TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[h
     for (const char* axis : {"/step", "/time"})
       CHECK(file.address(("particles/bodies/" + std::string(element) + axis).c_str()) ==
             file.address(("particles/bodies/position" + std::string(axis)).c_str()));
-  CHECK(file.attribute("particles/bodies/velocity/value", "units", 3) == "m/s");
-  CHECK(file.attribute("particles/bodies/position/time", "units", 1) == "s");
-  CHECK(file.attribute("particles/bodies/position/step", "units", 1) == "1");
-  CHECK(file.attribute("particles/bodies/species", "units", 1) == "1");
+  CHECK(file.attribute("particles/bodies/velocity/value", "unit", 5) == "m s-1");
+  CHECK(file.attribute("particles/bodies/position/time", "unit", 1) == "s");
+  CHECK(file.attribute("particles/bodies/position/step", "unit", 1) == "1");
+  CHECK(file.attribute("particles/bodies/species", "unit", 1) == "1");
 }
 
 TEST_CASE("An array without one row for each body is no element of H5MD", "[h5md]") {

@@ -40,6 +40,9 @@ void write_h5md_group(FileWriter& writer) {
   write_attribute(author, "name", "not stated");
   write_attribute(creator, "name", "scree");
   write_attribute(creator, "version", SCREE_VERSION);
+  const Handle units = writer.group("h5md/modules/units");
+  write_integers(units, "version", {1, 0}, false);
+  write_attribute(units, "system", "SI");
 }
 
 BodiesWriter::BodiesWriter(FileWriter& writer, const State& state) : writer_(writer), state_(state) {

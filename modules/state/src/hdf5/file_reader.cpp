@@ -1,5 +1,6 @@
 #include "file_reader.hpp"
 
+#include "../unit_text.hpp"
 #include "element_type.hpp"
 #include "file_writer.hpp"
 #include "text.hpp"
@@ -83,7 +84,9 @@ std::size_t kind_of(hid_t type) {
 }
 
 std::string unit_of(hid_t dataset, const std::string& name) {
-  const std::string unit = read_attribute(dataset, unit_attribute);
+  std::string unit = read_attribute(dataset, unit_attribute);
+  if (!unit.empty()) unit = state_unit(unit);
+  if (unit.empty()) unit = read_attribute(dataset, unit_attribute_of_format_1);
   if (unit.empty()) refuse(name, "has no unit");
   return checked(H5Aexists(dataset, label_attribute), name) > 0 ? "" : unit;
 }

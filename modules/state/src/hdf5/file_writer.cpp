@@ -1,5 +1,6 @@
 #include "file_writer.hpp"
 
+#include "../unit_text.hpp"
 #include "element_type.hpp"
 #include "seal.hpp"
 #include "text.hpp"
@@ -98,7 +99,7 @@ Handle FileWriter::dataset(hid_t group, const std::string& name, hid_t type, hid
                            const StateArray& array) {
   Handle made(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, dataset_properties_, H5P_DEFAULT),
               H5Dclose, name);
-  write_attribute(made, unit_attribute, array.unit.empty() ? "1" : array.unit);
+  write_attribute(made, unit_attribute, array.unit.empty() ? "1" : h5md_unit(array.unit));
   if (array.unit.empty()) write_attribute(made, label_attribute, "a name, number or flag, not a quantity");
   return made;
 }

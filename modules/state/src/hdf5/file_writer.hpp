@@ -10,9 +10,10 @@
 
 namespace scree::state_file {
 
-// Attributes of a dataset: its unit, "1" also where a state has none, and then an attribute that distinguishes the two.
-// Not "unit", as readers of H5MD take only units of chemistry by that name.
-inline constexpr const char* unit_attribute = "units";
+// Attributes of a dataset: its unit as in the module `units` of H5MD, "1" also where a state has none, and then an
+// attribute that distinguishes the two.
+inline constexpr const char* unit_attribute = "unit";
+inline constexpr const char* unit_attribute_of_format_1 = "units";  // with the unit as in a state
 inline constexpr const char* label_attribute = "label";
 // Lengths of texts of which one ends with a character 0, which reads like filling.
 inline constexpr const char* lengths_attribute = "lengths";
