@@ -66,7 +66,7 @@ class Scree:
         column = {name.split(" ")[0]: name for name in rows[0]}
         rows.sort(key=lambda row: int(row["id"]))
         number = lambda row, names: [float(row[column[name]]) for name in names.split()]
-        return [error_cases.Body(number(row, "x y z"), number(row, "vx vy vz"), number(row, "wx wy wz"),
+        return [error_cases.Body(number(row, "x y z"), number(row, "vx vy vz"), number(row, "spin_x spin_y spin_z"),
                                  *number(row, "radius")) for row in rows]
 
     def time(self, scene):

@@ -11,9 +11,9 @@ namespace scree::packing {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> field_names = {"id",     "material", "x",       "y",    "z",
-                                                          "radius", "diameter", "density", "mass", "vx",
-                                                          "vy",     "vz",       "wx",      "wy",   "wz"};
+constexpr std::array<std::string_view, 15> field_names = {
+    "id",   "material", "x",  "y",  "z",      "radius", "diameter", "density",
+    "mass", "vx",       "vy", "vz", "spin_x", "spin_y", "spin_z"};
 
 std::string_view name_of(BodyField field) { return field_names[std::size_t(field)]; }
 

@@ -24,6 +24,7 @@ struct ColumnName {
   std::string_view name;
   std::string_view unit;  // empty: dimensionless or text
   BodyField field;
+  std::string_view other_name = {}, other_unit = {};  // read too, as in older files; empty: none
 };
 
 constexpr std::array columns = {
@@ -34,14 +35,14 @@ constexpr std::array columns = {
     ColumnName{"z", "m", BodyField::z},
     ColumnName{"radius", "m", BodyField::radius},
     ColumnName{"diameter", "m", BodyField::diameter},
-    ColumnName{"density", "kg/m3", BodyField::density},
+    ColumnName{"density", "kg/m^3", BodyField::density, "", "kg/m3"},
     ColumnName{"mass", "kg", BodyField::mass},
     ColumnName{"vx", "m/s", BodyField::vx},
     ColumnName{"vy", "m/s", BodyField::vy},
     ColumnName{"vz", "m/s", BodyField::vz},
-    ColumnName{"wx", "rad/s", BodyField::wx},
-    ColumnName{"wy", "rad/s", BodyField::wy},
-    ColumnName{"wz", "rad/s", BodyField::wz},
+    ColumnName{"spin_x", "rad/s", BodyField::wx, "wx"},
+    ColumnName{"spin_y", "rad/s", BodyField::wy, "wy"},
+    ColumnName{"spin_z", "rad/s", BodyField::wz, "wz"},
 };
 
 // Values from the comment lines before the header.
@@ -107,7 +108,7 @@ void read_comment(Preamble& preamble, const TextReader& reader) {
 
 const ColumnName& find_column(std::string_view name, const Token& cell, const TextReader& reader) {
   for (const ColumnName& column : columns) {
-    if (column.name == name) return column;
+    if (column.name == name || (!name.empty() && column.other_name == name)) return column;
   }
   std::array<std::string_view, columns.size()> known;
   std::transform(columns.begin(), columns.end(), known.begin(), [](const ColumnName& c) { return c.name; });
@@ -120,7 +121,8 @@ BodyField read_column(const Token& cell, const TextReader& reader) {
   const ColumnName& column = find_column(name.text, cell, reader);
   if (bracket == cell.text.size()) return column.field;
   const std::string_view unit = cell.text.substr(bracket);
-  if (unit != fmt::format("[{}]", column.unit)) {
+  const bool is_other = !column.other_unit.empty() && unit == fmt::format("[{}]", column.other_unit);
+  if (!is_other && unit != fmt::format("[{}]", column.unit)) {
     reader.fail(cell.column, fmt::format("column {} has unit {}", column.name, quote_token(unit)),
                 column.unit.empty() ? "leave the brackets out"
                                     : fmt::format("convert its numbers and write [{}]", column.unit));

@@ -50,10 +50,10 @@ void write_header(std::string& out, const Optional& columns, int dimension) {
   out += "id";
   if (columns.material) out += ",material";
   out += dimension == 3 ? ",x [m],y [m],z [m],radius [m]" : ",x [m],y [m],radius [m]";
-  if (columns.density) out += ",density [kg/m3]";
+  if (columns.density) out += ",density [kg/m^3]";
   if (columns.mass) out += ",mass [kg]";
-  out += dimension == 3 ? ",vx [m/s],vy [m/s],vz [m/s],wx [rad/s],wy [rad/s],wz [rad/s]\n"
-                        : ",vx [m/s],vy [m/s],wz [rad/s]\n";
+  out += dimension == 3 ? ",vx [m/s],vy [m/s],vz [m/s],spin_x [rad/s],spin_y [rad/s],spin_z [rad/s]\n"
+                        : ",vx [m/s],vy [m/s],spin_z [rad/s]\n";
 }
 
 void require_plain(const Body& body) {

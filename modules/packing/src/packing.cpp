@@ -42,7 +42,8 @@ void check_body(const Body& body, int dimension) {
   const bool planar =
       body.position[2] == 0.0 && body.velocity[2] == 0.0 && body.spin[0] == 0.0 && body.spin[1] == 0.0;
   if (dimension == 2 && !planar) {
-    fail(body, "z, vz, wx or wy is not 0 in two dimensions", "set them to 0, or use three dimensions");
+    fail(body, "z, vz, spin_x or spin_y is not 0 in two dimensions",
+         "set them to 0, or use three dimensions");
   }
 }
 

@@ -58,6 +58,24 @@ TEST_CASE("CSV columns come in any order, with or without units", "[packing]") {
   CHECK(packing.bodies[1].position == scree::Vec3{{3.0, 4.0, 5.5}});
 }
 
+// Names and units are those of probes and scenarios; files of former versions have wx and kg/m3.
+TEST_CASE("CSV has the spellings of probes and scenarios, and reads the former ones", "[packing]") {
+  Packing packing = awkward_packing(3);
+  const std::string text = format_csv(packing);
+  CHECK_THAT(text, Contains(",density [kg/m^3],"));
+  CHECK_THAT(text, Contains(",spin_x [rad/s],spin_y [rad/s],spin_z [rad/s]\n"));
+  for (const std::string density : {"density", "density [kg/m3]", "density [kg/m^3]"})
+    for (const std::string spin : {"spin_z", "wz", "wz [rad/s]", "spin_z [rad/s]"}) {
+      CAPTURE(density, spin);
+      const Body body =
+          parse_csv("x,y,radius," + density + "," + spin + "\n1,2,3,4,5\n", "a.csv").bodies.at(0);
+      CHECK(body.density == 4);
+      CHECK(body.spin[2] == 5);
+    }
+  CHECK_THAT(refusal("x,y,radius,wz,spin_z\n1,2,3,4,4\n"), StartsWith("a.csv:1:15: "));
+  CHECK_THAT(refusal("x,y,radius,density [g/cm^3]\n1,2,3,4\n"), Contains("write [kg/m^3]"));
+}
+
 TEST_CASE("absent CSV columns take their defaults", "[packing]") {
   const Packing packing = parse_csv("x,y,diameter\n1,2,3\n4,5,6\n", "a.csv");
   CHECK(packing.dimension == 2);
