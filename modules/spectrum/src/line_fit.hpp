@@ -8,17 +8,32 @@
 
 namespace scree::spectrum {
 
-// A line whose frequency is fitted too, from one nearer than 1 / (2 length of the record). Throws Error as a lock-in does.
-FoundLine fitted_line(double frequency, std::span<const double> times, std::span<const double> values);
+// A sine in a record: amplitude and phase (rad) at a time of reference, frequency, and the rate of its decay.
+struct Wave {
+  double frequency = 0, decay = 0;  // (Hz) (1/s)
+  double reference = 0;             // (s)
+  double amplitude = 0, phase = 0;
+  double value(double time) const;
+};
 
-// Takes a line out of a record.
-void subtract(const FoundLine& line, std::span<const double> times, std::vector<double>& values);
+using PassDone = std::function<void()>;  // after each pass over the record
 
-// What others leave in a line falls by its share in them, some 0.05 at five resolutions, with each round.
-inline constexpr std::size_t rounds_together = 6;
+// A steady one that is fitted, also its frequency, from one nearer than 1 / (2 length of the record).
+Wave fitted_wave(double frequency, std::span<const double> times, std::span<const double> values,
+                 const PassDone& pass_done);
 
-// Each line in turn from the record less all others, in rounds. on_progress receives the share that is done.
-void fit_together(std::span<const double> times, std::span<const double> values,
-                  std::vector<FoundLine>& lines, const std::function<void(double)>& on_progress);
+// The same, from one that is nearly right, with its decay if it has one.
+void refit(Wave& wave, std::span<const double> times, std::span<const double> values,
+           const PassDone& pass_done);
+
+// Lets a wave decay from the beginning of the record, where that leaves less of it.
+void let_decay(Wave& wave, std::span<const double> times, std::span<const double> values,
+               const PassDone& pass_done);
+
+// The line of a wave, with its errors. Throws Error as a lock-in does.
+FoundLine line_of(const Wave& wave, std::span<const double> times, std::span<const double> values);
+
+// Adds a wave to a record, or takes it out (sign -1).
+void add(const Wave& wave, double sign, std::span<const double> times, std::vector<double>& values);
 
 }  // namespace scree::spectrum

@@ -1,9 +1,11 @@
+#include "exponential_drift.hpp"
 #include "line_fit.hpp"
 #include "scree/spectrum/amplitude_spectrum.hpp"
 #include "scree/spectrum/median.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <scree/error.hpp>
 
@@ -46,46 +48,136 @@ double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
 }
 
 // Whether a fit found what the spectrum shows at its bin, and not what another line left there.
-bool is_at(const FoundLine& line, const AmplitudeSpectrum& spectrum, std::size_t k) {
+bool is_at(const Wave& wave, const AmplitudeSpectrum& spectrum, std::size_t k) {
   constexpr double least_share = 0.5, furthest = 2;  // of the amplitude; (resolutions)
-  return line.amplitude > least_share * spectrum.amplitude[k] &&
-         std::abs(line.frequency - spectrum.frequency(k)) < furthest * spectrum.resolution;
+  return wave.amplitude > least_share * spectrum.amplitude[k] &&
+         std::abs(wave.frequency - spectrum.frequency(k)) < furthest * spectrum.resolution;
 }
 
 bool stands_out(const FoundLine& line) {
   return line.amplitude > 0 && !(line.amplitude < least_over_error * line.amplitude_error);
 }
 
+// What others leave in a line falls by its share in them, some 0.05 at five resolutions, with each round.
+constexpr int rounds_before_decay = 2, rounds_together = 6;
+
+// A record, and what was found in it.
+class Decomposition {
+ public:
+  Decomposition(std::span<const double> times, std::span<const double> values, PassDone pass_done)
+      : times_(times), rest_(values.begin(), values.end()), pass_done_(std::move(pass_done)) {}
+
+  const std::vector<Wave>& waves() const { return waves_; }
+
+  // Looks for a wave at a place of the spectrum, in what the others leave.
+  void try_at(const AmplitudeSpectrum& spectrum, std::size_t bin) {
+    const Wave wave = fitted_wave(interpolated(spectrum, bin), times_, rest_, pass_done_);
+    if (!is_at(wave, spectrum, bin)) return;
+    add(wave, -1, times_, rest_);
+    waves_.push_back(wave);
+  }
+  // Looks for waves that decay early, in spectra of the beginning: those of the whole record hardly have them.
+  void try_at_beginning(std::size_t most) {
+    constexpr std::size_t fewest_samples = 64, factor = 2;
+    for (std::size_t count = rest_.size() / factor; count >= fewest_samples && waves_.size() < most;
+         count /= factor) {
+      const std::span<const double> times = times_.first(count), values = std::span(rest_).first(count);
+      const AmplitudeSpectrum spectrum = amplitude_spectrum(
+          (times.back() - times.front()) / double(count - 1), at_equal_steps(times, values));
+      for (const std::size_t bin : candidates(spectrum.amplitude)) {
+        Wave wave;
+        wave.frequency = interpolated(spectrum, bin);
+        let_decay(wave, times_, rest_, pass_done_);
+        if (!(wave.decay > 0) || std::abs(wave.frequency - spectrum.frequency(bin)) > 2 * spectrum.resolution)
+          continue;
+        add(wave, -1, times_, rest_);
+        waves_.push_back(wave);
+        break;
+      }
+    }
+  }
+  // Lets waves decay, in what the others leave.
+  void let_decay_all() {
+    for (Wave& wave : waves_) {
+      add(wave, 1, times_, rest_);
+      let_decay(wave, times_, rest_, pass_done_);
+      add(wave, -1, times_, rest_);
+    }
+  }
+  // The drift and each wave in turn, from the record less all others. Whether they changed by more than round-off.
+  bool refit_all() {
+    add(drift_, 1, times_, rest_);
+    drift_ = exponential_drift(times_, rest_);
+    add(drift_, -1, times_, rest_);
+    bool changed = false;
+    for (Wave& wave : waves_) {
+      const Wave before = wave;
+      add(wave, 1, times_, rest_);
+      refit(wave, times_, rest_, pass_done_);
+      add(wave, -1, times_, rest_);
+      changed |= has_changed(before, wave);
+    }
+    return changed;
+  }
+  FoundLine line(std::size_t number) {
+    add(waves_[number], 1, times_, rest_);
+    const FoundLine line = line_of(waves_[number], times_, rest_);
+    add(waves_[number], -1, times_, rest_);
+    return line;
+  }
+
+ private:
+  bool has_changed(const Wave& before, const Wave& wave) const {
+    constexpr double small = 1e-12;
+    const double duration = times_.back() - times_.front();
+    return std::abs(wave.frequency - before.frequency) * duration > small ||
+           std::abs(wave.amplitude - before.amplitude) > small * before.amplitude;
+  }
+
+  std::span<const double> times_;
+  std::vector<double> rest_;
+  PassDone pass_done_;
+  std::vector<Wave> waves_;
+  ExponentialDrift drift_;
+};
+
 }  // namespace
 
 std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<const double> values,
                                        const AmplitudeSpectrum& spectrum, std::size_t most,
                                        const std::function<void(double)>& on_progress) {
-  std::vector<FoundLine> lines;
   std::vector<std::size_t> bins = candidates(spectrum.amplitude);
   bins.resize(std::min(bins.size(), 4 * most));  // of noise-free records, those beyond are round-off
-  const auto report = [&](double share) {
-    if (on_progress) on_progress(share);
+  // A wave takes some three passes over the record at first, one in each round, and errors as long as ten.
+  constexpr double passes_at_first = 3, passes_of_errors = 10;
+  const double lines_expected = double(std::min(bins.size(), most));
+  const double expected =
+      lines_expected * (passes_at_first + rounds_before_decay + rounds_together + passes_of_errors);
+  double passes = 0;
+  const auto done = [&](double more) {
+    passes += more;
+    if (on_progress) on_progress(std::min(0.99, passes / expected));
   };
-  // Each candidate is fitted once, in what stronger ones leave, the lines that are found several times.
-  std::vector<double> rest(values.begin(), values.end());
-  const double fits = double(most * (1 + rounds_together));
-  for (const std::size_t k : bins) {
-    if (lines.size() == most) break;
-    report(double(lines.size()) / fits);
+  done(0);
+  Decomposition found(times, values, [&] { done(1); });
+  for (const std::size_t k : bins)
+    if (found.waves().size() < most) found.try_at(spectrum, k);
+  // Before waves may decay, the drift is known well enough not to be taken for a decay.
+  for (int round = 0; round < rounds_before_decay && found.refit_all(); ++round) {
+  }
+  found.let_decay_all();
+  found.try_at_beginning(most);
+  for (int round = 0; round < rounds_together && found.refit_all(); ++round) {
+  }
+  std::vector<FoundLine> lines;
+  for (std::size_t n = 0; n < found.waves().size(); ++n) {
     try {
-      const FoundLine line = fitted_line(interpolated(spectrum, k), times, rest);
-      if (!is_at(line, spectrum, k)) continue;
-      subtract(line, times, rest);
-      lines.push_back(line);
+      if (const FoundLine line = found.line(n); stands_out(line)) lines.push_back(line);
     } catch (const Error&) {
       // The record is too short for this line, which then is not one to be told.
     }
+    done(passes_of_errors);
   }
-  const double together = double(lines.size() * rounds_together), alone = double(lines.size());
-  fit_together(times, values, lines,
-               [&](double share) { report((alone + share * together) / (alone + together)); });
-  std::erase_if(lines, [](const FoundLine& line) { return !stands_out(line); });
   std::stable_sort(lines.begin(), lines.end(),
                    [](const FoundLine& a, const FoundLine& b) { return a.amplitude > b.amplitude; });
   return lines;
