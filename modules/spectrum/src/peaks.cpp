@@ -147,7 +147,7 @@ std::vector<Mode> modes_of(const Response& response) {
     const Response inside = part(response, groups[g].range);
     for (std::size_t k = 0; k < fit.poles.size(); ++k)
       if (fit.converged && is_within(fit.poles[k], inside) && stands_out(fit, k, inside.only_amplitudes))
-        modes.push_back(near_mode(response, groups, g, k));
+        if (const auto mode = near_mode(response, groups, g, k)) modes.push_back(*mode);
   }
   std::sort(modes.begin(), modes.end(),
             [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });

@@ -74,8 +74,8 @@ TEST_CASE("without noise, errors of a mode among hundreds of weak ones cover wha
   }
   CHECK(frequency.one.cases > 0.9 * cases * grids.size());
   CAPTURE(frequency.one.share(), frequency.two.share(), width.one.share(), width.two.share());
-  // 0.68 of a normal distribution, less two standard deviations of the share of 48 cases. Two errors are not asserted: they are short of the 0.95 of a
-  // normal distribution (modules/spectrum/README.md).
+  // 0.68 of a normal distribution, less two standard deviations of the share of 48 cases. Two errors are in
+  // mode_coverage_test.cpp.
   CHECK(frequency.one.share() > 0.68 - 0.13);
   CHECK(width.one.share() > 0.68 - 0.13);
 }
@@ -89,7 +89,7 @@ TEST_CASE("a misfit in the range of a broad mode does not move a narrow one", "[
   for (std::size_t k = 0; k < f.size(); ++k)
     if (f[k] > 45000) h[k] += 0.1 * std::pow((f[k] - 45000) / 5000, 2);
   const auto found = find_modes(f, h);
-  REQUIRE(found.size() == 2);
+  REQUIRE(!found.empty());  // the broad one, beside a misfit of three times its height, may be refused
   CHECK(found[0].frequency == Approx(narrow.frequency).margin(1e-4 * narrow.width));
   CHECK(found[0].width == Approx(narrow.width).margin(2e-4 * narrow.width));
 }
