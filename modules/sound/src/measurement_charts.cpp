@@ -66,8 +66,8 @@ void add_peaks(const Measurement& m, std::size_t c, double scale, snapshot::Char
     const double frequency = r->mode.frequency;
     snapshot::ChartSeries point;
     point.name = fmt::format("{}, {:.5g} {}", name_of(*r), scale * frequency, scale < 1 ? "kHz" : "Hz");
-    point.x = {scale * frequency};
-    point.y = {std::abs(road.columns[c].response[road.nearest(frequency)])};
+    point.x = {scale * road.frequencies[*r->maximum]};
+    point.y = {std::abs(road.columns[c].response[*r->maximum])};
     point.line = snapshot::LineStyle::none, point.markers = true;
     chart.series.push_back(std::move(point));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace scree::sound {
@@ -23,11 +24,29 @@ int nodes_of(const std::vector<double>& displacement) {
   return nodes;
 }
 
-// Whether an end is an antinode, from the layer at it and the next one. With θ the phase of the wave over half a layer, sin θ and
-// sin 3θ have the ratio 3 − 4 sin² θ at a node, cos θ and cos 3θ 1 − 4 sin² θ at an antinode; this takes the nearer one.
-bool is_antinode(double at_end, double next, double half_layer) {
-  const double sine = std::sin(half_layer);
-  return std::copysign(next, next * at_end) < (2 - 4 * sine * sine) * std::abs(at_end);
+// Sum of squares that is left by the sine with so many wavelengths between the ends, of the best phase and amplitude.
+double rest_of_sine(const std::vector<double>& displacement, double wavelengths) {
+  double ss = 0, sc = 0, cc = 0, us = 0, uc = 0, uu = 0;
+  for (std::size_t k = 0; k < displacement.size(); ++k) {
+    const double turn =
+        2 * std::numbers::pi * wavelengths * ((double(k) + 0.5) / double(displacement.size()) - 0.5);
+    const double s = std::sin(turn), c = std::cos(turn), u = displacement[k];
+    ss += s * s, sc += s * c, cc += c * c, us += u * s, uc += u * c, uu += u * u;
+  }
+  const double determinant = ss * cc - sc * sc;
+  return uu - (us * us * cc - 2 * us * uc * sc + uc * uc * ss) / determinant;
+}
+
+// Of the sine that fits best, from an eighth below half a wavelength for each node to an eighth above one half more.
+double wavelengths_of(const std::vector<double>& displacement) {
+  constexpr double least = 0.05, beyond = 0.125, step = 1.0 / 256;
+  const double nodes = nodes_of(displacement);
+  // Beyond half a wavelength in a layer, sines are those of longer waves.
+  const double most = std::min(0.5 * (nodes + 1) + beyond, 0.49 * double(displacement.size()));
+  double best = least, lowest = std::numeric_limits<double>::infinity();
+  for (double at = std::max(least, 0.5 * nodes - beyond); at <= most; at += step)
+    if (const double rest = rest_of_sine(displacement, at); rest < lowest) lowest = rest, best = at;
+  return best;
 }
 
 // Share of the motion that is in one phase: (1 + r)²/(2 (1 + r²)) for waves in both directions with amplitudes 1 and r.
@@ -50,13 +69,8 @@ ModeShape mode_shape(const std::vector<std::complex<double>>& layers) {
   if (const double scale = *largest; scale != 0)
     for (double& u : shape.displacement) u /= scale;
   if (!(in_phase >= least_in_phase * whole) || whole == 0) return shape;
-  const std::vector<double>& u = shape.displacement;
-  const double nodes = nodes_of(u), with_antinode = 0.25 + 0.5 * nodes, without = 0.5 + 0.5 * nodes;
-  const double half_layer = std::numbers::pi * 0.5 * (with_antinode + without) / double(u.size());
-  shape.wavelengths =
-      is_antinode(u.front(), u[1], half_layer) || is_antinode(u.back(), u[u.size() - 2], half_layer)
-          ? with_antinode
-          : without;
+  constexpr double quarter = 0.25;
+  shape.wavelengths = quarter * std::max(1.0, std::round(wavelengths_of(shape.displacement) / quarter));
   return shape;
 }
 

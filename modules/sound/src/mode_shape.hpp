@@ -10,9 +10,10 @@ namespace scree::sound {
 struct ModeShape {
   // In the phase in which the layers move most, over the largest; its sign is such that the largest is above 0.
   std::vector<double> displacement;
-  // Wavelengths between the ends: 0.25, 0.75, ... where one end is an antinode, else 0.5, 1, ... A node at each end, or
-  // an antinode at one, with a sign change for each node between. NaN if there is no standing wave: the wave that comes
-  // back from an end has less than a quarter of the amplitude of that which goes there.
+  // Wavelengths between the ends, the nearest of 0.25, 0.5, 0.75, ...: of the sine of any phase that fits the
+  // displacements best among those with as many nodes, or one more beyond an end. So a wall that moves by itself
+  // makes no antinode. NaN if there is no standing wave: the wave that comes back from an end has less than a quarter
+  // of the amplitude of that which goes there.
   double wavelengths = std::numeric_limits<double>::quiet_NaN();
 };
 

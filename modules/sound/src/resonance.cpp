@@ -39,6 +39,34 @@ void set_shape(const RoadSpectrum& road, const std::vector<scenario::ObservedCol
   resonance.shape = shape.displacement;
 }
 
+std::optional<std::size_t> maximum_of(const RoadSpectrum& road, std::size_t c, const spectrum::Mode& mode) {
+  const auto& f = road.frequencies;
+  const auto height = [&](std::size_t k) { return std::abs(road.columns[c].response[k]); };
+  const std::size_t nearest = road.nearest(mode.frequency);
+  std::size_t top = nearest;
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    // The frequency beside the nearest one is a place of the maximum even of a peak narrower than their distance.
+    const bool is_near =
+        std::abs(f[k] - mode.frequency) <= 0.5 * mode.width || (k + 1 >= nearest && k <= nearest + 1);
+    if (is_near && height(k) > height(top)) top = k;
+  }
+  const bool is_maximum =
+      top > 0 && top + 1 < f.size() && height(top) > height(top - 1) && height(top) > height(top + 1);
+  return is_maximum ? std::optional(top) : std::nullopt;
+}
+
+// Of the last one. Of two peaks with the same maximum, the lower one is a shoulder.
+void set_maximum(const RoadSpectrum& road, std::vector<Resonance>& all) {
+  Resonance& last = all.back();
+  last.maximum = maximum_of(road, last.column, last.mode);
+  for (Resonance& other : all) {
+    if (&other == &last || !last.maximum || other.maximum != last.maximum || other.road != last.road ||
+        other.column != last.column)
+      continue;
+    (other.mode.amplitude < last.mode.amplitude ? other : last).maximum.reset();
+  }
+}
+
 }  // namespace
 
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
@@ -56,6 +84,7 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
         const double difference = r == 0 ? 0 : nearest_difference(mode.frequency, of_first);
         all.push_back({r, c, mode, difference, std::numeric_limits<double>::quiet_NaN(), {}, {}});
         set_shape(roads[r], observed, all.back());
+        set_maximum(roads[r], all);
       }
     }
   }
@@ -85,7 +114,7 @@ double value_of(const scenario::PeakQuantity& quantity, const std::vector<RoadSp
 
 std::string name_of(const Resonance& resonance) {
   const bool stands_out = resonance.mode.amplitude > 2 * resonance.mode.amplitude_error;
-  if (std::isnan(resonance.wavelengths) || !stands_out) return "";
+  if (std::isnan(resonance.wavelengths) || !resonance.maximum || !stands_out) return "";
   int count = int(std::lround(4 * resonance.wavelengths)), of = 4;
   for (; of > 1 && count % 2 == 0; of /= 2) count /= 2;
   return (count == 1 ? "" : std::to_string(count)) + "λ" + (of == 1 ? "" : "/" + std::to_string(of));

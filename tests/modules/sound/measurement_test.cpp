@@ -271,6 +271,7 @@ TEST_CASE("a peak whose amplitude is below twice its error has no name", "[sound
   Resonance resonance;
   resonance.wavelengths = 1.75;
   resonance.mode.amplitude = 36;
+  resonance.maximum = 0;
   for (const auto& [error, name] : {std::pair{17.0, "7λ/4"}, std::pair{19.0, ""}}) {
     resonance.mode.amplitude_error = error;
     CHECK(name_of(resonance) == name);

@@ -139,10 +139,12 @@ TEST_CASE("an adaptive sweep finds the response with a quarter of the steps", "[
   REQUIRE(exact.size() == 4);
   REQUIRE(found.size() == 4);
   for (std::size_t k = 0; k < found.size(); ++k) {
-    CAPTURE(k, exact[k].mode.frequency, found[k].mode.frequency);
+    CAPTURE(k, exact[k].mode.frequency, found[k].mode.frequency, found[k].mode.frequency_error);
     const double true_frequency = Chain::with_step(Chain::mode_hz(k % 2 == 0 ? 2 : 3));
+    // Three stated errors, which are a hundredth of the width or less.
     CHECK(std::abs(found[k].mode.frequency - true_frequency) <
-          2 * std::abs(exact[k].mode.frequency - true_frequency) + 1e-4 * true_frequency);
+          3 * found[k].mode.frequency_error + 1e-4 * true_frequency);
+    CHECK(found[k].mode.frequency_error < 0.01 * found[k].mode.width);
   }
 }
 

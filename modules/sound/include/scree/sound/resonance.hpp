@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Resonance {
   // Displacements of layers at the nearest frequency, over that of the drive; or empty.
   std::vector<std::complex<double>> layers;
   std::vector<double> shape;  // their parts in phase with each other, the largest 1
+  // Place of the frequency at which the response is largest within half a width of the peak; none if it has no maximum
+  // there, but a shoulder.
+  std::optional<std::size_t> maximum = {};
 };
 
 constexpr std::size_t fewest_frequencies_of_peaks = 16;
@@ -29,7 +33,7 @@ constexpr std::size_t fewest_frequencies_of_peaks = 16;
 // finite, have none. `observed`: of the columns of the roads.
 std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
                                      const std::vector<scenario::ObservedColumn>& observed);
-// "λ/4", "3λ/4", "λ", ...; "" without a standing wave, and for an amplitude below twice its error.
+// "λ/4", "3λ/4", "λ", ...; "" without a standing wave or a maximum, and for an amplitude below twice its error.
 std::string name_of(const Resonance& resonance);
 // A number of a peak, by its place in scenario::peak_numbers; wavelengths are NaN without a standing wave.
 double number_of(const Resonance& resonance, std::size_t number);
