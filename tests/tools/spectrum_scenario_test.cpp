@@ -71,7 +71,7 @@ TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothin
   };
   refused("--out out", "neither a scenario nor --csv", "or --csv FILE --column NAME");
   refused("scene.toml --csv x.csv --column y", "--csv analyses a file, not a scenario", "give one of them");
-  refused("--csv x.csv --column y --set a=1", "--csv analyses a file, which has no --by, --set",
+  refused("--csv x.csv --column y --set a=1", "--csv analyses a file, which has no --by and --set",
           "leave them out");
   refused("scene.toml --frequency 50", "--column and --frequency are of a file",
           "[spectrum] of the scenario");
@@ -86,7 +86,9 @@ TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothin
   refused(scene + "spectrum.drive=\\'lid.displacement\\'", "--set spectrum.drive=", "there are: floor");
   refused(scene + "spectrum.observe=[\\'particles.z_9\\']",
           "--set spectrum.observe=", "did you mean 'particles.z_1'?");
-  refused(scene + "spectrum.amplitude=-1e-8", "--set spectrum.amplitude=", "give an amplitude above 0");
+  for (const std::string amplitude : {"-1e-8", "5e-324"})
+    refused(scene + "spectrum.amplitude=" + amplitude,
+            "--set spectrum.amplitude=", "give an amplitude of 1e-100 m or more");
   refused(scene + "spectrum.to_hz=1e5", "--set spectrum.to_hz=", "a shorter time.step");
   refused(scene + "boundary.floor.control=\\'fixed\\'", "scene.toml:", "set the control that uses it");
   refused(scene + "spectrum.fewest_contacts=9 --by linear", "no body is held",

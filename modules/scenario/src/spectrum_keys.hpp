@@ -11,7 +11,7 @@ struct SpectrumKeys : TableKeys {
             "the response to a driven wall over frequency, for scree spectrum; stages, if any, run first") {}
   StringKey drive =
       string("drive", "boundary and its displacement, as \"top.displacement\", that takes the wave");
-  NumberKey amplitude = number("amplitude", Range::positive("m"), "of the wave");
+  NumberKey amplitude = number("amplitude", Range::at_least(1e-100, "m"), "of the wave");
   Key observe = other("observe", "[\"probe.column\", ...]", Range::any(), "required", "columns that respond");
   Key relative_to_mean =
       other("relative_to_mean", "[\"probe.column\", ...]", Range::any(), "default none",
