@@ -85,6 +85,63 @@ TEST_CASE("spectrum without a frequency lists the strongest lines", "[tools]") {
   CHECK(none.out.find("no line of three or more periods stands out of the noise\n") != std::string::npos);
 }
 
+TEST_CASE("spectrum writes the lines that it finds, and their decay", "[tools]") {
+  const Workspace w;
+  std::string text = "time [s],x [kg/m^3]\n";
+  for (int k = 0; k < 1000; ++k)
+    text += fmt::format("{},{}\n", 0.001 * k,
+                        0.5 * std::exp(-5.0 * 0.001 * k) * std::sin(2 * std::numbers::pi * 0.08 * k));
+  w.write("x.csv", text);
+  const auto outcome = w.scree("spectrum --csv x.csv --column 'x [kg/m^3]'");
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.find("lines.csv\n") != std::string::npos);
+  // Q = pi f / rate.
+  CHECK(rows_of(outcome.out)[2][6] == Approx(std::numbers::pi * 80 / 5).epsilon(1e-6));
+  const std::string lines = w.text("lines.csv");
+  CHECK(lines.starts_with(
+      "# series: x.csv\nfrequency [Hz],frequency_error [Hz],amplitude [kg/m^3],amplitude_error [kg/m^3],"
+      "phase [rad],phase_error [rad],quality,quality_error\n"));
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == 3);
+  REQUIRE(w.scree("spectrum --csv x.csv --column x --frequency 80").status == 0);
+  CHECK(w.text("lines.csv").find("\n80,,0.") != std::string::npos);  // given, not found
+}
+
+TEST_CASE("spectrum replaces its own files of the series, others only with --overwrite", "[tools]") {
+  const Workspace w;
+  w.write("box.csv", series()), w.write("other.csv", series());
+  const std::string strain = " --column strain --frequency 50 --out out";
+  for (int k = 0; k < 2; ++k) REQUIRE(w.scree("spectrum --csv box.csv" + strain).status == 0);
+  const auto refused = [&](const std::string& begin) {
+    const auto outcome = w.scree("spectrum --csv other.csv" + strain);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.starts_with("scree: out/" + begin));
+    CHECK(outcome.err.ends_with("give another directory with --out, or --overwrite\n"));
+  };
+  const std::string before = w.text("out/lines.csv");
+  refused("spectrum.csv: is there already, of ");
+  CHECK(w.text("out/lines.csv") == before);
+  CHECK(w.scree("spectrum --csv other.csv --overwrite" + strain).status == 0);
+  CHECK(w.text("out/lines.csv").starts_with("# series: ../other.csv\n"));
+  for (const std::string name : {"spectrum.csv", "lines.csv", "spectrum.png"}) {
+    std::filesystem::remove_all(w / "out");
+    std::filesystem::create_directory(w / "out");
+    w.write("out/" + name, "precious\n");
+    refused(name + ": is there already, and not of a series, and this is of other.csv");
+    CHECK(w.text("out/" + name) == "precious\n");
+  }
+}
+
+TEST_CASE("spectrum warns of a last line without a line break", "[tools]") {
+  const Workspace w;
+  std::string text = series();
+  text.resize(text.size() - 8);  // within the last number but one
+  w.write("box.csv", text + "1,0,load");
+  const auto outcome = w.scree("spectrum --csv box.csv --column strain --frequency 50");
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.find("box.csv: line 2002, the last, has no line break") != std::string::npos);
+}
+
 TEST_CASE("spectrum warns of unequal steps", "[tools]") {
   const Workspace w;
   std::string text = "time,x\n";
@@ -116,6 +173,7 @@ TEST_CASE("spectrum refuses what it cannot analyse in one line", "[tools]") {
     refused("--csv t.csv --column x", "t.csv:" + begin, end);
   };
   table("time,x\n0,1\n", "2:1: the file ends after 1 sample", "give 8 or more");
+  table("", "1:1: there is no header", "such as 'time [s],strain'");
   table("time,x\n", "1:1: the file ends after 0 samples", "give 8 or more");
   table("time,x\n0,1\n1,2\n1,3\n", "4:1: time 1 follows 1", "give times that increase, in the first column");
   table("time,x\n0,1\n,2\n", "3:1: time '' is not a number", "write a number such as 1.5e-3");

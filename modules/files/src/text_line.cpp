@@ -150,7 +150,8 @@ std::int64_t TextLine::positive_integer(const Token& token, std::string_view wha
 }
 
 void TextLine::fail(std::size_t column, std::string_view message, std::string_view cure) const {
-  throw Error(fmt::format("{}:{}:{}: {}; {}", name_, line_number_, column, message, cure));
+  throw Error(
+      fmt::format("{}:{}:{}: {}; {}", name_, std::max<std::size_t>(line_number_, 1), column, message, cure));
 }
 
 }  // namespace scree::files

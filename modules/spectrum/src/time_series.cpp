@@ -73,10 +73,11 @@ std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
   for (const std::string& column : columns) {
     const std::size_t number = rows.column(column);
     numbers.push_back(number);
-    series.push_back({rows.columns()[number].name, rows.columns()[number].unit, {}, {}});
+    series.push_back({rows.columns()[number].name, rows.columns()[number].unit, {}, {}, 0});
   }
   check_unit(rows);
   std::vector<double> times;
+  std::size_t cut_line = 0;
   while (rows.next()) {
     const double time = read(rows, 0);
     if (!times.empty() && !(time > times.back()))
@@ -84,10 +85,12 @@ std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
                 "give times that increase, in the first column");
     times.push_back(time);
     for (std::size_t k = 0; k < series.size(); ++k) series[k].values.push_back(read(rows, numbers[k]));
+    if (!rows.is_whole()) cut_line = rows.line_number();
   }
   for (TimeSeries& column : series) {
     const bool last = &column == &series.back();
     column.times = last ? std::move(times) : times;
+    column.cut_line = cut_line;
     check(rows, column, least);
   }
   return series;

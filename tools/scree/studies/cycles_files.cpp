@@ -1,6 +1,7 @@
 #include "studies/cycles_files.hpp"
 
 #include "studies/result_paths.hpp"
+#include "studies/series_text.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <scree/files/csv_rows.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/run/written_files.hpp>
 #include <scree/snapshot/load_backend.hpp>
 
 namespace scree::tool {
@@ -22,10 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return files::one_line(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
-}
 
 double on_line(const cycles::StraightLine& line, std::size_t n) {
   return line.intercept + line.slope * double(n);
@@ -184,59 +180,32 @@ const std::vector<std::string> verdict_columns = {"run",         "class",       
                                                   "slope_error", "rms",           "range",  "robust_slope",
                                                   "outliers",    "repeats_after", "reason"};
 
-void create(const fs::path& folder) {
-  std::error_code failed;
-  if (!folder.empty()) fs::create_directories(folder, failed);
-  if (failed)
-    throw Error(
-        fmt::format("{}: cannot be created ({}); give another --out", folder.string(), failed.message()));
-}
-
 }  // namespace
 
 CyclesFiles::CyclesFiles(fs::path folder, const fs::path& source, bool overwrite)
-    : folder_(std::move(folder)) {
-  std::error_code failed;
-  if (fs::equivalent(folder_ / table_name, source, failed))
-    throw Error(fmt::format("{}: the cycles would replace this file; give another directory with --out",
-                            source.string()));
-  create(folder_);
-  const fs::path recorded = series_of_record(folder_ / record_name);
-  if (overwrite || recorded == resolved(source)) return;
-  for (const char* name : {table_name, record_name, chart_name})
-    if (fs::exists(folder_ / name, failed))
-      throw Error(fmt::format(
-          "{}: is there already, {}, and this is of {}; give another directory with --out, or --overwrite",
-          (folder_ / name).string(), recorded.empty() ? "and not of a series" : "of " + recorded.string(),
-          source.string()));
-}
-
-fs::path CyclesFiles::path_of(const std::string& name) const {
-  const fs::path path = folder_ / name;
-  std::error_code failed;
-  const bool is_of_run = fs::exists(folder_ / run::WrittenFiles::file_name, failed);
-  // A file of this name that is not listed is replaced; WrittenFiles would refuse it.
-  return is_of_run && !fs::exists(path, failed) ? run::WrittenFiles(folder_).add(name) : path;
+    : folder_(std::move(folder), source, "the cycles", {table_name, record_name, chart_name}) {
+  folder_.create();
+  if (!overwrite) folder_.refuse_others(series_of_record(folder_.path() / record_name));
 }
 
 void CyclesFiles::write(const CyclesResult& result) const {
-  const fs::path table = path_of(table_name), record = path_of(record_name);
+  const fs::path table = folder_.path_of(table_name), record = folder_.path_of(record_name);
   files::write_atomically(table, table_of(result));
-  files::write_atomically(record, record_of(result, folder_));
+  files::write_atomically(record, record_of(result, folder_.path()));
   fmt::print("{}\n{}\n", table.string(), record.string());
   if (!snapshot::has_pictures()) {
     report(fmt::format("{}, so there is no chart; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
            ExitStatus::success);
     return;
   }
-  const fs::path chart = path_of(chart_name);
+  const fs::path chart = folder_.path_of(chart_name);
   snapshot::load_backend()->chart(chart_of(result), chart);
   fmt::print("{}\n", chart.string());
 }
 
 VerdictsFile::VerdictsFile(fs::path folder, const std::vector<CyclesResult>& results, bool overwrite)
     : folder_(std::move(folder)) {
-  create(folder_);
+  create_folder(folder_);
   const fs::path file = folder_ / file_name;
   std::error_code failed;
   if (overwrite || !fs::exists(file, failed)) return;

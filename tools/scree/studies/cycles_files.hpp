@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/analysis_folder.hpp"
 #include "studies/cycles_source.hpp"
 #include "studies/cycles_touching.hpp"
 
@@ -37,10 +38,7 @@ class CyclesFiles {
   void write(const CyclesResult& result) const;
 
  private:
-  // Where a file is written; lists it.
-  std::filesystem::path path_of(const std::string& name) const;
-
-  std::filesystem::path folder_;
+  AnalysisFolder folder_;
 };
 
 // What it writes of several: a row for each.

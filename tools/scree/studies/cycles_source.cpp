@@ -80,7 +80,7 @@ TimeSeries strain_of(const TimeSeries& x, const TimeSeries& y, double reference)
   // Behind the last row too few cycles are left, which is reported when they are classified.
   const std::size_t first = std::size_t(at) < x.times.size() ? std::size_t(at) : 0;
   return {"length_y/length_y0 - length_x/length_x0", "", x.times,
-          cycles::strain_of_lengths(x.values, y.values, first)};
+          cycles::strain_of_lengths(x.values, y.values, first), x.cut_line};
 }
 
 // columns: those of the request.
@@ -143,8 +143,10 @@ CyclesSource read_cycles(const CyclesRequest& request) {
   if (request.period > 0) of.times.period = request.period;
   if (request.first_minimum) of.times.first_minimum = *request.first_minimum;
   try {
+    const std::size_t cut_line = columns[0].cut_line;
     CyclesSource source = of.times.period > 0 ? by_period(request, file, std::move(columns), of)
                                               : rows_as_cycles(request, file, std::move(columns));
+    source.cut_line = cut_line;
     if (found) source.stage_period = found->times.period;
     if (request.csv.empty()) source.status = found ? found->status : unfinished_status(request.directory);
     return source;

@@ -31,8 +31,9 @@ struct CyclesSource {
   double period = 0;                  // (s) 0: one row is one cycle
   std::vector<double> minimum_times;  // (s)
   cycles::CycleSeries series;
-  double stage_period = 0;  // (s) of the stage of the run; 0: none, or not looked for
-  std::string status = {};  // why the cycles of the run ended before their stage; empty: they did not
+  double stage_period = 0;   // (s) of the stage of the run; 0: none, or not looked for
+  std::string status = {};   // why the cycles of the run ended before their stage; empty: they did not
+  std::size_t cut_line = 0;  // spectrum::TimeSeries
 };
 
 // Throws Error with file and cure.

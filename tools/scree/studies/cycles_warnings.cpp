@@ -1,5 +1,7 @@
 #include "studies/cycles_warnings.hpp"
 
+#include "studies/series_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -35,6 +37,8 @@ std::vector<std::string> warnings_of_source(const CyclesSource& source) {
   if (!source.status.empty())
     warnings.push_back(fmt::format("the run is {}: these are its cycles so far", source.status));
   if (const std::string warning = of_multiple(source); !warning.empty()) warnings.push_back(warning);
+  if (const std::string warning = warning_of_cut_line(source.cut_line); !warning.empty())
+    warnings.push_back(warning);
   return warnings;
 }
 

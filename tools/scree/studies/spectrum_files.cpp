@@ -1,9 +1,12 @@
 #include "studies/spectrum_files.hpp"
 
+#include "studies/result_paths.hpp"
+#include "studies/series_text.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -19,9 +22,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view of_series = "# series: ";
+
+// The series that a table of lines names, which is relative to its folder; empty if there is no such table.
+fs::path series_of_lines(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  if (!std::getline(in, line) || !line.starts_with(of_series)) return {};
+  return resolved(file.parent_path() / line.substr(of_series.size()));
+}
+
+// Numbers that a line does not have are empty.
+std::string lines_of(const std::vector<spectrum::FoundLine>& lines, const std::string& unit,
+                     const std::string& series) {
+  std::string text = fmt::format("{}{}\n", of_series, series);
+  text += files::csv_line({"frequency [Hz]", "frequency_error [Hz]", with_unit("amplitude", unit),
+                           with_unit("amplitude_error", unit), "phase [rad]", "phase_error [rad]", "quality",
+                           "quality_error"});
+  const auto unless_zero = [](double number) { return number == 0 ? "" : files::csv_number(number); };
+  for (const spectrum::FoundLine& line : lines)
+    text += files::csv_line({files::csv_number(line.frequency), unless_zero(line.frequency_error),
+                             files::csv_number(line.amplitude), files::csv_number(line.amplitude_error),
+                             files::csv_number(line.phase), files::csv_number(line.phase_error),
+                             unless_zero(line.quality), unless_zero(line.quality_error)});
+  return text;
+}
+
 std::string table_of(const spectrum::AmplitudeSpectrum& amplitudes, const std::string& unit) {
-  std::string text = files::csv_line(
-      {"frequency [Hz]", unit.empty() ? "amplitude" : fmt::format("amplitude [{}]", files::one_line(unit))});
+  std::string text = files::csv_line({"frequency [Hz]", with_unit("amplitude", unit)});
   for (std::size_t k = 0; k < amplitudes.amplitude.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{}\n", files::csv_number(amplitudes.frequency(k)),
                    files::csv_number(amplitudes.amplitude[k]));
@@ -51,24 +79,19 @@ snapshot::ChartSeries curve_of(const spectrum::AmplitudeSpectrum& amplitudes) {
 
 }  // namespace
 
-SpectrumFiles::SpectrumFiles(fs::path folder, const fs::path& source)
-    : folder_(std::move(folder)), source_(source) {
-  std::error_code failed;
-  if (fs::equivalent(folder_ / table_name, source_, failed))
-    throw Error(fmt::format("{}: the spectrum would replace this file; give another directory with --out",
-                            source_.string()));
+SpectrumFiles::SpectrumFiles(fs::path folder, const fs::path& source, bool overwrite)
+    : folder_(std::move(folder), source, "the spectrum", {table_name, lines_name, chart_name}),
+      source_(source) {
+  if (!overwrite) folder_.refuse_others(series_of_lines(folder_.path() / lines_name));
 }
 
-void SpectrumFiles::write(const spectrum::AmplitudeSpectrum& amplitudes,
-                          const spectrum::TimeSeries& series) const {
-  std::error_code failed;
-  if (!folder_.empty()) fs::create_directories(folder_, failed);
-  if (failed)
-    throw Error(
-        fmt::format("{}: cannot be created ({}); give another --out", folder_.string(), failed.message()));
-  const fs::path table = folder_ / table_name, picture = folder_ / chart_name;
+void SpectrumFiles::write(const spectrum::AmplitudeSpectrum& amplitudes, const spectrum::TimeSeries& series,
+                          const std::vector<spectrum::FoundLine>& lines) const {
+  folder_.create();
+  const fs::path table = folder_.path_of(table_name), of_lines = folder_.path_of(lines_name);
+  files::write_atomically(of_lines, lines_of(lines, series.unit, relative_to(folder_.path(), source_)));
   files::write_atomically(table, table_of(amplitudes, series.unit));
-  fmt::print("{}\n", table.string());
+  fmt::print("{}\n{}\n", table.string(), of_lines.string());
   if (!snapshot::has_pictures()) {
     report(fmt::format("{}, so there is no chart; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
            ExitStatus::success);
@@ -83,6 +106,7 @@ void SpectrumFiles::write(const spectrum::AmplitudeSpectrum& amplitudes,
   chart.log_x = chart.log_y = true;
   chart.series.push_back(curve_of(amplitudes));
   if (chart.series[0].x.empty()) return;  // a constant
+  const fs::path picture = folder_.path_of(chart_name);
   snapshot::load_backend()->chart(chart, picture);
   fmt::print("{}\n", picture.string());
 }

@@ -1,26 +1,36 @@
 #pragma once
 
+#include "studies/analysis_folder.hpp"
+
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <scree/spectrum/amplitude_spectrum.hpp>
 #include <scree/spectrum/time_series.hpp>
 
 namespace scree::tool {
 
-// What `scree spectrum` writes: a table and, with pictures, a chart. Earlier ones are replaced.
+// What `scree spectrum --csv` writes: amplitudes over frequency, a table of lines, and with pictures a chart. The
+// table of lines begins with a comment that names the series; earlier files of this series are replaced.
 class SpectrumFiles {
  public:
   static constexpr const char* table_name = "spectrum.csv";
+  static constexpr const char* lines_name = "lines.csv";
   static constexpr const char* chart_name = "spectrum.png";
 
-  // Throws Error if the table would replace the file that is analysed.
-  SpectrumFiles(std::filesystem::path folder, const std::filesystem::path& source);
+  // Throws Error if a table would replace the file that is analysed, and, unless they may be overwritten, for files
+  // of these names that are not of it.
+  SpectrumFiles(std::filesystem::path folder, const std::filesystem::path& source, bool overwrite);
 
-  // Creates the folder and prints the names of the files. Throws Error.
-  void write(const spectrum::AmplitudeSpectrum& amplitudes, const spectrum::TimeSeries& series) const;
+  // Creates the folder and prints the names of the files. Lines that were looked for at given frequencies have no
+  // errors of these. Throws Error.
+  void write(const spectrum::AmplitudeSpectrum& amplitudes, const spectrum::TimeSeries& series,
+             const std::vector<spectrum::FoundLine>& lines) const;
 
  private:
-  std::filesystem::path folder_, source_;
+  AnalysisFolder folder_;
+  std::filesystem::path source_;
 };
 
 }  // namespace scree::tool

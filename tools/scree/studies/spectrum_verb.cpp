@@ -1,4 +1,5 @@
 #include "studies/measurement_report.hpp"
+#include "studies/series_text.hpp"
 #include "studies/spectrum_files.hpp"
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
@@ -68,51 +69,49 @@ void check_frequency(const SpectrumArguments& arguments, const spectrum::TimeSer
                     series.duration(), fmt::format("{:.10g}", periods / series.duration())));
 }
 
-std::string with_unit(const std::string& what, const std::string& unit) {
-  return files::one_line(unit.empty() ? what : fmt::format("{} [{}]", what, unit));
-}
-
 std::string density_unit(const std::string& unit) {
   return unit.empty() || unit == "1" ? "1/Hz" : fmt::format("({})^2/Hz", files::one_line(unit));
 }
 
-void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& series, double unevenness) {
+// Lines with their frequencies as given have no error of these.
+bool is_given(const spectrum::FoundLine& line) { return line.frequency_error == 0; }
+
+bool decay(const std::vector<spectrum::FoundLine>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.quality > 0; });
+}
+
+void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& series, double unevenness,
+                bool with_quality) {
   fmt::print("{}: {}, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
              with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
              series.times.front(), series.times.back(), unevenness > tolerated_unevenness ? "mean " : "",
-             series.mean_step(), arguments.frequency > 0 ? arguments.detrend : "cubic");
+             series.mean_step(), arguments.frequency > 0 ? arguments.detrend : "cubic and relaxation");
   const std::string unit = series.unit.empty() ? "" : fmt::format(" [{}]", files::one_line(series.unit));
-  fmt::print("{:>18} {:>18} {:>18} {:>18} {:>18} {:>18}\n", "frequency [Hz]", "error [Hz]",
-             "amplitude" + unit, "error" + unit, "phase [rad]", "error [rad]");
+  fmt::print("{:>18} {:>18} {:>18} {:>18} {:>18} {:>18}{}\n", "frequency [Hz]", "error [Hz]",
+             "amplitude" + unit, "error" + unit, "phase [rad]", "error [rad]",
+             with_quality ? fmt::format(" {:>18} {:>18}", "Q", "error") : "");
 }
 
-void print_line(const spectrum::Line& line, const std::string& frequency_error) {
-  fmt::print("{:>18.10g} {:>18} {:>18.10g} {:>18.10g} {:>18.10g} {:>18.10g}\n", line.frequency,
-             frequency_error, line.amplitude, line.amplitude_error, line.phase, line.phase_error);
+void print_line(const spectrum::FoundLine& line) {
+  const auto text = [](double number, bool is_known) {
+    return is_known ? fmt::format("{:.10g}", number) : std::string("-");
+  };
+  fmt::print("{:>18.10g} {:>18} {:>18.10g} {:>18.10g} {:>18.10g} {:>18.10g}", line.frequency,
+             text(line.frequency_error, !is_given(line)), line.amplitude, line.amplitude_error, line.phase,
+             line.phase_error);
+  if (line.quality > 0) fmt::print(" {:>18.10g} {:>18.10g}", line.quality, line.quality_error);
+  fmt::print("\n");
 }
 
-void print_harmonics(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
+spectrum::LockInResult harmonics_of(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
   using spectrum::Detrending;
   const auto detrending =
       arguments.detrend == "period-average" ? Detrending::period_average : Detrending::polynomial;
-  const spectrum::LockInOptions options = options_of(arguments, series);
-  const spectrum::LockInResult result = [&] {
-    try {
-      return lock_in(series.times, series.values, options, detrending);
-    } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}", arguments.csv, error.what()), error.status());
-    }
-  }();
-  for (std::size_t k = 0; k < result.harmonics; ++k) print_line(result.lines[k], "-");
-  fmt::print("mean {:.10g}, rms of the rest {:.10g}, noise density at {:.10g} Hz {:.10g} {}\n", result.mean,
-             result.residual_rms, arguments.frequency, result.lines[0].noise_density,
-             density_unit(series.unit));
-}
-
-void print_lines(const std::vector<spectrum::FoundLine>& lines) {
-  for (const spectrum::FoundLine& line : lines)
-    print_line(line, fmt::format("{:.10g}", line.frequency_error));
-  if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
+  try {
+    return lock_in(series.times, series.values, options_of(arguments, series), detrending);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", arguments.csv, error.what()), error.status());
+  }
 }
 
 std::vector<spectrum::FoundLine> lines_of(const SpectrumArguments& arguments,
@@ -126,12 +125,37 @@ std::vector<spectrum::FoundLine> lines_of(const SpectrumArguments& arguments,
   });
 }
 
+// Prints the lines and returns them.
+std::vector<spectrum::FoundLine> report_lines(const SpectrumArguments& arguments,
+                                              const spectrum::TimeSeries& series,
+                                              const spectrum::AmplitudeSpectrum& amplitudes,
+                                              double unevenness) {
+  std::vector<spectrum::FoundLine> lines;
+  if (!(arguments.frequency > 0)) {
+    lines = lines_of(arguments, series, amplitudes);
+    print_head(arguments, series, unevenness, decay(lines));
+    for (const spectrum::FoundLine& line : lines) print_line(line);
+    if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
+    return lines;
+  }
+  const spectrum::LockInResult result = harmonics_of(arguments, series);
+  print_head(arguments, series, unevenness, false);
+  for (std::size_t k = 0; k < result.harmonics; ++k)
+    print_line(lines.emplace_back(spectrum::FoundLine{result.lines[k]}));
+  fmt::print("mean {:.10g}, rms of the rest {:.10g}, noise density at {:.10g} Hz {:.10g} {}\n", result.mean,
+             result.residual_rms, arguments.frequency, result.lines[0].noise_density,
+             density_unit(series.unit));
+  return lines;
+}
+
 ExitStatus analyse(const SpectrumArguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path(arguments.csv).parent_path() : fs::path(arguments.out);
-  const SpectrumFiles files(folder, arguments.csv);
+  const SpectrumFiles files(folder, arguments.csv, arguments.overwrite);
   const spectrum::TimeSeries series =
       spectrum::read_time_series(arguments.csv, arguments.column, least_samples);
+  if (series.cut_line > 0)
+    report_warning(fmt::format("{}: {}", arguments.csv, warning_of_cut_line(series.cut_line)));
   check_frequency(arguments, series);
   const double unevenness = spectrum::unevenness(series.times);
   const spectrum::AmplitudeSpectrum amplitudes =
@@ -139,17 +163,13 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
           ? spectrum::amplitude_spectrum(series.mean_step(),
                                          spectrum::at_equal_steps(series.times, series.values))
           : spectrum::amplitude_spectrum(series.mean_step(), series.values);
-  print_head(arguments, series, unevenness);
-  if (arguments.frequency > 0)
-    print_harmonics(arguments, series);
-  else
-    print_lines(lines_of(arguments, series, amplitudes));
+  const std::vector<spectrum::FoundLine> lines = report_lines(arguments, series, amplitudes, unevenness);
   if (unevenness > tolerated_unevenness)
     report_warning(fmt::format(
         "{}: the steps differ, so {} is of straight lines between samples; lines above are of the samples "
         "themselves",
         arguments.csv, SpectrumFiles::table_name));
-  files.write(amplitudes, series);
+  files.write(amplitudes, series, lines);
   return ExitStatus::success;
 }
 
@@ -175,8 +195,8 @@ ExitStatus spectrum_of(const SpectrumArguments& arguments) {
   const bool of_file = !arguments.csv.empty();
   if (of_file && (!arguments.scenario.empty() || arguments.resume))
     throw Error("--csv analyses a file, not a scenario; give one of them");
-  if (of_file && (!arguments.by.empty() || !arguments.overrides.empty() || arguments.overwrite))
-    throw Error("--csv analyses a file, which has no --by, --set and --overwrite; leave them out");
+  if (of_file && (!arguments.by.empty() || !arguments.overrides.empty()))
+    throw Error("--csv analyses a file, which has no --by and --set; leave them out");
   if (!of_file && (!arguments.column.empty() || arguments.frequency > 0))
     throw Error("--column and --frequency are of a file; give --csv FILE, or [spectrum] of the scenario");
   if (of_file && arguments.column.empty()) throw Error("--csv without --column; give --column NAME");
@@ -208,7 +228,8 @@ void add_spectrum_verb(CommandLine& line) {
   verb.option("--threads", a->threads,
               "Number of threads; results are bitwise identical for any number (default 1)")
       .between(1, 1024);
-  verb.flag("--overwrite", a->overwrite, "Replace an existing spectrum in the directory");
+  verb.flag("--overwrite", a->overwrite,
+            "Replace an existing spectrum in the directory, or files there that are not of the CSV file");
   verb.flag("--resume", a->resume, "Go on with the interrupted spectrum in --out, to the same bits");
   verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
   verb.option("--csv", a->csv, "Instead of a scenario: CSV file; its first column is the time in s")

@@ -11,6 +11,7 @@ struct TimeSeries {
   std::string name, unit;      // of the column; the unit is empty if the header has none
   std::vector<double> times;   // (s) increasing
   std::vector<double> values;  // as many
+  std::size_t cut_line = 0;  // number of the last line if it has no line break, as in a file that was cut off
   double duration() const { return times.back() - times.front(); }
   double mean_step() const { return duration() / double(times.size() - 1); }
 };
