@@ -1,6 +1,9 @@
 #include "backend.hpp"
 
+#include <memory>
+#include <new>
 #include <sys/mman.h>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,30 +21,42 @@ constexpr files::CompanionLibrary library = {
     .needs = "the HDF5 run-time library",
 };
 
-// Of address space (bytes): of HDF5 with the libraries that it loads, and of what it allocates beside the arrays.
-constexpr std::size_t to_load = std::size_t(32) << 20, to_work = std::size_t(16) << 20;
+[[noreturn]] void refuse_without_memory(const std::filesystem::path& file) {
+  throw Error(
+      fmt::format("{}: there is no memory for HDF5, which writes and reads states; give the program more "
+                  "(ulimit -v)",
+                  file.string()),
+      ExitStatus::failure);
+}
 
-// HDF5 crashes where memory ends while it works.
-void require_memory(std::size_t bytes, const std::filesystem::path& file) {
-  void* const room =
-      ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (room == MAP_FAILED)
-    throw Error(
-        fmt::format("{}: there is no memory for HDF5, which writes and reads states; give the program more "
-                    "(ulimit -v)",
-                    file.string()),
-        ExitStatus::failure);
-  ::munmap(room, bytes);
+bool has_room_to_load() {
+  constexpr std::size_t with_other_libraries = std::size_t(32) << 20;  // (bytes) of address space
+  void* const room = ::mmap(nullptr, with_other_libraries, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  return room != MAP_FAILED && ::munmap(room, with_other_libraries) == 0;
+}
+
+// HDF5 crashes where memory ends while it works. Tried in small pieces as it takes them, since each is a page where
+// there is no room for a heap of the thread.
+bool has_room_to_work() {
+  constexpr std::size_t pieces = 16384, bytes = 256;
+  try {
+    std::vector<std::unique_ptr<char[]>> all(pieces);
+    for (std::unique_ptr<char[]>& piece : all) piece = std::make_unique_for_overwrite<char[]>(bytes);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 }  // namespace
 
 StateBackend& load_backend(const std::filesystem::path& file) {
   static StateBackend* const backend = [&] {
-    require_memory(to_load, file);
+    if (!has_room_to_load()) refuse_without_memory(file);
     return files::load_companion<StateBackend>(library, backend_version);
   }();
-  require_memory(to_work, file);
+  if (!has_room_to_work()) refuse_without_memory(file);
   return *backend;
 }
 

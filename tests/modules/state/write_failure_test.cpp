@@ -1,12 +1,17 @@
+#include "opened_file.hpp"
 #include "sample_state.hpp"
 #include "temporary_folder.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <fcntl.h>
 #include <fstream>
+#include <memory>
+#include <new>
 #include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -102,32 +107,60 @@ TEST_CASE("HDF5 prints nothing of a failure, in whatever thread it happens", "[w
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+namespace {
+
+// While it lives, memory ends a little above what the program has.
+class MemoryLimit {
+ public:
+  MemoryLimit() {
+    getrlimit(RLIMIT_AS, &usual_);
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlimit scarce = {rlim_t(pages) * rlim_t(sysconf(_SC_PAGESIZE)) + (rlim_t(1) << 20),
+                           usual_.rlim_max};
+    pieces_.reserve(1 << 16);
+    setrlimit(RLIMIT_AS, &scarce);
+    while (pieces_.size() < pieces_.capacity())
+      if (char* const piece = new (std::nothrow) char[4000])
+        pieces_.emplace_back(piece);
+      else
+        break;
+    pieces_.resize(pieces_.size() - std::min<std::size_t>(pieces_.size(), 100));
+  }
+  ~MemoryLimit() { setrlimit(RLIMIT_AS, &usual_); }
+
+ private:
+  rlimit usual_ = {};
+  std::vector<std::unique_ptr<char[]>> pieces_;
+};
+
+}  // namespace
+
 TEST_CASE("A state is neither written nor read where HDF5 has no memory", "[write_failure]") {
   const TemporaryFolder folder;
   const auto file = folder / "a.h5";
   state_file::write_state(file, sample_state());
   const std::string before = text_of(file);
-  rlimit usual = {};
-  getrlimit(RLIMIT_AS, &usual);
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlimit scarce = {rlim_t(pages) * rlim_t(sysconf(_SC_PAGESIZE)) + (rlim_t(8) << 20), usual.rlim_max};
+  const state_file::OpenedFile opened(file);
+  const State other = odd_state();
   std::string written, read;
-  setrlimit(RLIMIT_AS, &scarce);
-  try {
-    state_file::write_state(file, odd_state());
-  } catch (const Error& error) {
-    written = error.what();
+  {
+    const MemoryLimit limit;
+    try {
+      state_file::write_state(file, other);
+    } catch (const Error& error) {
+      written = error.what();
+    }
+    try {
+      opened.state();
+    } catch (const Error& error) {
+      read = error.what();
+    }
   }
-  try {
-    state_file::read_state(file);
-  } catch (const Error& error) {
-    read = error.what();
-  }
-  setrlimit(RLIMIT_AS, &usual);
-  CHECK(written == file.string() +
-                       ": there is no memory for HDF5, which writes and reads states; give the program more "
-                       "(ulimit -v)");
+  CHECK(
+      written ==
+      file.string() +
+          ": there is no memory for HDF5, which writes and reads states; give the program more (ulimit -v)");
   CHECK(read == written);
   CHECK(text_of(file) == before);
 }
