@@ -207,7 +207,7 @@ TEST_CASE("a run goes on from a stage that needs no spins, which the friction of
 }
 
 TEST_CASE("two runs of a scene leave the same bytes as their final state, whenever they wrote checkpoints",
-          "[run]") {
+          "[run][threads]") {
   const auto final_state = [](std::optional<double> every) {
     Bench bench(stages);
     bench.plan.checkpoint.every_time = every;

@@ -53,7 +53,7 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[scenario
   refuses({"boundary.floor.control='stress'", "boundary.floor.area=1",
            "boundary.floor.stress={mean=1,amplitude=1,frequency_hz=1}", "spectrum.drive='floor.superposed'"},
           "'stress' of the driven boundary varies", "give it a constant");
-  refuses({"spectrum.amplitude=0"}, "amplitude", "above 0");
+  refuses({"spectrum.amplitude=0"}, "amplitude", "1e-100 m or more");
   refuses({"spectrum.amplitude=nan"}, "amplitude", ";");
   refuses({"spectrum.observe=[]"}, "'observe' has no columns", "strain.strain");
   refuses({"spectrum.observe=['particles.z_2']"}, "no column 'particles.z_2'",
