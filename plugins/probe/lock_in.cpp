@@ -8,12 +8,12 @@
 
 #include <scree/error.hpp>
 #include <scree/plugin/probe.hpp>
-#include <scree/spectrum/lock_in.hpp>
-#include <scree/spectrum/period_average.hpp>
+#include <scree/signals/lock_in.hpp>
+#include <scree/signals/period_average.hpp>
 
 namespace {
 
-using namespace scree::spectrum;
+using namespace scree::signals;
 
 struct LockInProbe {
   scree::InputColumn of;
@@ -25,7 +25,7 @@ struct LockInProbe {
       "x(t) = drift + Σ_h A_h sin(2π h f (t − t_0) + φ_h), h = 1, 2, 3, by least squares;\n"
       "amplitude, phase: A_1, φ_1; amplitude_2, phase_2, ...: of the harmonics; mean: of the drift, after detrending by period_average of what is left;\n"
       "..._error: standard errors by the noise near h f; residual: root mean square of x minus the fit",
-      "modules/spectrum"};
+      "modules/analysis/signals"};
 
   void declare(scree::Declaration& d) {
     d.input("of", of, "the column x").required();

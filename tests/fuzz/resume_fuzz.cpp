@@ -10,7 +10,7 @@
 #include <scree/files/text.hpp>
 #include <scree/quasi_static/follow.hpp>
 #include <scree/run/run.hpp>
-#include <scree/sound/measurement.hpp>
+#include <scree/spectrum/measurement.hpp>
 #include <scree/state_file/state_file.hpp>
 
 namespace {
@@ -120,20 +120,20 @@ Interrupted interrupted_sweep(const test::TemporaryFolder& folder) {
                            "spectrum.periods=400", "spectrum.adaptive=true"},
                           host());
   std::atomic<bool> stop = false;
-  sound::MeasurementOptions options;
+  spectrum::MeasurementOptions options;
   options.out = folder / "sweep";
-  options.roads = {sound::Road::linear, sound::Road::sweep};
+  options.roads = {spectrum::Road::linear, spectrum::Road::sweep};
   options.stop = &stop;
   options.on_progress = [&](double share, double, const std::string& what) {
     stop = share > 0.1 && what.starts_with("sweep");
   };
-  sound::measure(plan, options);
+  spectrum::measure(plan, options);
   Interrupted made = interrupted(options.out, "state.h5");
   made.resume = [](const fs::path& to, const std::atomic<bool>* now) {
-    sound::MeasurementOptions again;
+    spectrum::MeasurementOptions again;
     again.out = to;
     again.stop = now;
-    sound::resume_measurement(again, host());
+    spectrum::resume_measurement(again, host());
   };
   return made;
 }

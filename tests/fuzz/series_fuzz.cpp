@@ -4,8 +4,8 @@
 #include <fstream>
 #include <unistd.h>
 
-#include <scree/spectrum/amplitude_spectrum.hpp>
-#include <scree/spectrum/time_series.hpp>
+#include <scree/signals/amplitude_spectrum.hpp>
+#include <scree/signals/time_series.hpp>
 
 // A time series as `scree spectrum` reads it, and its lines. The column is x.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       std::filesystem::temp_directory_path() / ("scree_fuzz_series_" + std::to_string(getpid()) + ".csv");
   std::ofstream(file, std::ios::binary) << scree::fuzz::text_of(data, size);
   return scree::fuzz::accept_or_refuse([&] {
-    using namespace scree::spectrum;
+    using namespace scree::signals;
     const TimeSeries series = read_time_series(file, "x", 8);
     const AmplitudeSpectrum spectrum =
         amplitude_spectrum(series.mean_step(), at_equal_steps(series.times, series.values));

@@ -12,8 +12,8 @@
 #include <scree/files/text_file.hpp>
 #include <scree/run/charts.hpp>
 #include <scree/run/written_files.hpp>
-#include <scree/snapshot/load_backend.hpp>
-#include <scree/snapshot/view_range.hpp>
+#include <scree/pictures/load_backend.hpp>
+#include <scree/pictures/view_range.hpp>
 
 namespace scree::tool {
 
@@ -28,7 +28,7 @@ struct RenderArguments {
   std::vector<std::string> overrides;
   int frames_per_second = 25;
   bool overwrite = false;
-  snapshot::RenderOptions options;
+  pictures::RenderOptions options;
 };
 
 bool is_folder(const fs::path& path) {
@@ -86,7 +86,7 @@ std::optional<std::array<double, 2>> color_range_of(const std::string& text) {
 
 // What all pictures have in common, from a first look at every frame.
 struct Common {
-  snapshot::ViewRange view;
+  pictures::ViewRange view;
   std::vector<double> times = {};  // (s)
 
   // Time between pictures (s); 0 of one. The last may follow its predecessor at once.
@@ -96,10 +96,10 @@ struct Common {
 };
 
 Common common_of(const std::vector<fs::path>& frames, const std::string& color_by,
-                 snapshot::SnapshotBackend& backend) {
-  Common common = {snapshot::ViewRange(color_by)};
+                 pictures::SnapshotBackend& backend) {
+  Common common = {pictures::ViewRange(color_by)};
   for (const fs::path& file : frames) {
-    const snapshot::Frame frame = backend.read_frame(file);
+    const pictures::Frame frame = backend.read_frame(file);
     common.view.add_box(frame);
     common.view.add_colors(frame);
     common.times.push_back(frame.time);
@@ -143,8 +143,8 @@ class Pictures {
   }
 
   // Returns the path of the picture of a file.
-  fs::path draw(const fs::path& file, const snapshot::Frame& frame, const snapshot::RenderOptions& options,
-                snapshot::SnapshotBackend& backend) {
+  fs::path draw(const fs::path& file, const pictures::Frame& frame, const pictures::RenderOptions& options,
+                pictures::SnapshotBackend& backend) {
     const fs::path picture = out_ / picture_name(file);
     // A run that goes on meanwhile removes what is listed behind its state, so that it is listed only when it is there.
     std::optional<TemporaryFile> drawn;
@@ -172,14 +172,14 @@ ExitStatus render(const RenderArguments& arguments) {
   if (arguments.charts) return render_charts(arguments);
   if (!arguments.overrides.empty() || !arguments.scenario.empty())
     throw Error("--set and --scenario change charts; give --charts too");
-  snapshot::RenderOptions options = arguments.options;
+  pictures::RenderOptions options = arguments.options;
   options.color_range = color_range_of(arguments.color_range);
   if (!arguments.movie.empty()) {
     check_replaced(arguments.movie, arguments.overwrite,
                    "is there already; give another name, or --overwrite");
     require_ffmpeg(arguments.movie);
   }
-  const auto backend = snapshot::load_backend();
+  const auto backend = pictures::load_backend();
   const std::vector<fs::path> frames = frames_of(arguments.source);
   Pictures places(arguments);
   for (const fs::path& file : frames) places.check(file);
@@ -189,7 +189,7 @@ ExitStatus render(const RenderArguments& arguments) {
   std::vector<fs::path> pictures;
   places.create_folder();
   for (const fs::path& file : frames) {
-    snapshot::Frame frame = backend->read_frame(file);
+    pictures::Frame frame = backend->read_frame(file);
     frame.lower = common.view.lower(), frame.upper = common.view.upper();
     pictures.push_back(places.draw(file, frame, options, *backend));
     fmt::print("{}\n", pictures.back().string());
@@ -205,8 +205,8 @@ ExitStatus render(const RenderArguments& arguments) {
 void add_render_verb(CommandLine& line) {
   Verb verb = line.verb("render", "Redraw the snapshots or the charts of a run; needs no display");
   auto a = std::make_shared<RenderArguments>();
-  const std::vector<std::string> fields(snapshot::color_fields.begin(), snapshot::color_fields.end());
-  const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
+  const std::vector<std::string> fields(pictures::color_fields.begin(), pictures::color_fields.end());
+  const std::vector<std::string> views(pictures::view_names.begin(), pictures::view_names.end());
   verb.option("source", a->source, "Run directory, or one particles_*.vtp file").required().existing_path();
   verb.option("--out", a->out, "Directory for the images; default: images/ of the run").shown_as("DIR");
   verb.option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")

@@ -2,7 +2,7 @@
 
 #include "table_keys.hpp"
 
-#include <scree/snapshot/render_options.hpp>
+#include <scree/pictures/render_options.hpp>
 
 namespace scree::scenario {
 
@@ -44,11 +44,11 @@ struct SnapshotKeys : TableKeys {
   Key image_every =
       other("image_every", "number", Range::positive("s"), "default never", "time between pictures");
   ChoiceKey color_by =
-      choice_or_first("color_by", {snapshot::color_fields.begin(), snapshot::color_fields.end()},
+      choice_or_first("color_by", {pictures::color_fields.begin(), pictures::color_fields.end()},
                       "quantity that colours bodies");
   Key color_range = other("color_range", "[low, high]", Range::any(), "default that of the pictures so far",
                           "values (SI) at the ends of the colour bar");
-  ChoiceKey view = choice("view", {snapshot::view_names.begin(), snapshot::view_names.end()},
+  ChoiceKey view = choice("view", {pictures::view_names.begin(), pictures::view_names.end()},
                           "direction of view", "default \"iso\", in 2D along z");
   BooleanKey contacts = boolean("contacts", false, "draw forces of contacts as tubes");
   IntegerKey width = integer("width", Range::between(200, 8000, "pixels"), 1200, "of a picture");

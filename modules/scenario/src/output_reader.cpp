@@ -14,7 +14,7 @@
 #include <scree/nearest.hpp>
 #include <scree/scenario/peak_quantity.hpp>
 #include <scree/scenario/quantities.hpp>
-#include <scree/snapshot/render_options.hpp>
+#include <scree/pictures/render_options.hpp>
 
 namespace scree::scenario {
 

@@ -26,7 +26,7 @@
 #include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
 #include <scree/single_precision.hpp>
-#include <scree/snapshot/load_backend.hpp>
+#include <scree/pictures/load_backend.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree::scenario {
@@ -169,12 +169,12 @@ void check_audit(const document::Table& root, const Plan& plan) {
 
 // Refused here, before anything is computed or written.
 void check_pictures(const document::Table& root, const Plan& plan) {
-  if (snapshot::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
+  if (pictures::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
   throw root.error(
       plan.snapshot.any() ? "snapshot" : "chart",
-      fmt::format("{}, but the scene requests them", snapshot::no_pictures),
+      fmt::format("{}, but the scene requests them", pictures::no_pictures),
       fmt::format("leave [snapshot] and [[chart]] out (--set 'snapshot={{}}' --set 'chart=[]'), or {}",
-                  snapshot::no_pictures_cure));
+                  pictures::no_pictures_cure));
 }
 
 bool any_probe_needs(const Plan& plan, std::uint32_t what) {

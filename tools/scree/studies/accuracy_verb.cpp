@@ -12,7 +12,7 @@
 #include <scree/accuracy/report.hpp>
 #include <scree/accuracy/study.hpp>
 #include <scree/files/text.hpp>
-#include <scree/snapshot/load_backend.hpp>
+#include <scree/pictures/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -60,9 +60,9 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
                                                     plan.inputs, RunDirectory::Kind::study);
   directory.report_lock(report_warning);
   // The table is worth having without them.
-  if (!snapshot::has_pictures())
+  if (!pictures::has_pictures())
     report(
-        fmt::format("{}, so the study has no charts; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
+        fmt::format("{}, so the study has no charts; {}", pictures::no_pictures, pictures::no_pictures_cure),
         ExitStatus::success);
   const accuracy::Study study = [&] {
     ProgressBar bar(arguments.quiet);

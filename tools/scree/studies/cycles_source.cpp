@@ -10,14 +10,14 @@
 
 #include <scree/error.hpp>
 #include <scree/files/csv_rows.hpp>
-#include <scree/spectrum/time_series.hpp>
+#include <scree/signals/time_series.hpp>
 
 namespace scree::tool {
 
 namespace {
 
 namespace fs = std::filesystem;
-using spectrum::TimeSeries;
+using signals::TimeSeries;
 
 constexpr const char *length_x = "length_x", *length_y = "length_y";
 
@@ -138,7 +138,7 @@ std::optional<RunCycles> found_for(const CyclesRequest& request) {
 CyclesSource read_cycles(const CyclesRequest& request) {
   const fs::path file = request.csv.empty() ? series_of_run(request) : fs::path(request.csv);
   const std::optional<RunCycles> found = found_for(request);
-  std::vector<TimeSeries> columns = spectrum::read_time_series(file, columns_of(request), 2);
+  std::vector<TimeSeries> columns = signals::read_time_series(file, columns_of(request), 2);
   RunCycles of = found.value_or(RunCycles{{0, columns[0].times.front()}, std::numeric_limits<double>::max()});
   if (request.period > 0) of.times.period = request.period;
   if (request.first_minimum) of.times.first_minimum = *request.first_minimum;

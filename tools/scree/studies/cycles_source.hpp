@@ -33,7 +33,7 @@ struct CyclesSource {
   cycles::CycleSeries series;
   double stage_period = 0;   // (s) of the stage of the run; 0: none, or not looked for
   std::string status = {};   // why the cycles of the run ended before their stage; empty: they did not
-  std::size_t cut_line = 0;  // spectrum::TimeSeries
+  std::size_t cut_line = 0;  // signals::TimeSeries
 };
 
 // Throws Error with file and cure.

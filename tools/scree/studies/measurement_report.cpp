@@ -24,9 +24,9 @@ std::string written_in(const std::filesystem::path& directory) {
 }  // namespace
 
 ExitStatus report_measurement(bool quiet,
-                              const std::function<sound::Measurement(sound::MeasurementOptions)>& work) {
-  const sound::Measurement measurement = watch<sound::MeasurementOptions>(quiet, work);
-  if (!quiet) fmt::print("{}", files::escaped(sound::text_report(measurement), files::Escapes::lines));
+                              const std::function<spectrum::Measurement(spectrum::MeasurementOptions)>& work) {
+  const spectrum::Measurement measurement = watch<spectrum::MeasurementOptions>(quiet, work);
+  if (!quiet) fmt::print("{}", files::escaped(spectrum::text_report(measurement), files::Escapes::lines));
   const bool met = report_verdicts(measurement.verdicts, quiet);
   if (measurement.interrupted)
     fmt::print("interrupted; results so far are saved, go on with: scree resume {}\n",

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include <scree/files/text.hpp>
-#include <scree/snapshot/render_options.hpp>
-#include <scree/vibration/vibration.hpp>
+#include <scree/pictures/render_options.hpp>
+#include <scree/modes/vibration.hpp>
 
 namespace scree::tool {
 
@@ -45,8 +45,8 @@ std::vector<unsigned> numbers_of(const std::string& text) {
   return numbers;
 }
 
-vibration::VibrationOptions options_of(const ResponseArguments& a) {
-  vibration::VibrationOptions options;
+modes::VibrationOptions options_of(const ResponseArguments& a) {
+  modes::VibrationOptions options;
   options.out = a.out;
   options.overwrite = a.overwrite;
   options.threads = a.threads;
@@ -64,17 +64,17 @@ vibration::VibrationOptions options_of(const ResponseArguments& a) {
   return options;
 }
 
-vibration::Vibration solve_with_progress(const ResponseArguments& arguments) {
+modes::Vibration solve_with_progress(const ResponseArguments& arguments) {
   ProgressBar bar(arguments.quiet);
   PluginHost host = make_host(arguments.plugins);
-  return vibration::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host),
+  return modes::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host),
                             watched(options_of(arguments), bar));
 }
 
 ExitStatus respond(const ResponseArguments& arguments) {
-  const vibration::Vibration vibration = solve_with_progress(arguments);
+  const modes::Vibration vibration = solve_with_progress(arguments);
   if (!arguments.quiet)
-    fmt::print("{}", files::escaped(vibration::text_report(vibration), files::Escapes::lines));
+    fmt::print("{}", files::escaped(modes::text_report(vibration), files::Escapes::lines));
   if (vibration.interrupted) fmt::print("interrupted; what was complete is saved\n");
   fmt::print("results in {}\n", files::escaped(vibration.directory.string()));
   return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;
@@ -120,7 +120,7 @@ ExitStatus follow(const ResponseArguments& arguments) {
 void add_response_verb(CommandLine& line) {
   Verb verb = add_study_verb(line, "response");
   auto a = std::make_shared<ResponseArguments>();
-  const std::vector<std::string> views(snapshot::view_names.begin(), snapshot::view_names.end());
+  const std::vector<std::string> views(pictures::view_names.begin(), pictures::view_names.end());
   verb.option("scenario", a->scenario,
               "Scenario file (TOML), which begins from a state, or comes to rest in its stages")
       .required();

@@ -14,7 +14,7 @@
 #include <scree/files/csv_line.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/snapshot/load_backend.hpp>
+#include <scree/pictures/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -33,14 +33,14 @@ fs::path series_of_lines(const fs::path& file) {
 }
 
 // Numbers that a line does not have are empty.
-std::string lines_of(const std::vector<spectrum::FoundLine>& lines, const std::string& unit,
+std::string lines_of(const std::vector<signals::FoundLine>& lines, const std::string& unit,
                      const std::string& series) {
   std::string text = fmt::format("{}{}\n", of_series, series);
   text += files::csv_line({"frequency [Hz]", "frequency_error [Hz]", with_unit("amplitude", unit),
                            with_unit("amplitude_error", unit), "phase [rad]", "phase_error [rad]", "quality",
                            "quality_error"});
   const auto unless_zero = [](double number) { return number == 0 ? "" : files::csv_number(number); };
-  for (const spectrum::FoundLine& line : lines)
+  for (const signals::FoundLine& line : lines)
     text += files::csv_line({files::csv_number(line.frequency), unless_zero(line.frequency_error),
                              files::csv_number(line.amplitude), files::csv_number(line.amplitude_error),
                              files::csv_number(line.phase), files::csv_number(line.phase_error),
@@ -48,7 +48,7 @@ std::string lines_of(const std::vector<spectrum::FoundLine>& lines, const std::s
   return text;
 }
 
-std::string table_of(const spectrum::AmplitudeSpectrum& amplitudes, const std::string& unit) {
+std::string table_of(const signals::AmplitudeSpectrum& amplitudes, const std::string& unit) {
   std::string text = files::csv_line({"frequency [Hz]", with_unit("amplitude", unit)});
   for (std::size_t k = 0; k < amplitudes.amplitude.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{}\n", files::csv_number(amplitudes.frequency(k)),
@@ -57,9 +57,9 @@ std::string table_of(const spectrum::AmplitudeSpectrum& amplitudes, const std::s
 }
 
 // The largest amplitude in each of some thousand steps of the logarithmic axis, about one per pixel.
-snapshot::ChartSeries curve_of(const spectrum::AmplitudeSpectrum& amplitudes) {
+pictures::ChartSeries curve_of(const signals::AmplitudeSpectrum& amplitudes) {
   constexpr double steps_per_decade = 400;
-  snapshot::ChartSeries curve{"amplitude", {}, {}};
+  pictures::ChartSeries curve{"amplitude", {}, {}};
   double step = -1;
   for (std::size_t k = 1; k < amplitudes.amplitude.size(); ++k) {
     const double amplitude = amplitudes.amplitude[k];
@@ -85,19 +85,19 @@ SpectrumFiles::SpectrumFiles(fs::path folder, const fs::path& source, bool overw
   if (!overwrite) folder_.refuse_others(series_of_lines(folder_.path() / lines_name));
 }
 
-void SpectrumFiles::write(const spectrum::AmplitudeSpectrum& amplitudes, const spectrum::TimeSeries& series,
-                          const std::vector<spectrum::FoundLine>& lines) const {
+void SpectrumFiles::write(const signals::AmplitudeSpectrum& amplitudes, const signals::TimeSeries& series,
+                          const std::vector<signals::FoundLine>& lines) const {
   folder_.create();
   const fs::path table = folder_.path_of(table_name), of_lines = folder_.path_of(lines_name);
   files::write_atomically(of_lines, lines_of(lines, series.unit, relative_to(folder_.path(), source_)));
   files::write_atomically(table, table_of(amplitudes, series.unit));
   fmt::print("{}\n{}\n", table.string(), of_lines.string());
-  if (!snapshot::has_pictures()) {
-    report(fmt::format("{}, so there is no chart; {}", snapshot::no_pictures, snapshot::no_pictures_cure),
+  if (!pictures::has_pictures()) {
+    report(fmt::format("{}, so there is no chart; {}", pictures::no_pictures, pictures::no_pictures_cure),
            ExitStatus::success);
     return;
   }
-  snapshot::ChartSpec chart;
+  pictures::ChartSpec chart;
   chart.title = files::one_line(series.name);
   chart.x_label = "frequency (Hz)";
   chart.y_label =
@@ -107,7 +107,7 @@ void SpectrumFiles::write(const spectrum::AmplitudeSpectrum& amplitudes, const s
   chart.series.push_back(curve_of(amplitudes));
   if (chart.series[0].x.empty()) return;  // a constant
   const fs::path picture = folder_.path_of(chart_name);
-  snapshot::load_backend()->chart(chart, picture);
+  pictures::load_backend()->chart(chart, picture);
   fmt::print("{}\n", picture.string());
 }
 

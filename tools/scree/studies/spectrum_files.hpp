@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <scree/spectrum/amplitude_spectrum.hpp>
-#include <scree/spectrum/time_series.hpp>
+#include <scree/signals/amplitude_spectrum.hpp>
+#include <scree/signals/time_series.hpp>
 
 namespace scree::tool {
 
@@ -25,8 +25,8 @@ class SpectrumFiles {
 
   // Creates the folder and prints the names of the files. Lines that were looked for at given frequencies have no
   // errors of these. Throws Error.
-  void write(const spectrum::AmplitudeSpectrum& amplitudes, const spectrum::TimeSeries& series,
-             const std::vector<spectrum::FoundLine>& lines) const;
+  void write(const signals::AmplitudeSpectrum& amplitudes, const signals::TimeSeries& series,
+             const std::vector<signals::FoundLine>& lines) const;
 
  private:
   AnalysisFolder folder_;

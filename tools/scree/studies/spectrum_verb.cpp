@@ -15,9 +15,9 @@
 
 #include <scree/counted.hpp>
 #include <scree/files/text.hpp>
-#include <scree/spectrum/amplitude_spectrum.hpp>
-#include <scree/spectrum/lock_in.hpp>
-#include <scree/spectrum/time_series.hpp>
+#include <scree/signals/amplitude_spectrum.hpp>
+#include <scree/signals/lock_in.hpp>
+#include <scree/signals/time_series.hpp>
 
 namespace scree::tool {
 
@@ -39,10 +39,10 @@ const std::vector<std::string> detrendings = {"constant", "linear", "quadratic",
 constexpr std::size_t least_samples = 8, most_lines = 5;
 constexpr double tolerated_unevenness = 1e-3;
 
-spectrum::LockInOptions options_of(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
+signals::LockInOptions options_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
   const auto degree =
       std::find(detrendings.begin(), detrendings.end(), arguments.detrend) - detrendings.begin();
-  spectrum::LockInOptions options;
+  signals::LockInOptions options;
   options.frequency = arguments.frequency;
   options.duration = series.duration();
   options.drift_degree = degree > 3 ? 0 : int(degree);
@@ -53,7 +53,7 @@ spectrum::LockInOptions options_of(const SpectrumArguments& arguments, const spe
 }
 
 // A frequency about which the record says nothing is refused.
-void check_frequency(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
+void check_frequency(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
   if (arguments.frequency == 0) return;
   const double half_rate = 0.5 / series.mean_step();
   if (arguments.frequency >= half_rate)
@@ -74,13 +74,13 @@ std::string density_unit(const std::string& unit) {
 }
 
 // Lines with their frequencies as given have no error of these.
-bool is_given(const spectrum::FoundLine& line) { return line.frequency_error == 0; }
+bool is_given(const signals::FoundLine& line) { return line.frequency_error == 0; }
 
-bool decay(const std::vector<spectrum::FoundLine>& lines) {
+bool decay(const std::vector<signals::FoundLine>& lines) {
   return std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.quality > 0; });
 }
 
-void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& series, double unevenness,
+void print_head(const SpectrumArguments& arguments, const signals::TimeSeries& series, double unevenness,
                 bool with_quality) {
   fmt::print("{}: {}, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
              with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
@@ -92,7 +92,7 @@ void print_head(const SpectrumArguments& arguments, const spectrum::TimeSeries& 
              with_quality ? fmt::format(" {:>18} {:>18}", "Q", "error") : "");
 }
 
-void print_line(const spectrum::FoundLine& line) {
+void print_line(const signals::FoundLine& line) {
   const auto text = [](double number, bool is_known) {
     return is_known ? fmt::format("{:.10g}", number) : std::string("-");
   };
@@ -103,8 +103,8 @@ void print_line(const spectrum::FoundLine& line) {
   fmt::print("\n");
 }
 
-spectrum::LockInResult harmonics_of(const SpectrumArguments& arguments, const spectrum::TimeSeries& series) {
-  using spectrum::Detrending;
+signals::LockInResult harmonics_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
+  using signals::Detrending;
   const auto detrending =
       arguments.detrend == "period-average" ? Detrending::period_average : Detrending::polynomial;
   try {
@@ -114,9 +114,9 @@ spectrum::LockInResult harmonics_of(const SpectrumArguments& arguments, const sp
   }
 }
 
-std::vector<spectrum::FoundLine> lines_of(const SpectrumArguments& arguments,
-                                          const spectrum::TimeSeries& series,
-                                          const spectrum::AmplitudeSpectrum& amplitudes) {
+std::vector<signals::FoundLine> lines_of(const SpectrumArguments& arguments,
+                                          const signals::TimeSeries& series,
+                                          const signals::AmplitudeSpectrum& amplitudes) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   ProgressBar bar(arguments.quiet);
@@ -126,22 +126,22 @@ std::vector<spectrum::FoundLine> lines_of(const SpectrumArguments& arguments,
 }
 
 // Prints the lines and returns them.
-std::vector<spectrum::FoundLine> report_lines(const SpectrumArguments& arguments,
-                                              const spectrum::TimeSeries& series,
-                                              const spectrum::AmplitudeSpectrum& amplitudes,
+std::vector<signals::FoundLine> report_lines(const SpectrumArguments& arguments,
+                                              const signals::TimeSeries& series,
+                                              const signals::AmplitudeSpectrum& amplitudes,
                                               double unevenness) {
-  std::vector<spectrum::FoundLine> lines;
+  std::vector<signals::FoundLine> lines;
   if (!(arguments.frequency > 0)) {
     lines = lines_of(arguments, series, amplitudes);
     print_head(arguments, series, unevenness, decay(lines));
-    for (const spectrum::FoundLine& line : lines) print_line(line);
+    for (const signals::FoundLine& line : lines) print_line(line);
     if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
     return lines;
   }
-  const spectrum::LockInResult result = harmonics_of(arguments, series);
+  const signals::LockInResult result = harmonics_of(arguments, series);
   print_head(arguments, series, unevenness, false);
   for (std::size_t k = 0; k < result.harmonics; ++k)
-    print_line(lines.emplace_back(spectrum::FoundLine{result.lines[k]}));
+    print_line(lines.emplace_back(signals::FoundLine{result.lines[k]}));
   fmt::print("mean {:.10g}, rms of the rest {:.10g}, noise density at {:.10g} Hz {:.10g} {}\n", result.mean,
              result.residual_rms, arguments.frequency, result.lines[0].noise_density,
              density_unit(series.unit));
@@ -152,18 +152,18 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path(arguments.csv).parent_path() : fs::path(arguments.out);
   const SpectrumFiles files(folder, arguments.csv, arguments.overwrite);
-  const spectrum::TimeSeries series =
-      spectrum::read_time_series(arguments.csv, arguments.column, least_samples);
+  const signals::TimeSeries series =
+      signals::read_time_series(arguments.csv, arguments.column, least_samples);
   if (series.cut_line > 0)
     report_warning(fmt::format("{}: {}", arguments.csv, warning_of_cut_line(series.cut_line)));
   check_frequency(arguments, series);
-  const double unevenness = spectrum::unevenness(series.times);
-  const spectrum::AmplitudeSpectrum amplitudes =
+  const double unevenness = signals::unevenness(series.times);
+  const signals::AmplitudeSpectrum amplitudes =
       unevenness > tolerated_unevenness
-          ? spectrum::amplitude_spectrum(series.mean_step(),
-                                         spectrum::at_equal_steps(series.times, series.values))
-          : spectrum::amplitude_spectrum(series.mean_step(), series.values);
-  const std::vector<spectrum::FoundLine> lines = report_lines(arguments, series, amplitudes, unevenness);
+          ? signals::amplitude_spectrum(series.mean_step(),
+                                         signals::at_equal_steps(series.times, series.values))
+          : signals::amplitude_spectrum(series.mean_step(), series.values);
+  const std::vector<signals::FoundLine> lines = report_lines(arguments, series, amplitudes, unevenness);
   if (unevenness > tolerated_unevenness)
     report_warning(fmt::format(
         "{}: the steps differ, so {} is of straight lines between samples; lines above are of the samples "
@@ -173,21 +173,21 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   return ExitStatus::success;
 }
 
-std::vector<sound::Road> roads_of(const std::string& by) {
-  using enum sound::Road;
+std::vector<spectrum::Road> roads_of(const std::string& by) {
+  using enum spectrum::Road;
   if (by == "all") return {linear, pulse, sweep};
   return {by == "linear" ? linear : by == "pulse" ? pulse : sweep};  // the default
 }
 
 ExitStatus measure(const SpectrumArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  return report_measurement(arguments.quiet, [&](sound::MeasurementOptions options) {
+  return report_measurement(arguments.quiet, [&](spectrum::MeasurementOptions options) {
     options.out = arguments.out;
     options.overwrite = arguments.overwrite;
     options.threads = arguments.threads;
     options.roads = roads_of(arguments.by);
-    if (arguments.resume) return sound::resume_measurement(options, host);
-    return sound::measure(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+    if (arguments.resume) return spectrum::resume_measurement(options, host);
+    return spectrum::measure(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
   });
 }
 

@@ -19,10 +19,10 @@ void refuse_changes(const ResumeArguments& arguments, const char* results) {
 
 ExitStatus resume(const ResumeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  if (sound::is_measurement(arguments.directory)) {
+  if (spectrum::is_measurement(arguments.directory)) {
     refuse_changes(arguments, "spectrum");
-    return report_measurement(arguments.quiet, [&](sound::MeasurementOptions options) {
-      return sound::resume_measurement(in_place_of(arguments, options), host);
+    return report_measurement(arguments.quiet, [&](spectrum::MeasurementOptions options) {
+      return spectrum::resume_measurement(in_place_of(arguments, options), host);
     });
   }
   refuse_changes(arguments, "response");

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <fftw3.h>
+#include <span>
+
+namespace scree::signals {
+
+// Discrete Fourier transform of real values, X_k = sum of x_j exp(-2 pi i j k / n), in place. Planned without measuring, so that
+// the same values give the same bits. FFTW's planner serves one thread at a time.
+class Fourier {
+ public:
+  explicit Fourier(std::size_t count);
+  ~Fourier();
+  Fourier(const Fourier&) = delete;
+  Fourier& operator=(const Fourier&) = delete;
+
+  // Set before each transform, which overwrites it.
+  std::span<double> values() { return {values_, count_}; }
+  // count / 2 + 1 numbers, valid until values() is set again.
+  std::span<const std::complex<double>> transform();
+
+ private:
+  std::size_t count_;
+  double* values_;
+  fftw_plan plan_;
+};
+
+}  // namespace scree::signals

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+
+#include <scree/pictures/arrow_field.hpp>
+#include <scree/pictures/chart_spec.hpp>
+#include <scree/pictures/frame.hpp>
+#include <scree/pictures/picture.hpp>
+#include <scree/pictures/render_options.hpp>
+
+namespace scree::pictures {
+
+// Incremented when this interface or a struct in it changes; loader and library must have the same version.
+inline constexpr int backend_version = 3;
+
+// Reads and writes frames and draws pictures. Not thread-safe. The directory of a file is created, but none above; a file gets
+// its final name only when it is complete. Every function throws scree::Error with path and cure.
+class SnapshotBackend {
+ public:
+  virtual ~SnapshotBackend() = default;
+
+  // Writes particles_<step>.vtp and contacts_<step>.vtp (ten digits) and adds them to particles.pvd and
+  // contacts.pvd. An existing series in the directory is continued; a frame of the same step is replaced.
+  virtual void write_frame(const Frame& frame, const std::filesystem::path& directory) = 0;
+
+  // Reads a frame from a particles file and, if it exists, the contacts file in the same directory. The time
+  // is taken from particles.pvd if the file has none.
+  virtual Frame read_frame(const std::filesystem::path& particles_file) = 0;
+
+  // Draws the frame to a PNG file. Orthographic: the box of the scene fits the panel left of the colour bar.
+  virtual void render(const Frame& frame, const RenderOptions& options,
+                      const std::filesystem::path& png_file) = 0;
+
+  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and pale.
+  virtual void render_arrows(const Frame& frame, const ArrowField& arrows, const RenderOptions& options,
+                             const std::filesystem::path& png_file) = 0;
+
+  // Draws a chart to a PNG file.
+  virtual void chart(const ChartSpec& spec, const std::filesystem::path& png_file) = 0;
+
+  // Pixels of a PNG file; transparency is dropped.
+  virtual Picture read_png(const std::filesystem::path& png_file) = 0;
+};
+
+}  // namespace scree::pictures

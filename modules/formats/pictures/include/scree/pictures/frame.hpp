@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scree::pictures {
+
+// A flat wall; the particles are on the side to which the normal points.
+struct Wall {
+  std::string name;
+  std::array<double, 3> point{};   // (m) any point of the plane
+  std::array<double, 3> normal{};  // unit vector, towards the particles
+};
+
+// State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0.
+// id, radius and position always have N entries; the other particle columns have N entries, or none if the
+// scene lacks the quantity. Contact columns have C entries each.
+struct Frame {
+  double time = 0;  // (s)
+  std::uint64_t step = 0;
+  int dimension = 3;  // 2 or 3
+  std::string title;
+
+  std::vector<std::int64_t> id;
+  std::vector<double> radius;    // (m)
+  std::vector<double> position;  // (m) (3N)
+  std::vector<std::int32_t> material;
+  std::vector<std::int32_t> coordination;  // number of contacts of the particle
+  std::vector<double> velocity;            // (m/s) (3N)
+  std::vector<double> spin;                // (rad/s) (3N)
+  std::vector<double> force;               // (N) (3N) resultant
+
+  // A contact is a line between two centres, or between a centre and its projection onto a wall.
+  std::vector<double> contact_from;              // (m) (3C)
+  std::vector<double> contact_to;                // (m) (3C)
+  std::vector<double> contact_normal_force;      // (N)
+  std::vector<double> contact_tangential_force;  // (N)
+  std::vector<double> contact_overlap;           // (m)
+  std::vector<std::uint8_t> contact_sliding;     // 0 or 1
+
+  std::vector<Wall> walls;
+  std::array<double, 3> lower{};  // (m) corner of the scene; fixes the camera for all frames.
+  std::array<double, 3>
+      upper{};  // (m) opposite corner; if upper <= lower the camera is fitted to the particles
+
+  std::size_t particle_count() const { return radius.size(); }
+  std::size_t contact_count() const { return contact_normal_force.size(); }
+};
+
+}  // namespace scree::pictures

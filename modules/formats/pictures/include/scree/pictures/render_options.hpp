@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scree::pictures {
+
+inline constexpr std::array<std::string_view, 6> color_fields = {"radius",       "speed", "spin",
+                                                                 "coordination", "force", "id"};
+inline constexpr std::array<std::string_view, 4> view_names = {"iso", "x", "y", "z"};
+
+// Options for drawing a frame.
+struct RenderOptions {
+  int width = 1200;                 // (pixels) 200 to 8000
+  int height = 900;                 // (pixels) 200 to 8000
+  std::string color_by = "radius";  // one of color_fields; vectors are shown by magnitude
+  std::string view;                 // one of view_names; empty: iso. In 2D always z
+  bool show_contacts = false;  // as bars; in 3D the spheres are drawn smaller so that the bars are visible
+  bool show_walls = true;
+  std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range in this frame
+  double time_spacing =
+      0;  // (s) between pictures; the time is shown to a hundredth of it, or with six digits if it is 0
+};
+
+}  // namespace scree::pictures

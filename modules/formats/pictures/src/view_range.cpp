@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+
+#include <scree/pictures/view_range.hpp>
+
+namespace scree::pictures {
+
+namespace {
+
+std::vector<double> magnitudes(const std::vector<double>& vectors) {
+  std::vector<double> values(vectors.size() / 3);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = std::hypot(vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]);
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> color_values(const Frame& frame, const std::string& color_by) {
+  if (color_by == "radius") return frame.radius;
+  if (color_by == "speed") return magnitudes(frame.velocity);
+  if (color_by == "spin") return magnitudes(frame.spin);
+  if (color_by == "force") return magnitudes(frame.force);
+  if (color_by == "coordination") return {frame.coordination.begin(), frame.coordination.end()};
+  return {frame.id.begin(), frame.id.end()};
+}
+
+void ViewRange::add_colors(const Frame& frame) {
+  for (const double value : color_values(frame, color_by_))
+    if (std::isfinite(value)) extend_colors({value, value});
+}
+
+void ViewRange::extend_colors(const std::array<double, 2>& extent) {
+  if (!colors_) colors_ = extent;
+  colors_ = {std::min((*colors_)[0], extent[0]), std::max((*colors_)[1], extent[1])};
+}
+
+void ViewRange::add_box(const Frame& frame) {
+  for (std::size_t k = 0; k < std::size_t(frame.dimension); ++k) {
+    if (frame.lower[k] < frame.upper[k]) add_extent(k, frame.lower[k], frame.upper[k]);
+    for (std::size_t i = 0; i < frame.particle_count(); ++i)
+      add_extent(k, frame.position[3 * i + k] - frame.radius[i], frame.position[3 * i + k] + frame.radius[i]);
+    for (const Wall& wall : frame.walls)
+      if (std::abs(wall.normal[k]) > 0.999) add_extent(k, wall.point[k], wall.point[k]);
+  }
+}
+
+void ViewRange::add_extent(std::size_t axis, double low, double high) {
+  if (!std::isfinite(low) || !std::isfinite(high)) return;
+  lower_[axis] = empty_[axis] ? low : std::min(lower_[axis], low);
+  upper_[axis] = empty_[axis] ? high : std::max(upper_[axis], high);
+  empty_[axis] = false;
+}
+
+std::optional<std::array<double, 2>> ViewRange::colors() const {
+  return colors_ && (*colors_)[0] < (*colors_)[1] ? colors_ : std::nullopt;
+}
+
+}  // namespace scree::pictures

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <scree/pictures/frame.hpp>
+#include <scree/pictures/render_options.hpp>
+
+namespace scree::pictures {
+
+// Colour of the viridis map, perceptually uniform; t in 0..1, clamped; grey for NaN.
+std::array<std::uint8_t, 3> viridis(double t);
+
+// One value per particle and its colour map.
+struct ColorField {
+  std::string title;  // with the unit of values, lower and upper
+  std::vector<double> values;
+  double lower;
+  double upper;
+  bool whole_numbers;
+  double paleness = 0;  // share of white in the colours, 0 to 1
+
+  // Colour at a share of the range, 0 to 1.
+  std::array<std::uint8_t, 3> color_at(double share) const;
+  std::array<std::uint8_t, 3> color(std::size_t particle) const {
+    return color_at((values[particle] - lower) / (upper - lower));
+  }
+};
+
+// Throws scree::Error for an unknown field or one that is absent from the frame.
+ColorField color_field(const Frame& frame, const RenderOptions& options);
+
+}  // namespace scree::pictures

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <scree/pictures/frame.hpp>
+
+class vtkRenderer;
+
+namespace scree::pictures {
+
+// Adds the contacts as bars with a width proportional to the normal force; sliding contacts are red.
+void add_contacts(vtkRenderer* renderer, const Frame& frame);
+
+// Explanation of the bars, for the caption.
+std::string contact_note(const Frame& frame);
+
+}  // namespace scree::pictures

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <scree/pictures/frame.hpp>
+
+class vtkRenderer;
+
+namespace scree::pictures {
+
+using Point = std::array<double, 3>;
+
+double dot(const Point& a, const Point& b);
+Point cross(const Point& a, const Point& b);
+Point normalised(const Point& a);
+Point moved(const Point& from, double distance, const Point& direction);
+
+// Region that a picture shows (m).
+struct SceneBox {
+  Point lower;
+  Point upper;
+
+  Point center() const;
+  double diagonal() const;
+  std::array<Point, 8> corners() const;
+};
+
+// The box of the frame, or of its particles if it has none, enlarged to include near-by walls.
+SceneBox scene_box(const Frame& frame);
+
+// Unit vectors of the picture: right, up, and towards the viewer.
+struct ViewAxes {
+  Point right;
+  Point up;
+  Point toward;
+};
+
+// x: from +x; y: from -y, so that x points right; z: from +z. Throws scree::Error for an unknown name.
+ViewAxes view_axes(const std::string& view, int dimension);
+
+// Orthographic: the box fits the panel.
+struct SceneCamera {
+  ViewAxes axes;
+  Point center;        // (m) in the middle of the panel
+  double half_height;  // (m) from the centre to the upper edge of the panel
+  double distance;     // (m) of the camera from the centre
+
+  // aspect: width / height of the panel.
+  static SceneCamera fitting(const SceneBox& box, const ViewAxes& axes, double aspect);
+
+  // Sets camera and lights of the renderer.
+  void apply(vtkRenderer* renderer) const;
+};
+
+}  // namespace scree::pictures

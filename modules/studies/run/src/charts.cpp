@@ -1,0 +1,153 @@
+#include "sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/document/document.hpp>
+#include <scree/error.hpp>
+#include <scree/files/csv_rows.hpp>
+#include <scree/run/charts.hpp>
+#include <scree/run/series_column.hpp>
+#include <scree/run/written_files.hpp>
+#include <scree/scenario/charts.hpp>
+#include <scree/pictures/load_backend.hpp>
+#include <scree/pictures/scaled_unit.hpp>
+
+namespace scree::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Column = std::vector<double> pictures::ChartSeries::*;
+
+// Gives the values of an axis a suitable prefix; returns the label with the unit.
+std::string scale_axis(pictures::ChartSpec& chart, Column column, const std::string& label,
+                       const std::string& unit) {
+  double largest = 0;
+  for (const pictures::ChartSeries& series : chart.series)
+    for (const double value : series.*column)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  const pictures::ScaledUnit scaled = pictures::scaled_unit(largest, unit);
+  for (pictures::ChartSeries& series : chart.series)
+    for (double& value : series.*column) value *= scaled.factor;
+  if (unit.empty()) return label;
+  return label.empty() ? scaled.symbol : fmt::format("{} ({})", label, scaled.symbol);
+}
+
+}  // namespace
+
+pictures::ChartSpec chart_of(const scenario::ChartPlan& plan, const ColumnOf& column) {
+  pictures::ChartSpec chart;
+  chart.title = plan.title;
+  chart.log_x = plan.log_x;
+  chart.log_y = plan.log_y;
+  for (const scenario::CurvePlan& curve : plan.curves)
+    if (std::vector<double> x = column(curve.probe, curve.x); !x.empty())
+      chart.series.push_back({curve.name, std::move(x), column(curve.probe, curve.y)});
+  chart.x_label = scale_axis(chart, &pictures::ChartSeries::x, plan.x_label, plan.x_unit);
+  chart.y_label = scale_axis(chart, &pictures::ChartSeries::y, plan.y_label, plan.y_unit);
+  if (chart.series.empty()) throw Error("its probe has no samples; add a stage in which it samples");
+  return chart;
+}
+
+namespace {
+
+// Columns of a chart whose first value has no logarithm on its axis.
+std::vector<std::string> without_logarithm(const scenario::ChartPlan& chart, const Sampler& sampler) {
+  std::vector<std::string> found;
+  const auto look = [&](bool logarithmic, const scenario::CurvePlan& curve, const std::string& name) {
+    const Series& series = sampler.series(curve.probe);
+    if (!logarithmic || series.rows() == 0 || series.column(name)[0] > 0) return;
+    if (std::find(found.begin(), found.end(), name) == found.end()) found.push_back(name);
+  };
+  for (const scenario::CurvePlan& curve : chart.curves) {
+    look(chart.log_x, curve, curve.x);
+    look(chart.log_y, curve, curve.y);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> left_out_at_start(const scenario::Plan& plan, const Simulation& simulation) {
+  const auto is_logarithmic = [](const scenario::ChartPlan& chart) { return chart.log_x || chart.log_y; };
+  std::vector<std::string> lines;
+  if (plan.stages.empty() || std::none_of(plan.charts.begin(), plan.charts.end(), is_logarithmic))
+    return lines;
+  Sampler sampler(plan);
+  sampler.open();
+  sampler.sample(simulation, plan.stages.front().name, 0);
+  for (const scenario::ChartPlan& chart : plan.charts)
+    if (const auto columns = without_logarithm(chart, sampler); !columns.empty())
+      lines.push_back(fmt::format(
+          "chart {}: at t = {:g} s there is no logarithm of {}, so that these points are left out",
+          chart.name, simulation.time(), fmt::join(columns, ", ")));
+  return lines;
+}
+
+namespace {
+
+std::vector<scenario::ProbeColumns> columns_in(const fs::path& run) {
+  const fs::path folder = run / "series";
+  std::set<fs::path> series;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".csv") series.insert(entry.path());
+  if (series.empty())
+    throw Error(
+        fmt::format("{}: contains no series/*.csv; give the directory of a run with probes", run.string()));
+  std::vector<scenario::ProbeColumns> probes;
+  for (const fs::path& file : series) {
+    probes.push_back({file.stem().string(), {}, {}});
+    const files::CsvRows rows(file);
+    for (const files::CsvRows::Column& column : rows.columns()) {
+      probes.back().names.push_back(column.name);
+      probes.back().units.push_back(column.unit);
+    }
+  }
+  return probes;
+}
+
+// Charts of the run itself are drawn again; other files are replaced only if that is asked for.
+fs::path place_of(const ChartRequest& request, std::optional<WrittenFiles>& list, const std::string& file) {
+  if (list && list->contains("charts/" + file)) return request.run / "charts" / file;
+  const fs::path path = (list ? request.run / "charts" : request.out) / file;
+  std::error_code failed;
+  if (!request.overwrite && fs::exists(fs::symlink_status(path, failed)))
+    throw Error(fmt::format("{}: is there already; give another --out, or --overwrite", path.string()));
+  return list ? list->add("charts/" + file) : path;
+}
+
+}  // namespace
+
+void redraw_charts(const ChartRequest& request, const std::function<void(const fs::path&)>& drawn) {
+  const fs::path scenario = request.scenario.empty() ? request.run / "scenario.toml" : request.scenario;
+  const std::vector<scenario::ProbeColumns> probes = columns_in(request.run);
+  const document::Document document = document::Document::load(scenario, request.overrides);
+  const std::vector<scenario::ChartPlan> charts = scenario::read_charts(document.root(), probes);
+  for (const document::Table& chart : document.root().tables("chart")) chart.refuse_unused();
+  if (charts.empty())
+    throw Error(
+        fmt::format("{}: has no [[chart]]; add one, or name a scenario that has some", scenario.string()));
+  const ColumnOf column = [&](const std::string& probe, const std::string& name) {
+    return series_column(request.run / "series" / (probe + ".csv"), name, "wait until the run ends");
+  };
+  std::optional<WrittenFiles> written;
+  if (request.out.empty()) written.emplace(request.run);
+  std::vector<fs::path> places;
+  for (const scenario::ChartPlan& chart : charts)
+    places.push_back(place_of(request, written, chart.name + ".png"));
+  const auto backend = pictures::load_backend();
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    backend->chart(chart_of(charts[k], column), places[k]);
+    drawn(places[k]);
+  }
+}
+
+}  // namespace scree::run

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+
+#include <scree/body_bounds.hpp>
+#include <scree/run/frame_of.hpp>
+
+namespace scree::run {
+
+namespace {
+
+// (3N) from columns; zeros for columns that the scene lacks.
+std::vector<double> interleave(const Vectors<const double>& vectors, std::size_t count) {
+  std::vector<double> all(3 * count, 0.0);
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < vectors[k].size(); ++i) all[3 * i + std::size_t(k)] = vectors[k][i];
+  return all;
+}
+
+void add_bodies(const Particles& p, pictures::Frame& frame) {
+  frame.id.assign(p.id.begin(), p.id.end());
+  frame.radius.assign(p.radius().begin(), p.radius().end());
+  frame.material.assign(p.material.begin(), p.material.end());
+  frame.position = interleave(p.position(), p.size());
+  frame.velocity = interleave(p.velocity(), p.size());
+  frame.force = interleave(p.force(), p.size());
+  if (p.has_spin()) frame.spin = interleave(p.spin(), p.size());
+}
+
+void add_contacts(const Simulation& s, pictures::Frame& frame) {
+  const Particles& p = s.particles();
+  const ContactList list = s.contact_list();
+  frame.coordination.assign(p.size(), 0);
+  for (std::size_t c = 0; c < list.size(); ++c) {
+    const std::uint32_t a = list.a[c], b = list.b[c];
+    const bool wall = b >= p.size();
+    ++frame.coordination[a];
+    if (!wall) ++frame.coordination[b];
+    const double distance = p.radius()[a] + (wall ? 0 : p.radius()[b]) - list.overlap[c];
+    double normal_force = 0, square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double from = frame.position[3 * a + k], n = list.normal[3 * c + k], f = list.force[3 * c + k];
+      frame.contact_from.push_back(from);
+      frame.contact_to.push_back(from - distance * n);
+      normal_force += f * n;
+      square += f * f;
+    }
+    frame.contact_normal_force.push_back(normal_force);
+    frame.contact_tangential_force.push_back(std::sqrt(std::max(0.0, square - normal_force * normal_force)));
+    frame.contact_overlap.push_back(list.overlap[c]);
+    frame.contact_sliding.push_back(list.sliding[c]);
+  }
+}
+
+}  // namespace
+
+SceneBox scene_box(const Simulation& s) {
+  SceneBox box;
+  std::vector<Body> present;
+  for (std::size_t i = 0; i < s.particles().size(); ++i) present.push_back(s.particles().body(i));
+  const BodyBounds bodies = bounds_of(present, s.dimension());
+  for (std::size_t k = 0; k < std::size_t(s.dimension()); ++k) {
+    double low = bodies.lower[int(k)], high = bodies.upper[int(k)];
+    for (const scree_plane& plane : s.planes())
+      if (std::abs(plane.normal[k]) > 0.999)
+        low = std::min(low, plane.point[k]), high = std::max(high, plane.point[k]);
+    const Domain& domain = s.domain();
+    if (domain.periodic[k])
+      low = std::min(low, domain.lower[int(k)]), high = std::max(high, domain.upper[int(k)]);
+    box.lower[k] = low, box.upper[k] = high;
+  }
+  return box;
+}
+
+SceneBox next_view(const SceneBox& shown, const SceneBox& scene) {
+  constexpr double well_filled = 0.7, room = 0.15;
+  const auto extent = [](const SceneBox& box, std::size_t k) { return box.upper[k] - box.lower[k]; };
+  double largest = 0, largest_shown = 0;
+  bool outgrown = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    largest = std::max(largest, extent(scene, k));
+    largest_shown = std::max(largest_shown, extent(shown, k));
+    const double slack = 1e-3 * extent(shown, k);
+    outgrown |= scene.lower[k] < shown.lower[k] - slack || scene.upper[k] > shown.upper[k] + slack;
+  }
+  if (largest_shown == 0) return scene;
+  if (!outgrown && largest >= well_filled * largest_shown) return shown;
+  SceneBox next = scene;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (scene.lower[k] < shown.lower[k]) next.lower[k] -= room * extent(scene, k);
+    if (scene.upper[k] > shown.upper[k]) next.upper[k] += room * extent(scene, k);
+  }
+  return next;
+}
+
+pictures::Frame frame_of(const Simulation& s, const std::string& title, const SceneBox& box) {
+  pictures::Frame frame;
+  frame.time = s.time();
+  frame.step = s.steps();
+  frame.dimension = s.dimension();
+  frame.title = title;
+  add_bodies(s.particles(), frame);
+  add_contacts(s, frame);
+  for (std::size_t w = 0; w < s.planes().size(); ++w) {
+    const scree_plane& plane = s.planes()[w];
+    frame.walls.push_back({s.plane_names()[w],
+                           {plane.point[0], plane.point[1], plane.point[2]},
+                           {plane.normal[0], plane.normal[1], plane.normal[2]}});
+  }
+  frame.lower = box.lower;
+  frame.upper = box.upper;
+  return frame;
+}
+
+}  // namespace scree::run

@@ -1,0 +1,103 @@
+#include "pictures.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/run/charts.hpp>
+#include <scree/pictures/frame_files.hpp>
+#include <scree/pictures/load_backend.hpp>
+
+namespace scree::run {
+
+Pictures::Pictures(const scenario::Plan& plan, const RunDirectory& directory)
+    : plan_(plan), directory_(directory), range_(plan.snapshot.color_by) {
+  if (plan.snapshot.any()) backend();
+}
+
+pictures::SnapshotBackend& Pictures::backend() {
+  if (!backend_) backend_ = pictures::load_backend();
+  return *backend_;
+}
+
+std::uint64_t Pictures::take(const Simulation& s, std::uint64_t steps) {
+  const auto due = [&](const std::optional<double>& every) {
+    return every && is_due(steps, *every, s.step_length());
+  };
+  if (due(plan_.snapshot.every)) write_snapshot(s);
+  if (due(plan_.snapshot.image_every)) write_image(s);
+  return next(s, steps);
+}
+
+std::uint64_t Pictures::next(const Simulation& s, std::uint64_t steps) const {
+  const auto next = [&](const std::optional<double>& every) {
+    return every ? next_due(steps, *every, s.step_length()) : never;
+  };
+  return std::min(next(plan_.snapshot.every), next(plan_.snapshot.image_every));
+}
+
+void Pictures::transfer(const StateTransfer& state) {
+  std::vector<double> colors;
+  if (const auto& range = range_.color_extent()) colors.assign(range->begin(), range->end());
+  state.numbers("lower", "m", shown_.lower.data(), shown_.lower.size());
+  state.numbers("upper", "m", shown_.upper.data(), shown_.upper.size());
+  state.rows("colors", "", colors);
+  state.value("last_snapshot", "1", last_snapshot_);
+  state.value("last_image", "1", last_image_);
+  if (state.restoring() && colors.size() == 2) range_.extend_colors({colors[0], colors[1]});
+}
+
+void Pictures::take_last(const Simulation& s) {
+  if (plan_.snapshot.every) write_snapshot(s);
+  if (plan_.snapshot.image_every) write_image(s);
+}
+
+void Pictures::write_snapshot(const Simulation& s) {
+  if (s.steps() == last_snapshot_) return;
+  last_snapshot_ = s.steps();
+  for (const char* kind : pictures::frame_kinds)
+    directory_.add("snapshots/" + pictures::frame_file(kind, s.steps())),
+        directory_.add("snapshots/" + pictures::frame_index(kind));
+  backend().write_frame(frame_of(s, plan_.title, scene_box(s)), directory_.path() / "snapshots");
+}
+
+void Pictures::write_image(const Simulation& s) {
+  if (s.steps() == last_image_) return;
+  last_image_ = s.steps();
+  pictures::RenderOptions options;
+  options.width = plan_.snapshot.width;
+  options.height = plan_.snapshot.height;
+  options.color_by = plan_.snapshot.color_by;
+  options.view = plan_.snapshot.view;
+  options.show_contacts = plan_.snapshot.show_contacts;
+  options.time_spacing = *plan_.snapshot.image_every;
+  shown_ = next_view(shown_, scene_box(s));
+  const pictures::Frame frame = frame_of(s, plan_.title, shown_);
+  range_.add_colors(frame);
+  options.color_range = plan_.snapshot.color_range ? plan_.snapshot.color_range : range_.colors();
+  backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));
+}
+
+void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
+  const pictures::ChartSpec chart = chart_of(plan, [&](const std::string& probe, const std::string& column) {
+    const Series& series = sampler.series(probe);
+    return series.rows() > 0 ? series.column(column) : std::vector<double>();
+  });
+  backend().chart(chart, directory_.add("charts/" + plan.name + ".png"));
+}
+
+void Pictures::draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report) {
+  for (const scenario::ChartPlan& chart : plan_.charts) {
+    try {
+      draw(chart, sampler);
+    } catch (const std::exception& error) {
+      if (report)
+        report(fmt::format(
+            "chart '{}' was not drawn: {}; scree render {} --charts --set chart.{}.KEY=VALUE draws it again",
+            chart.name, error.what(), directory_.path().string(), chart.name));
+    }
+  }
+}
+
+}  // namespace scree::run

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sampler.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <scree/run/frame_of.hpp>
+#include <scree/run/run_directory.hpp>
+#include <scree/scenario/plan.hpp>
+#include <scree/simulation.hpp>
+#include <scree/pictures/backend.hpp>
+#include <scree/pictures/view_range.hpp>
+
+namespace scree::run {
+
+// Snapshots, images and charts of a run. VTK is loaded only if the plan has any.
+class Pictures {
+ public:
+  // Throws Error if VTK is needed and cannot be loaded.
+  Pictures(const scenario::Plan& plan, const RunDirectory& directory);
+
+  // Writes what is due `steps` after the start of a stage. Returns the step count of the next output.
+  std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
+  // Step count after the start of a stage at which the next output is due.
+  std::uint64_t next(const Simulation& simulation, std::uint64_t steps) const;
+  // What the next pictures take from the last: their frame and the range of their colours.
+  void transfer(const StateTransfer& state);
+  // Writes the final state, if the plan has snapshots or images.
+  void take_last(const Simulation& simulation);
+  // Draws the charts; one that cannot be drawn is reported and skipped.
+  void draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report);
+
+ private:
+  void write_snapshot(const Simulation& simulation);
+  void write_image(const Simulation& simulation);
+  void draw(const scenario::ChartPlan& chart, const Sampler& sampler);
+  pictures::SnapshotBackend& backend();
+
+  const scenario::Plan& plan_;
+  const RunDirectory& directory_;
+  std::shared_ptr<pictures::SnapshotBackend> backend_;
+  SceneBox shown_;             // by the last picture
+  pictures::ViewRange range_;  // of the colours of all pictures so far
+  std::uint64_t last_snapshot_ = ~0ull, last_image_ = ~0ull;
+};
+
+}  // namespace scree::run

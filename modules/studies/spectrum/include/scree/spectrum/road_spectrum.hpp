@@ -1,0 +1,44 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <scree/scenario/peak_quantity.hpp>
+#include <scree/scenario/spectrum_plan.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree::spectrum {
+
+// A road to the response of a packing to a driven wall, by its place in scenario::road_names.
+enum class Road { linear, pulse, sweep };
+using scenario::road_names;
+
+// What a road found: response over drive at each frequency.
+struct RoadSpectrum {
+  struct Column {
+    // (unit of the column / m); e^(iωt), so that the phase is that by which the response precedes the drive.
+    std::vector<std::complex<double>> response;
+    std::vector<double> error;      // (the same) of |response|, by the means of the road
+    std::vector<double> linearity;  // (the same) change at half the amplitude; of a pulse only
+  };
+
+  std::string road;                 // "linear", "pulse", "sweep", "sweep_down"
+  std::vector<double> frequencies;  // (Hz) increasing
+  std::vector<Column> columns;      // as SpectrumPlan::observed
+  std::uint64_t steps = 0;
+  double wall = 0;                 // (s)
+  std::vector<std::string> notes;  // "<what>; <cure>"
+
+  // Place of the frequency next to this one (Hz). There is at least one.
+  std::size_t nearest(double frequency) const;
+
+  // Adds a note for each column of `observed` that is 0 at all frequencies.
+  void note_silent(const std::vector<scenario::ObservedColumn>& observed);
+
+  // observed: number of columns of a road that is restored, unless it has no frequencies.
+  void transfer(const StateTransfer& state, std::size_t observed);
+};
+
+}  // namespace scree::spectrum

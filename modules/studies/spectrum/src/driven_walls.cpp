@@ -1,0 +1,104 @@
+#include "driven_walls.hpp"
+
+#include "wave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/plugin/program.hpp>
+#include <scree/wall_equations.hpp>
+
+namespace scree::spectrum {
+
+namespace {
+
+Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
+
+// Velocity of each wall (m/s) at the start of a drive of this speed (m/s).
+std::vector<Vec3> velocities(Simulation& copy, const scenario::SpectrumPlan& plan, double speed) {
+  start_wave(copy, plan, {Program::ramp, 0, speed, 1});
+  std::vector<Vec3> all;
+  for (const scree_plane& plane : copy.planes()) all.push_back(vector(plane.velocity));
+  return all;
+}
+
+}  // namespace
+
+DrivenWalls::DrivenWalls(const Start& start) {
+  Simulation copy(start.scene, start.state);
+  const scenario::SpectrumPlan& plan = start.spectrum();
+  for (const scree_plane& plane : copy.planes()) at_rest_.push_back(vector(plane.point));
+  // Slow compared with any motion of the scene, since limits of speed hold for walls too.
+  const double speed = 2 * plan.from_hz * plan.amplitude;
+  const std::vector<Vec3> still = velocities(copy, plan, 0), moving = velocities(copy, plan, speed);
+  const WallEquations equations = copy.linear_walls();
+  for (std::size_t w = 0; w < still.size(); ++w) {
+    motion_.push_back((1 / speed) * (moving[w] - still[w]));
+    square_ += dot(motion_[w], motion_[w]);
+    const bool driven = dot(motion_[w], motion_[w]) > 0;
+    const scree_linear_plane& equation = equations.walls[w];
+    prescribed_ &= !driven || !equation.free;
+    if (driven && equation.free && equation.mass == 0 && equation.viscosity == 0)
+      throw Error(fmt::format(
+          "{}: a servo or massless wall keeps its load, so that '{}' of '{}' drives nothing; give the wall control = "
+          "\"force\" or \"stress\" with a mass, or drive the opposite wall",
+          plan.drive_place, plan.key, plan.boundary));
+  }
+  if (square_ == 0)
+    throw Error(
+        fmt::format("{}: '{}' of '{}' moves no wall with its present control; set the control that uses it",
+                    plan.drive_place, plan.key, plan.boundary));
+}
+
+double DrivenWalls::drive_of(const std::vector<scree_plane>& planes) const {
+  double sum = 0;
+  for (std::size_t w = 0; w < planes.size(); ++w)
+    sum += dot(motion_[w], vector(planes[w].point) - at_rest_[w]);
+  return sum / square_;
+}
+
+void check_amplitude(const Start& start) {
+  // Displacements in a step are smaller than the amplitude by the steps in a radian.
+  constexpr double least_share = 1000;
+  const Simulation simulation(start.scene, start.state);
+  double largest = 0;
+  for (const scree_plane& plane : simulation.planes())
+    for (const double x : plane.point) largest = std::max(largest, std::abs(x));
+  const Particles& p = simulation.particles();
+  for (int k = 0; k < simulation.dimension(); ++k)
+    for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, std::abs(p.position()[k][i]));
+  const double rounding = std::numeric_limits<double>::epsilon() * largest,
+               amplitude = start.spectrum().amplitude;
+  if (amplitude < least_share * rounding)
+    throw Error(fmt::format(
+        "{}: an amplitude of {:g} m is lost in the round-off of positions, {:.2g} m; give {:.2g} m or more, or "
+        "take the road linear",
+        start.spectrum().drive_place, amplitude, rounding, least_share * rounding));
+}
+
+void DrivenWalls::transfer(const StateTransfer& state) {
+  const auto vectors = [&](const char* name, const char* unit, std::vector<Vec3>& all) {
+    std::vector<double> numbers;
+    for (const Vec3& v : all) numbers.insert(numbers.end(), {v[0], v[1], v[2]});
+    state.rows(name, unit, numbers);
+    if (numbers.size() % 3) state.refuse(name, "does not have three numbers for each wall");
+    all.resize(numbers.size() / 3);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      all[k] = {{numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]}};
+  };
+  vectors("motion", "1", motion_);
+  vectors("at_rest", "m", at_rest_);
+  state.value("square", "1", square_, stored::positive);
+  state.value("prescribed", "", prescribed_);
+}
+
+void DrivenWalls::check_restored(const StateTransfer& state, std::size_t walls) const {
+  if (motion_.size() != walls || at_rest_.size() != walls)
+    state.refuse("at_rest", "or 'motion' does not have a vector for each wall");
+}
+
+}  // namespace scree::spectrum

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "start.hpp"
+
+#include <vector>
+
+namespace scree::spectrum {
+
+// How walls follow the drive.
+class DrivenWalls {
+ public:
+  DrivenWalls() = default;  // for transfer()
+  // From the velocities of walls in a copy of the simulation. Throws Error if the drive moves no wall.
+  explicit DrivenWalls(const Start& start);
+
+  // Displacement of each wall (m) for a drive of 1 m.
+  const std::vector<Vec3>& motion() const { return motion_; }
+  // Whether nothing but the drive moves them, so that the drive follows from their position.
+  bool are_prescribed() const { return prescribed_; }
+  // The drive (m) that follows from the position of the walls; only if they are prescribed.
+  double drive_of(const std::vector<scree_plane>& planes) const;
+  void transfer(const StateTransfer& state);
+  // Throws Error if a state had another number of walls.
+  void check_restored(const StateTransfer& state, std::size_t walls) const;
+
+ private:
+  std::vector<Vec3> motion_, at_rest_;
+  double square_ = 0;
+  bool prescribed_ = true;
+};
+
+// Throws Error if the amplitude of the wave is lost in the round-off of positions, so that a run cannot follow it.
+void check_amplitude(const Start& start);
+
+}  // namespace scree::spectrum

@@ -1,0 +1,97 @@
+#include "linear_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::spectrum {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// Largest displacement of a difference over the smallest radius: far above round-off of positions, far below contact sizes.
+constexpr double largest_share = 1e-3;
+
+// The plan with all columns of one probe observed.
+scenario::Plan observing(scenario::Plan plan, std::size_t probe) {
+  const std::vector<std::string> names = Probe(plan.probes[probe].parameters, plan.scene.dimension).names();
+  plan.spectrum->observed.clear();
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    scenario::ObservedColumn column;
+    column.probe = probe, column.column = c;
+    column.name = fmt::format("{}.{}", plan.probes[probe].name, names[c]);
+    plan.spectrum->observed.push_back(std::move(column));
+  }
+  return plan;
+}
+
+}  // namespace
+
+LinearColumns::LinearColumns(const scenario::Plan& plan, const Simulation& simulation,
+                             const std::vector<Vec3>& walls, const response::DegreesOfFreedom& freedom,
+                             double time_step)
+    : observer_(plan), view_(simulation, walls, freedom, time_step) {
+  rest_ = observer_.values(view_.at_rest());
+  for (std::size_t i = 0; i < simulation.particles().size(); ++i)
+    smallest_ =
+        i == 0 ? simulation.particles().radius()[i] : std::min(smallest_, simulation.particles().radius()[i]);
+  radius_ = Eigen::VectorXd::Ones(freedom.size());
+  for (std::size_t i = 0; i < freedom.bodies(); ++i)
+    for (int k = 0; k < freedom.spins(); ++k)
+      if (const Eigen::Index r = freedom.rotation(i, k); r != response::DegreesOfFreedom::none)
+        radius_[r] = simulation.particles().radius()[i];
+}
+
+std::pair<std::vector<Complex>, std::vector<double>> LinearColumns::along(
+    const response::HarmonicResponse& motion) {
+  // The wall moves by 1 m; rotations move surfaces by themselves times the radius.
+  const double furthest = motion.amplitude.cwiseAbs().cwiseProduct(radius_).maxCoeff();
+  const double share = largest_share * smallest_ / std::max(1.0, furthest);
+  const std::vector<Complex> whole = difference(motion, share);
+  const std::vector<Complex> half = difference(motion, 0.5 * share);
+  std::vector<double> change;
+  for (std::size_t c = 0; c < whole.size(); ++c) change.push_back(std::abs(whole[c] - half[c]));
+  return {whole, std::move(change)};
+}
+
+std::vector<Complex> LinearColumns::difference(const response::HarmonicResponse& motion, double share) {
+  using Part = DisplacedView::Part;
+  std::vector<Complex> sum(rest_.size());
+  for (const auto& [part, factor] : {std::pair{Part::real, Complex(1, 0)}, {Part::imaginary, Complex(0, 1)}})
+    for (const double sign : {1.0, -1.0}) {
+      const std::vector<double>& values = observer_.values(view_.displaced(motion, part, sign * share));
+      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += sign / (2 * share) * factor * values[c];
+    }
+  return sum;
+}
+
+bool is_of_motion(const scenario::ProbePlan& plan, int dimension) {
+  const Probe probe(plan.parameters, dimension);
+  return !probe.observes() && plan.inputs.empty() &&
+         !(probe.needs() & (SCREE_NEEDS_CONTACTS | SCREE_NEEDS_ENERGY));
+}
+
+std::vector<std::string> responding_columns(const scenario::Plan& plan, const Simulation& simulation,
+                                            const std::vector<Vec3>& walls,
+                                            const response::DegreesOfFreedom& freedom,
+                                            const response::HarmonicResponse& motion) {
+  std::vector<std::string> names;
+  for (std::size_t p = 0; p < plan.probes.size(); ++p) {
+    if (!is_of_motion(plan.probes[p], plan.scene.dimension)) continue;
+    const scenario::Plan all = observing(plan, p);
+    try {
+      const auto [derivatives, change] = LinearColumns(all, simulation, walls, freedom, 0).along(motion);
+      for (std::size_t c = 0; c < derivatives.size(); ++c)
+        if (std::abs(derivatives[c]) > 0) names.push_back(all.spectrum->observed[c].name);
+    } catch (const Error&) {
+      // A probe of what the scene lacks has no columns.
+    }
+  }
+  return names;
+}
+
+}  // namespace scree::spectrum

@@ -1,0 +1,120 @@
+#include "measurement_charts.hpp"
+
+#include "measurement_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include <fmt/format.h>
+
+#include <scree/pictures/load_backend.hpp>
+
+namespace scree::spectrum {
+
+namespace {
+
+constexpr std::size_t most_peaks = 6;  // of a chart
+
+bool is_sweep(const RoadSpectrum& road) { return road.road.starts_with("sweep"); }
+
+// In a chart with other roads, pulses are dashed lines over those below them.
+pictures::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double scale, bool beside_others) {
+  pictures::ChartSeries curve;
+  curve.name = road.road == "sweep_down" ? "sweep down" : road.road;
+  if (road.road == "pulse" && beside_others) curve.line = pictures::LineStyle::dashed;
+  if (is_sweep(road)) curve.line = pictures::LineStyle::none, curve.markers = true;
+  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
+    const double amplitude = std::abs(road.columns[c].response[k]);
+    if (!(amplitude > 0 && std::isfinite(amplitude))) continue;  // not possible on a logarithmic axis
+    curve.x.push_back(scale * road.frequencies[k]);
+    curve.y.push_back(amplitude);
+  }
+  return curve;
+}
+
+bool is_named(const Resonance& r) { return !name_of(r).empty(); }
+
+// Shapes of the peaks of the first road and column that have any with a name.
+void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
+  pictures::ChartSpec chart;
+  chart.title = m.title + ": shapes of the peaks";
+  chart.x_label = "layer, in the order of the probe";
+  chart.y_label = "displacement over the largest";
+  const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(), is_named);
+  for (const Resonance& r : m.resonances) {
+    if (r.road != first.road || r.column != first.column || !is_named(r)) continue;
+    if (chart.series.size() == most_peaks) break;
+    pictures::ChartSeries curve;
+    curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
+    for (std::size_t k = 0; k < r.shape.size(); ++k) curve.x.push_back(double(k + 1));
+    curve.y = r.shape;
+    curve.markers = true;
+    chart.series.push_back(std::move(curve));
+  }
+  pictures::load_backend()->chart(chart, directory.add("charts/shapes.png"));
+}
+
+// The named peaks of a column, by the first road that has any, as points of its curve.
+void add_peaks(const Measurement& m, std::size_t c, double scale, pictures::ChartSpec& chart) {
+  const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
+                                  [&](const Resonance& r) { return r.column == c && is_named(r); });
+  const std::size_t most = chart.series.size() + most_peaks;
+  for (auto r = first; r != m.resonances.end() && chart.series.size() < most; ++r) {
+    if (r->column != c || r->road != first->road || !is_largest_of_name(m, *r)) continue;
+    const RoadSpectrum& road = m.roads[r->road];
+    const double frequency = r->mode.frequency;
+    pictures::ChartSeries point;
+    point.name = fmt::format("{}, {:.5g} {}", name_of(*r), scale * frequency, scale < 1 ? "kHz" : "Hz");
+    point.x = {scale * road.frequencies[*r->maximum]};
+    point.y = {std::abs(road.columns[c].response[*r->maximum])};
+    point.line = pictures::LineStyle::none, point.markers = true;
+    chart.series.push_back(std::move(point));
+  }
+}
+
+// The curves of all roads of a column.
+void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& directory) {
+  double highest = 0;
+  for (const RoadSpectrum& road : m.roads)
+    if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
+  const bool in_khz = highest >= 1e4;
+  pictures::ChartSpec chart;
+  chart.title = m.title;
+  chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
+  const std::string unit = unit_of_response(m.observed[c]);
+  chart.y_label = unit == "1" ? m.observed[c].name + " per drive"
+                              : fmt::format("{} per drive ({})", m.observed[c].name, unit);
+  chart.log_y = true;
+  // The marks of sweeps are below the lines.
+  for (const bool sweeps : {true, false})
+    for (const RoadSpectrum& road : m.roads)
+      if (pictures::ChartSeries curve = curve_of(road, c, in_khz ? 1e-3 : 1, m.roads.size() > 1);
+          is_sweep(road) == sweeps && !curve.x.empty())
+        chart.series.push_back(std::move(curve));
+  if (chart.series.empty()) return;
+  add_peaks(m, c, in_khz ? 1e-3 : 1, chart);
+  std::string name = m.observed[c].name;
+  name[name.rfind('.')] = '_';
+  pictures::load_backend()->chart(chart, directory.add("charts/" + name + ".png"));
+}
+
+}  // namespace
+
+void draw_charts(const Measurement& m, const run::RunDirectory& directory,
+                 const std::function<void(const std::string&)>& report) {
+  if (!pictures::has_pictures()) return;
+  const auto draw = [&](const std::string& name, const auto& chart) {
+    try {
+      chart();
+    } catch (const std::exception& error) {
+      report(fmt::format("chart '{}' was not drawn: {}", name, error.what()));
+    }
+  };
+  if (std::any_of(m.resonances.begin(), m.resonances.end(), is_named))
+    draw("shapes", [&] { draw_shapes(m, directory); });
+  for (std::size_t c = 0; c < responding(m.observed); ++c)
+    draw(m.observed[c].name, [&] { draw_curves(m, c, directory); });
+}
+
+}  // namespace scree::spectrum

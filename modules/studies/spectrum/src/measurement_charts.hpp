@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <scree/run/run_directory.hpp>
+#include <scree/spectrum/measurement.hpp>
+
+namespace scree::spectrum {
+
+// Charts of a measurement, if pictures are built: the curves of all roads of each column with their named peaks, and the shapes of the
+// peaks. Those that cannot be drawn are reported, in one line each.
+void draw_charts(const Measurement& measurement, const run::RunDirectory& directory,
+                 const std::function<void(const std::string&)>& report);
+
+}  // namespace scree::spectrum

@@ -1,0 +1,71 @@
+#include "observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+
+namespace scree::spectrum {
+
+Observer::Observer(const scenario::Plan& plan) : plan_(plan), values_(plan.spectrum->observed.size()) {
+  for (const scenario::ObservedColumn& column : plan.spectrum->observed)
+    if (std::none_of(probes_.begin(), probes_.end(),
+                     [&](const Watched& w) { return w.number == column.probe; }))
+      probes_.push_back({column.probe, Probe(plan.probes[column.probe].parameters, plan.scene.dimension)});
+}
+
+std::uint32_t Observer::needs() const {
+  std::uint32_t needs = 0;
+  for (const Watched& watched : probes_) needs |= watched.probe.needs();
+  return needs;
+}
+
+const std::vector<double>& Observer::values(const scree_view& view) {
+  for (Watched& watched : probes_) {
+    const std::vector<double> row = [&] {
+      try {
+        return watched.probe.sample(view);
+      } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", plan_.probes[watched.number].place, error.what()), error.status());
+      }
+    }();
+    for (std::size_t c = 0; c < values_.size(); ++c)
+      if (const scenario::ObservedColumn& column = plan_.spectrum->observed[c];
+          column.probe == watched.number)
+        values_[c] = row[column.column];
+  }
+  return values_;
+}
+
+const std::vector<double>& Observer::values(const Simulation& simulation) {
+  return values(SimulationView(simulation, needs()).get());
+}
+
+void check_observed(const scenario::Plan& plan, const Simulation& simulation) {
+  Observer observer(plan);
+  const std::vector<double>& values = observer.values(simulation);
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    const scenario::ObservedColumn& column = plan.spectrum->observed[c];
+    if (!std::isfinite(values[c]))
+      throw Error(fmt::format("{}: '{}' has no value at the start; observe a column that has one",
+                              column.place, column.name));
+    if (column.relative && values[c] == 0)
+      throw Error(
+          fmt::format("{}: '{}' is 0 at the start, so that nothing is relative to it; leave it out of "
+                      "relative_to_mean",
+                      column.place, column.name));
+  }
+}
+
+void Observer::transfer(const StateTransfer& state) {
+  for (std::size_t k = 0; k < probes_.size(); ++k) probes_[k].probe.transfer(state.below(std::to_string(k)));
+}
+
+void Observer::check_restored(const Simulation& simulation) const {
+  const SimulationView view(simulation, needs());
+  for (const Watched& watched : probes_) watched.probe.check_restored(view.get());
+}
+
+}  // namespace scree::spectrum

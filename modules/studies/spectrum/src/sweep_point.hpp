@@ -1,0 +1,31 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include <scree/state_transfer.hpp>
+
+namespace scree::spectrum {
+
+// What a sweep found at one frequency.
+struct SweepPoint {
+  struct Column {
+    std::complex<double> response;  // over drive (unit of the column / m)
+    double error = 0;               // standard error of |response|
+    double mean = 0;                // (unit of the column)
+  };
+
+  double frequency = 0;     // (Hz)
+  double start = 0;         // (s) simulated
+  std::uint64_t steps = 0;  // at this frequency
+  double drive = 0;         // (m) amplitude of the wall
+  double periods = 0;       // that it took
+  bool is_steady = true;  // false if an adaptive sweep gave up before it was, or halves of a fixed one differ
+  std::vector<Column> columns;
+
+  // observed: number of columns of a point that is restored.
+  void transfer(const StateTransfer& state, std::size_t observed);
+};
+
+}  // namespace scree::spectrum

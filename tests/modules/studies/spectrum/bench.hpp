@@ -1,0 +1,26 @@
+#pragma once
+
+#include "chain.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <scree/spectrum/measurement.hpp>
+
+namespace scree::test {
+
+// A scene with a spectrum by all roads, in a directory of its own.
+struct Bench {
+  TemporaryFolder folder;
+  scenario::Plan plan;
+  spectrum::MeasurementOptions options;
+
+  explicit Bench(const std::string& text) : plan(plan_of(text)) {
+    options.out = folder / "out";
+    options.roads = {spectrum::Road::linear, spectrum::Road::pulse, spectrum::Road::sweep};
+  }
+  std::string text(const std::string& name) const { return text_of(options.out / name); }
+  bool has(const std::string& name) const { return std::filesystem::exists(options.out / name); }
+};
+
+}  // namespace scree::test

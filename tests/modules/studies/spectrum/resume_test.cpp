@@ -1,0 +1,260 @@
+#include "bench.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include <scree/files/directory_lock.hpp>
+
+using namespace scree;
+using namespace scree::spectrum;
+using namespace scree::test;
+
+TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
+  const std::string text =
+      Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n");
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::sweep};
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  int reports = 0;
+  parted.options.on_progress = [&](double share, double, const std::string&) {
+    stop = share > 0 && ++reports >= 1;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(first.roads.at(0).frequencies.size() < 6);
+  stop = false;
+  parted.options.on_progress = {};
+  const Measurement second = resume_measurement(parted.options, host());
+  CHECK(!second.interrupted);
+  CHECK(parted.text("sweep.csv") == whole.text("sweep.csv"));
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+  CHECK(message([&] { resume_measurement(parted.options, host()); }).find("the spectrum is finished") !=
+        std::string::npos);
+}
+
+TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported, and restored", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\n"));
+  bench.options.roads = {Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
+  REQUIRE(measure(bench.plan, bench.options).interrupted);
+  stop = false;
+  bench.options.on_progress = {};
+  std::vector<std::string> warnings;
+  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  const auto file = bench.options.out / "scenario.toml";
+  const std::string began = bench.text("scenario.toml");
+  std::ofstream(file) << with(began, "to_hz = 110", "to_hz = 200");
+  CHECK_FALSE(resume_measurement(bench.options, host()).interrupted);
+  REQUIRE(warnings.size() >= 1);
+  CHECK_THAT(warnings[0],
+             Catch::Contains("out/scenario.toml: is not the scenario with which these results began"));
+  CHECK(bench.text("scenario.toml") == began);
+}
+
+TEST_CASE("a measurement that is interrupted in its stages goes on within them", "[sound]") {
+  // A floor that rises, in 4000 steps, after 4000 others.
+  const std::string text = with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nfewest_contacts = 1\n"),
+                                "displacement = 0", "displacement = {from = 0, to = 0.001, duration = 0.2}") +
+                           "[[stage]]\nduration = 0.2\n[[stage]]\nname = 'second'\nduration = 0.2\n";
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::linear};
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  for (const std::string in : {"stage 1", "second"}) {
+    CAPTURE(in);
+    stop = false;
+    parted.options.on_progress = [&](double, double, const std::string& what) { stop = what == in; };
+    const Measurement part =
+        in == "stage 1" ? measure(parted.plan, parted.options) : resume_measurement(parted.options, host());
+    CHECK(part.interrupted);
+    CHECK(part.roads.empty());
+    CHECK(parted.text("spectrum.json").find("\"interrupted\"") != std::string::npos);
+  }
+  stop = false;
+  parted.options.on_progress = {};
+  CHECK(!resume_measurement(parted.options, host()).interrupted);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
+TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "[sound]") {
+  const TemporaryFolder folder;
+  folder.write("bead.csv", "id,material,x,y,z,radius\n9,sphere,0.1,0,0.1,0.005\n");
+  std::string text =
+      Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n");
+  Bench bench(text + "[particles]\nfile = '" + (folder / "bead.csv").string() + "'\n");
+  bench.options.roads = {Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
+  const Measurement first = measure(bench.plan, bench.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(!first.inputs.bodies.empty());
+  stop = false;
+  bench.options.on_progress = {};
+  CHECK(resume_measurement(bench.options, host()).inputs == first.inputs);
+}
+
+TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[sound]") {
+  const std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+  Bench whole(text), parted(text);
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  parted.options.on_progress = [&](double, double, const std::string& what) {
+    stop = what.starts_with("pulse");
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(first.roads.size() == 1);
+  stop = false;
+  parted.options.on_progress = {};
+  parted.options.roads = {Road::sweep};
+  CHECK(resume_measurement(parted.options, host()).roads.size() == 3);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
+TEST_CASE("a spectrum that goes on in its directory is not told to take another", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nfewest_contacts = 1\n"));
+  bench.options.roads = {Road::linear};
+  measure(bench.plan, bench.options);
+  const auto lock = files::DirectoryLock::take(bench.options.out);
+  CHECK(message([&] {
+          resume_measurement(bench.options, host());
+        }).ends_with("out: another spectrum is running there; wait for it"));
+  // The same directory for a new one.
+  bench.options.overwrite = true;
+  CHECK(message([&] {
+          measure(bench.plan, bench.options);
+        }).ends_with("another spectrum is running there; wait for it, or give another --out"));
+}
+
+TEST_CASE("a linear road that is interrupted keeps what it has and goes on to the same table", "[sound]") {
+  // Beads on a cubic lattice, whose 384 motions take the road of large packings.
+  std::string text =
+      "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"
+      "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n"
+      "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
+      "[[probe]]\nplugin = 'particles'\nids = [128]\n"
+      "[spectrum]\ndrive = 'floor.displacement'\namplitude = 1e-8\nobserve = ['particles.z_128']\n"
+      "from_hz = 20\nto_hz = 160\nstep_hz = 2\nfewest_contacts = 1\n";
+  for (int n = 0; n < 128; ++n)
+    text += fmt::format("[[particle]]\nid = {}\nradius = 0.005\nposition = [{}, {}, {}]\n", n + 1,
+                        0.00995 * (n % 4), 0.00995 * (n / 4 % 4), 0.00495 + 0.00995 * (n / 16));
+  Bench whole(text), parted(text);
+  whole.options.roads = parted.options.roads = {Road::linear};
+  CHECK(measure(whole.plan, whole.options).roads.at(0).frequencies.size() == 71);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  std::vector<double> shares;
+  parted.options.on_progress = [&](double share, double, const std::string& what) {
+    CHECK(what == "linear response");
+    shares.push_back(share);
+    stop = share > 0.4;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  CHECK(first.roads.at(0).frequencies.size() == 24);  // one window; the second was stopped
+  const std::string part = parted.text("spectrum.csv");
+  CHECK(std::count(part.begin(), part.end(), '\n') == 25);
+  stop = false;
+  shares.clear();
+  parted.options.on_progress = [&](double share, double, const std::string&) { shares.push_back(share); };
+  CHECK(!resume_measurement(parted.options, host()).interrupted);
+  CHECK(shares.front() == Approx(24.0 / 71));
+  CHECK(shares.back() == 1);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+}
+
+TEST_CASE("a measurement that goes on and cannot write records the cure for its place", "[sound]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n"));
+  bench.options.roads = {Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
+  REQUIRE(measure(bench.plan, bench.options).interrupted);
+  stop = false;
+  // A table cannot replace a directory.
+  std::filesystem::remove(bench.options.out / "peaks.csv");
+  std::filesystem::create_directories(bench.options.out / "peaks.csv");
+  const auto status_of = [](const auto& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      return std::pair(error.status(), std::string(error.what()));
+    }
+    return std::pair(ExitStatus::success, std::string());
+  };
+  bench.options.on_progress = {};
+  const auto [status, line] = status_of([&] { resume_measurement(bench.options, host()); });
+  CHECK(status == ExitStatus::failure);
+  const std::string problem = "peaks.csv: is a directory in the place of a file; move it elsewhere";
+  CHECK_THAT(line, Catch::Contains(problem));
+  const std::string record = bench.text("spectrum.json");
+  CHECK_THAT(record, Catch::Contains("\"status\": \"failed\"") && Catch::Contains(problem + "\""));
+  std::filesystem::remove(bench.options.out / "peaks.csv");
+  CHECK(!resume_measurement(bench.options, host()).interrupted);
+}
+
+TEST_CASE("a measurement that goes on keeps the warnings of the roads before", "[sound]") {
+  std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+  // Observes a column that has no linear response.
+  const std::string observed = "observe = ['particles.z_1', 'particles.z_8']";
+  text.replace(text.find(observed), observed.size(),
+               "observe = ['particles.z_1', 'energy.kinetic_translation']");
+  text.insert(text.find("[spectrum]"), "[[probe]]\nplugin = 'energy'\nevery = 1e-3\n");
+  Bench bench(text);
+  bench.options.roads = {Road::linear, Road::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](double, double, const std::string& what) {
+    stop = what.starts_with("sweep");
+  };
+  const Measurement first = measure(bench.plan, bench.options);
+  REQUIRE(first.interrupted);
+  const auto left_out = [](const Measurement& m) {
+    return std::count_if(m.warnings.begin(), m.warnings.end(), [](const std::string& line) {
+      return line.find("(the road linear is left out)") != std::string::npos;
+    });
+  };
+  CHECK(left_out(first) == 1);
+  CHECK(std::none_of(first.roads.begin(), first.roads.end(),
+                     [](const RoadSpectrum& road) { return road.road == "linear"; }));
+  stop = false;
+  bench.options.on_progress = {};
+  CHECK(left_out(resume_measurement(bench.options, host())) == 1);
+}
+
+TEST_CASE("the state of another spectrum is refused", "[sound]") {
+  const auto interrupted = [](Bench& bench, std::atomic<bool>& stop) {
+    bench.options.roads = {Road::sweep};
+    bench.options.stop = &stop;
+    bench.options.on_progress = [&](double, double, const std::string&) { stop = true; };
+    measure(bench.plan, bench.options);
+    bench.options.on_progress = {};
+    stop = false;
+  };
+  const std::string text = "from_hz = 100\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nto_hz = ";
+  Bench one(Chain().text(text + "110\n")), other(Chain().text(text + "120\n"));
+  std::atomic<bool> stop = false;
+  interrupted(one, stop);
+  interrupted(other, stop);
+  std::filesystem::copy_file(other.options.out / "state.h5", one.options.out / "state.h5",
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK_THAT(
+      message([&] { resume_measurement(one.options, host()); }),
+      Catch::Contains("state.h5: is the state of another spectrum than that in spectrum.json; put back"));
+  CHECK(resume_measurement(other.options, host()).roads.size() == 1);
+}
