@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include <scree/files/text_file.hpp>
-#include <scree/run/charts.hpp>
-#include <scree/run/written_files.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/pictures/view_range.hpp>
+#include <scree/run/charts.hpp>
+#include <scree/run/written_files.hpp>
 
 namespace scree::tool {
 

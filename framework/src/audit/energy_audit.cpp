@@ -116,12 +116,6 @@ double EnergyAudit::share(double energy, const scree_energy& now) const {
   return all > 0 ? energy / all : 0;
 }
 
-void BodySums::transfer(const StateTransfer& state) {
-  state.value("potential", "J", potential, stored::any);
-  state.value("dissipation_rate_translation", "W", dissipation_rate_translation, stored::any);
-  state.value("dissipation_rate_rotation", "W", dissipation_rate_rotation, stored::any);
-}
-
 void EnergyAudit::transfer(const StateTransfer& state) {
   for (const NamedEnergy& energy : energies)
     if (std::find(std::begin(computed), std::end(computed), energy.member) == std::end(computed))

@@ -1,7 +1,7 @@
 #include "audit/momentum_audit.hpp"
 
-#include "contacts/kernel/lanes.hpp"
-#include "plugins/instruction_levels.hpp"
+#include "machine/instruction_levels.hpp"
+#include "machine/lanes.hpp"
 
 #include <cmath>
 

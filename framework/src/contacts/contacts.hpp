@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bodies/candidate_pairs.hpp"
 #include "contacts/pair_columns.hpp"
-#include "search/neighbours.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -10,11 +10,6 @@
 #include <scree/plugin/abi.h>
 
 namespace scree {
-
-// Candidate pair of a body and a plane.
-struct PlanePair {
-  std::uint32_t body, plane;
-};
 
 // Candidate pairs with the same law and the same kind of partner: a contiguous range of the pair arrays.
 struct PairGroup {

@@ -5,7 +5,7 @@
 #include "contacts/contacts.hpp"
 #include "contacts/onset.hpp"
 #include "contacts/pair_constants.hpp"
-#include "threads/thread_pool.hpp"
+#include "machine/thread_pool.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "motion/motion.hpp"
 
-#include "plugins/instruction_levels.hpp"
+#include "machine/instruction_levels.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bodies/body_range.hpp"
-#include "contacts/kernel/lanes.hpp"
+#include "machine/lanes.hpp"
 
 #include <bit>
 #include <cstdint>

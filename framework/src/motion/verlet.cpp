@@ -1,7 +1,7 @@
 #include "motion/verlet.hpp"
 
+#include "machine/instruction_levels.hpp"
 #include "motion/motion.hpp"
-#include "plugins/instruction_levels.hpp"
 
 #include <array>
 #include <cmath>

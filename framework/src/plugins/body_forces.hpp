@@ -1,7 +1,7 @@
 #pragma once
 
-#include "audit/energy_audit.hpp"
 #include "bodies/body_range.hpp"
+#include "bodies/body_sums.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "plugins/instruction_levels.hpp"
+#include "machine/instruction_levels.hpp"
 #include "plugins/manifest.hpp"
 #include "plugins/trial_load.hpp"
 

@@ -1,6 +1,6 @@
 #include "search/cell_level.hpp"
 
-#include "search/counting_sort.hpp"
+#include "bodies/counting_sort.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "search/neighbour_list.hpp"
 
-#include "plugins/plane_transfer.hpp"
+#include "walls/plane_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
-#include "plugins/boundaries.hpp"
 #include "search/skin_choice.hpp"
+#include "walls/boundaries.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "search/neighbours.hpp"
 
-#include "plugins/instruction_levels.hpp"
+#include "bodies/counting_sort.hpp"
+#include "machine/instruction_levels.hpp"
 #include "search/cell_level.hpp"
-#include "search/counting_sort.hpp"
 
 #include <algorithm>
 #include <array>

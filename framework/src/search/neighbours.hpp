@@ -1,7 +1,8 @@
 #pragma once
 
+#include "bodies/candidate_pairs.hpp"
 #include "bodies/folding.hpp"
-#include "threads/thread_pool.hpp"
+#include "machine/thread_pool.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -14,13 +15,6 @@ namespace scree {
 struct Sphere {
   Vec3 position;  // (m)
   double radius;  // (m)
-};
-
-// Candidate pair: two bodies whose surfaces are nearer than the skin; a < b.
-struct NeighbourPair {
-  std::uint32_t a, b;
-  std::uint8_t image;  // Folding::fold of a − b
-  friend bool operator==(const NeighbourPair&, const NeighbourPair&) = default;
 };
 
 // Neighbour search with a hierarchy of cell grids: each body is binned in the level of its size and paired

@@ -1,7 +1,7 @@
 #include "step/branch.hpp"
 
 #include "contacts/stored_histories.hpp"
-#include "plugins/enclosure.hpp"
+#include "walls/enclosure.hpp"
 
 #include <algorithm>
 #include <cmath>

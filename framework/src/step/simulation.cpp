@@ -1,7 +1,7 @@
-#include "plugins/enclosure.hpp"
 #include "step/branch.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
+#include "walls/enclosure.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "step/simulation_parts.hpp"
 
 #include "contacts/kernel/placement.hpp"
-#include "plugins/enclosure.hpp"
 #include "step/health.hpp"
+#include "walls/enclosure.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,12 +6,12 @@
 #include "contacts/forces.hpp"
 #include "contacts/touching_contacts.hpp"
 #include "contacts/trial_loads.hpp"
+#include "machine/thread_pool.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
-#include "plugins/boundaries.hpp"
 #include "search/neighbour_list.hpp"
 #include "step/stepper.hpp"
-#include "threads/thread_pool.hpp"
+#include "walls/boundaries.hpp"
 
 #include <memory>
 #include <optional>

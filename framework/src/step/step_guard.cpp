@@ -1,6 +1,6 @@
 #include "contacts/contacts.hpp"
 #include "plugins/body_forces.hpp"
-#include "plugins/boundaries.hpp"
+#include "walls/boundaries.hpp"
 
 #include <algorithm>
 #include <cmath>

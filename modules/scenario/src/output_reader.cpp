@@ -12,9 +12,9 @@
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/nearest.hpp>
+#include <scree/pictures/render_options.hpp>
 #include <scree/scenario/peak_quantity.hpp>
 #include <scree/scenario/quantities.hpp>
-#include <scree/pictures/render_options.hpp>
 
 namespace scree::scenario {
 

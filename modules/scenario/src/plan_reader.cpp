@@ -21,12 +21,12 @@
 #include <scree/document/document.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
+#include <scree/pictures/load_backend.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
 #include <scree/single_precision.hpp>
-#include <scree/pictures/load_backend.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree::scenario {

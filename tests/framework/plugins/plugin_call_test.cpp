@@ -1,7 +1,7 @@
 #include "plugins/plugin_call.hpp"
 
-#include "plugins/boundaries.hpp"
 #include "plugins/false_law.hpp"
+#include "walls/boundaries.hpp"
 
 #include <stdexcept>
 

@@ -23,8 +23,8 @@ std::string written_in(const std::filesystem::path& directory) {
 
 }  // namespace
 
-ExitStatus report_measurement(bool quiet,
-                              const std::function<spectrum::Measurement(spectrum::MeasurementOptions)>& work) {
+ExitStatus report_measurement(
+    bool quiet, const std::function<spectrum::Measurement(spectrum::MeasurementOptions)>& work) {
   const spectrum::Measurement measurement = watch<spectrum::MeasurementOptions>(quiet, work);
   if (!quiet) fmt::print("{}", files::escaped(spectrum::text_report(measurement), files::Escapes::lines));
   const bool met = report_verdicts(measurement.verdicts, quiet);

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include <scree/files/text.hpp>
-#include <scree/pictures/render_options.hpp>
 #include <scree/modes/vibration.hpp>
+#include <scree/pictures/render_options.hpp>
 
 namespace scree::tool {
 
@@ -68,7 +68,7 @@ modes::Vibration solve_with_progress(const ResponseArguments& arguments) {
   ProgressBar bar(arguments.quiet);
   PluginHost host = make_host(arguments.plugins);
   return modes::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host),
-                            watched(options_of(arguments), bar));
+                        watched(options_of(arguments), bar));
 }
 
 ExitStatus respond(const ResponseArguments& arguments) {

@@ -115,8 +115,8 @@ signals::LockInResult harmonics_of(const SpectrumArguments& arguments, const sig
 }
 
 std::vector<signals::FoundLine> lines_of(const SpectrumArguments& arguments,
-                                          const signals::TimeSeries& series,
-                                          const signals::AmplitudeSpectrum& amplitudes) {
+                                         const signals::TimeSeries& series,
+                                         const signals::AmplitudeSpectrum& amplitudes) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   ProgressBar bar(arguments.quiet);
@@ -127,9 +127,9 @@ std::vector<signals::FoundLine> lines_of(const SpectrumArguments& arguments,
 
 // Prints the lines and returns them.
 std::vector<signals::FoundLine> report_lines(const SpectrumArguments& arguments,
-                                              const signals::TimeSeries& series,
-                                              const signals::AmplitudeSpectrum& amplitudes,
-                                              double unevenness) {
+                                             const signals::TimeSeries& series,
+                                             const signals::AmplitudeSpectrum& amplitudes,
+                                             double unevenness) {
   std::vector<signals::FoundLine> lines;
   if (!(arguments.frequency > 0)) {
     lines = lines_of(arguments, series, amplitudes);
@@ -161,7 +161,7 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   const signals::AmplitudeSpectrum amplitudes =
       unevenness > tolerated_unevenness
           ? signals::amplitude_spectrum(series.mean_step(),
-                                         signals::at_equal_steps(series.times, series.values))
+                                        signals::at_equal_steps(series.times, series.values))
           : signals::amplitude_spectrum(series.mean_step(), series.values);
   const std::vector<signals::FoundLine> lines = report_lines(arguments, series, amplitudes, unevenness);
   if (unevenness > tolerated_unevenness)

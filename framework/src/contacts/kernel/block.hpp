@@ -2,8 +2,8 @@
 
 #include "contacts/contacts.hpp"
 #include "contacts/forces.hpp"
-#include "contacts/kernel/lanes.hpp"
 #include "contacts/kernel/plane_records.hpp"
+#include "machine/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

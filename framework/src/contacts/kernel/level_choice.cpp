@@ -1,6 +1,6 @@
 #include "contacts/kernel/evaluate.hpp"
 #include "contacts/kernel/trial.hpp"
-#include "plugins/instruction_levels.hpp"
+#include "machine/instruction_levels.hpp"
 
 #include <utility>
 

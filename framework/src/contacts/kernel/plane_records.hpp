@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contacts/kernel/lanes.hpp"
+#include "machine/lanes.hpp"
 
 #include <vector>
 

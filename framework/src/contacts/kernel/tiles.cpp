@@ -1,7 +1,7 @@
 #include "contacts/kernel/tiles.hpp"
 
+#include "bodies/counting_sort.hpp"
 #include "contacts/kernel/block.hpp"
-#include "search/counting_sort.hpp"
 
 #include <algorithm>
 

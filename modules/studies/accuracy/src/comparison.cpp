@@ -83,7 +83,7 @@ run::Trial Comparison::run(const scenario::Plan& changed, double until, const st
   for (const Expectation& e : changed.expectations)
     trial.quantities.push_back(
         spectrum::value_of(*scenario::peak_quantity(e.quantity, changed.spectrum->observed), spectrum.roads,
-                        spectrum.resonances));
+                           spectrum.resonances));
   return trial;
 }
 

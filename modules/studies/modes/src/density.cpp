@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include <scree/threads.hpp>
 #include <scree/modes/density.hpp>
+#include <scree/threads.hpp>
 
 namespace scree::modes {
 

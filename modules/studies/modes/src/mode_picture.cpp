@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <scree/run/frame_of.hpp>
 #include <scree/pictures/load_backend.hpp>
+#include <scree/run/frame_of.hpp>
 
 namespace scree::modes {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include <scree/response/found_modes.hpp>
 #include <scree/modes/mode.hpp>
+#include <scree/response/found_modes.hpp>
 
 namespace scree::modes {
 

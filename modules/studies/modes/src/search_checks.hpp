@@ -1,7 +1,7 @@
 #pragma once
 
-#include <scree/response/undamped_system.hpp>
 #include <scree/modes/vibration.hpp>
+#include <scree/response/undamped_system.hpp>
 
 namespace scree::modes {
 

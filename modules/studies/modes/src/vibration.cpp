@@ -13,12 +13,12 @@
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
 #include <scree/files/try_each.hpp>
+#include <scree/modes/vibration.hpp>
+#include <scree/pictures/load_backend.hpp>
 #include <scree/response/rest.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/spare_room.hpp>
-#include <scree/pictures/load_backend.hpp>
-#include <scree/modes/vibration.hpp>
 
 namespace scree::modes {
 

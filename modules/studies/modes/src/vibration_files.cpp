@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/csv_line.hpp>
-#include <scree/run/input_hashes_json.hpp>
 #include <scree/pictures/load_backend.hpp>
+#include <scree/run/input_hashes_json.hpp>
 
 namespace scree::modes {
 

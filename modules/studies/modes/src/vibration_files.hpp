@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <scree/run/run_directory.hpp>
 #include <scree/modes/vibration.hpp>
+#include <scree/run/run_directory.hpp>
 
 namespace scree::modes {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/counted.hpp>
-#include <scree/run/input_hashes_json.hpp>
 #include <scree/pictures/load_backend.hpp>
+#include <scree/run/input_hashes_json.hpp>
 
 namespace scree::quasi_static {
 

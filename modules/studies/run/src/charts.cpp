@@ -11,12 +11,12 @@
 #include <scree/document/document.hpp>
 #include <scree/error.hpp>
 #include <scree/files/csv_rows.hpp>
+#include <scree/pictures/load_backend.hpp>
+#include <scree/pictures/scaled_unit.hpp>
 #include <scree/run/charts.hpp>
 #include <scree/run/series_column.hpp>
 #include <scree/run/written_files.hpp>
 #include <scree/scenario/charts.hpp>
-#include <scree/pictures/load_backend.hpp>
-#include <scree/pictures/scaled_unit.hpp>
 
 namespace scree::run {
 

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
-#include <scree/run/charts.hpp>
 #include <scree/pictures/frame_files.hpp>
 #include <scree/pictures/load_backend.hpp>
+#include <scree/run/charts.hpp>
 
 namespace scree::run {
 

@@ -6,12 +6,12 @@
 #include <memory>
 #include <string>
 
+#include <scree/pictures/backend.hpp>
+#include <scree/pictures/view_range.hpp>
 #include <scree/run/frame_of.hpp>
 #include <scree/run/run_directory.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
-#include <scree/pictures/backend.hpp>
-#include <scree/pictures/view_range.hpp>
 
 namespace scree::run {
 

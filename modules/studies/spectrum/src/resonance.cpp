@@ -78,7 +78,7 @@ std::vector<Resonance> resonances_of(const std::vector<RoadSpectrum>& roads,
       if (roads[r].frequencies.size() < fewest_frequencies_of_peaks || !is_finite(roads[r].columns[c]))
         continue;
       const auto modes = signals::find_modes(roads[r].frequencies, roads[r].columns[c].response,
-                                              time_derivative(observed[c].unit));
+                                             time_derivative(observed[c].unit));
       if (r == 0) of_first = modes;
       for (const signals::Mode& mode : modes) {
         const double difference = r == 0 ? 0 : nearest_difference(mode.frequency, of_first);

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <scree/response/modes.hpp>
 #include <scree/modes/density.hpp>
+#include <scree/response/modes.hpp>
 
 using namespace scree;
 using namespace scree::modes;

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include <scree/modes/density.hpp>
+#include <scree/modes/mode.hpp>
 #include <scree/response/elastic_moduli.hpp>
 #include <scree/response/load_response.hpp>
 #include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
-#include <scree/modes/density.hpp>
-#include <scree/modes/mode.hpp>
 
 namespace scree::modes {
 

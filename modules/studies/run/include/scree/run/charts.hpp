@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <scree/pictures/chart_spec.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
-#include <scree/pictures/chart_spec.hpp>
 
 namespace scree::run {
 

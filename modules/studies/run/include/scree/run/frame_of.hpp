@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include <scree/simulation.hpp>
 #include <scree/pictures/frame.hpp>
+#include <scree/simulation.hpp>
 
 namespace scree::run {
 

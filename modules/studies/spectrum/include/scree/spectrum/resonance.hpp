@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <scree/scenario/peak_quantity.hpp>
-#include <scree/spectrum/road_spectrum.hpp>
 #include <scree/signals/peaks.hpp>
+#include <scree/spectrum/road_spectrum.hpp>
 
 namespace scree::spectrum {
 

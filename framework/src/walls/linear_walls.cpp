@@ -1,6 +1,6 @@
-#include "plugins/boundaries.hpp"
-#include "plugins/boundary_checks.hpp"
 #include "plugins/plugin_call.hpp"
+#include "walls/boundaries.hpp"
+#include "walls/boundary_checks.hpp"
 
 #include <algorithm>
 

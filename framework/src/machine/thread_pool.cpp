@@ -1,4 +1,4 @@
-#include "threads/thread_pool.hpp"
+#include "machine/thread_pool.hpp"
 
 #include <system_error>
 #include <utility>

@@ -1,5 +1,5 @@
 #include "plugins/body_forces.hpp"
-#include "plugins/boundaries.hpp"
+#include "walls/boundaries.hpp"
 
 #include <scree/error.hpp>
 #include <scree/plugin/program.hpp>

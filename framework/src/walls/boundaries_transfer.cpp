@@ -1,5 +1,5 @@
-#include "plugins/boundaries.hpp"
-#include "plugins/plane_transfer.hpp"
+#include "walls/boundaries.hpp"
+#include "walls/plane_transfer.hpp"
 
 #include <string>
 

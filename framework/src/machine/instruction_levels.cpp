@@ -1,4 +1,4 @@
-#include "plugins/instruction_levels.hpp"
+#include "machine/instruction_levels.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "plugins/boundaries.hpp"
+#include "walls/boundaries.hpp"
 
 #include "scripted_boundary.hpp"
 

@@ -1,7 +1,7 @@
-#include "plugins/boundaries.hpp"
+#include "walls/boundaries.hpp"
 
-#include "plugins/boundary_checks.hpp"
 #include "plugins/plugin_call.hpp"
+#include "walls/boundary_checks.hpp"
 
 #include <algorithm>
 #include <cmath>

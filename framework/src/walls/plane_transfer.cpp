@@ -1,4 +1,4 @@
-#include "plugins/plane_transfer.hpp"
+#include "walls/plane_transfer.hpp"
 
 #include <cmath>
 

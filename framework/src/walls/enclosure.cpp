@@ -1,4 +1,4 @@
-#include "plugins/enclosure.hpp"
+#include "walls/enclosure.hpp"
 
 #include <limits>
 

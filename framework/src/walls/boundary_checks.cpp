@@ -1,4 +1,4 @@
-#include "plugins/boundary_checks.hpp"
+#include "walls/boundary_checks.hpp"
 
 #include <algorithm>
 #include <bit>

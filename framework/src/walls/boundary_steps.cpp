@@ -1,5 +1,5 @@
-#include "plugins/boundaries.hpp"
-#include "plugins/boundary_checks.hpp"
+#include "walls/boundaries.hpp"
+#include "walls/boundary_checks.hpp"
 
 #include <fmt/format.h>
 
