@@ -21,7 +21,7 @@ SCREE_EVERY_LEVEL void update_largest_square(Four& largest, Four& unbounded, con
     transpose(v[0], v[1], v[2], v[3]);
     const Four square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     largest = square > largest ? square : largest;
-    unbounded = square < infinity ? unbounded : square;
+    unbounded = square < infinite_speed ? unbounded : square;
   }
 }
 
@@ -35,7 +35,7 @@ double Motions::largest_square(BodyRange bodies, bool mid_step) const {
                         width(), count, axes());
   double maximum = 0;
   for (int k = 0; k < 4; ++k) {
-    if (!(unbounded[k] == 0)) return infinity;
+    if (!(unbounded[k] == 0)) return infinite_speed;
     maximum = std::max(maximum, largest[k]);
   }
   return maximum;

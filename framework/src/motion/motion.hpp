@@ -11,7 +11,7 @@
 
 namespace scree {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double infinite_speed = std::numeric_limits<double>::infinity();
 
 // Translation of a body (in 2D together with its rotation), or its rotation in 3D; four numbers each.
 // Components that do not move have zero acceleration.

@@ -85,7 +85,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   time_ += step;
   forces_at_ = mid_step ? ForcesAt::middle_of_step : ForcesAt::end_of_step;
   if (mid_step) p.boundaries.extrapolate(0.5 * step);
-  return finite ? square_speed : infinity;
+  return finite ? square_speed : infinite_speed;
 }
 
 void Stepper::begin_walls(double step, double kick) {
