@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include <scree/domain.hpp>
+
 namespace scree {
 
 namespace {
