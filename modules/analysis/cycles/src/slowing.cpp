@@ -172,12 +172,14 @@ struct Fitted {
 Fitted fitted(const Points& points, Law law) {
   Slowing s;
   s.law = law;
-  const bool rises = law == Law::power;
   const double low = std::log(shortest_scale), high = std::log(longest_scale * points.cycles());
-  const double least = rises ? least_exponent : -steepest, most = rises ? most_exponent : -least_exponent;
+  // Exponents by their logarithms: a power of nearly 0 changes as much by a factor as one of 6.
+  const double sign = law == Law::power ? 1 : -1;
+  const double least = std::log(least_exponent),
+               most = std::log(law == Law::power ? most_exponent : steepest);
   const auto squares = [&](double scale, double exponent) {
     scale = std::clamp(scale, low, high), exponent = std::clamp(exponent, least, most);
-    s.scale = std::exp(scale), s.exponent = has_exponent(law) ? exponent : 0;
+    s.scale = std::exp(scale), s.exponent = has_exponent(law) ? sign * std::exp(exponent) : 0;
     return Corner{scale, exponent, fit(points, s).squares};
   };
   const int scales = 10, exponents = has_exponent(law) ? 6 : 1;

@@ -1,14 +1,15 @@
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <filesystem>
-#include <spawn.h>
 #include <string>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <scree/child_process.hpp>
 #include <scree/files/companion_library.hpp>
 #include <scree/files/descriptor.hpp>
 
@@ -31,33 +32,33 @@ fs::path find(const CompanionLibrary& library) {
   return {};
 }
 
-// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded.
-bool run_build(const fs::path& tree, const char* target) {
-  const std::string folder = tree.string();
-  const char* words[] = {"ninja", "-C", folder.c_str(), target, nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  pid_t process = -1;
-  const int failed = posix_spawnp(&process, words[0], &actions, nullptr, const_cast<char**>(words), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = -1;
-  return failed == 0 && waitpid(process, &status, 0) == process && WIFEXITED(status) &&
-         WEXITSTATUS(status) == 0;
+// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded. ninja and the compilers
+// that it starts keep the lock open: if this process is ended, no other builds before they have ended too.
+bool run_build(const std::string& tree, const char* target, const Descriptor& lock) {
+  const ChildEnd end = in_child([&](const Send&) {
+    fcntl(lock.get(), F_SETFD, 0);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    execlp("ninja", "ninja", "-C", tree.c_str(), target, nullptr);
+    throw Error(std::strerror(errno));
+  });
+  return end.how == ChildEnd::exited && end.number == 0;
 }
+
+void say(const std::string& what) { std::fputs(fmt::format("scree: {}\n", what).c_str(), stderr); }
 
 // One process at a time builds; the others find the library when it is their turn. Does nothing outside a build tree.
 void build(const CompanionLibrary& library) {
   const fs::path tree = program_tree();
   const Descriptor build_file(open((tree / "build.ninja").c_str(), O_RDONLY | O_CLOEXEC));
   if (!build_file.is_open()) return;
-  flock(build_file.get(), LOCK_EX);
+  if (flock(build_file.get(), LOCK_EX | LOCK_NB) != 0) {
+    say(fmt::format("waiting for {}, which another process builds", library.target));
+    flock(build_file.get(), LOCK_EX);
+  }
   if (!find(library).empty()) return;
-  std::fputs(fmt::format("scree: building {}, which is required for {}; this takes some minutes, once\n",
-                         library.target, library.purpose)
-                 .c_str(),
-             stderr);
-  if (!run_build(tree, library.target))
+  say(fmt::format("building {}, which is required for {}; this takes some minutes, once", library.target,
+                  library.purpose));
+  if (!run_build(tree.string(), library.target, build_file))
     throw Error(
         fmt::format("{}: the build of {} failed; see its output above", tree.string(), library.target),
         ExitStatus::failure);

@@ -50,8 +50,9 @@ void add_integrator_warning(const Scene& scene, std::vector<std::string>& warnin
     warnings.push_back(fmt::format(
         "time.integrator = \"fourth_order\" takes its third substep backwards in time, in which friction and dashpots "
         "of {} take energy as well: impacts are of first order, with about 6 times the errors of velocity_verlet "
-        "at the same step, and those of hertz_mindlin with history = \"rescaled\" err by some 2 % of the speed, up "
-        "to 13 %, at any step; use \"velocity_verlet\"",
+        "at the same step, and at any step those of hertz_mindlin with history = \"rescaled\" err by some 2 % of the "
+        "speed, up to 13 %, and those with dynamic_friction below static_friction by up to 60 %; use "
+        "\"velocity_verlet\"",
         scene.laws[k].name));
     return;
   }

@@ -193,6 +193,20 @@ TEST_CASE("a strain that goes on without a limit creeps, with its law", "[classi
   CHECK(e.slowing->constant == Approx(3e-4).epsilon(1e-3));
 }
 
+TEST_CASE("the limit of a strain that approaches it by a power is found for slow and fast powers",
+          "[classification]") {
+  for (const double power : {0.1, 0.2, 0.3, 0.4, 0.45, 0.48, 0.5, 0.7, 1.0, 1.5, 3.0}) {
+    CAPTURE(power);
+    const Classification c = classify(
+        series([&](double n) { return 1e-3 - 3e-4 * std::pow(std::max(1.0, n - 28), -power); }, 1e-12));
+    REQUIRE(c.slowing);
+    CHECK(c.kind == Class::shakedown);
+    // The best fit to noise of 1e-12: of the slowest power the last value is 2e-4 from the limit.
+    CHECK(c.slowing->constant == Approx(1e-3).epsilon(1e-6));
+    CHECK(c.slowing->exponent == Approx(-power).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("a strain that slows down under noise too large for its law settles", "[classification]") {
   // Over 72 cycles a logarithm that began 150 before has the curvature of an exponential: their difference is a small part of its range.
   const auto late = [](double n) { return 1e-6 * std::log(n + 121); };
