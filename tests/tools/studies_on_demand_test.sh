@@ -43,4 +43,23 @@ status=0
 "$tree/bin/scree" cycles --help > "$tree/out" 2> "$tree/err" || status=$?
 [ $status -eq 1 ] || fail "status $status in place of 1"
 tail -n 1 "$tree/err" | grep -q "^scree: .*: the build of scree_studies failed; see its output above$" || fail "the last line does not say that the build failed"
+
+# Without ninja, and with what is no library, one line says so.
+refused() {  # refused NAME PATTERN
+  status=0
+  PATH=${path:-$PATH} "$tree/bin/scree" cycles --help > "$tree/out" 2> "$tree/err" || status=$?
+  [ $status -eq 2 ] || fail "$1: status $status in place of 2"
+  [ "$(wc -l < "$tree/err")" -eq "${lines:-1}" ] || fail "$1: not one line"
+  grep -q "$2" "$tree/err" || fail "$1: another line"
+}
+path=$tree lines=2 refused "no ninja" "^scree: ninja: cannot be started (.*); install ninja-build$"
+library=$tree/lib/libscree_studies.so
+for bytes in 0 100 100000 $(($(stat -c %s "$build/lib/libscree_studies.so") - 1)); do
+  head -c "$bytes" "$build/lib/libscree_studies.so" > "$library"
+  refused "$bytes bytes" "^scree: .*libscree_studies.so: is no whole library; remove it and build"
+done
+rm "$library"; ln -s libscree_studies.so "$library"
+refused "a link to itself" "is no whole library"
+rm "$library"; mkfifo "$library"
+refused "a pipe" "is no whole library"
 echo passed

@@ -140,13 +140,19 @@ Body complete(const document::Table& t, const packing::Body& from, int dimension
   const double density = std::isnan(from.density) ? materials[body.material].density : from.density;
   body.mass = std::isnan(from.mass) ? volume * density : from.mass;
   body.inertia = (dimension == 2 ? 0.5 : 0.4) * body.mass * r * r;
-  if (!std::isnormal(body.mass) || !std::isnormal(body.inertia))
+  if (!std::isnormal(body.mass) || !std::isnormal(body.inertia)) {
+    const bool given = !std::isnan(from.mass);
     throw t.error(
-        "radius",
-        fmt::format("a radius of {:g} m with a density of {:g} kg/m^3 gives a body of {:g} kg and {:g} "
-                    "kg m^2, outside the range of numbers",
-                    r, density, body.mass, body.inertia),
-        "check the units of radius (m) and density (kg/m^3)");
+        given ? "mass" : "radius",
+        fmt::format("a radius of {:g} m with a {} gives a body of {:g} kg and {:g} kg m^2, outside the range "
+                    "of numbers",
+                    r,
+                    given ? fmt::format("mass of {:g} kg", from.mass)
+                          : fmt::format("density of {:g} kg/m^3", density),
+                    body.mass, body.inertia),
+        given ? "check the units of radius (m) and mass (kg)"
+              : "check the units of radius (m) and density (kg/m^3)");
+  }
   return body;
 }
 

@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
+#include <elf.h>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <sys/file.h>
 #include <unistd.h>
@@ -27,13 +29,28 @@ fs::path find(const CompanionLibrary& library) {
   const std::array candidates = {tree / "lib", tree / "lib" / "scree",
                                  tree / SCREE_INSTALL_LIBRARY_DIRECTORY / "scree"};
   const std::string name = fmt::format("lib{}.so", library.target);
+  std::error_code ignored;
   for (const fs::path& directory : candidates)
-    if (fs::exists(directory / name)) return directory / name;
+    if (fs::exists(fs::symlink_status(directory / name, ignored))) return directory / name;
   return {};
 }
 
-// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded. ninja and the compilers
-// that it starts keep the lock open: if this process is ended, no other builds before they have ended too.
+// Whether a library is a regular file with all its sections, which end it: the dynamic loader trusts them, and ends the
+// process with SIGBUS where they are missing.
+bool is_whole(const fs::path& library) {
+  std::error_code failed;
+  if (!fs::is_regular_file(library, failed)) return false;
+  std::ifstream file(library, std::ios::binary);
+  Elf64_Ehdr head = {};
+  if (!file.read(reinterpret_cast<char*>(&head), sizeof(head))) return false;
+  const std::uintmax_t end = head.e_shoff + std::uintmax_t(head.e_shentsize) * head.e_shnum;
+  return std::memcmp(head.e_ident, ELFMAG, SELFMAG) == 0 && head.e_shoff > 0 &&
+         fs::file_size(library, failed) >= end;
+}
+
+// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded; throws if there is no ninja.
+// ninja and the compilers that it starts keep the lock open: if this process is ended, no other builds before they have
+// ended too.
 bool run_build(const std::string& tree, const char* target, const Descriptor& lock) {
   const ChildEnd end = in_child([&](const Send&) {
     fcntl(lock.get(), F_SETFD, 0);
@@ -41,6 +58,9 @@ bool run_build(const std::string& tree, const char* target, const Descriptor& lo
     execlp("ninja", "ninja", "-C", tree.c_str(), target, nullptr);
     throw Error(std::strerror(errno));
   });
+  if (end.how == ChildEnd::threw)
+    throw Error(fmt::format("ninja: cannot be started ({}), and {} is not built yet; install ninja-build",
+                            end.exception, target));
   return end.how == ChildEnd::exited && end.number == 0;
 }
 
@@ -77,6 +97,10 @@ fs::path find_or_build(const CompanionLibrary& library) {
 
 void* load_factory(const CompanionLibrary& library) {
   const fs::path file = find_or_build(library);
+  if (!is_whole(file))
+    throw Error(fmt::format(
+        "{}: is no whole library; remove it and build the target {} again, or install scree again",
+        file.string(), library.target));
   // Never unloaded: VTK, Mesa and HDF5 leave thread-local data and exit handlers behind.
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (!handle)

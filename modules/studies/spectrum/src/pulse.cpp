@@ -18,10 +18,12 @@ namespace {
 constexpr double tolerated_change = 0.05;  // of the largest response, at half the amplitude
 
 RoadSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& half, std::size_t c,
-                               const std::vector<double>& frequencies, double scale) {
+                               const std::vector<double>& frequencies, double scale, const Start& start) {
   RoadSpectrum::Column column;
   const double beyond = full.beyond(c);
   for (const double f : frequencies) {
+    if (!start.proceeds())
+      throw Error("interrupted while the response to the pulse was computed", ExitStatus::interrupted);
     const std::complex<double> drive = full.drive_at(f), h = scale * full.column_at(c, f) / drive;
     column.response.push_back(h);
     column.error.push_back(scale * beyond / std::abs(drive));
@@ -70,11 +72,12 @@ void check_length(const PulseRecord& record, const scenario::SpectrumPlan& plan)
       plan.drive_place, plan.longest_pulse, record.end_of_pulse()));
 }
 
-void add_pulse_response(const PulseRecord& full, const PulseRecord& half, const scenario::SpectrumPlan& plan,
+void add_pulse_response(const PulseRecord& full, const PulseRecord& half, const Start& start,
                         RoadSpectrum& road) {
+  const scenario::SpectrumPlan& plan = start.spectrum();
   for (std::size_t c = 0; c < plan.observed.size(); ++c) {
     const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
-    road.columns.push_back(column_of(full, half, c, road.frequencies, scale));
+    road.columns.push_back(column_of(full, half, c, road.frequencies, scale, start));
     if (!plan.observed[c].of_shape) note_tail(full, c, plan, road);
   }
 }
@@ -94,9 +97,10 @@ RoadSpectrum pulse_spectrum(const Start& start) {
     throw Error("interrupted while the response to the pulse was recorded", ExitStatus::interrupted);
   RoadSpectrum road{.road = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
   road.steps = undriven.steps() + full.steps() + half.steps();
-  const auto add =
-      plan.pulse == scenario::SpectrumPlan::Pulse::noise ? add_noise_response : add_pulse_response;
-  add(full, half, plan, road);
+  if (plan.pulse == scenario::SpectrumPlan::Pulse::noise)
+    add_noise_response(full, half, plan, road);
+  else
+    add_pulse_response(full, half, start, road);
   for (std::size_t c = 0; c < plan.observed.size(); ++c)
     if (!plan.observed[c].of_shape) {
       note_motion(undriven, full, c, plan, road);
