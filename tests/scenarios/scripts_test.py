@@ -208,6 +208,26 @@ class Ratcheting(unittest.TestCase):
                 self.assertIn(line, done.stderr)
 
 
+class Page(unittest.TestCase):
+    def test_that_pages_of_scenes_say_what_the_scenes_require(self):
+        for folder in ("verification", "hard-cases"):
+            done = call("page.py", os.path.join(SCENARIOS, folder))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_that_a_page_with_another_title_is_refused(self):
+        with tempfile.TemporaryDirectory() as parent:
+            folder = os.path.join(parent, "scenes")
+            condition = '[[expect]]\nrequirement = "Body 1: speed"\nquantity = "steps"\nat_most = 1\n'
+            write(os.path.join(folder, "one.toml"), '[scene]\ntitle = "One"\n' + condition)
+            head = "<!-- Written by scenarios/page.py; to renew it: python3 scenarios/page.py scenarios/scenes build/release/bin/scree -->\n"
+            for row, status in (("| [one](one.toml) | One | speed | 1 | 0.10 | Body 1: speed |", 0),
+                                ("| [one](one.toml) | Two | speed | 1 | 0.10 | Body 1: speed |", 1), ("", 1)):
+                write(os.path.join(folder, "README.md"), head + row + "\n<!-- end -->\n")
+                done = call("page.py", folder)
+                with self.subTest(row=row):
+                    self.assertEqual((done.returncode, done.stderr.count("\n")), (status, status), done.stderr)
+
+
 class WithoutMatplotlib(unittest.TestCase):
     def test_that_scripts_name_the_package(self):
         with tempfile.TemporaryDirectory() as folder:
