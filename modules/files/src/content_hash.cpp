@@ -1,5 +1,7 @@
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <sys/stat.h>
 #include <tuple>
