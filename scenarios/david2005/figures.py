@@ -1,11 +1,10 @@
-"""Draws strain accumulation over the cycles for packings of several sizes and frictions (figures 3 and 5 of David et al. 2005) and their loops
-(figures 2 and 4) with each tangential spring, from a campaign of accumulation.toml, and prints their numbers: means over the seeds ± standard
-error, in brackets where it is of two packings and says little. Writes runs.csv, one row a cycle of each run, beside the pictures; runs of an
-earlier runs.csv there that the campaign lacks are kept and count too, but for their loops. Of a campaign with several periods or steps
-(rates.toml) it prints the numbers of each run instead.
+"""Draws cyclic loading of packings of several sizes and frictions, and records its numbers (David et al. 2005): claims.png, of figures 3 to 5; of
+each campaign its strain over the cycles (accumulation.png for accumulation.toml) and its loops (loops.png); results.csv, means over the seeds
+and standard errors. Of accumulation.toml also runs.csv, one row a cycle of each run; runs of an earlier runs.csv there that the campaign lacks
+are kept and count too, but for their loops. Of rates.toml and of the campaigns of quickstart.toml it records numbers alone.
 
-Usage: python3 scenarios/david2005/figures.py campaigns/accumulation [FOLDER for pictures and table, default: that of the campaign]
-Needs python3-matplotlib."""
+Usage: python3 scenarios/david2005/figures.py DIR... [--out FOLDER, default: the first DIR]
+DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib."""
 import math
 import os
 import statistics
@@ -13,23 +12,15 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from runs import SPRINGS, merged, runs_at  # noqa: E402 (of this folder)
+from claims import draw_claims  # noqa: E402 (of this folder, like the next)
+from record import mean_of, put_frictions, put_groups, put_runs, quantities_of  # noqa: E402
+from runs import SPRINGS, kept_runs, merged, runs_at  # noqa: E402
 from drawing import pyplot  # noqa: E402 (of the folder above, like the next)
-from tables import arguments, made, no_runs  # noqa: E402
+from results import Results  # noqa: E402
+from tables import folders, made, no_runs, study_of  # noqa: E402
 
-LATE = 50  # cycles
-
-
-def late_slope(run):
-    """Strain per cycle from cycle LATE on, or in the second half of fewer than twice as many."""
-    from_cycle = min(LATE, len(run.strain) // 2)
-    cycles = len(run.strain) - 1 - from_cycle
-    return (run.strain[-1] - run.strain[from_cycle]) / cycles if cycles > 0 else math.nan
-
-
-def mean_of(values):
-    error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else math.nan
-    return statistics.fmean(values), error
+PAPER = os.path.dirname(os.path.abspath(__file__))
+TABLE, KEPT = "runs.csv", "accumulation"  # the campaign whose runs the table keeps
 
 
 def with_error(mean, error, count):
@@ -50,9 +41,7 @@ def groups_of(runs):
 def print_numbers(groups):
     print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, late':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
     for (size, friction, spring), runs in groups.items():
-        quantities = (lambda r: r.strain[-1], late_slope, lambda r: r.loop_area[0], lambda r: r.slope[0] / 1e3)
-        numbers = [mean_of([quantity(r) for r in runs]) for quantity in quantities]
-        texts = [with_error(mean, error, len(runs)) for mean, error in numbers]
+        texts = [with_error(mean, error, len(runs)) for _, _, mean, error in quantities_of(runs)]
         print(f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
 
 
@@ -62,7 +51,7 @@ def print_runs(runs):
     for run in sorted(runs, key=lambda run: run.key):
         print(f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g} {len(run.loop_area):6} {run.strain[-1]:21.3g}"
               f" {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}")
-    print("several periods or steps: no means, pictures and runs.csv")
+    print("several periods or steps: no means")
 
 
 def plot_accumulation(axes, groups, title, name_of):
@@ -149,7 +138,7 @@ def draw_panels(panels, file, note=""):
     save(figure, axes, file, note)
 
 
-def draw_accumulation(groups, folder):
+def draw_accumulation(groups, file):
     """Over sizes and frictions, or the one of which there are several."""
     (sizes, weakest), (frictions, compared) = by_size(groups), by_friction(groups)
     panels = []
@@ -157,10 +146,10 @@ def draw_accumulation(groups, folder):
         panels.append(lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of))
     if values_of(frictions, 1) > 1:
         panels.append(lambda axes: plot_accumulation(axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of))
-    draw_panels(panels, os.path.join(folder, "accumulation.png"), "; n packings of each")
+    draw_panels(panels, file, "; n packings of each")
 
 
-def draw_loops(groups, folder):
+def draw_loops(groups, file):
     """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several frictions, and the first."""
     looped = {key: [run for run in runs if run.loops] for key, runs in groups.items()}
     looped = {key: runs for key, runs in looped.items() if runs}
@@ -178,23 +167,41 @@ def draw_loops(groups, folder):
     if compares:
         title_of_first = f"First cycle, {compared} spheres, first seed"
         panels.append(lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop()))
-    draw_panels(panels, os.path.join(folder, "loops.png"))
+    draw_panels(panels, file)
+
+
+def evaluate(folder, out, results):
+    """Draws and records the runs of a folder."""
+    study, campaign = study_of(folder), folder
+    if study in ("friction-campaign", "prepared-friction-campaign"):
+        return put_frictions(results, study, folder)
+    found = runs_at(folder)
+    if len({(run.period, run.step) for run in found}) > 1:
+        print_runs(found)
+        return put_runs(results, study, found, folder)
+    table = os.path.join(made(out), TABLE)
+    if not found and os.path.exists(table):
+        study, campaign = KEPT, None
+    if study == KEPT:
+        found = merged(found, folder, table)
+    if not found:
+        no_runs(folder, f"scenarios/david2005/{KEPT}.toml")
+    groups = groups_of(found)
+    print_numbers(groups)
+    put_groups(results, study, groups, campaign)
+    if len(found[0].strain) > 2:
+        draw_accumulation(groups, os.path.join(out, f"{study}.png"))
+    return draw_loops(groups, os.path.join(out, "loops.png" if study == KEPT else f"{study}-loops.png"))
 
 
 def main():
-    folder, *out = arguments(__doc__, 1, 2)
-    out, found = out[0] if out else folder, runs_at(folder)
-    table = os.path.join(out, "runs.csv")
-    if not found and not os.path.exists(table):
-        no_runs(folder, "scenarios/david2005/accumulation.toml")
-    if len({(run.period, run.step) for run in found}) > 1:
-        return print_runs(found)
-    made(out)
-    groups = groups_of(merged(found, folder, table))
-    print_numbers(groups)
-    draw_accumulation(groups, out)
-    draw_loops(groups, out)
-    return None
+    given, out = folders(__doc__)
+    results = Results(PAPER, out)
+    for folder in given:
+        evaluate(folder, out, results)
+    results.write()
+    kept = kept_runs(os.path.join(out, TABLE)) or kept_runs(os.path.join(PAPER, TABLE))
+    draw_claims(by_size(groups_of(kept))[0], results, out)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
 """Scripts of the scenarios on small campaigns whose numbers are known. Those that draw are skipped without matplotlib."""
+import csv
 import importlib.util
 import os
 import re
@@ -20,6 +21,12 @@ def write(path, text):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def rows_of(table):
+    """Rows of a results.csv by study, quantity and case."""
+    with open(table, encoding="utf-8", newline="") as file:
+        return {(row["study"], row["quantity"], row["case"]): row for row in csv.DictReader(file)}
 
 
 class Exponent(unittest.TestCase):
@@ -80,9 +87,14 @@ period = 1
         with tempfile.TemporaryDirectory() as folder:
             self.campaign(folder, (1, 2))
             done = call("david2005/figures.py", folder)
-            pictures = [os.path.exists(os.path.join(folder, name)) for name in ("accumulation.png", "loops.png")]
+            pictures = [os.path.exists(os.path.join(folder, name)) for name in ("accumulation.png", "loops.png", "claims.png")]
+            rows = rows_of(os.path.join(folder, "results.csv"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(pictures, [True, True])
+        self.assertEqual(pictures, [True, True, True])
+        row = rows["accumulation", "area of the first loop", "8 spheres, μ = 0.1, David et al."]
+        self.assertEqual([row[name] for name in ("unit", "scree", "packings", "source")], ["Pa", "0.0375", "2", "runs"])
+        # Rows of the record that the campaign lacks stay.
+        self.assertEqual(rows["rates", "strain after 20 cycles", "seed 1, period 1 s, step 2e-05 s"]["source"], "recorded")
         first, second = done.stdout.splitlines()[1:3]
         # Ten cycles of 1e-4 and 2e-4; in the first, ∮σ dε = 100/2 1e-3 − 50/2 5e-4 Pa, and 100 Pa at a strain of 1e-3.
         self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± 0\) +100 \(± 0\)")
@@ -97,9 +109,9 @@ period = 1
             self.campaign(first, (1,))
             self.campaign(second, (2,))
             self.campaign(other, (3,), "period = 2")
-            call("david2005/figures.py", first, out)
-            merged = call("david2005/figures.py", second, out)
-            refused = call("david2005/figures.py", other, out)
+            call("david2005/figures.py", first, "--out", out)
+            merged = call("david2005/figures.py", second, "--out", out)
+            refused = call("david2005/figures.py", other, "--out", out)
         self.assertEqual(merged.returncode, 0, merged.stderr)
         self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± [^ ]+\) +100 \(± 0\)")
         self.assertEqual((refused.returncode, refused.stderr.count("\n")), (1, 1), refused.stderr)
@@ -113,8 +125,10 @@ period = 1
             # Loops of two rows a time unit: half as many.
             write(other, self.SCENARIO.replace("PLUGIN", "linear_spring_dashpot").replace("SEED", "1").replace("period = 1", "period = 2"))
             done = call("david2005/figures.py", folder)
-            written = [name for name in os.listdir(folder) if name.endswith((".png", "runs.csv"))]
-        self.assertEqual((done.returncode, written), (0, []), done.stderr)
+            written = sorted(name for name in os.listdir(folder) if name.endswith((".png", "runs.csv", "results.csv")))
+            rows = rows_of(os.path.join(folder, "results.csv"))
+        self.assertEqual((done.returncode, written), (0, ["claims.png", "results.csv"]), done.stderr)
+        self.assertEqual(rows["accumulation", "strain after 5 cycles", "seed 1, period 2 s, step 0.001 s"]["scree"], "0.001")
         self.assertRegex(done.stdout, r"8 +0\.1 David et al\. +1 +2 +0\.001 +5 +0\.001 ")
         self.assertRegex(done.stdout, r"8 +0\.1 painted points +1 +1 +0\.001 +10 +0\.002 ")
 
@@ -136,6 +150,7 @@ period = 1
                 write(os.path.join(folder, name, "scenario.toml"), scenario)
                 write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed))
         write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+        write(os.path.join(folder, "campaign.json"), '{"file": "accumulation.toml"}')
 
     @staticmethod
     def loops(factor, seed, cycles=10):
