@@ -36,7 +36,7 @@ def record(folder, name):
         return refuse(f"{folder}: no {name}; SCREE is not the program scree")
 
 
-class Course:
+class Load:
     """Strains at the least load of each cycle, and wall time (s) of a cycle."""
 
     def __init__(self, name, rows, seconds):
@@ -71,7 +71,7 @@ def by_dynamics(scree, folder, overrides, period):
     run = record(out, "run.json")
     last = run["stages"][-1]
     share = last["steps"] / sum(stage["steps"] for stage in run["stages"])
-    return Course(f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / cycles_of(overrides))
+    return Load(f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / cycles_of(overrides))
 
 
 def without_dynamics(scree, folder, overrides, increments):
@@ -79,12 +79,12 @@ def without_dynamics(scree, folder, overrides, increments):
     verb = ["response", SCENARIO, "--quasi-static", "--increments", str(increments)]
     call(scree, verb, out, overrides)
     rows = read(os.path.join(out, "series", "quasi_static.csv"))[::increments]
-    return Course(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / cycles_of(overrides))
+    return Load(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / cycles_of(overrides))
 
 
-def draw(axes, roads, exact, value, title, unit):
-    for (name, courses), colour, mark in zip(roads, (ORANGE, BLUE), "so"):
-        shown = [(c, abs(value(c) / value(exact) - 1)) for c in courses]
+def draw(axes, methods, exact, value, title, unit):
+    for (name, loads), colour, mark in zip(methods, (ORANGE, BLUE), "so"):
+        shown = [(c, abs(value(c) / value(exact) - 1)) for c in loads]
         shown = [(c, error) for c, error in shown if error > 0]
         axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
         for k, (c, error) in enumerate(shown):
@@ -106,18 +106,18 @@ def main(scree, folder, packing="5", *overrides):
     dynamic = [by_dynamics(scree, folder, overrides, period) for period in PERIODS]
     static = [without_dynamics(scree, folder, overrides, increments) for increments in INCREMENTS]
     exact = static[-1]
-    for name, courses in (("period", dynamic), ("increments", static)):
-        for c in courses:
+    for name, loads in (("period", dynamic), ("increments", static)):
+        for c in loads:
             per_cycle = "" if math.isnan(c.slope) else f", per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})"
             print(f"{name} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
                   f"({c.first / exact.first - 1:+.1e}){per_cycle}")
-    roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
+    methods = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
     values = [(lambda c: c.first, "Strain after a cycle")]
     if not math.isnan(exact.slope):
         values.append((lambda c: c.slope, f"Strain per cycle, cycles {DROPPED} to {cycles_of(overrides)}"))
     figure, axes = pyplot.subplots(1, len(values), figsize=(5.5 * len(values), 4.4), squeeze=False)
     for part, (value, title) in zip(axes[0], values):
-        draw(part, roads, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
+        draw(part, methods, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
     save(figure, folder, "quasi-static.png")
 
 

@@ -193,7 +193,10 @@ class Ratcheting(unittest.TestCase):
         done = call("mcnamara2008/figures.py", folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "")
-        return done.stdout, os.path.exists(os.path.join(folder, "steps.png"))
+        drawn = os.path.exists(os.path.join(folder, "steps.png"))
+        row = rows_of(os.path.join(folder, "results.csv"))["steps", "exponent of the step", "corrected, packing 1"]
+        self.assertEqual((row["scree"], row["source"]), ("1.000", "runs" if drawn else "recorded"))
+        return done.stdout, drawn
 
     @DRAWS
     def test_that_panels_with_data_are_drawn_and_others_named(self):
