@@ -1,17 +1,23 @@
-"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of drives.toml, and prints their numbers.
+"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of drives.toml, and what the paper claims
+(claims.png) from results.csv; prints the numbers of these and of spectra.toml, and records them in results.csv.
 
-Usage: python3 scenarios/lemrich2017/figures.py campaigns/sweeps|campaigns/drives [FOLDER for the pictures, default: that of the campaign]
-Needs python3-matplotlib."""
+Usage: python3 scenarios/lemrich2017/figures.py DIR... [--out FOLDER, default: the first DIR]
+DIR: a campaign, or this folder, for claims.png of what is recorded. Needs python3-matplotlib."""
 import cmath
 import itertools
-import json
 import math
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PAPER = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.dirname(PAPER))
+sys.path.insert(0, PAPER)
+from claims import draw_claims  # noqa: E402 (of this folder, like the next)
+from exponent import exponents_of, packings_of, print_peaks  # noqa: E402
+from record import put_collapse, put_drives, put_exponents, put_peaks  # noqa: E402
 from drawing import pyplot, ticker  # noqa: E402 (of the folder above, like the next)
-from tables import arguments, made, no_runs, read, runs_of, scenario_of  # noqa: E402
+from results import Results  # noqa: E402
+from tables import folders, made, no_runs, read, runs_of, scenario_of, study_of  # noqa: E402
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
@@ -53,7 +59,7 @@ class Sweep:
         return self.frequencies[k] + shift * step, middle - 0.25 * (low - high) * shift
 
     def height(self):
-        """Of the packing from which the sweep begins (m)."""
+        """Height of the packing from which the sweep begins (m)."""
         with open(os.path.join(self.prepared, "final_packing.csv"), encoding="utf-8") as packing:
             ends = {line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))}
         return ends["upper"] - ends["lower"]
@@ -121,7 +127,7 @@ def strain_profile(layers):
 
 
 def ideal_strain(height):
-    """Of 3λ/4 with a free lower end, cos(3π h/2): its strain over the same distance."""
+    """Strain over the same distance of the mode 3λ/4 with a free lower end, cos(3π h/2)."""
     half = LAYERS_APART / 14 / 2
     wave = 1.5 * math.pi
     return abs(math.cos(wave * (height + half)) - math.cos(wave * (height - half)))
@@ -167,37 +173,57 @@ def spread(curves, strain):
     return len(found), (max(found) - min(found)) * len(found) / sum(found) if found else math.nan
 
 
-def print_collapse(sweeps):
-    """How far the frequencies of different stresses lie apart at equal strains, scaled and not."""
+def apart_at_strains(sweeps):
+    """How far the frequencies of different stresses lie apart at equal strains, not scaled and scaled: name of the strain, strain, number of
+    stresses, range over the mean."""
     stresses = sorted({s.stress for s in sweeps})
     resonant = [[s for s in sweeps if s.stress == stress and s.resonates()] for stress in stresses]
     plain = [[(s.local_strain(), s.top()[0]) for s in chosen] for chosen in resonant]
     scaled = [[s.scaled() for s in chosen] for chosen in resonant]
+    found = []
     for name, curves, strains in (("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
                                   ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8))):
-        for strain in strains:
-            count, apart = spread(curves, strain)
-            if count > 1:
-                print(f"{name} {strain:g}: the frequencies of {count} stresses lie within {100 * apart:.1f} % of their mean")
+        found += [(name, strain, *spread(curves, strain)) for strain in strains]
+    return [row for row in found if row[2] > 1]
 
 
-def main():
-    folder, *others = arguments(__doc__, 1, 2)
-    sweeps = sweeps_of(folder)
-    if not sweeps:
-        no_runs(folder, "scenarios/lemrich2017/sweeps.toml, or drives.toml,")
-    print_table(sweeps)
-    out = made(others[0] if others else folder)
-    with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
-        of_band = os.path.basename(json.load(record)["file"]) == "sweeps.toml"
-    if of_band:
-        return draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
-    print_collapse(sweeps)
+def evaluate_drives(sweeps, campaign, out, results):
+    apart = apart_at_strains(sweeps)
+    for name, strain, count, share in apart:
+        print(f"{name} {strain:g}: the frequencies of {count} stresses lie within {100 * share:.1f} % of their mean")
+    put_collapse(results, apart, campaign)
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
     shaped = [s for s in sweeps if s.stress == sweeps[0].stress and s.layers]
     if shaped:
         draw_profile([shaped[0], shaped[len(shaped) // 2], shaped[-1]], os.path.join(out, "profile.png"))
-    return None
+
+
+def evaluate(campaign, out, results):
+    """Draws and records a campaign."""
+    study = study_of(campaign)
+    if study == "spectra":
+        packings = packings_of(campaign)
+        print_peaks(packings)
+        put_peaks(results, packings, campaign)
+        return put_exponents(results, exponents_of(packings), campaign)
+    sweeps = sweeps_of(campaign)
+    if not sweeps:
+        no_runs(campaign, "scenarios/lemrich2017/sweeps.toml, drives.toml or spectra.toml")
+    print_table(sweeps)
+    put_drives(results, study, sweeps, campaign)
+    if study == "sweeps":
+        return draw_sweeps(sweeps, os.path.join(made(out), "sweeps.png"))
+    return evaluate_drives(sweeps, campaign, made(out), results)
+
+
+def main():
+    given, out = folders(__doc__)
+    results = Results(PAPER, out)
+    for campaign in given:
+        if os.path.realpath(campaign) != os.path.realpath(PAPER):
+            evaluate(campaign, out, results)
+    results.write()
+    draw_claims(results, out)
 
 
 if __name__ == "__main__":

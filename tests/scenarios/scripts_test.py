@@ -30,24 +30,43 @@ def rows_of(table):
 
 
 class Exponent(unittest.TestCase):
+    @staticmethod
+    def spectra(folder):
+        """Four packings whose frequencies grow by the powers 0.15 and 0.19 of the stress."""
+        rows = ["run,boundary.bottom.stress,seed,status"]
+        for seed, power in ((1, 0.15), (2, 0.19)):
+            for stress in (1e4, 1e5):
+                name = f"s{seed}_{stress:g}"
+                rows.append(f"{name},{stress},{seed},finished")
+                first = 7000 * (stress / 1e4) ** power
+                peaks = [f"{first * (4 * w)},1,10,{2 - w},{w}" for w in (0.25, 0.75, 1.25)]
+                head = "frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths"
+                # A smaller peak of the same name is left out.
+                write(os.path.join(folder, name, "peaks.csv"), "\n".join([head, *peaks, "1234,1,10,0.01,0.25"]) + "\n")
+        write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+        write(os.path.join(folder, "campaign.json"), '{"file": "spectra.toml"}')
+
     def test_of_frequencies_that_grow_by_a_power(self):
         with tempfile.TemporaryDirectory() as folder:
-            rows = ["run,boundary.bottom.stress,seed,status"]
-            for seed, power in ((1, 0.15), (2, 0.19)):
-                for stress in (1e4, 1e5):
-                    name = f"s{seed}_{stress:g}"
-                    rows.append(f"{name},{stress},{seed},finished")
-                    first = 7000 * (stress / 1e4) ** power
-                    peaks = [f"{first * (4 * w)},1,10,{2 - w},{w}" for w in (0.25, 0.75, 1.25)]
-                    head = "frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths"
-                    # A smaller peak of the same name is left out.
-                    write(os.path.join(folder, name, "peaks.csv"), "\n".join([head, *peaks, "1234,1,10,0.01,0.25"]) + "\n")
-            write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+            self.spectra(folder)
             done = call("lemrich2017/exponent.py", folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         # Mean of the powers, and half their difference.
         self.assertEqual(len(re.findall(r"n = 0\.1700 ± 0\.0200 \(seeds: 0\.1500, 0\.1900\)", done.stdout)), 3, done.stdout)
         self.assertIn("1 : 3.000 : 5.000", done.stdout)
+
+    @DRAWS
+    def test_that_rows_of_the_record_are_replaced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.spectra(folder)
+            done = call("lemrich2017/figures.py", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(os.path.exists(os.path.join(folder, "claims.png")))
+            rows = rows_of(os.path.join(folder, "results.csv"))
+        found = rows["spectra", "exponent of 3λ/4 in the stress", "prepare.toml"]
+        self.assertEqual([found[name] for name in ("paper", "scree", "error", "packings", "source")], ["1/6", "0.1700", "0.0200", "2", "runs"])
+        self.assertEqual(rows["spectra", "frequency of 5λ/4", "10 kPa, seed 1"]["scree"], "35.0000")
+        self.assertEqual(rows["spectra", "frequency of 5λ/4", "10 kPa, seed 3"]["source"], "recorded")
 
     def refused(self, table, line):
         with tempfile.TemporaryDirectory() as folder:
