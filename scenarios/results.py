@@ -1,15 +1,32 @@
-"""results.csv of a paper's folder: one number a row, from the paper and from scree, with the command, machine, commit and date of its runs."""
+"""results.csv of a paper's folder: one number a row, from the paper and from scree, with the command, machine,
+commit and date of its runs."""
 import csv
+import functools
 import os
 import subprocess
 import time
 
 from tables import made
 
-COLUMNS = ("study", "quantity", "case", "unit", "paper", "scree", "error", "packings", "command", "machine", "commit", "date", "source")
+COLUMNS = (
+    "study",
+    "quantity",
+    "case",
+    "unit",
+    "paper",
+    "scree",
+    "error",
+    "packings",
+    "command",
+    "machine",
+    "commit",
+    "date",
+    "source",
+)
 KEY = COLUMNS[:3]
 
 
+@functools.cache
 def machine():
     """Processor and cores of this computer."""
     with open("/proc/cpuinfo", encoding="utf-8") as lines:
@@ -17,6 +34,7 @@ def machine():
     return f"{names[0] if names else 'unknown processor'}, {os.cpu_count()} cores"
 
 
+@functools.cache
 def commit(folder):
     """Commit of the tree of a folder; empty if there is none."""
     words = ["git", "-C", folder, "describe", "--always", "--dirty", "--exclude", "*"]
@@ -29,8 +47,9 @@ def date_of(path):
 
 
 class Results:
-    """The rows of results.csv in a folder, by default those of the folder of the paper. A row that `put` measures again keeps its unit,
-    paper and command; its source becomes `runs`. Rows of numbers that were entered from a study log have the source `recorded`."""
+    """The rows of results.csv in a folder, by default those of the folder of the paper. A row that `put`
+    measures again keeps its unit, paper and command; its source becomes `runs`. Rows of numbers that were
+    entered from a study log have the source `recorded`."""
 
     def __init__(self, paper, folder):
         self.paper, self.folder, self.rows = os.path.abspath(paper), folder, {}
@@ -46,7 +65,11 @@ class Results:
         kept["unit"] = kept["unit"] or unit
         kept["command"] = kept["command"] or f"scree campaign scenarios/{os.path.basename(self.paper)}/{key[0]}.toml"
         if campaign:
-            kept |= {"machine": machine(), "commit": commit(self.paper), "date": date_of(os.path.join(campaign, "table.csv"))}
+            kept |= {
+                "machine": machine(),
+                "commit": commit(self.paper),
+                "date": date_of(os.path.join(campaign, "table.csv")),
+            }
         self.rows[key] = kept | {"scree": scree, "error": error, "packings": packings, "source": source}
 
     def value(self, *key):

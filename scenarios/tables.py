@@ -20,8 +20,8 @@ def read(path):
 
 
 def runs_of(folder, *columns):
-    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign. Ends the script with one line if
-    its table lacks one of the columns."""
+    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign. Ends
+    the script with one line if its table lacks one of the columns."""
     table = os.path.join(folder, "table.csv")
     rows = read(table) if os.path.exists(table) else []
     for column in columns:

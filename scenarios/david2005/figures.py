@@ -1,7 +1,9 @@
-"""Draws cyclic loading of packings of several sizes and frictions, and records its numbers (David et al. 2005): claims.png, of figures 3 to 5; of
-each campaign its strain over the cycles (accumulation.png for accumulation.toml) and its loops (loops.png); results.csv, means over the seeds
-and standard errors. Of accumulation.toml also runs.csv, one row a cycle of each run; runs of an earlier runs.csv there that the campaign lacks
-are kept and count too, but for their loops. Of rates.toml and of the campaigns of quickstart.toml it records numbers alone.
+"""Draws cyclic loading of packings of several sizes and frictions, and records its numbers (David et al. 2005):
+claims.png, of figures 3 to 5; of each campaign its strain over the cycles (accumulation.png for
+accumulation.toml) and its loops (loops.png); results.csv, means over the seeds and standard errors. Of
+accumulation.toml also runs.csv, one row a cycle of each run; runs of an earlier runs.csv there that the
+campaign lacks are kept and count too, but for their loops. Of rates.toml and of the campaigns of
+quickstart.toml it records numbers alone.
 
 Usage: python3 scenarios/david2005/figures.py DIR... [--out FOLDER, default: the first DIR]
 DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib."""
@@ -39,34 +41,51 @@ def groups_of(runs):
 
 
 def print_numbers(groups):
-    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, late':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
+    heads = ("strain after the last cycle", "per cycle, late", "first loop [Pa]", "slope [kPa]")
+    print(f"spheres     μ {'spring':14} seeds  {heads[0]:>28}  {heads[1]:>24}  {heads[2]:>20}  {heads[3]:>16}")
     for (size, friction, spring), runs in groups.items():
         texts = [with_error(mean, error, len(runs)) for _, _, mean, error in quantities_of(runs)]
-        print(f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
+        print(
+            f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}"
+            f"  {texts[2]:>20}  {texts[3]:>16}"
+        )
 
 
 def print_runs(runs):
-    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seed':>4} {'period [s]':>10} {'step [s]':>8} {'cycles':>6} {'strain after the last':>21}"
-          f" {'first loop [Pa]':>15} {'slope [kPa]':>11}")
+    print(
+        f"spheres     μ {'spring':14} seed period [s] step [s] cycles strain after the last"
+        " first loop [Pa] slope [kPa]"
+    )
     for run in sorted(runs, key=lambda run: run.key):
-        print(f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g} {len(run.loop_area):6} {run.strain[-1]:21.3g}"
-              f" {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}")
+        print(
+            f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g}"
+            f" {len(run.loop_area):6} {run.strain[-1]:21.3g} {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}"
+        )
     print("several periods or steps: no means")
 
 
 def plot_accumulation(axes, groups, title, name_of):
-    """Means of the seeds, with standard errors after the last cycle; on a logarithmic scale where they differ widely."""
+    """Means of the seeds, with standard errors after the last cycle; logarithmic where they differ widely."""
     ends = [mean_of([run.strain[-1] for run in runs])[0] for runs in groups.values()]
     if min(ends) > 0 and max(ends) > 20 * min(ends):
         axes.set_yscale("log")
-    for at, (label, runs, look) in enumerate(with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")):
+    for at, (label, runs, look) in enumerate(
+        with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")
+    ):
         last = min(len(r.strain) for r in runs) - 1
-        axes.plot(range(last + 1), [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)], label=label, **look)
+        axes.plot(
+            range(last + 1),
+            [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)],
+            label=label,
+            **look,
+        )
         mean, error = mean_of([1e3 * r.strain[last] for r in runs])
         error = None if math.isnan(error) else error
         # Beside one another.
         fill = "none" if look["linestyle"] == "--" else "full"
-        axes.errorbar(last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look)
+        axes.errorbar(
+            last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look
+        )
     axes.set(title=title, xlabel="cycle", ylabel="deviatoric strain at the least load / 10⁻³")
 
 
@@ -96,7 +115,9 @@ def packings_of(groups, key):
 
 
 def save(figure, panels, file, note):
-    figure.suptitle(f"Tangential springs: solid lines that of David et al., dashed lines painted points{note}", fontsize=10)
+    figure.suptitle(
+        f"Tangential springs: solid lines that of David et al., dashed lines painted points{note}", fontsize=10
+    )
     for axes in panels:
         axes.grid(color="#eeeeee")
         axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
@@ -143,14 +164,21 @@ def draw_accumulation(groups, file):
     (sizes, weakest), (frictions, compared) = by_size(groups), by_friction(groups)
     panels = []
     if values_of(sizes, 0) > 1 or values_of(frictions, 1) < 2:
-        panels.append(lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of))
+        panels.append(
+            lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of)
+        )
     if values_of(frictions, 1) > 1:
-        panels.append(lambda axes: plot_accumulation(axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of))
+        panels.append(
+            lambda axes: plot_accumulation(
+                axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of
+            )
+        )
     draw_panels(panels, file, "; n packings of each")
 
 
 def draw_loops(groups, file):
-    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several frictions, and the first."""
+    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several
+    frictions, and the first."""
     looped = {key: [run for run in runs if run.loops] for key, runs in groups.items()}
     looped = {key: runs for key, runs in looped.items() if runs}
     if not looped:
@@ -166,7 +194,9 @@ def draw_loops(groups, file):
         panels.append(lambda axes: plot_loops(axes, largest, title, size_of, lambda run: run.loops, 0.4))
     if compares:
         title_of_first = f"First cycle, {compared} spheres, first seed"
-        panels.append(lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop()))
+        panels.append(
+            lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop())
+        )
     draw_panels(panels, file)
 
 

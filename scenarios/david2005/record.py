@@ -23,10 +23,12 @@ def late_slope(run):
 def quantities_of(runs):
     """Name, unit, mean and standard error of what is measured of packings of one kind."""
     cycles = len(runs[0].strain) - 1
-    quantities = ((f"strain after {cycles} cycle{'s' * (cycles != 1)}", "1", lambda run: run.strain[-1]),
-                  (f"strain per cycle, cycles {min(LATE, (cycles + 1) // 2)} to {cycles}", "1", late_slope),
-                  ("area of the first loop", "Pa", lambda run: run.loop_area[0]),
-                  ("slope of the first loop", "kPa", lambda run: run.slope[0] / 1e3))
+    quantities = (
+        (f"strain after {cycles} cycle{'s' * (cycles != 1)}", "1", lambda run: run.strain[-1]),
+        (f"strain per cycle, cycles {min(LATE, (cycles + 1) // 2)} to {cycles}", "1", late_slope),
+        ("area of the first loop", "Pa", lambda run: run.loop_area[0]),
+        ("slope of the first loop", "kPa", lambda run: run.slope[0] / 1e3),
+    )
     return [(name, unit, *mean_of([quantity(run) for run in runs])) for name, unit, quantity in quantities]
 
 
@@ -40,7 +42,9 @@ def put_groups(results, study, groups, campaign):
         for name, unit, mean, error in quantities_of(runs):
             if not math.isnan(mean):
                 key = study, name, f"{size} spheres, μ = {friction:g}, {spring}"
-                results.put(key, unit, text(mean, 3), text(error, 2), len(runs), campaign, "runs" if campaign else "runs.csv")
+                results.put(
+                    key, unit, text(mean, 3), text(error, 2), len(runs), campaign, "runs" if campaign else "runs.csv"
+                )
 
 
 def put_runs(results, study, runs, campaign):
@@ -54,10 +58,15 @@ def put_runs(results, study, runs, campaign):
 
 def put_frictions(results, study, campaign):
     """Means over the seeds of what the campaigns of quickstart.toml collect."""
-    columns = (("contacts.coordination_number.last", "contacts per sphere after the cycle"), ("box.deviatoric_strain.max", "largest deviatoric strain"))
+    columns = (
+        ("contacts.coordination_number.last", "contacts per sphere after the cycle"),
+        ("box.deviatoric_strain.max", "largest deviatoric strain"),
+    )
     rows = runs_of(campaign, *(column for column, _ in columns), "contact.static_friction")
     for friction in dict.fromkeys(row["contact.static_friction"] for row in rows):
         chosen = [row for row in rows if row["contact.static_friction"] == friction]
         for column, name in columns:
             mean, error = mean_of([float(row[column]) for row in chosen])
-            results.put((study, name, f"μ = {float(friction):g}"), "1", text(mean, 3), text(error, 2), len(chosen), campaign)
+            results.put(
+                (study, name, f"μ = {float(friction):g}"), "1", text(mean, 3), text(error, 2), len(chosen), campaign
+            )

@@ -1,4 +1,5 @@
-"""What Lemrich et al. (2017) claim, as the rows of results.csv have it: modes over the stress, and 3λ/4 over the strain, plain and scaled (figure 3)."""
+"""What Lemrich et al. (2017) claim, as the rows of results.csv have it: modes over the stress, and 3λ/4 over
+the strain, plain and scaled (figure 3)."""
 import os
 import re
 
@@ -19,7 +20,9 @@ def numbers_of(results, study, quantity):
 
 def plot_modes(axes, results):
     for (wavelengths, name), colour in zip(NAMES.items(), COLOURS):
-        points = sorted((stress, frequency) for stress, _, frequency in numbers_of(results, "spectra", f"frequency of {name}"))
+        points = sorted(
+            (stress, frequency) for stress, _, frequency in numbers_of(results, "spectra", f"frequency of {name}")
+        )
         if points:
             axes.loglog(*zip(*points), "o", markersize=4, fillstyle="none", color=colour, label=name)
             stresses = sorted({stress for stress, _ in points})
@@ -32,18 +35,29 @@ def plot_modes(axes, results):
 
 
 def plot_drives(axes, results, scaled):
-    strains = {(stress, drive): strain for stress, drive, strain in numbers_of(results, "drives", "local strain at the maximum")}
+    strains = {
+        (stress, drive): strain
+        for stress, drive, strain in numbers_of(results, "drives", "local strain at the maximum")
+    }
     curves = {}
     for stress, drive, frequency in numbers_of(results, "drives", "frequency of the maximum"):
         if (stress, drive) in strains:
             share = stress * 1e3 / MODULUS if scaled else 1
-            curves.setdefault(stress, []).append((strains[stress, drive] * share ** (-2 / 3), frequency * share ** (-1 / 6)))
+            curves.setdefault(stress, []).append(
+                (strains[stress, drive] * share ** (-2 / 3), frequency * share ** (-1 / 6))
+            )
     for (stress, points), colour in zip(sorted(curves.items()), COLOURS):
         axes.plot(*zip(*sorted(points)), "o-", color=colour, markersize=5, linewidth=1.2, label=f"{stress:g} kPa")
     axes.set(xscale="log", ylim=(0, None))
     axes.set_xlabel(r"local strain $\cdot\ (\sigma/Y)^{-2/3}$" if scaled else "local strain")
     axes.set_ylabel(r"frequency of 3λ/4 $\cdot\ (\sigma/Y)^{-1/6}$ / kHz" if scaled else "frequency of 3λ/4 / kHz")
-    axes.set_title("The same, scaled after Hertz\n(figure 3, below)" if scaled else "Rising drives under four stresses\n(figure 3, above)", loc="left", fontsize=10)
+    axes.set_title(
+        "The same, scaled after Hertz\n(figure 3, below)"
+        if scaled
+        else "Rising drives under four stresses\n(figure 3, above)",
+        loc="left",
+        fontsize=10,
+    )
     ticks = (0.5, 1, 2) if scaled else (5e-5, 1e-4, 2e-4)
     axes.set_xticks(ticks, [f"{tick:g}" if scaled else f"{tick:.0e}" for tick in ticks])
 

@@ -1,5 +1,6 @@
-"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of drives.toml, and what the paper claims
-(claims.png) from results.csv; prints the numbers of these and of spectra.toml, and records them in results.csv.
+"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of
+drives.toml, and what the paper claims (claims.png) from results.csv; prints the numbers of these and of
+spectra.toml, and records them in results.csv.
 
 Usage: python3 scenarios/lemrich2017/figures.py DIR... [--out FOLDER, default: the first DIR]
 DIR: a campaign, or this folder, for claims.png of what is recorded. Needs python3-matplotlib."""
@@ -30,7 +31,9 @@ class Sweep:
     """One run of the campaign: a stress, a drive, the response and its highest peak."""
 
     def __init__(self, row, folder):
-        self.prepared = os.path.join(folder, "prepare", os.path.basename(os.path.dirname(scenario_of(row["path"])["particles"]["state"])))
+        self.prepared = os.path.join(
+            folder, "prepare", os.path.basename(os.path.dirname(scenario_of(row["path"])["particles"]["state"]))
+        )
         self.stress = float(row["boundary.bottom.stress"])
         self.case = row["case"]
         self.amplitude = float(row["spectrum.amplitude"])
@@ -39,20 +42,25 @@ class Sweep:
         self.response = [float(r[f"{COLUMN}.amplitude"]) for r in spectrum]
         self.largest = max(range(len(self.response)), key=self.response.__getitem__)
         peaks = [r for r in read(os.path.join(row["path"], "peaks.csv")) if r["column"] == COLUMN]
-        self.peak = min(peaks, key=lambda r: abs(float(r["frequency"]) - self.frequencies[self.largest]), default=None)
+        self.peak = min(
+            peaks, key=lambda r: abs(float(r["frequency"]) - self.frequencies[self.largest]), default=None
+        )
         self.layers = self.read_layers(os.path.join(row["path"], "shapes.csv"))
 
     def read_layers(self, path):
         """Complex displacements of the layers at the peak, over that of the drive."""
         if self.peak is None or not os.path.exists(path):
             return []
-        return [cmath.rect(float(r["amplitude"]), float(r["phase"])) for r in read(path)
-                if r["column"] == COLUMN and r["frequency"] == self.peak["frequency"]]
+        return [
+            cmath.rect(float(r["amplitude"]), float(r["phase"]))
+            for r in read(path)
+            if r["column"] == COLUMN and r["frequency"] == self.peak["frequency"]
+        ]
 
     def top(self):
         """Frequency (Hz) and response (1/m) of the maximum, by a parabola through the three highest points."""
         k = min(max(self.largest, 1), len(self.response) - 2)
-        low, middle, high = self.response[k - 1:k + 2]
+        low, middle, high = self.response[k - 1 : k + 2]
         bend = low - 2 * middle + high
         shift = 0.5 * (low - high) / bend if bend < 0 else 0.0
         step = self.frequencies[k + 1] - self.frequencies[k]
@@ -61,7 +69,9 @@ class Sweep:
     def height(self):
         """Height of the packing from which the sweep begins (m)."""
         with open(os.path.join(self.prepared, "final_packing.csv"), encoding="utf-8") as packing:
-            ends = {line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))}
+            ends = {
+                line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))
+            }
         return ends["upper"] - ends["lower"]
 
     def local_strain(self):
@@ -72,14 +82,19 @@ class Sweep:
 
     def scaled(self):
         """Local strain and frequency (Hz) over what Hertz's law makes them depend on the stress."""
-        return self.local_strain() * (self.stress / MODULUS) ** (-2 / 3), self.top()[0] * (self.stress / MODULUS) ** (-1 / 6)
+        return self.local_strain() * (self.stress / MODULUS) ** (-2 / 3), self.top()[0] * (self.stress / MODULUS) ** (
+            -1 / 6
+        )
 
     def resonates(self):
         return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
 
 
 def sweeps_of(folder):
-    return sorted((Sweep(row, folder) for row in runs_of(folder, "boundary.bottom.stress", "spectrum.amplitude", "case")), key=lambda s: (s.stress, s.amplitude))
+    return sorted(
+        (Sweep(row, folder) for row in runs_of(folder, "boundary.bottom.stress", "spectrum.amplitude", "case")),
+        key=lambda s: (s.stress, s.amplitude),
+    )
 
 
 def draw_sweeps(sweeps, path):
@@ -87,8 +102,15 @@ def draw_sweeps(sweeps, path):
     height = sweeps[0].height()
     for sweep, colour in zip(sweeps, itertools.cycle(COLOURS)):
         ratio = [r * height for r in sweep.response]
-        axes.plot([f / 1e3 for f in sweep.frequencies], ratio, color=colour, marker="o", markersize=3, linewidth=1.3,
-                  label=f"{sweep.amplitude / height:.1e}")
+        axes.plot(
+            [f / 1e3 for f in sweep.frequencies],
+            ratio,
+            color=colour,
+            marker="o",
+            markersize=3,
+            linewidth=1.3,
+            label=f"{sweep.amplitude / height:.1e}",
+        )
     axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
     axes.set_title(f"Sweeps at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
     axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False, loc="lower left", ncols=2)
@@ -106,7 +128,9 @@ def draw_collapse(sweeps, path):
         plain.plot([s.local_strain() for s in chosen], [s.top()[0] / 1e3 for s in chosen], **style)
         scaled.plot([s.scaled()[0] for s in chosen], [s.scaled()[1] / 1e3 for s in chosen], **style)
     plain.set(xscale="log", xlabel="local strain", ylabel="frequency of 3λ/4 (kHz)")
-    scaled.set(xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)")
+    scaled.set(
+        xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)"
+    )
     plain.set_title("Peaks 3λ/4 under four stresses (figure 3)", loc="left", fontsize=11)
     scaled.set_title("The same, scaled after Hertz", loc="left", fontsize=11)
     for axes, ticks in ((plain, (2e-5, 5e-5, 1e-4, 2e-4, 5e-4)), (scaled, (0.3, 0.5, 1, 2, 4))):
@@ -138,8 +162,15 @@ def draw_profile(sweeps, path):
     for sweep, colour in zip(sweeps, (COLOURS[0], COLOURS[3], COLOURS[4])):
         heights, strains = strain_profile(sweep.layers)
         largest = max(strains)
-        axes.plot([s / largest for s in strains], heights, color=colour, marker="o", markersize=4, linewidth=1.2,
-                  label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz")
+        axes.plot(
+            [s / largest for s in strains],
+            heights,
+            color=colour,
+            marker="o",
+            markersize=4,
+            linewidth=1.2,
+            label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz",
+        )
     fine = [LAYERS_APART / 28 + k * (1 - LAYERS_APART / 14) / 200 for k in range(201)]
     ideal = [ideal_strain(h) for h in fine]
     axes.plot([s / max(ideal) for s in ideal], fine, color="black", linewidth=1.2, label="3λ/4")
@@ -155,8 +186,10 @@ def print_table(sweeps):
     print("stress [kPa]  drive [m]  peak [Hz]       Q  local strain  f (σ/Y)^(-1/6) [kHz]  ε (σ/Y)^(-2/3)")
     for s in sweeps:
         strain, frequency = s.scaled()
-        print(f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {s.top()[0]:10.0f} {s.quality():7.1f} {s.local_strain():13.3e}"
-              f" {frequency / 1e3:22.1f} {strain:15.4f}")
+        print(
+            f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {s.top()[0]:10.0f} {s.quality():7.1f} {s.local_strain():13.3e}"
+            f" {frequency / 1e3:22.1f} {strain:15.4f}"
+        )
 
 
 def at_strain(curve, strain):
@@ -174,15 +207,17 @@ def spread(curves, strain):
 
 
 def apart_at_strains(sweeps):
-    """How far the frequencies of different stresses lie apart at equal strains, not scaled and scaled: name of the strain, strain, number of
-    stresses, range over the mean."""
+    """How far the frequencies of different stresses lie apart at equal strains, not scaled and scaled: name of
+    the strain, strain, number of stresses, range over the mean."""
     stresses = sorted({s.stress for s in sweeps})
     resonant = [[s for s in sweeps if s.stress == stress and s.resonates()] for stress in stresses]
     plain = [[(s.local_strain(), s.top()[0]) for s in chosen] for chosen in resonant]
     scaled = [[s.scaled() for s in chosen] for chosen in resonant]
     found = []
-    for name, curves, strains in (("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
-                                  ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8))):
+    for name, curves, strains in (
+        ("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
+        ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8)),
+    ):
         found += [(name, strain, *spread(curves, strain)) for strain in strains]
     return [row for row in found if row[2] > 1]
 

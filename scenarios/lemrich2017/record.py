@@ -15,8 +15,14 @@ def put_peaks(results, packings, campaign):
 def put_exponents(results, exponents, campaign):
     for name, slopes in exponents.items():
         mean, error = mean_and_error(slopes)
-        results.put(("spectra", f"exponent of {name} in the stress", "prepare.toml"), "1", f"{mean:.4f}", "" if math.isnan(error) else f"{error:.4f}",
-                    len(slopes), campaign)
+        results.put(
+            ("spectra", f"exponent of {name} in the stress", "prepare.toml"),
+            "1",
+            f"{mean:.4f}",
+            "" if math.isnan(error) else f"{error:.4f}",
+            len(slopes),
+            campaign,
+        )
 
 
 def put_drives(results, study, sweeps, campaign):
@@ -27,9 +33,23 @@ def put_drives(results, study, sweeps, campaign):
         results.put((study, "local strain at the maximum", case), "1", f"{sweep.local_strain():.2g}", "", 1, campaign)
         if sweep.peak:
             error = sweep.peak.get("quality_error", "")
-            results.put((study, "Q of the nearest mode", case), "1", f"{sweep.quality():.1f}", f"{float(error):.1f}" if error else "", 1, campaign)
+            results.put(
+                (study, "Q of the nearest mode", case),
+                "1",
+                f"{sweep.quality():.1f}",
+                f"{float(error):.1f}" if error else "",
+                1,
+                campaign,
+            )
 
 
 def put_collapse(results, apart, campaign):
     for name, strain, count, share in apart:
-        results.put(("drives", "range of the frequencies over their mean", f"{name} = {strain:g}"), "%", f"{100 * share:.1f}", "", count, campaign)
+        results.put(
+            ("drives", "range of the frequencies over their mean", f"{name} = {strain:g}"),
+            "%",
+            f"{100 * share:.1f}",
+            "",
+            count,
+            campaign,
+        )

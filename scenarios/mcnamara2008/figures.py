@@ -1,15 +1,28 @@
-"""Draws figures 1 to 6 and 13 to 18 of McNamara et al. (2008) from campaigns of this folder, prints their numbers and records them in results.csv.
+"""Draws figures 1 to 6 and 13 to 18 of McNamara et al. (2008) from campaigns of this folder, prints their
+numbers and records them in results.csv.
 
 Usage: python3 scenarios/mcnamara2008/figures.py DIR... [--out FOLDER, default: the first DIR]
-DIR: a campaign, or a folder of campaigns. cycle.png is of paths, ellipse.png of elliptic and paths, steps.png of laws and steps, rattlers.png of
-rattlers and long; of choices, fine and large there are numbers alone. A picture lacks the panels whose campaigns are missing, and a line says
-so. Needs python3-matplotlib."""
+DIR: a campaign, or a folder of campaigns. cycle.png is of paths, ellipse.png of elliptic and paths, steps.png
+of laws and steps, rattlers.png of rattlers and long; of choices, fine and large there are numbers alone. A
+picture lacks the panels whose campaigns are missing, and a line says so. Needs python3-matplotlib."""
 import math
 import os
 
 from packing import draw_packing
-from record import FRICTION, LOAD, Biaxial, bodies_of, contact_that_slides, ellipses_of, lines_of, long_runs, phases_of, put_all, sine_fit
-from record import widest_of
+from record import (
+    FRICTION,
+    LOAD,
+    Biaxial,
+    bodies_of,
+    contact_that_slides,
+    ellipses_of,
+    lines_of,
+    long_runs,
+    phases_of,
+    put_all,
+    sine_fit,
+    widest_of,
+)
 from series import DROPPED, slope_of, strains
 from style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, label, pyplot, save
 from results import Results  # of the folder above, which series.py adds, like the next
@@ -22,7 +35,8 @@ CAMPAIGNS = ("paths", "elliptic", "laws", "steps", "rattlers", "long", "choices"
 
 
 def compose(name, panels, out):
-    """Draws the panels that have data, two in a row, and prints what the others need. panels: (what it is and needs, data, how to draw it)."""
+    """Draws the panels that have data, two in a row, and prints what the others need. panels: (what it is and
+    needs, data, how to draw it)."""
     ready = [(data, draw) for _, data, draw in panels if data]
     for needs in dict.fromkeys(needs for needs, data, _ in panels if not data):
         print(f"{name} {'without' if ready else 'not drawn:'} {needs}")
@@ -30,7 +44,7 @@ def compose(name, panels, out):
         return
     wide, high = min(len(ready), 2), (len(ready) + 1) // 2
     figure, axes = pyplot.subplots(high, wide, figsize=(5 * wide + 0.5 * (wide == 1), 4.2 * high), squeeze=False)
-    for panel in axes.flat[len(ready):]:
+    for panel in axes.flat[len(ready) :]:
         panel.remove()
     for panel, (data, draw) in zip(axes.flat, ready):
         draw(panel, data)
@@ -51,7 +65,13 @@ def draw_slip(axes, paths):
         axes.plot([n[k] for k in chosen], [t[k] for k in chosen], ".", markersize=4, color=colour, label=text)
     ends = [0, max(n) * 1.02]
     for sign in (1, -1):
-        axes.plot(ends, [sign * FRICTION * e for e in ends], color="black", linestyle=":", label=r"$\pm\mu F_n$" if sign > 0 else None)
+        axes.plot(
+            ends,
+            [sign * FRICTION * e for e in ends],
+            color="black",
+            linestyle=":",
+            label=r"$\pm\mu F_n$" if sign > 0 else None,
+        )
     axes.set_xlim(min(n) - 0.4 * (max(n) - min(n)), ends[1])
     axes.legend(frameon=False, fontsize=8)
     label(axes, f"Sliding contact, {bodies_of(name)} (figure 3)", "$F_n$ / N", "$F_t$ / N")
@@ -71,7 +91,7 @@ def draw_stick(axes, paths):
 
 def draw_loop(axes, biaxial):
     loads = [LOAD * (1 - math.cos(2 * math.pi * k / biaxial.per)) for k in range(3 * biaxial.per + 1)]
-    axes.plot(loads, [g * 1e3 for g in biaxial.gamma[:len(loads)]], color=BLUE, linewidth=1)
+    axes.plot(loads, [g * 1e3 for g in biaxial.gamma[: len(loads)]], color=BLUE, linewidth=1)
     label(axes, f"{biaxial.name}: three cycles (figure 1)", "$q$ / p", r"$\gamma$ / 10$^{-3}$")
 
 
@@ -79,12 +99,19 @@ def draw_minima(axes, gamma, title, look):
     """Strains at the least load from cycle DROPPED on."""
     about_first = [g - gamma[0] for g in gamma]
     power = power_of(about_first)
-    axes.plot(range(DROPPED, DROPPED + len(gamma)), [g / 10**power for g in about_first], look, markersize=3.5, linewidth=0.5, color=BLUE)
+    axes.plot(
+        range(DROPPED, DROPPED + len(gamma)),
+        [g / 10**power for g in about_first],
+        look,
+        markersize=3.5,
+        linewidth=0.5,
+        color=BLUE,
+    )
     label(axes, title, "cycle", rf"$\gamma$ less that of cycle {DROPPED} / 10$^{{{power}}}$")
 
 
 def draw_ratcheting(axes, biaxial):
-    gamma = biaxial.gamma[DROPPED * biaxial.per::biaxial.per]
+    gamma = biaxial.gamma[DROPPED * biaxial.per :: biaxial.per]
     draw_minima(axes, gamma, "Strain at the least load (figure 2)", "o")
 
 
@@ -93,9 +120,16 @@ def draw_cycle(campaigns, out):
     biaxial = Biaxial(run) if run else None
     needs = "figures 1 to 4, of paths.toml: case biaxial with 30 cycles or more"
     sliding = biaxial.paths if biaxial and biaxial.slides() else None
-    compose("cycle.png", [(needs, biaxial, draw_loop), (needs, biaxial, draw_ratcheting),
-                          ("figure 3, of a contact that slides" if biaxial else needs, sliding, draw_slip),
-                          (needs, biaxial and biaxial.paths, draw_stick)], out)
+    compose(
+        "cycle.png",
+        [
+            (needs, biaxial, draw_loop),
+            (needs, biaxial, draw_ratcheting),
+            ("figure 3, of a contact that slides" if biaxial else needs, sliding, draw_slip),
+            (needs, biaxial and biaxial.paths, draw_stick),
+        ],
+        out,
+    )
 
 
 def draw_phases(axes, by_packing):
@@ -103,12 +137,29 @@ def draw_phases(axes, by_packing):
         amplitude = sine_fit(slopes)[0]
         if case == "a third of the load":
             phases = sorted(slopes)
-            axes.plot(phases, [slopes[p] / amplitude for p in phases], MARKS[seed % len(MARKS)], markersize=5, fillstyle="none",
-                      label=f"{seed}: {amplitude:.1e}")
-    axes.plot(range(0, 361), [math.sin(math.radians(p)) for p in range(0, 361)], color="black", linewidth=1, label=r"sin $\varphi$")
+            axes.plot(
+                phases,
+                [slopes[p] / amplitude for p in phases],
+                MARKS[seed % len(MARKS)],
+                markersize=5,
+                fillstyle="none",
+                label=f"{seed}: {amplitude:.1e}",
+            )
+    axes.plot(
+        range(0, 361),
+        [math.sin(math.radians(p)) for p in range(0, 361)],
+        color="black",
+        linewidth=1,
+        label=r"sin $\varphi$",
+    )
     axes.legend(title="packing: A per cycle", frameon=False, fontsize=8, title_fontsize=8)
     axes.set_xticks(range(0, 361, 60))
-    label(axes, r"Strain per cycle without slip, $\Delta\sigma$ = 0.05 p (figure 5)", r"$\varphi$ / °", r"$\Delta\gamma$ / A")
+    label(
+        axes,
+        r"Strain per cycle without slip, $\Delta\sigma$ = 0.05 p (figure 5)",
+        r"$\varphi$ / °",
+        r"$\Delta\gamma$ / A",
+    )
 
 
 def draw_ellipses(axes, runs):
@@ -124,14 +175,26 @@ def draw_ellipses(axes, runs):
 def draw_loads(campaigns, out):
     runs = [run for run in long_runs(campaigns.get("paths"), "case") if run["case"].startswith("phase ")]
     runs = runs if any(run["case"] == "phase 90" for run in runs) else []
-    compose("ellipse.png", [("figure 5, of elliptic.toml: three phases or more, of 30 cycles or more", phases_of(campaigns.get("elliptic")), draw_phases),
-                            ("figure 6, of paths.toml: case phase 90 with 30 cycles or more", runs, draw_ellipses)], out)
+    compose(
+        "ellipse.png",
+        [
+            (
+                "figure 5, of elliptic.toml: three phases or more, of 30 cycles or more",
+                phases_of(campaigns.get("elliptic")),
+                draw_phases,
+            ),
+            ("figure 6, of paths.toml: case phase 90 with 30 cycles or more", runs, draw_ellipses),
+        ],
+        out,
+    )
 
 
 def draw_laws(axes, runs):
     """|Δγ| of the packings that ratchet, in descending order."""
     for case, colour, mark in (("Cundall and Strack", BLUE, "o"), ("corrected", RED, "x")):
-        slopes = [slope for slope, rms in (slope_of(r["path"]) for r in runs if r["case"] == case) if rms < abs(slope)]
+        slopes = [
+            slope for slope, rms in (slope_of(r["path"]) for r in runs if r["case"] == case) if rms < abs(slope)
+        ]
         if not slopes:
             continue
         ordered = sorted((abs(s) for s in slopes), reverse=True)
@@ -146,21 +209,42 @@ def draw_over_steps(axes, lines):
     named = set()
     for (law, seed), slopes in lines.items():
         sizes = sorted(slopes)
-        axes.loglog(sizes, [abs(slopes[h]) for h in sizes], "x-" if law == "disc_cundall_strack" else "o--", fillstyle="none", linewidth=1,
-                    markersize=5, color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6],
-                    label=None if seed in named else f"{seed}")
+        axes.loglog(
+            sizes,
+            [abs(slopes[h]) for h in sizes],
+            "x-" if law == "disc_cundall_strack" else "o--",
+            fillstyle="none",
+            linewidth=1,
+            markersize=5,
+            color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6],
+            label=None if seed in named else f"{seed}",
+        )
         named.add(seed)
     axes.set_ylim(bottom=axes.get_ylim()[0] / 20)
-    axes.legend(title="crosses: Cundall and Strack, circles: corrected, of packings", frameon=False, fontsize=8, title_fontsize=8, ncols=3,
-                loc="lower left")
+    axes.legend(
+        title="crosses: Cundall and Strack, circles: corrected, of packings",
+        frameon=False,
+        fontsize=8,
+        title_fontsize=8,
+        ncols=3,
+        loc="lower left",
+    )
     label(axes, "Strain per cycle over the step (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$ per cycle")
 
 
 def draw_steps(campaigns, out):
-    laws = [run for run in long_runs(campaigns.get("laws"), "case") if run["case"] in ("Cundall and Strack", "corrected")]
+    laws = [
+        run for run in long_runs(campaigns.get("laws"), "case") if run["case"] in ("Cundall and Strack", "corrected")
+    ]
     both = "both laws, two steps or more of each, of 30 cycles or more"
-    compose("steps.png", [("figure 13, of laws.toml: Cundall and Strack or corrected, 30 cycles or more", laws, draw_laws),
-                          (f"figure 14, of steps.toml: {both}", lines_of(campaigns.get("steps")), draw_over_steps)], out)
+    compose(
+        "steps.png",
+        [
+            ("figure 13, of laws.toml: Cundall and Strack or corrected, 30 cycles or more", laws, draw_laws),
+            (f"figure 14, of steps.toml: {both}", lines_of(campaigns.get("steps")), draw_over_steps),
+        ],
+        out,
+    )
 
 
 def draw_strain(axes, run, title):
@@ -169,7 +253,9 @@ def draw_strain(axes, run, title):
 
 def draw_settling(axes, run):
     gamma = strains(run["path"], DROPPED)[DROPPED:]
-    axes.semilogy(range(DROPPED, DROPPED + len(gamma) - 1), [abs(g - gamma[-1]) for g in gamma[:-1]], color=BLUE, linewidth=1)
+    axes.semilogy(
+        range(DROPPED, DROPPED + len(gamma) - 1), [abs(g - gamma[-1]) for g in gamma[:-1]], color=BLUE, linewidth=1
+    )
     label(axes, f"Shakedown, packing {run['seed']} (figure 18)", "cycle", r"$|\gamma$ less that of the last cycle$|$")
 
 
@@ -178,12 +264,28 @@ def draw_rattlers(campaigns, out):
     outliers, periodic = runs.get("outliers"), runs.get("periodic")
     longest = {run["seed"]: run for run in long_runs(campaigns.get("long"))}
     needs = "figures 15 and 16, of rattlers.toml: case outliers with 30 cycles or more"
-    compose("rattlers.png", [
-        (needs, outliers, lambda axes, run: draw_strain(axes, run, "A disc without contacts, packing {} (figure 15)")),
-        (needs, outliers, draw_packing),
-        ("figure 17, of rattlers.toml: case periodic with 30 cycles or more", periodic,
-         lambda axes, run: draw_strain(axes, run, "Cycles that repeat, packing {} (figure 17)")),
-        (f"figure 18, of long.toml: packing {SETTLING} with 30 cycles or more", longest.get(SETTLING), draw_settling)], out)
+    compose(
+        "rattlers.png",
+        [
+            (
+                needs,
+                outliers,
+                lambda axes, run: draw_strain(axes, run, "A disc without contacts, packing {} (figure 15)"),
+            ),
+            (needs, outliers, draw_packing),
+            (
+                "figure 17, of rattlers.toml: case periodic with 30 cycles or more",
+                periodic,
+                lambda axes, run: draw_strain(axes, run, "Cycles that repeat, packing {} (figure 17)"),
+            ),
+            (
+                f"figure 18, of long.toml: packing {SETTLING} with 30 cycles or more",
+                longest.get(SETTLING),
+                draw_settling,
+            ),
+        ],
+        out,
+    )
 
 
 def campaigns_in(given):
