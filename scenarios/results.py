@@ -47,7 +47,7 @@ def date_of(path):
 
 
 class Results:
-    """The rows of results.csv in a folder, by default those of the folder of the paper. A row that `put`
+    """The rows of results.csv in a folder, or else in the folder of the paper. A row that `put`
     measures again keeps its unit, paper and command; its source becomes `runs`. Rows of numbers that were
     entered from a study log have the source `recorded`."""
 

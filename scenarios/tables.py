@@ -1,4 +1,4 @@
-"""Tables and campaigns that scree writes, for the scripts of the folders beside this file."""
+"""Tables and campaigns that scree writes, for the scripts of the papers."""
 import csv
 import json
 import os
@@ -51,7 +51,7 @@ def arguments(usage, least, most):
 
 
 def folders(usage):
-    """The folders that the script is given, and that of --out, by default the first."""
+    """The folders that the script is given, and the folder of --out, by default the first."""
     given = arguments(usage, 1, sys.maxsize)
     if "--out" not in given:
         return given, given[0]
@@ -64,7 +64,7 @@ def folders(usage):
 
 
 def study_of(folder):
-    """The name of the file of a campaign, without its ending; that of the folder if it is no campaign."""
+    """The name of the file of a campaign without its ending, or the name of a folder that is no campaign."""
     try:
         with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
             return os.path.splitext(os.path.basename(json.load(record)["file"]))[0]

@@ -81,7 +81,7 @@ def plot_accumulation(axes, groups, title, name_of):
         )
         mean, error = mean_of([1e3 * r.strain[last] for r in runs])
         error = None if math.isnan(error) else error
-        # Beside one another.
+        # Next to one another.
         fill = "none" if look["linestyle"] == "--" else "full"
         axes.errorbar(
             last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look
@@ -116,7 +116,7 @@ def packings_of(groups, key):
 
 def save(figure, panels, file, note):
     figure.suptitle(
-        f"Tangential springs: solid lines that of David et al., dashed lines painted points{note}", fontsize=10
+        f"Tangential springs: solid lines David et al., dashed lines painted points{note}", fontsize=10
     )
     for axes in panels:
         axes.grid(color="#eeeeee")
@@ -185,7 +185,7 @@ def draw_loops(groups, file):
         return
     (sizes, weakest), (frictions, compared) = by_size(looped), by_friction(looped)
     largest = {key: runs for key, runs in sizes.items() if key[0] == max(size for size, _, _ in sizes)}
-    # Those of two springs would hide each other.
+    # Loops of two springs would hide each other.
     spring = min((key[2] for key in largest), key=list(SPRINGS.values()).index)
     largest = {key: runs for key, runs in largest.items() if key[2] == spring}
     panels, compares = [], values_of(frictions, 1) > 1

@@ -45,7 +45,7 @@ def slope(strain, stress):
 
 
 def bodies_of(path, scenario):
-    """Those of the lattice, or of the state from which the run began."""
+    """Number of bodies of the lattice, or of the state from which the run began."""
     if "lattice" in scenario["particles"]:
         return math.prod(scenario["particles"]["lattice"]["count"])
     with open(os.path.join(path, "run.json"), encoding="utf-8") as record:
@@ -120,13 +120,13 @@ def keep(runs, table):
 
 
 def merged(found, folder, table):
-    """Runs of a campaign and those of the table that it lacks, which the table then has. Ends the script with
+    """Runs of a campaign, and runs of the table that it lacks. Writes both into the table. Ends the script with
     one line where they have other periods or steps."""
     runs = {run.key: run for run in kept_runs(table)}
     runs.update((run.key, run) for run in found)
     for at, what in ((4, "period"), (5, "step")):
         if len({key[at] for key in runs}) > 1:
-            refuse(f"{table}: its runs have another {what} than those of {folder}; move it away")
+            refuse(f"{table}: its runs have another {what} than the runs of {folder}; move it away")
     found = [runs[key] for key in sorted(runs)]
     if found:
         keep(found, table)

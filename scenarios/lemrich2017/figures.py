@@ -48,7 +48,7 @@ class Sweep:
         self.layers = self.read_layers(os.path.join(row["path"], "shapes.csv"))
 
     def read_layers(self, path):
-        """Complex displacements of the layers at the peak, over that of the drive."""
+        """Complex displacements of the layers at the peak, over the displacement of the drive."""
         if self.peak is None or not os.path.exists(path):
             return []
         return [

@@ -52,7 +52,7 @@ def compose(name, panels, out):
 
 
 def power_of(values):
-    """Of ten, of the largest magnitude."""
+    """Power of ten of the largest magnitude."""
     largest = max(abs(v) for v in values)
     return math.floor(math.log10(largest)) if largest > 0 else 0
 
@@ -78,7 +78,7 @@ def draw_slip(axes, paths):
 
 
 def draw_stick(axes, paths):
-    """Paths about their middles, those of the largest area that never slide."""
+    """Paths about their middles, of contacts that never slide, with the largest areas."""
     sticking = sorted((c for c, v in paths.contacts.items() if not sum(v[2])), key=lambda c: -abs(paths.area(c)))[:5]
     for name, colour in zip(sticking, (BLUE, ORANGE, GREEN, RED, GREY)):
         n, t, _ = paths.contacts[name]

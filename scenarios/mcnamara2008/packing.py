@@ -9,7 +9,7 @@ STIFFNESS = 100.0  # N/m, of discs and walls
 
 
 def tangential_forces(path):
-    """Of the contacts at the end: F_t (N) by the pair of names, that of the body first."""
+    """F_t (N) of the contacts at the end, by the pair of names, body first."""
     last = read(os.path.join(path, "series", "forces.csv"))[-1]
     names = [n.removeprefix("tangential_force_") for n in last if n.startswith("tangential_force_")]
     return {tuple(name.split("_")): float(last[f"tangential_force_{name}"]) for name in names}
@@ -31,7 +31,7 @@ def draw_force(axes, begin, end, normal, tangential):
 
 
 def draw_packing(axes, run):
-    """Discs at the end, their forces, and the velocity of those without contacts."""
+    """Discs at the end, their forces, and velocities of discs without contacts."""
     path = run["path"]
     discs = [
         {k: float(v) for k, v in r.items() if k != "material"} for r in read(os.path.join(path, "final_packing.csv"))

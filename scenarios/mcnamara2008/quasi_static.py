@@ -3,8 +3,7 @@
 Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
 Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10
 to 640 increments a cycle, 30 cycles each or stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle
-and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their differences from those of the
-most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
+and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their differences from the numbers of the most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
 import json
 import math
 import os

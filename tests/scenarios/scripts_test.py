@@ -134,7 +134,7 @@ period = 1
         self.assertEqual(merged.returncode, 0, merged.stderr)
         self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± [^ ]+\) +100 \(± 0\)")
         self.assertEqual((refused.returncode, refused.stderr.count("\n")), (1, 1), refused.stderr)
-        self.assertIn("its runs have another period than those of", refused.stderr)
+        self.assertIn("its runs have another period than the runs of", refused.stderr)
 
     @DRAWS
     def test_that_several_periods_give_the_numbers_of_each_run(self):
