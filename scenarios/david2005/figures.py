@@ -27,7 +27,7 @@ TABLE, KEPT = "runs.csv", "accumulation"  # the campaign whose runs the table ke
 
 def with_error(mean, error, count):
     """A mean and its standard error as text, in brackets where it is of two values, without where it is of one."""
-    if count < 2:
+    if count < 2 or math.isnan(mean):
         return f"{mean:.3g}"
     return f"{mean:.3g} ± {error:.1g}" if count > 2 else f"{mean:.3g} (± {error:.1g})"
 
@@ -115,9 +115,7 @@ def packings_of(groups, key):
 
 
 def save(figure, panels, file, note):
-    figure.suptitle(
-        f"Tangential springs: solid lines David et al., dashed lines painted points{note}", fontsize=10
-    )
+    figure.suptitle(f"Tangential springs: solid lines David et al., dashed lines painted points{note}", fontsize=10)
     for axes in panels:
         axes.grid(color="#eeeeee")
         axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
@@ -209,14 +207,14 @@ def evaluate(folder, out, results):
     if len({(run.period, run.step) for run in found}) > 1:
         print_runs(found)
         return put_runs(results, study, found, folder)
-    table = os.path.join(made(out), TABLE)
-    if not found and os.path.exists(table):
-        study, campaign = KEPT, None
-    if study == KEPT:
-        found = merged(found, folder, table)
+    if not found:
+        found, study, campaign = kept_runs(os.path.join(folder, TABLE)), KEPT, None
+    elif study == KEPT:
+        found = merged(found, folder, os.path.join(made(out), TABLE))
     if not found:
         no_runs(folder, f"scenarios/david2005/{KEPT}.toml")
     groups = groups_of(found)
+    made(out)
     print_numbers(groups)
     put_groups(results, study, groups, campaign)
     if len(found[0].strain) > 2:

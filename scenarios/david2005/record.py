@@ -8,7 +8,9 @@ LATE = 50  # cycles
 
 
 def mean_of(values):
-    """Mean and standard error."""
+    """Mean and standard error; nan where a value is."""
+    if any(math.isnan(value) for value in values):
+        return math.nan, math.nan
     error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else math.nan
     return statistics.fmean(values), error
 

@@ -159,7 +159,19 @@ period = 1
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("not a run of cyclic loading", done.stderr)
 
-    def campaign(self, folder, seeds, period="period = 1"):
+    @DRAWS
+    def test_that_one_cycle_has_loops_and_no_accumulation(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.campaign(folder, (1, 2), cycles=1)
+            write(os.path.join(folder, "campaign.json"), '{"file": "first-cycle.toml"}')
+            done = call("david2005/figures.py", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            written = sorted(name for name in os.listdir(folder) if name.endswith((".png", ".csv")))
+            rows = rows_of(os.path.join(folder, "results.csv"))
+        self.assertEqual(written, ["claims.png", "first-cycle-loops.png", "results.csv", "table.csv"])
+        self.assertEqual(rows["first-cycle", "area of the first loop", "8 spheres, μ = 0.1, David et al."]["scree"], "0.0375")
+
+    def campaign(self, folder, seeds, period="period = 1", cycles=10):
         rows = ["run,status"]
         for plugin, factor in (("linear_spring_dashpot", 1), ("sphere_path_independent", 2)):
             for seed in seeds:
@@ -167,12 +179,12 @@ period = 1
                 rows.append(f"{name},finished")
                 scenario = self.SCENARIO.replace("PLUGIN", plugin).replace("SEED", str(seed)).replace("period = 1", period)
                 write(os.path.join(folder, name, "scenario.toml"), scenario)
-                write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed))
+                write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed, cycles))
         write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
         write(os.path.join(folder, "campaign.json"), '{"file": "accumulation.toml"}')
 
     @staticmethod
-    def loops(factor, seed, cycles=10):
+    def loops(factor, seed, cycles):
         lines, strain = ["time [s],deviatoric_strain,deviatoric_stress [Pa]"], 0.0
         for cycle in range(cycles):
             for quarter, (left, stress) in enumerate(((0, 0), (1e-3, 100), (1e-3, 50), (5e-4, 0))):
