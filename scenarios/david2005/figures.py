@@ -44,7 +44,7 @@ def print_numbers(groups):
     heads = ("strain after the last cycle", "per cycle, late", "first loop [Pa]", "slope [kPa]")
     print(f"spheres     μ {'spring':14} seeds  {heads[0]:>28}  {heads[1]:>24}  {heads[2]:>20}  {heads[3]:>16}")
     for (size, friction, spring), runs in groups.items():
-        texts = [with_error(mean, error, len(runs)) for _, _, mean, error in quantities_of(runs)]
+        texts = [with_error(mean, error, len(runs)) for _, _, mean, error in quantities_of(runs)[:4]]
         print(
             f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}"
             f"  {texts[2]:>20}  {texts[3]:>16}"

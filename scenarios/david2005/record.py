@@ -25,12 +25,15 @@ def late_slope(run):
 def quantities_of(runs):
     """Name, unit, mean and standard error of what is measured of packings of one kind."""
     cycles = len(runs[0].strain) - 1
-    quantities = (
+    late = f"strain per cycle, cycles {min(LATE, (cycles + 1) // 2)} to {cycles}"
+    quantities = [
         (f"strain after {cycles} cycle{'s' * (cycles != 1)}", "1", lambda run: run.strain[-1]),
-        (f"strain per cycle, cycles {min(LATE, (cycles + 1) // 2)} to {cycles}", "1", late_slope),
+        (late, "1", late_slope),
         ("area of the first loop", "Pa", lambda run: run.loop_area[0]),
         ("slope of the first loop", "kPa", lambda run: run.slope[0] / 1e3),
-    )
+    ]
+    if cycles > 1:
+        quantities.append(("strain after 1 cycle", "1", lambda run: run.strain[1]))
     return [(name, unit, *mean_of([quantity(run) for run in runs])) for name, unit, quantity in quantities]
 
 
