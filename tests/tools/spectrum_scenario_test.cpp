@@ -12,7 +12,7 @@ const std::string peak =
 
 }  // namespace
 
-TEST_CASE("spectrum of a scenario takes all methods and prints what they found", "[tools]") {
+TEST_CASE("spectrum measures a scenario by all methods and prints what they found", "[tools]") {
   const Workspace w(chain);
   const Outcome outcome = w.scree("spectrum scene.toml --by all --out out " + peak);
   INFO(outcome.err << outcome.out);

@@ -75,7 +75,7 @@ void check_amplitude(const Start& start, double amplitude) {
   if (amplitude < least_share * rounding)
     throw Error(fmt::format(
         "{}: an amplitude of {:g} m is lost in the round-off of positions, {:.2g} m; give {:.2g} m or more, or "
-        "take the method linear",
+        "use the method linear",
         start.spectrum.drive_place, amplitude, rounding, least_share * rounding));
 }
 

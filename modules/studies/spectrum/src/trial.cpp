@@ -15,7 +15,7 @@ namespace scree::spectrum {
 
 namespace {
 
-std::vector<MethodSpectrum> taken(Method method, const Start& start) {
+std::vector<MethodSpectrum> measured(Method method, const Start& start) {
   if (method == Method::linear) return {linear_spectrum(start)};
   if (method == Method::pulse) return {pulse_spectrum(start)};
   Sweep sweep(start);
@@ -53,7 +53,7 @@ SpectrumTrial try_methods(const scenario::Plan& plan, const SpectrumPlan& spectr
                     std::move(*state), stop};
   try {
     for (const Method method : methods)
-      for (MethodSpectrum& spectrum : taken(method, start)) trial.spectra.push_back(std::move(spectrum));
+      for (MethodSpectrum& spectrum : measured(method, start)) trial.spectra.push_back(std::move(spectrum));
   } catch (const Error& error) {
     if (error.status() != ExitStatus::interrupted) throw;
   }

@@ -57,7 +57,7 @@ TEST_CASE("a column relative to its mean is divided by it on every method", "[sp
     }
 }
 
-TEST_CASE("stages run before the methods are taken", "[spectrum]") {
+TEST_CASE("stages run before anything is measured", "[spectrum]") {
   // A floor that stays where its stage has brought it.
   const std::string text =
       with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nlinear.fewest_contacts = 1\n"),
@@ -104,7 +104,7 @@ TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[spectrum
              Catch::Contains("no body is held"));
 }
 
-TEST_CASE("one method that cannot be taken does not hinder the others", "[spectrum]") {
+TEST_CASE("one method that fails does not hinder the others", "[spectrum]") {
   Bench bench(
       Chain().text(
           "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\npulse.longest = 0.1\n") +
@@ -196,7 +196,7 @@ TEST_CASE("peaks are named from the shape of the motion", "[spectrum]") {
   CHECK(bench.text("spectrum.csv").find("displacement") == std::string::npos);
 }
 
-TEST_CASE("expectations of peaks are judged on the methods that are taken", "[spectrum]") {
+TEST_CASE("expectations of peaks are judged by the methods that measured", "[spectrum]") {
   const auto expect = [](const char* quantity, const char* bounds) {
     return fmt::format("[[expect]]\nrequirement = 'r'\nquantity = '{}'\n{}\n", quantity, bounds);
   };

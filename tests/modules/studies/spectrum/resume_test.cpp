@@ -142,7 +142,7 @@ TEST_CASE("a spectrum that goes on in its directory is not told to take another"
 }
 
 TEST_CASE("a linear method that is interrupted keeps what it has and goes on to the same table", "[spectrum]") {
-  // Beads on a cubic lattice, whose 384 motions take the method of large packings.
+  // Beads on a cubic lattice, whose 384 motions are solved as in large packings.
   std::string text =
       "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"
       "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n"
