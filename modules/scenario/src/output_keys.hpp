@@ -1,8 +1,7 @@
 #pragma once
 
-#include "table_keys.hpp"
-
 #include <scree/pictures/render_options.hpp>
+#include <scree/scenario/table_keys.hpp>
 
 namespace scree::scenario {
 
@@ -75,7 +74,7 @@ struct ExpectKeys : TableKeys {
   StringKey quantity = string(
       "quantity",
       "a number of run.json, <probe>.<column>.<last, first, min, max or mean>, or of scree spectrum "
-      "peaks.<road>.<probe>.<column>.<peak_1, ... or 3lambda/4, ...>.<frequency, quality or amplitude>");
+      "peaks.<method>.<probe>.<column>.<peak_1, ... or 3lambda/4, ...>.<frequency, quality or amplitude>");
   NumberKey reference = number("reference", Range::any(), "expected value", "optional");
   NumberKey tolerance =
       number("tolerance", Range::non_negative(), "largest deviation from it", "required with reference");

@@ -1,5 +1,6 @@
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
+#include "support/study_tables.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBa
 
 ExitStatus study_scenario(const AccuracyArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
+  const scenario::Plan plan =
+      scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
   using run::RunDirectory;
   RunDirectory directory = RunDirectory::of_results(arguments.out, arguments.overwrite, arguments.scenario,
                                                     plan.inputs, RunDirectory::Kind::study);

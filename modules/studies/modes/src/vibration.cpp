@@ -34,11 +34,7 @@ class Course {
   Course(const scenario::Plan& plan, const VibrationOptions& options, RunDirectory& directory)
       : plan_(plan), options_(options), directory_(directory) {
     assembly_.fewest_contacts = options.fewest_contacts;
-    assembly_.at_limit = options.contacts_slide || (plan.spectrum && plan.spectrum->contacts_slide)
-                             ? response::AtLimit::slide
-                             : response::AtLimit::stick;
-    if (options.fewest_contacts == 0 && plan.spectrum)
-      assembly_.fewest_contacts = plan.spectrum->fewest_contacts;
+    assembly_.at_limit = options.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick;
     result_.title = plan.heading();
     result_.directory = directory.path();
     result_.dimension = plan.scene.dimension;

@@ -3,7 +3,6 @@
 #include "linear.hpp"
 #include "measurement_charts.hpp"
 #include "measurement_files.hpp"
-#include "missing_peaks.hpp"
 #include "pulse.hpp"
 
 #include <algorithm>
@@ -31,10 +30,15 @@ Scene last_scene(const scenario::Plan& plan, unsigned threads) {
 
 }  // namespace
 
-Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory)
-    : plan_(plan), options_(options), directory_(directory), asked_(options.roads) {
+Course::Course(const scenario::Plan& plan, SpectrumPlan spectrum, const MeasurementOptions& options,
+               run::RunDirectory& directory)
+    : plan_(plan),
+      spectrum_(std::move(spectrum)),
+      options_(options),
+      directory_(directory),
+      asked_(options.methods) {
   result_.title = plan.heading();
-  result_.observed = plan.spectrum->observed;
+  result_.observed = spectrum_.observed;
   result_.directory = directory.path();
   result_.scenario = plan.resolved_text;
   result_.inputs = run::hashes_of(plan.files);
@@ -42,14 +46,14 @@ Course::Course(const scenario::Plan& plan, const MeasurementOptions& options, ru
 
 Measurement Course::begin() {
   auto simulation = run::set_up(plan_, options_.threads);
-  if (!plan_.stages.empty()) check_before_stages(plan_, asked_);
+  if (!plan_.stages.empty()) check_before_stages(plan_, spectrum_, asked_);
   for (const std::string& line : simulation->let_go()) warn(line);
   // What is there stays until something can take its place.
   StageRunner runner(*simulation, plan_.stages);
   if ((plan_.stages.empty() || options_.overwrite) && !run_stages(*simulation, runner))
     throw Error(
         fmt::format(
-            "{}: interrupted before the stages had ended; nothing was written, give the same call again",
+            "{}: interrupted before the stages had ended; nothing was written; run the same command again",
             plan_.source.string()),
         ExitStatus::interrupted);
   if (start_) check_start(*simulation);
@@ -61,10 +65,10 @@ Measurement Course::begin() {
   try {
     if (!start_ && !run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
     simulation.reset();
-    take_roads();
+    measure_by_methods();
     return finish();
   } catch (const Error& error) {
-    if (error.status() == ExitStatus::bad_input && result_.roads.empty() && !sweep_) {
+    if (error.status() == ExitStatus::bad_input && result_.spectra.empty() && !sweep_) {
       directory_.discard();
       throw;
     }
@@ -98,7 +102,7 @@ Measurement Course::resume(const State& state) {
     write_record("running", result_, directory_);
     if (!plan_.text_for_any_folder.empty()) directory_.write_file("scenario.toml", plan_.text_for_any_folder);
     if (in_stages) return go_on_in_stages(std::move(in_stage), *runner);
-    take_roads();
+    measure_by_methods();
     return finish();
   } catch (const Error& error) {
     if (error.status() != ExitStatus::interrupted) save_failed(files::record_line(error, true));
@@ -122,19 +126,22 @@ void Course::save_failed(const std::string& failure) {
 }
 
 void Course::set_start(State state) {
-  start_.emplace(Start{plan_, last_scene(plan_, options_.threads), std::move(state), options_.stop,
+  start_.emplace(Start{plan_, spectrum_, last_scene(plan_, options_.threads), std::move(state), options_.stop,
                        [this](double share, const std::string& what) {
                          if (options_.on_progress) options_.on_progress(share, seconds(), what);
                        }});
 }
 
-// What can be told before anything is written; with several roads, one that cannot be taken is left out later.
+// Refuses what cannot be measured before anything is written; of several methods, one that fails is skipped later.
 void Course::check_start(const Simulation& simulation) const {
   const DrivenWalls checked(*start_);
-  check_observed(plan_, simulation);
+  check_observed(plan_, spectrum_.observed, simulation);
   if (asked_.size() > 1) return;
-  asks(Road::linear) ? check_linear(*start_) : check_amplitude(*start_);
-  if (asks(Road::linear) && options_.overwrite) check_response(*start_);
+  if (asks(Method::linear))
+    check_linear(*start_);
+  else
+    check_amplitude(*start_, asks(Method::pulse) ? spectrum_.pulse_amplitude() : spectrum_.amplitude);
+  if (asks(Method::linear) && options_.overwrite) check_response(*start_);
 }
 
 bool Course::run_stages(Simulation& simulation, StageRunner& runner) {
@@ -162,41 +169,43 @@ Measurement Course::stop_in_stages(const Simulation& simulation, const StageRunn
 Measurement Course::go_on_in_stages(std::unique_ptr<Simulation> simulation, StageRunner& runner) {
   if (!run_stages(*simulation, runner)) return stop_in_stages(*simulation, runner);
   simulation.reset();
-  take_roads();
+  measure_by_methods();
   return finish();
 }
 
-bool Course::asks(Road road) const { return std::find(asked_.begin(), asked_.end(), road) != asked_.end(); }
-
-bool Course::has(const std::string& road) const {
-  return std::any_of(result_.roads.begin(), result_.roads.end(),
-                     [&](const auto& r) { return r.road == road; });
+bool Course::asks(Method method) const {
+  return std::find(asked_.begin(), asked_.end(), method) != asked_.end();
 }
 
-void Course::take_roads() {
+bool Course::has(const std::string& method) const {
+  return std::any_of(result_.spectra.begin(), result_.spectra.end(),
+                     [&](const auto& r) { return r.method == method; });
+}
+
+void Course::measure_by_methods() {
   if (!sweep_) {
-    take_short(Road::linear, [this](const Start& start) {
+    take_short(Method::linear, [this](const Start& start) {
       if (!add_linear(start, unfinished_, [this] { save_unfinished(); }))
         throw Error("interrupted in the linear response", ExitStatus::interrupted);
       return std::exchange(unfinished_, {});
     });
-    take_short(Road::pulse, pulse_spectrum);
+    take_short(Method::pulse, pulse_spectrum);
   }
-  if (asks(Road::sweep) && proceeds()) take_sweep();
+  if (asks(Method::sweep) && proceeds()) take_sweep();
 }
 
-void Course::take_short(Road road, const std::function<RoadSpectrum(const Start&)>& take) {
-  const char* const name = road_names[std::size_t(road)];
-  if (!asks(road) || has(name) || !proceeds()) return;
+void Course::take_short(Method method, const std::function<MethodSpectrum(const Start&)>& take) {
+  const char* const name = method_names[std::size_t(method)];
+  if (!asks(method) || has(name) || !proceeds()) return;
   try {
-    result_.roads.push_back(take(*start_));
-    for (const std::string& note : result_.roads.back().notes) warn(note);
+    result_.spectra.push_back(take(*start_));
+    for (const std::string& note : result_.spectra.back().notes) warn(note);
   } catch (const Error& error) {
     if (error.status() == ExitStatus::interrupted) return;
     if (asked_.size() == 1) throw;
-    if (road == Road::linear) unfinished_ = {};
-    warn(fmt::format("{} (the road {} is left out)", error.what(), name));
-    asked_.erase(std::find(asked_.begin(), asked_.end(), road));
+    if (method == Method::linear) unfinished_ = {};
+    warn(fmt::format("{} (method '{}' skipped)", error.what(), name));
+    asked_.erase(std::find(asked_.begin(), asked_.end(), method));
     left_out_.push_back(name);
   }
 }
@@ -222,9 +231,9 @@ void Course::take_sweep() {
   });
   write_sweep_table();
   if (kept_) write_state(*kept_);
-  for (RoadSpectrum& road : sweep_->spectra()) {
-    for (const std::string& note : road.notes) warn(note);
-    result_.roads.push_back(std::move(road));
+  for (MethodSpectrum& spectrum : sweep_->spectra()) {
+    for (const std::string& note : spectrum.notes) warn(note);
+    result_.spectra.push_back(std::move(spectrum));
   }
 }
 
@@ -238,11 +247,11 @@ Measurement Course::finish() {
   // Without a sweep, that with which resume goes on.
   if (result_.interrupted && !sweep_) {
     save_without_sweep();
-    if (!unfinished_.frequencies.empty()) result_.roads.push_back(without_linearity(unfinished_));
+    if (!unfinished_.frequencies.empty()) result_.spectra.push_back(without_linearity(unfinished_));
   }
-  result_.resonances = resonances_of(result_.roads, result_.observed);
+  result_.resonances = resonances_of(result_.spectra, result_.observed);
   if (!result_.interrupted)
-    for (const std::string& line : missing_peaks(result_.roads, result_.resonances, result_.observed))
+    for (const std::string& line : missing_peaks(result_.spectra, result_.resonances, result_.observed))
       warn(line);
   judge();
   write_tables(result_, directory_);
@@ -254,12 +263,12 @@ Measurement Course::finish() {
 
 void Course::judge() {
   if (result_.interrupted) return;
-  for (const scenario::Expectation& e : plan_.peak_expectations) {
-    const auto quantity = *scenario::peak_quantity(e.quantity, result_.observed);
-    const std::string road = road_names[quantity.road];
-    const bool left_out = std::find(left_out_.begin(), left_out_.end(), road) != left_out_.end();
-    if (!has(road) && !left_out) continue;  // not asked for
-    result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.roads, result_.resonances)));
+  for (const scenario::Expectation& e : spectrum_.expectations) {
+    const auto quantity = *peak_quantity(e.quantity, result_.observed);
+    const std::string method = method_names[quantity.method];
+    const bool left_out = std::find(left_out_.begin(), left_out_.end(), method) != left_out_.end();
+    if (!has(method) && !left_out) continue;  // not asked for
+    result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.spectra, result_.resonances)));
   }
 }
 

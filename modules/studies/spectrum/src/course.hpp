@@ -19,7 +19,8 @@ class Course {
  public:
   static constexpr const run::ResultKind& results = run::spectrum_results;
 
-  Course(const scenario::Plan& plan, const MeasurementOptions& options, run::RunDirectory& directory);
+  Course(const scenario::Plan& plan, SpectrumPlan spectrum, const MeasurementOptions& options,
+         run::RunDirectory& directory);
 
   Measurement begin();
   Measurement resume(const State& state);
@@ -32,18 +33,18 @@ class Course {
   // Keeps the state within the stages.
   Measurement stop_in_stages(const Simulation& simulation, const StageRunner& runner);
   Measurement go_on_in_stages(std::unique_ptr<Simulation> simulation, StageRunner& runner);
-  bool asks(Road road) const;
-  bool has(const std::string& road) const;
+  bool asks(Method method) const;
+  bool has(const std::string& method) const;
   bool proceeds() const { return !options_.stop || !*options_.stop; }
-  void take_roads();
-  // A road that begins again, or with what is unfinished, if it is interrupted. With others to take, one that cannot be taken is
-  // left out.
-  void take_short(Road road, const std::function<RoadSpectrum(const Start&)>& take);
+  void measure_by_methods();
+  // Measures by a method that begins again, or from what is unfinished, if it is interrupted. A method that fails
+  // is skipped if there are others.
+  void take_short(Method method, const std::function<MethodSpectrum(const Start&)>& take);
   void take_sweep();
   void save();
   void write_sweep_table();
   void write_state(const State& state);
-  // The same for a road of a part of the frequencies, now and then.
+  // Saves the part of the frequencies that is solved, now and then.
   void save_unfinished();
   void save_without_sweep();
   // What is complete stays.
@@ -55,15 +56,16 @@ class Course {
   double seconds() const;  // of wall time so far
 
   const scenario::Plan& plan_;
+  SpectrumPlan spectrum_;
   const MeasurementOptions& options_;
   run::RunDirectory& directory_;
-  std::vector<Road> asked_;
+  std::vector<Method> asked_;
   std::vector<std::string> left_out_;  // asked for, but could not be taken
   Measurement result_;
-  RoadSpectrum unfinished_;  // linear road of a part of the frequencies
+  MethodSpectrum unfinished_;  // linear method of a part of the frequencies
   std::optional<Start> start_;
   std::unique_ptr<Sweep> sweep_;
-  std::optional<State> kept_;  // behind the last complete frequency, if it is not in the file
+  std::optional<State> kept_;  // after the last complete frequency, if it is not in the file
   run::SpareRoom room_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   double last_state_ = 0, last_table_ = 0;  // (s)

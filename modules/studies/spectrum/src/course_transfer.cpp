@@ -26,29 +26,29 @@ void Course::write_state(const State& state) {
 }
 
 void Course::write_sweep_table() {
-  directory_.write_file("sweep.csv", sweep_table(plan_.spectrum->observed, sweep_->points()));
+  directory_.write_file("sweep.csv", sweep_table(spectrum_.observed, sweep_->points()));
 }
 
 void Course::transfer(const StateTransfer& state) {
   std::string scenario = plan_.resolved_text;
   state.value("scenario", "", scenario);
   std::vector<std::string> asked;
-  for (const Road road : asked_) asked.push_back(road_names[std::size_t(road)]);
+  for (const Method method : asked_) asked.push_back(method_names[std::size_t(method)]);
   state.rows("asked", "", asked);
   state.rows("left_out", "", left_out_);
   state.rows("warnings", "", result_.warnings);
   asked_.clear();
-  for (const Road road : {Road::linear, Road::pulse, Road::sweep})
-    if (std::find(asked.begin(), asked.end(), road_names[std::size_t(road)]) != asked.end())
-      asked_.push_back(road);
-  std::uint64_t count = result_.roads.size();
-  state.value("count", "1", count, stored::at_most(std::size(road_names)));
-  result_.roads.resize(count);
+  for (const Method method : {Method::linear, Method::pulse, Method::sweep})
+    if (std::find(asked.begin(), asked.end(), method_names[std::size_t(method)]) != asked.end())
+      asked_.push_back(method);
+  std::uint64_t count = result_.spectra.size();
+  state.value("count", "1", count, stored::at_most(std::size(method_names)));
+  result_.spectra.resize(count);
   const std::size_t observed = result_.observed.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const StateTransfer of_road = state.below("road_" + std::to_string(k));
-    result_.roads[k].transfer(of_road, observed);
-    if (result_.roads[k].frequencies.empty()) of_road.refuse("frequencies", "has none");
+    const StateTransfer of_method = state.below("road_" + std::to_string(k));
+    result_.spectra[k].transfer(of_method, observed);
+    if (result_.spectra[k].frequencies.empty()) of_method.refuse("frequencies", "has none");
   }
   unfinished_.transfer(state.below("unfinished"), observed);
   const run::InputHashes inputs = run::transfer_inputs(state.below("inputs"), result_.inputs);

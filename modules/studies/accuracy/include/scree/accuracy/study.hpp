@@ -35,7 +35,7 @@ struct Quantity {
 struct Outcome {
   Setting setting;
   std::string problem;  // why there are no results; empty if there are
-  double wall = 0;      // (s) of the time loop, and of the roads to a peak; minimum over repeats
+  double wall = 0;      // (s) of the time loop, and of the methods to a peak; minimum over repeats
   std::uint64_t steps = 0;
   std::vector<double> values, errors;  // of each quantity; errors are relative
   // The largest error of all quantities.
@@ -91,7 +91,7 @@ struct StudyOptions {
 // precision with 1/2, 1/4 and 1/8 of the finest step. Steps divide the durations of the stages. If runs
 // diverge under refinement, as in chaotic scenes, all are compared at the time until which they agree to a
 // tenth of the tolerance (at least 1e-5) in mean radii. Quantities of peaks are compared if `quantities` names some, or if the
-// plan has no stages or no [[expect]] of a run; then a setting takes the roads of these peaks. Throws Error if the scenario cannot
+// plan has no stages or no [[expect]] of a run; then each setting measures these peaks by their methods. Throws Error if the scenario cannot
 // run, or if quantities are unknown or of both kinds.
 Study study(const scenario::Plan& plan, const StudyOptions& options);
 

@@ -28,8 +28,8 @@ struct VibrationOptions {
   double density_to_hz = 0;        // up to here; 0: all modes
   std::string view;                // of pictures, one of pictures::view_names; empty: iso
   std::vector<unsigned> pictures;  // numbers of modes that vibrate, from 1
-  bool contacts_slide = false;     // those at the limit of friction; or as [spectrum] says
-  int fewest_contacts = 0;         // response::AssemblyOptions; 0: as [spectrum] says, if there is one
+  bool contacts_slide = false;     // at the limit of friction; else they stick
+  int fewest_contacts = 0;         // of a body that is held; see response::AssemblyOptions
   double residual_limit = 0.01;    // above which modes are named
   std::function<void(double share, double wall, const std::string& what)> on_progress;
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include <scree/scenario/peak_quantity.hpp>
+#include <scree/spectrum/peak_quantity.hpp>
 
-using namespace scree::scenario;
+using namespace scree::spectrum;
 
 namespace {
 
@@ -14,10 +14,10 @@ std::vector<ObservedColumn> columns(bool with_layers) {
 
 }  // namespace
 
-TEST_CASE("a number of a peak is named by road, column and its number or shape", "[scenario]") {
+TEST_CASE("a number of a peak is named by method, column and its number or shape", "[spectrum]") {
   const auto third = peak_quantity("peaks.pulse.strain.strain.peak_3.quality", columns(false));
   REQUIRE(third);
-  CHECK(road_names[third->road] == std::string("pulse"));
+  CHECK(method_names[third->method] == std::string("pulse"));
   CHECK(third->column == 0);
   CHECK(third->peak == "peak_3");
   CHECK(peak_numbers[third->number] == std::string("quality"));
@@ -30,7 +30,7 @@ TEST_CASE("a number of a peak is named by road, column and its number or shape",
   CHECK(peak_quantity("peaks.sweep_down.strain.strain.lambda.frequency", columns(true))->peak == "λ");
 }
 
-TEST_CASE("a misspelt number of a peak is answered by the nearest right one", "[scenario]") {
+TEST_CASE("a misspelt number of a peak is answered by the nearest right one", "[spectrum]") {
   const auto problem = [](const char* name, bool with_layers) {
     return peak_quantity_problem(name, columns(with_layers)).value_or("none");
   };

@@ -35,22 +35,22 @@ std::string pressed_chain(const std::string& spectrum) {
              "[[probe]]\nplugin = 'particles'\nids = [1, 8]\n[[probe]]\nplugin = 'walls'\nwalls = [2]\n",
              Chain::step, Chain::stiffness, top + Chain::radius - overlap, press) +
          beads +
-         "[spectrum]\namplitude = 1e-8\nfewest_contacts = 1\nobserve = ['particles.z_1', 'particles.z_8', 'walls.displacement_z_2', 'walls.velocity_2']\n" +
+         "[spectrum]\namplitude = 1e-8\nlinear.fewest_contacts = 1\nobserve = ['particles.z_1', 'particles.z_8', 'walls.displacement_z_2', 'walls.velocity_2']\n" +
          spectrum;
 }
 
 }  // namespace
 
-TEST_CASE("three roads agree where a force presses a wall, driven by either wall", "[sound]") {
+TEST_CASE("three methods agree where a force presses a wall, driven by either wall", "[spectrum]") {
   const auto drive = GENERATE("floor.displacement", "lid.superposed");
-  const scenario::Plan plan = plan_of(pressed_chain(fmt::format(
-      "drive = '{}'\nfrom_hz = 40\nto_hz = 120\nstep_hz = 20\ndecay = 1e-6\nperiods = 150\nanalysed_periods = 50\n",
+  const scenario::Plan plan = driven_plan_of(pressed_chain(fmt::format(
+      "drive = '{}'\nfrom_hz = 40\nto_hz = 120\nstep_hz = 20\npulse.decay = 1e-6\nsweep.periods = 150\nsweep.analysed_periods = 50\n",
       drive)));
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
-  const RoadSpectrum linear = linear_spectrum(start), pulse = pulse_spectrum(start);
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+  const MethodSpectrum linear = linear_spectrum(start), pulse = pulse_spectrum(start);
   Sweep sweep(start);
   sweep.run([] {});
-  const RoadSpectrum swept = sweep.spectra().at(0);
+  const MethodSpectrum swept = sweep.spectra().at(0);
   CHECK(sweep.points()[0].drive == Approx(1e-8).epsilon(1e-9));
   for (const std::size_t c : {0u, 1u, 2u, 3u})
     for (std::size_t k = 0; k < linear.frequencies.size(); ++k) {
@@ -62,25 +62,26 @@ TEST_CASE("three roads agree where a force presses a wall, driven by either wall
     }
 }
 
-TEST_CASE("with the time step of the run the linear road is the stepped sweep", "[sound]") {
+TEST_CASE("with the time step of the run the linear method is the stepped sweep", "[spectrum]") {
   const bool massless = GENERATE(false, true);
   // ωh = 0.2 at 160 Hz.
-  std::string text = with(
-      pressed_chain("drive = 'floor.displacement'\nfrom_hz = 40\nto_hz = 160\nstep_hz = 40\nperiods = 300\n"
-                    "analysed_periods = 50\ndetrend = 'polynomial'\n"),
-      fmt::format("step = {}\n", Chain::step), "step = 2e-4\n");
+  std::string text =
+      with(pressed_chain(
+               "drive = 'floor.displacement'\nfrom_hz = 40\nto_hz = 160\nstep_hz = 40\nsweep.periods = 300\n"
+               "sweep.analysed_periods = 50\nsweep.detrend = 'polynomial'\n"),
+           fmt::format("step = {}\n", Chain::step), "step = 2e-4\n");
   if (massless)
     text = with(text, "control = 'force'\nforce = 0.1\nmass = 1e-3\nviscosity = 0.02\nsuperposed = 0\n",
                 "control = 'massless'\nforce = 0.1\nspeed_limit = 1\n");
   const auto linear_with = [&](const std::string& step) {
-    const scenario::Plan plan = plan_of(text + "linear_step = '" + step + "'\n");
-    return linear_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+    const scenario::Plan plan = driven_plan_of(text + "linear.step = '" + step + "'\n");
+    return linear_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
   };
-  const scenario::Plan plan = plan_of(text);
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  const scenario::Plan plan = driven_plan_of(text);
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
   Sweep sweep(start);
   sweep.run([] {});
-  const RoadSpectrum swept = sweep.spectra().at(0), run = linear_with("run"), limit = linear_with("limit");
+  const MethodSpectrum swept = sweep.spectra().at(0), run = linear_with("run"), limit = linear_with("limit");
   double furthest = 0;
   for (const std::size_t c : {0u, 1u, 2u, 3u})
     for (std::size_t k = 0; k < run.frequencies.size(); ++k) {
@@ -95,13 +96,15 @@ TEST_CASE("with the time step of the run the linear road is the stepped sweep", 
   CHECK(furthest > 1e-3);
 }
 
-TEST_CASE("the linear road with the time step of the run is refused where its motion is not known",
-          "[sound]") {
+TEST_CASE("the linear method with the time step of the run is refused where its motion is not known",
+          "[spectrum]") {
   const std::string text = pressed_chain(
-      "drive = 'lid.superposed'\nfrom_hz = 40\nto_hz = 120\nstep_hz = 20\nlinear_step = 'run'\n");
+      "drive = 'lid.superposed'\nfrom_hz = 40\nto_hz = 120\nstep_hz = 20\nlinear.step = 'run'\n");
   const auto refusal = [](const std::string& of) {
-    const scenario::Plan plan = plan_of(of);
-    return message([&] { linear_spectrum({plan, plan.scene, run::set_up(plan)->state()}); });
+    const scenario::Plan plan = driven_plan_of(of);
+    return message([&] {
+      linear_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
+    });
   };
   CHECK(refusal(text).starts_with(
       "a motion that is superposed on a wall with mass has no linear response with "));

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <scree/spectrum/road_spectrum.hpp>
+#include <scree/spectrum/method_spectrum.hpp>
 
 namespace scree::spectrum {
 
 namespace {
 
-void transfer_column(const StateTransfer& state, std::size_t frequencies, RoadSpectrum::Column& column) {
+void transfer_column(const StateTransfer& state, std::size_t frequencies, MethodSpectrum::Column& column) {
   std::vector<double> parts;
   for (const std::complex<double>& h : column.response) parts.insert(parts.end(), {h.real(), h.imag()});
   if (state.restoring()) parts.resize(2 * frequencies), column.error.resize(frequencies);
@@ -25,14 +25,14 @@ void transfer_column(const StateTransfer& state, std::size_t frequencies, RoadSp
 
 }  // namespace
 
-std::size_t RoadSpectrum::nearest(double frequency) const {
+std::size_t MethodSpectrum::nearest(double frequency) const {
   const auto next = std::min_element(frequencies.begin(), frequencies.end(), [&](double a, double b) {
     return std::abs(a - frequency) < std::abs(b - frequency);
   });
   return std::size_t(next - frequencies.begin());
 }
 
-void RoadSpectrum::note_silent(const std::vector<scenario::ObservedColumn>& observed) {
+void MethodSpectrum::note_silent(const std::vector<ObservedColumn>& observed) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const auto& response = columns[c].response;
     const bool silent =
@@ -42,12 +42,12 @@ void RoadSpectrum::note_silent(const std::vector<scenario::ObservedColumn>& obse
       notes.push_back(fmt::format(
           "{}: the wave does not reach {}, which is 0 at all frequencies; compress the packing, observe another column, "
           "or give a larger spectrum.amplitude",
-          road, observed[c].name));
+          method, observed[c].name));
   }
 }
 
-void RoadSpectrum::transfer(const StateTransfer& state, std::size_t observed) {
-  state.value("road", "", road);
+void MethodSpectrum::transfer(const StateTransfer& state, std::size_t observed) {
+  state.value("road", "", method);
   state.rows("frequencies", "1/s", frequencies, 1, stored::positive);
   if (!std::is_sorted(frequencies.begin(), frequencies.end())) state.refuse("frequencies", "do not increase");
   state.value("steps", "1", steps);

@@ -5,26 +5,25 @@
 #include <string>
 #include <vector>
 
-#include <scree/scenario/peak_quantity.hpp>
-#include <scree/scenario/spectrum_plan.hpp>
+#include <scree/spectrum/peak_quantity.hpp>
+#include <scree/spectrum/spectrum_plan.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree::spectrum {
 
-// A road to the response of a packing to a driven wall, by its place in scenario::road_names.
-enum class Road { linear, pulse, sweep };
-using scenario::road_names;
+// How the response of a packing to a driven wall is measured; the places of the names in method_names.
+enum class Method { linear, pulse, sweep };
 
-// What a road found: response over drive at each frequency.
-struct RoadSpectrum {
+// What a method found: response over drive at each frequency.
+struct MethodSpectrum {
   struct Column {
     // (unit of the column / m); e^(iωt), so that the phase is that by which the response precedes the drive.
     std::vector<std::complex<double>> response;
-    std::vector<double> error;      // (the same) of |response|, by the means of the road
+    std::vector<double> error;      // (the same) of |response|, as the method estimates it
     std::vector<double> linearity;  // (the same) change at half the amplitude; of a pulse only
   };
 
-  std::string road;                 // "linear", "pulse", "sweep", "sweep_down"
+  std::string method;               // "linear", "pulse", "sweep", "sweep_down"
   std::vector<double> frequencies;  // (Hz) increasing
   std::vector<Column> columns;      // as SpectrumPlan::observed
   std::uint64_t steps = 0;
@@ -35,9 +34,9 @@ struct RoadSpectrum {
   std::size_t nearest(double frequency) const;
 
   // Adds a note for each column of `observed` that is 0 at all frequencies.
-  void note_silent(const std::vector<scenario::ObservedColumn>& observed);
+  void note_silent(const std::vector<ObservedColumn>& observed);
 
-  // observed: number of columns of a road that is restored, unless it has no frequencies.
+  // observed: number of columns of a method that is restored, unless it has no frequencies.
   void transfer(const StateTransfer& state, std::size_t observed);
 };
 

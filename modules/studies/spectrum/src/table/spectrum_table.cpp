@@ -1,8 +1,4 @@
-#include "spectrum_reader.hpp"
-
-#include "names.hpp"
-#include "spectrum_keys.hpp"
-#include "stage_reader.hpp"
+#include "table/method_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +6,49 @@
 #include <fmt/format.h>
 
 #include <scree/counted.hpp>
-#include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/plugin/program.hpp>
 #include <scree/probes.hpp>
+#include <scree/scenario/drive_sampling.hpp>
+#include <scree/scenario/names.hpp>
+#include <scree/scenario/table_keys.hpp>
+#include <scree/spectrum/peak_quantity.hpp>
 
-namespace scree::scenario {
+namespace scree::spectrum {
 
 namespace {
 
+using scenario::find_name;
+using scenario::Plan;
+using scenario::Range;
+
+constexpr const char* table_name = "spectrum";
 constexpr double most_frequencies = 100000;
+
+struct SpectrumKeys : scenario::TableKeys {
+  SpectrumKeys()
+      : TableKeys(
+            table_name, "[spectrum]",
+            "the response to a driven wall over frequency, for scree spectrum; stages, if any, run first") {}
+  scenario::StringKey drive =
+      string("drive", "boundary and its displacement, as \"top.displacement\", that takes the wave");
+  scenario::NumberKey amplitude = number("amplitude", Range::at_least(1e-100, "m"),
+                                         "largest displacement in a sweep or pulse; of noise see noise_rms");
+  scenario::Key observe =
+      other("observe", "[\"probe.column\", ...]", Range::any(), "required", "columns that respond");
+  scenario::Key relative_to_mean =
+      other("relative_to_mean", "[\"probe.column\", ...]", Range::any(), "default none",
+            "columns that are divided by their means, such as the distance of two layers for a strain");
+  scenario::StringKey shape_from =
+      string("shape_from",
+             "probe whose columns displacement_1, ... give the shapes and names of peaks, such as a profile",
+             "default none, also \"\" and []");
+  scenario::NumberKey from_hz = number("from_hz", Range::positive("Hz"), "lowest frequency");
+  scenario::NumberKey to_hz = number("to_hz", Range::positive("Hz"), "highest frequency");
+  scenario::NumberKey step_hz = number("step_hz", Range::positive("Hz"), "distance of frequencies");
+};
+
+const SpectrumKeys spectrum_keys;
 
 // The keys of a boundary that are functions of time in m.
 std::vector<std::string> displacements_of(const Parameters& boundary) {
@@ -87,7 +116,7 @@ void read_shape(const document::Table& t, const Plan& plan, SpectrumPlan& spectr
   const std::string probe = read(t, spectrum_keys.shape_from);
   constexpr std::size_t fewest_layers = 3;
   std::vector<std::string> names;
-  for (const ProbePlan& one : plan.probes) names.push_back(one.name);
+  for (const scenario::ProbePlan& one : plan.probes) names.push_back(one.name);
   const std::size_t number = find_name(t, spectrum_keys.shape_from, "probe", probe, names);
   std::size_t layers = 0;
   for (ObservedColumn& column : all_columns(plan)) {
@@ -141,7 +170,7 @@ void read_frequencies(const document::Table& t, double step, SpectrumPlan& plan)
     throw t.error(spectrum_keys.from_hz,
                   fmt::format("{:g} Hz is not below to_hz = {:g} Hz", plan.from_hz, plan.to_hz),
                   "give the lower frequency first; direction says how a sweep goes");
-  if (const auto problem = sampling_problem(plan.to_hz, step))
+  if (const auto problem = scenario::sampling_problem(plan.to_hz, step))
     throw t.error(spectrum_keys.to_hz, *problem, "give a lower to_hz, or a shorter time.step");
   if ((plan.to_hz - plan.from_hz) / plan.step_hz > most_frequencies)
     throw t.error(spectrum_keys.step_hz,
@@ -150,85 +179,58 @@ void read_frequencies(const document::Table& t, double step, SpectrumPlan& plan)
                   "give a larger step_hz");
 }
 
-void read_sweep(const document::Table& t, double step, SpectrumPlan& plan) {
-  const std::string direction = read(t, spectrum_keys.direction);
-  plan.direction = direction == "up"     ? SpectrumPlan::Direction::up
-                   : direction == "down" ? SpectrumPlan::Direction::down
-                                         : SpectrumPlan::Direction::both;
-  plan.periods = read(t, spectrum_keys.periods);
-  plan.analysed_periods = read(t, spectrum_keys.analysed_periods);
-  if (const double steps = plan.periods / (plan.from_hz * step); !(steps <= most_steps))
-    throw t.error(
-        spectrum_keys.from_hz,
-        fmt::format("{:g} periods of {:g} Hz take {:.3g} time steps", plan.periods, plan.from_hz, steps),
-        fmt::format("give a higher from_hz, or fewer periods, for at most {:g} steps", most_steps));
-  if (plan.analysed_periods > plan.periods)
-    throw t.error(
-        t.has(spectrum_keys.analysed_periods) ? spectrum_keys.analysed_periods : spectrum_keys.periods,
-        fmt::format("{:g} analysed periods are more than the {:g} at each frequency", plan.analysed_periods,
-                    plan.periods),
-        "give fewer analysed_periods, or more periods");
-  plan.samples_per_period = read(t, spectrum_keys.samples_per_period);
-  plan.rise_periods = read(t, spectrum_keys.rise_periods);
-  if (plan.rise_periods > plan.periods - plan.analysed_periods)
-    throw t.error(spectrum_keys.rise_periods,
-                  fmt::format("a rise of {:g} periods reaches into the analysed ones, which begin after {:g}",
-                              plan.rise_periods, plan.periods - plan.analysed_periods),
-                  "give fewer rise_periods or analysed_periods, or more periods");
-  plan.detrending = read(t, spectrum_keys.detrend) == "polynomial" ? SpectrumPlan::Detrending::polynomial
-                                                                   : SpectrumPlan::Detrending::period_average;
+// Keys of methods that stood in [spectrum] itself.
+void refuse_former_keys(const document::Table& t) {
+  constexpr std::pair<const char*, const char*> former[] = {
+      {"direction", "sweep.direction"},
+      {"periods", "sweep.periods"},
+      {"analysed_periods", "sweep.analysed_periods"},
+      {"samples_per_period", "sweep.samples_per_period and spectrum.pulse.samples_per_period"},
+      {"rise_periods", "sweep.rise_periods"},
+      {"detrend", "sweep.detrend"},
+      {"adaptive", "sweep.adaptive and spectrum.linear.adaptive"},
+      {"tolerance", "sweep.tolerance and spectrum.linear.tolerance"},
+      {"chirp_duration", "pulse.chirp_duration"},
+      {"decay", "pulse.decay"},
+      {"longest_pulse", "pulse.longest, of noise spectrum.pulse.noise_duration"},
+      {"fewest_contacts", "linear.fewest_contacts"},
+      {"sliding_contacts", "linear.sliding_contacts"},
+      {"linear_step", "linear.step"}};
+  const auto refuse = [&](const char* key, const char* now) {
+    throw t.error(key, fmt::format("spectrum.{} is now spectrum.{}", key, now), "write it there");
+  };
+  for (const auto& [key, now] : former)
+    if (t.has(key)) refuse(key, now);
+  if (t.has("pulse") && !t.is_table("pulse")) refuse("pulse", "pulse.wave");
 }
 
-void read_adaptive(const document::Table& t, SpectrumPlan& plan) {
-  plan.adaptive = read(t, spectrum_keys.adaptive);
-  plan.tolerance = read(t, spectrum_keys.tolerance);
-  if (plan.adaptive && plan.direction == SpectrumPlan::Direction::both)
-    throw t.error(spectrum_keys.adaptive, "an adaptive sweep takes each frequency once",
-                  "give direction = \"up\" or \"down\"");
+// Expectations of peaks.
+std::vector<scenario::Expectation> read_expectations(const Plan& plan,
+                                                     const std::vector<ObservedColumn>& observed) {
+  std::vector<scenario::Expectation> of_peaks;
+  for (const scenario::Expectation& e : plan.study_expectations) {
+    if (!names_peak(e.quantity)) continue;
+    if (const auto problem = peak_quantity_problem(e.quantity, observed))
+      throw Error(fmt::format("{}: {}", e.place, *problem));
+    of_peaks.push_back(e);
+  }
+  return of_peaks;
 }
 
-void check_noise(const document::Table& t, double step, const SpectrumPlan& plan) {
-  constexpr double fewest_segments = 8, segment_steps = 2, most_steps = 1e8;
-  if (plan.longest_pulse * plan.step_hz < fewest_segments * segment_steps)
-    throw t.error(spectrum_keys.longest_pulse,
-                  fmt::format("noise of {:g} s has fewer than {:g} segments of {:g} s", plan.longest_pulse,
-                              fewest_segments, segment_steps / plan.step_hz),
-                  "give a longer longest_pulse, or a larger step_hz");
-  if (const auto problem = sampling_problem(plan.to_hz + SpectrumPlan::band_margin * plan.from_hz, step))
-    throw t.error(
-        spectrum_keys.to_hz,
-        fmt::format("noise has {:g} of from_hz more than the band: {}", SpectrumPlan::band_margin, *problem),
-        "give a shorter time.step, or a lower to_hz");
-  if (plan.longest_pulse > most_steps * step)
-    throw t.error(t.has(spectrum_keys.longest_pulse) ? spectrum_keys.longest_pulse : spectrum_keys.step_hz,
-                  fmt::format("noise of {:g} s has more than {:g} steps", plan.longest_pulse, most_steps),
-                  "give a shorter longest_pulse");
+std::vector<scenario::TableDescription> describe_spectrum() {
+  return {spectrum_keys.description(), describe_sweep(), describe_pulse(), describe_linear()};
 }
 
-void read_pulse(const document::Table& t, double step, SpectrumPlan& plan) {
-  const std::string pulse = read(t, spectrum_keys.pulse);
-  plan.pulse = pulse == "ricker"  ? SpectrumPlan::Pulse::ricker
-               : pulse == "chirp" ? SpectrumPlan::Pulse::chirp
-               : pulse == "noise" ? SpectrumPlan::Pulse::noise
-                                  : SpectrumPlan::Pulse::gaussian;
-  plan.chirp_duration = read_optional(t, spectrum_keys.chirp_duration).value_or(10 / plan.from_hz);
-  if (plan.pulse == SpectrumPlan::Pulse::chirp && plan.chirp_duration * plan.to_hz < 1)
-    throw t.error(
-        spectrum_keys.chirp_duration,
-        fmt::format("a chirp of {:g} s has no period of to_hz = {:g} Hz", plan.chirp_duration, plan.to_hz),
-        "give a longer chirp_duration, such as 10 / from_hz");
-  plan.decay = read(t, spectrum_keys.decay);
-  plan.longest_pulse = read_optional(t, spectrum_keys.longest_pulse).value_or(30 / plan.step_hz);
-  if (plan.pulse == SpectrumPlan::Pulse::chirp && plan.longest_pulse <= plan.chirp_duration)
-    throw t.error(t.has(spectrum_keys.longest_pulse) ? spectrum_keys.longest_pulse : spectrum_keys.step_hz,
-                  fmt::format("the record of {:g} s ends before the chirp of {:g} s", plan.longest_pulse,
-                              plan.chirp_duration),
-                  "give a longer longest_pulse, or a shorter chirp_duration");
-  if (plan.pulse == SpectrumPlan::Pulse::noise) check_noise(t, step, plan);
-  plan.fewest_contacts =
-      int(t.optional_integer(spectrum_keys.fewest_contacts, spectrum_keys.fewest_contacts.range).value_or(0));
-  plan.contacts_slide = read(t, spectrum_keys.sliding_contacts) == "slide";
-  plan.step_of_run = read(t, spectrum_keys.linear_step) == "run";
+std::string check_spectrum(const Plan& plan) {
+  const auto spectrum = read_spectrum(plan);
+  if (!spectrum) return "";
+  const std::vector<double> frequencies = spectrum->frequencies();
+  double steps = 0;
+  for (const double f : frequencies) steps += spectrum->sweep.periods / (f * plan.scene.step);
+  if (spectrum->sweep.direction == SweepSettings::Direction::both) steps *= 2;
+  return fmt::format("spectrum: {} from {:g} to {:g} Hz, {:.3g} steps for a sweep with all periods",
+                     counted(frequencies.size(), "frequency", "frequencies"), frequencies.front(),
+                     frequencies.back(), steps);
 }
 
 }  // namespace
@@ -240,25 +242,24 @@ std::vector<double> SpectrumPlan::frequencies() const {
   return all;
 }
 
-std::optional<std::string> sampling_problem(double to_hz, double step) {
-  if (to_hz * step < 0.5) return std::nullopt;
-  return fmt::format("{:g} Hz is not below half the sampling rate of a sample per step, {:g} Hz", to_hz,
-                     0.5 / step);
-}
-
-std::optional<SpectrumPlan> read_spectrum(const document::Table& root, const Plan& plan) {
-  const auto t = root.optional_table("spectrum");
+std::optional<SpectrumPlan> read_spectrum(const Plan& plan) {
+  if (!plan.document) return std::nullopt;
+  const auto t = plan.document->root().optional_table(table_name);
   if (!t) return std::nullopt;
+  refuse_former_keys(*t);
   SpectrumPlan spectrum;
   read_drive(*t, plan.scene, spectrum);
   spectrum.amplitude = read(*t, spectrum_keys.amplitude);
   read_observed(*t, plan, spectrum);
   read_shape(*t, plan, spectrum);
   read_frequencies(*t, plan.scene.step, spectrum);
-  read_sweep(*t, plan.scene.step, spectrum);
-  read_adaptive(*t, spectrum);
-  read_pulse(*t, plan.scene.step, spectrum);
+  spectrum.sweep = read_sweep(*t, spectrum, plan.scene.step);
+  spectrum.pulse = read_pulse(*t, spectrum, plan.scene.step);
+  spectrum.linear = read_linear(*t);
+  spectrum.expectations = read_expectations(plan, spectrum.observed);
   return spectrum;
 }
 
-}  // namespace scree::scenario
+scenario::StudyTable spectrum_table() { return {table_name, describe_spectrum, check_spectrum, names_peak}; }
+
+}  // namespace scree::spectrum

@@ -1,4 +1,4 @@
-#include "sweep_grid.hpp"
+#include "sweep_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,13 @@ namespace scree::spectrum {
 
 namespace {
 
-using scenario::SpectrumPlan;
-
 constexpr std::size_t coarse = 8;  // steps of the grid
 constexpr double largest_turn = 0.4, largest_growth = 0.3;
 
 std::vector<double> ordered(const SpectrumPlan& plan, std::vector<double> up) {
   std::vector<double> down(up.rbegin(), up.rend());
-  if (plan.direction == SpectrumPlan::Direction::up) return up;
-  if (plan.direction == SpectrumPlan::Direction::both) down.insert(down.begin(), up.begin(), up.end());
+  if (plan.sweep.direction == SweepSettings::Direction::up) return up;
+  if (plan.sweep.direction == SweepSettings::Direction::both) down.insert(down.begin(), up.begin(), up.end());
   return down;
 }
 
@@ -46,9 +44,26 @@ bool varies(const std::vector<SweepPoint>& points, std::size_t k, std::size_t co
 
 }  // namespace
 
+void SweepPoint::transfer(const StateTransfer& state, std::size_t observed) {
+  state.value("frequency", "1/s", frequency, stored::positive);
+  state.value("start", "s", start);
+  state.value("steps", "1", steps);
+  state.value("drive", "m", drive, stored::any);
+  state.value("periods", "1", periods, stored::non_negative);
+  state.value("is_steady", "", is_steady);
+  std::vector<double> numbers;
+  if (state.restoring()) numbers.resize(4 * observed);
+  for (const Column& c : columns)
+    numbers.insert(numbers.end(), {c.response.real(), c.response.imag(), c.error, c.mean});
+  state.sized_rows("columns", "1", numbers, 1, stored::any);
+  columns.resize(numbers.size() / 4);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    columns[c] = {{numbers[4 * c], numbers[4 * c + 1]}, numbers[4 * c + 2], numbers[4 * c + 3]};
+}
+
 std::vector<double> first_frequencies(const SpectrumPlan& plan) {
   const std::vector<double> all = plan.frequencies();
-  if (!plan.adaptive) return ordered(plan, all);
+  if (!plan.sweep.adaptive) return ordered(plan, all);
   std::vector<double> some;
   for (std::size_t k = 0; k < all.size(); k += coarse) some.push_back(all[k]);
   if (some.back() != all.back()) some.push_back(all.back());
@@ -56,7 +71,7 @@ std::vector<double> first_frequencies(const SpectrumPlan& plan) {
 }
 
 std::vector<double> further_frequencies(const SpectrumPlan& plan, std::vector<SweepPoint> points) {
-  if (!plan.adaptive) return {};
+  if (!plan.sweep.adaptive) return {};
   const std::vector<double> all = plan.frequencies();
   std::sort(points.begin(), points.end(),
             [](const auto& a, const auto& b) { return a.frequency < b.frequency; });

@@ -6,9 +6,9 @@
 
 #include <scree/files/text.hpp>
 #include <scree/nearest.hpp>
-#include <scree/scenario/peak_quantity.hpp>
+#include <scree/spectrum/peak_quantity.hpp>
 
-namespace scree::scenario {
+namespace scree::spectrum {
 
 namespace {
 
@@ -68,15 +68,15 @@ std::optional<PeakQuantity> peak_quantity(std::string_view name,
                                           const std::vector<ObservedColumn>& observed) {
   if (!names_peak(name)) return std::nullopt;
   name.remove_prefix(prefix.size());
-  const auto road = take_word(name, road_names);
-  if (!road) return std::nullopt;
+  const auto method = take_word(name, method_names);
+  if (!method) return std::nullopt;
   const auto column = take_word(name, responding_names(observed));
   const std::size_t dot = name.find('.');
   if (!column || dot == name.npos) return std::nullopt;
   const auto peak = peak_of(name.substr(0, dot), observed);
   const auto number = std::find(peak_numbers.begin(), peak_numbers.end(), name.substr(dot + 1));
   if (!peak || number == peak_numbers.end()) return std::nullopt;
-  return PeakQuantity{*road, *column, *peak, std::size_t(number - peak_numbers.begin())};
+  return PeakQuantity{*method, *column, *peak, std::size_t(number - peak_numbers.begin())};
 }
 
 std::vector<std::string> peak_quantity_names(const std::vector<ObservedColumn>& observed) {
@@ -84,11 +84,11 @@ std::vector<std::string> peak_quantity_names(const std::vector<ObservedColumn>& 
   for (int k = 1; k <= 9; ++k) peaks.push_back(fmt::format("{}{}", numbered, k));
   if (has_layers(observed))
     peaks.insert(peaks.end(), {"λ/4", "λ/2", "3λ/4", "λ", "5λ/4", "3λ/2", "7λ/4", "2λ"});
-  for (const char* road : road_names)
+  for (const char* method : method_names)
     for (const std::string& column : responding_names(observed))
       for (const std::string& peak : peaks)
         for (const char* number : peak_numbers)
-          all.push_back(fmt::format("{}{}.{}.{}.{}", prefix, road, column, peak, number));
+          all.push_back(fmt::format("{}{}.{}.{}.{}", prefix, method, column, peak, number));
   return all;
 }
 
@@ -101,8 +101,8 @@ std::optional<std::string> peak_quantity_problem(const std::string& name,
   if (const auto near = nearest_word(name, peak_quantity_names(observed)))
     return fmt::format("{}; did you mean '{}'?", problem, *near);
   return fmt::format("{}; give {}<{}>.<{}>.<peak_1, peak_2, ...{}>.<{}>", problem, prefix,
-                     fmt::join(road_names, ", "), fmt::join(responding_names(observed), ", "),
+                     fmt::join(method_names, ", "), fmt::join(responding_names(observed), ", "),
                      has_layers(observed) ? " or 3lambda/4, ..." : "", fmt::join(peak_numbers, ", "));
 }
 
-}  // namespace scree::scenario
+}  // namespace scree::spectrum
