@@ -37,7 +37,8 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[spectrum]") {
         std::string::npos);
 }
 
-TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported, and restored", "[spectrum]") {
+TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported, and restored",
+          "[spectrum]") {
   Bench bench(Chain().text(
       "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\n"));
   bench.options.methods = {Method::sweep};
@@ -141,7 +142,8 @@ TEST_CASE("a spectrum that goes on in its directory is not told to take another"
         }).ends_with("another spectrum is running there; wait for it, or give another --out"));
 }
 
-TEST_CASE("a linear method that is interrupted keeps what it has and goes on to the same table", "[spectrum]") {
+TEST_CASE("a linear method that is interrupted keeps what it has and goes on to the same table",
+          "[spectrum]") {
   // Beads on a cubic lattice, whose 384 motions are solved as in large packings.
   std::string text =
       "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"

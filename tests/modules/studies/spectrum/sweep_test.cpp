@@ -151,7 +151,8 @@ TEST_CASE("an adaptive sweep finds the response with a quarter of the steps", "[
   }
 }
 
-TEST_CASE("layers of shapes change neither the steps of an adaptive sweep nor those of a pulse", "[spectrum]") {
+TEST_CASE("layers of shapes change neither the steps of an adaptive sweep nor those of a pulse",
+          "[spectrum]") {
   const std::string keys = "from_hz = 75\nto_hz = 100\nstep_hz = 0.5\nsweep.adaptive = true\n";
   std::vector<std::uint64_t> steps, of_pulse;
   for (const char* shape : {"", "shape_from = 'profile'\n"}) {
