@@ -150,7 +150,8 @@ void require_stages(const scenario::Plan& plan) {
     throw Error(fmt::format(
         "{}: the scenario says nothing of how long it lasts; give time.duration or [[stage]]{}",
         plan.source.string(),
-        plan.studies.empty() ? "" : fmt::format(", or run scree {} with it", fmt::join(plan.studies, " or ")));
+        plan.studies.empty() ? ""
+                             : fmt::format(", or run scree {} with it", fmt::join(plan.studies, " or "))));
 }
 
 namespace {
