@@ -61,16 +61,6 @@ std::vector<double> frequencies_about_maxima(const SpectrumPlan& plan, const Met
   return further;
 }
 
-// The first of these frequencies, as many as can be solved at once for so many bodies within 2 GB of motions.
-std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies) {
-  // Translations and rotations are complex numbers.
-  constexpr double most_bytes = 2e9, bytes_per_body = 6 * 16;
-  constexpr std::size_t fewest = 48;  // which share a factorisation
-  const auto most = std::size_t(most_bytes / (bytes_per_body * double(std::max<std::size_t>(bodies, 1))));
-  frequencies.resize(std::min(frequencies.size(), std::max(most, fewest)));
-  return frequencies;
-}
-
 // Times that narrow maxima get more frequencies.
 constexpr int most_refinements = 4;
 // Change of a derivative at half the difference, over its largest value, above which a column is refused.
@@ -245,6 +235,15 @@ void check_columns(const Start& start, Simulation& simulation, const DrivenWalls
 }
 
 }  // namespace
+
+std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies) {
+  // Translations and rotations are complex numbers.
+  constexpr double most_bytes = 2e9, bytes_per_body = 6 * 16;
+  constexpr std::size_t fewest = 48;  // which share a factorisation
+  const auto most = std::size_t(most_bytes / (bytes_per_body * double(std::max<std::size_t>(bodies, 1))));
+  frequencies.resize(std::min(frequencies.size(), std::max(most, fewest)));
+  return frequencies;
+}
 
 void check_response(const Start& start) {
   Simulation simulation(start.scene, start.state);

@@ -1,7 +1,6 @@
 #include "linear.hpp"
 
 #include "chain.hpp"
-#include "linear_grid.hpp"
 
 #include <catch2/catch.hpp>
 
