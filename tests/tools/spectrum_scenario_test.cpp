@@ -159,7 +159,7 @@ TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
   CHECK(w.scree(over + staged).status == 0);
   CHECK(w.scree(over).status == 0);
   w.write("out/spectrum.json", "{\"status\": 5}");
-  refused("resume out", "out: there is no state with which the spectrum could go on; give --overwrite");
+  refused("resume out", "out: no saved state to resume the spectrum from; give --overwrite");
 }
 
 TEST_CASE("a spectrum that does not meet an expectation says so and fails", "[tools]") {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/run/result_kind.hpp>
 #include <scree/run/run.hpp>
-#include <scree/run/unfinished.hpp>
 
 namespace scree::tool {
 

@@ -1,4 +1,4 @@
-#include "studies/course_report.hpp"
+#include "studies/load_report.hpp"
 #include "studies/studies.hpp"
 #include "support/study_tables.hpp"
 #include "support/verbs.hpp"
@@ -113,7 +113,7 @@ void refuse_mixture(const ResponseArguments& a) {
 }
 
 ExitStatus follow(const ResponseArguments& arguments) {
-  return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {
+  return report_load(arguments.quiet, [&](quasi_static::FollowOptions options) {
     options.out = arguments.out;
     options.overwrite = arguments.overwrite;
     options.threads = arguments.threads;

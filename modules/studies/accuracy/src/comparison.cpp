@@ -5,7 +5,7 @@
 #include <scree/error.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/spectrum/peak_quantity.hpp>
-#include <scree/spectrum/trial.hpp>
+#include <scree/spectrum/spectrum_in_memory.hpp>
 
 namespace scree::accuracy {
 
@@ -85,17 +85,19 @@ void Comparison::note_methods() {
       methods_.push_back(method);
 }
 
-run::Trial Comparison::run(const scenario::Plan& changed, double until, const std::atomic<bool>* stop) const {
-  if (!of_peaks()) return run::run_trial(changed, {1, until, stop});
-  const spectrum::SpectrumTrial spectrum = spectrum::try_methods(changed, *spectrum_, methods_, stop);
-  run::Trial trial;
-  trial.wall = spectrum.wall;
-  trial.steps = spectrum.steps;
-  trial.stopped = spectrum.stopped;
+run::InMemoryRun Comparison::run(const scenario::Plan& changed, double until,
+                                 const std::atomic<bool>* stop) const {
+  if (!of_peaks()) return run::run_in_memory(changed, {1, until, stop});
+  const spectrum::InMemorySpectrum spectrum =
+      spectrum::spectrum_in_memory(changed, *spectrum_, methods_, stop);
+  run::InMemoryRun result;
+  result.wall = spectrum.wall;
+  result.steps = spectrum.steps;
+  result.stopped = spectrum.stopped;
   for (const Expectation& e : changed.expectations)
-    trial.quantities.push_back(spectrum::value_of(*spectrum::peak_quantity(e.quantity, spectrum_->observed),
-                                                  spectrum.spectra, spectrum.resonances));
-  return trial;
+    result.quantities.push_back(spectrum::value_of(*spectrum::peak_quantity(e.quantity, spectrum_->observed),
+                                                   spectrum.spectra, spectrum.resonances));
+  return result;
 }
 
 }  // namespace scree::accuracy

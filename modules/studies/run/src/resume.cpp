@@ -1,6 +1,6 @@
 #include "checkpoints.hpp"
-#include "run_from.hpp"
-#include "run_record.hpp"
+#include "results.hpp"
+#include "run.hpp"
 #include "scenario_file.hpp"
 #include "stage_lengths.hpp"
 
@@ -59,8 +59,8 @@ scenario::Plan plan_of(const Checkpoints::Latest& latest, const std::vector<Body
   });
 }
 
-// Of a run that was killed before its first state: from its start. Its warnings are those of its first beginning, with their places in the
-// file with which it was begun.
+// Of a run that was killed before its first state: from its start. Its warnings are those of its first
+// beginning, with their places in the file with which it was begun.
 scenario::Plan plan_at_start(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
                              const scenario::StudyTables& studies) {
   const fs::path& directory = options.out;
@@ -138,13 +138,17 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
   if (!latest) start.plan = plan_at_start(options, changes, host, studies);
   scenario::Plan& plan = start.plan;
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
-  if (latest) check_unfinished(latest->state, plan, options.out);
-  if (!latest) {
+  if (latest) {
+    check_unfinished(latest->state, plan, options.out);
+  } else {
     warn(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
     directory.replace();
-    return run_from(std::nullopt, plan, options, directory, Place::same);
+    start.simulation = set_up(plan, options.threads);
   }
-  return run_from(Resumed{latest->state, std::move(start.simulation)}, plan, options, directory, Place::same);
+  Session session(run_results, plan, session_options_of(options), std::move(directory));
+  Run run(plan, options, session, std::move(start.simulation));
+  latest ? session.resume(run, latest->state) : session.begin(run);
+  return run.result();
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/csv_line.hpp>
-#include <scree/run/input_hashes_json.hpp>
-#include <scree/run/verdict_json.hpp>
+#include <scree/run/verdict.hpp>
 
 namespace scree::spectrum {
 
@@ -116,10 +115,8 @@ std::string unit_of_response(const ObservedColumn& column) {
   return column.unit == "m" ? "1" : column.unit + "/m";
 }
 
-void write_record(const std::string& status, const Measurement& m, const run::RunDirectory& directory) {
-  Json json = {{"version", SCREE_VERSION}, {"status", status}};
-  if (!m.error.empty()) json["error"] = m.error;
-  json["title"] = m.title;
+Json record_of(const Measurement& m) {
+  Json json = {{"title", m.title}};
   for (const ObservedColumn& column : m.observed) json["observed"].push_back(column.name);
   for (const MethodSpectrum& spectrum : m.spectra)
     json["roads"].push_back({{"road", spectrum.method},
@@ -128,11 +125,8 @@ void write_record(const std::string& status, const Measurement& m, const run::Ru
                              {"wall", spectrum.wall},
                              {"notes", spectrum.notes}});
   json["peaks"] = peaks_of(m);
-  json["warnings"] = m.warnings;
   json["expect"] = run::json_of(m.verdicts);
-  json["inputs"] = run::json_of(m.inputs);
-  json["scenario"] = m.scenario;
-  directory.write_file("spectrum.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json;
 }
 
 std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::vector<SweepPoint>& points) {

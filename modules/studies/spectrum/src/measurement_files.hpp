@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <scree/run/run_directory.hpp>
 #include <scree/spectrum/measurement.hpp>
 
 namespace scree::spectrum {
 
-// The record of a measurement by which its directory is known.
-void write_record(const std::string& status, const Measurement& measurement,
-                  const run::RunDirectory& directory);
+// The entries of spectrum.json between its status and its warnings.
+nlohmann::ordered_json record_of(const Measurement& measurement);
 
 // sweep.csv: one row per frequency, in the order of the sweep.
 std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::vector<SweepPoint>& points);

@@ -33,7 +33,8 @@ constexpr const char* grid =
 }  // namespace
 
 TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[accuracy]") {
-  const Study result = study(driven_plan_of(Chain().text(grid)), of_peak("peaks.pulse.particles.z_8.peak_1"));
+  const Convergence result =
+      study(driven_plan_of(Chain().text(grid)), of_peak("peaks.pulse.particles.z_8.peak_1"));
   REQUIRE(result.of_peaks);
   REQUIRE(result.quantities.size() == 2);  // no positions
   CHECK(result.quantities[0].name == "peaks.pulse.particles.z_8.peak_1.frequency");
@@ -42,7 +43,7 @@ TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[ac
   // The fit leaves 1e-5 of the other modes.
   CHECK(result.quantities[0].reference == Approx(mode).epsilon(1e-4));
   int compared = 0;
-  for (const Outcome& o : result.outcomes) {
+  for (const SettingResult& o : result.outcomes) {
     if (o.setting.precision == Precision::mixed) continue;
     CAPTURE(o.setting.step, o.errors[0], o.problem);
     // The next term is smaller by (ωh)² = 0.012 at most; damping, Q = 20, shifts the mode by 1/(8 Q²) = 3e-4 of itself.
@@ -65,14 +66,14 @@ TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[ac
 TEST_CASE("a study of a peak of the linear method finds no error of the step", "[accuracy]") {
   StudyOptions options = of_peak("peaks.linear.particles.z_8.3lambda/4.frequency");
   options.count = 2;
-  const Study result = study(
+  const Convergence result = study(
       driven_plan_of(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nlinear.fewest_contacts = 1\n"
                                   "shape_from = 'profile'\n") +
                      Chain::layers),
       options);
   REQUIRE(result.quantities.size() == 1);
   CHECK(result.quantities[0].reference == Approx(Chain::mode_hz(2)).epsilon(1e-4));
-  for (const Outcome& o : result.outcomes)
+  for (const SettingResult& o : result.outcomes)
     if (o.setting.precision == Precision::double_precision) CHECK(o.errors[0] < 1e-10);
   CHECK(*result.longest_steps[0].of_worst == 4 * Chain::step);
 }

@@ -264,3 +264,26 @@ TEST_CASE("the state of another spectrum is refused", "[spectrum]") {
       Catch::Contains("state.h5: is the state of another spectrum than that in spectrum.json; put back"));
   CHECK(resume_measurement(other.options, host()).spectra.size() == 1);
 }
+
+TEST_CASE("a spectrum writes states as [checkpoint] says, and where it is interrupted", "[spectrum]") {
+  const std::string every = GENERATE("'never'", "'10 min'");
+  CAPTURE(every);
+  Bench bench(
+      Chain().text(
+          "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\n"),
+      {"checkpoint.every=" + every});
+  bench.options.methods = {Method::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bool written = false;
+  bench.options.on_progress = [&](double, double, const std::string&) {
+    written = bench.has("state.h5");
+    stop = true;
+  };
+  REQUIRE(measure(bench.plan, bench.options).interrupted);
+  CHECK(written == (every != "'never'"));
+  CHECK(bench.has("state.h5"));
+  stop = false;
+  bench.options.on_progress = {};
+  CHECK_FALSE(resume_measurement(bench.options, host()).interrupted);
+}

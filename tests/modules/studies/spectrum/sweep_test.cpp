@@ -9,7 +9,7 @@
 
 #include <scree/run/set_up.hpp>
 #include <scree/spectrum/resonance.hpp>
-#include <scree/spectrum/trial.hpp>
+#include <scree/spectrum/spectrum_in_memory.hpp>
 
 using namespace scree;
 using namespace scree::spectrum;
@@ -200,7 +200,7 @@ TEST_CASE("a sweep whose periods are too few for a steady response says so", "[s
   const auto notes = [](const std::string& periods) {
     const scenario::Plan plan =
         driven_plan_of(Chain().text("from_hz = 100\nto_hz = 140\nstep_hz = 40\n" + periods));
-    return try_methods(plan, *read_spectrum(plan), {Method::sweep}, nullptr).spectra.at(0).notes;
+    return spectrum_in_memory(plan, *read_spectrum(plan), {Method::sweep}, nullptr).spectra.at(0).notes;
   };
   // Modes of the chain decay by exp(−(drag/m + ω² damping/k) t/2), at 100 Hz by a half in 5 periods.
   CHECK(notes("sweep.periods = 100\nsweep.analysed_periods = 60\n").empty());

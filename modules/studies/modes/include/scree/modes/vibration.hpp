@@ -11,7 +11,6 @@
 #include <scree/modes/mode.hpp>
 #include <scree/response/elastic_moduli.hpp>
 #include <scree/response/load_response.hpp>
-#include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 
 namespace scree::modes {
@@ -57,17 +56,14 @@ struct Vibration {
   std::vector<std::int64_t> names;    // of bodies, by number
   std::vector<std::string> walls;     // names
   bool interrupted = false;
-  std::string scenario;  // as resolved
-  run::InputHashes inputs;
   std::vector<std::string> warnings;                    // "<what>; <cure>"
-  std::string error;                                    // one line, if it failed
   std::vector<std::pair<std::string, double>> seconds;  // wall time of each part
 };
 
-// Runs the stages of a plan, if it has any, takes the packing at their end as at rest, and writes the directory: modes.csv,
-// floppy.csv, density.csv, elastic.csv, loads.csv, load_bodies.csv,
-// load_contacts.csv, charts/, images/, response.json. Throws Error (bad_input) before anything is written if
-// the packing has no contacts, a law no derivative, or, for elastic constants, other walls; or as a run does.
+// Runs the stages of a plan, if it has any, takes the packing at their end as at rest, and writes the
+// directory: modes.csv, floppy.csv, density.csv, elastic.csv, loads.csv, load_bodies.csv, load_contacts.csv,
+// charts/, images/, response.json. Throws Error (bad_input) before anything is written if the packing has no
+// contacts, a law no derivative, or, for elastic constants, other walls; or as a run does.
 Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options);
 
 // The result for people.

@@ -33,10 +33,8 @@ struct Measurement {
   std::vector<MethodSpectrum> spectra;
   std::vector<Resonance> resonances;
   bool interrupted = false;
-  std::string scenario;  // as resolved
   run::InputHashes inputs;
   std::vector<std::string> warnings;   // "<what>; <cure>"
-  std::string error;                   // one line, if it failed
   std::vector<run::Verdict> verdicts;  // of the expectations of peaks on the methods that were asked for
 };
 
@@ -44,9 +42,6 @@ struct Measurement {
 // a sweep runs; spectrum.csv, peaks.csv, roads.csv, charts/, spectrum.json. Throws Error (bad_input) before
 // anything is written, or as a run does.
 Measurement measure(const scenario::Plan& plan, const MeasurementOptions& options);
-
-// Whether a directory holds a measurement.
-bool is_measurement(const std::filesystem::path& directory);
 
 // Continues the measurement in the directory options.out after its last complete frequency, to the same bits and
 // by the methods it began with. Throws Error as measure() does; nothing is changed if the status is bad_input.

@@ -1,13 +1,13 @@
 #include "drive.hpp"
-#include "expectations.hpp"
 #include "sampler.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include <scree/run/run_in_memory.hpp>
 #include <scree/run/set_up.hpp>
-#include <scree/run/trial.hpp>
+#include <scree/run/verdict.hpp>
 #include <scree/scenario/quantities.hpp>
 
 namespace scree::run {
@@ -26,12 +26,12 @@ std::vector<double> quantities_of(const scenario::Plan& plan, const Simulation& 
   return values;
 }
 
-struct TrialHooks {
+struct InMemoryHooks {
   const scenario::Plan& plan;
-  const TrialOptions& options;
+  const InMemoryOptions& options;
   const Simulation& simulation;
   Sampler& sampler;
-  Trial& trial;
+  InMemoryRun& run;
   double end;  // (s)
 
   void begin(const std::string&) { check_step(plan, simulation); }
@@ -41,8 +41,8 @@ struct TrialHooks {
                     steps + std::uint64_t(std::clamp(left, 1.0, 1e15)));
   }
   bool proceed(const StageRunner&) {
-    trial.stopped = options.stop && *options.stop;
-    return !trial.stopped && simulation.time() < end;
+    run.stopped = options.stop && *options.stop;
+    return !run.stopped && simulation.time() < end;
   }
   bool pauses(const StageRunner&) const { return false; }
   void between(const StageRunner&) {}
@@ -62,25 +62,25 @@ std::vector<Vec3> unwrapped_positions(const Simulation& s) {
   return positions;
 }
 
-Trial run_trial(const scenario::Plan& plan, const TrialOptions& options) {
+InMemoryRun run_in_memory(const scenario::Plan& plan, const InMemoryOptions& options) {
   using Clock = std::chrono::steady_clock;
   require_stages(plan);
   const auto simulation = set_up(plan, options.threads);
   Sampler sampler(plan);
   sampler.open();
   StageRunner runner(*simulation, plan.stages);
-  Trial trial;
+  InMemoryRun run;
   // Half a step earlier, so that rounding does not add a step.
   const double end = options.until - 0.5 * plan.scene.step;
   const auto start = Clock::now();
-  const std::string last = drive(runner, TrialHooks{plan, options, *simulation, sampler, trial, end});
-  trial.wall = std::chrono::duration<double>(Clock::now() - start).count();
+  const std::string last = drive(runner, InMemoryHooks{plan, options, *simulation, sampler, run, end});
+  run.wall = std::chrono::duration<double>(Clock::now() - start).count();
   sampler.sample_last(*simulation, last);
-  trial.steps = simulation->steps();
-  trial.time = simulation->time();
-  trial.quantities = quantities_of(plan, *simulation, sampler);
-  trial.positions = unwrapped_positions(*simulation);
-  return trial;
+  run.steps = simulation->steps();
+  run.time = simulation->time();
+  run.quantities = quantities_of(plan, *simulation, sampler);
+  run.positions = unwrapped_positions(*simulation);
+  return run;
 }
 
 }  // namespace scree::run

@@ -11,7 +11,7 @@
 namespace scree::spectrum {
 
 // The spectrum of a plan by some methods, without a directory, for studies of many.
-struct SpectrumTrial {
+struct InMemorySpectrum {
   std::vector<MethodSpectrum> spectra;
   std::vector<Resonance> resonances;
   std::uint64_t steps = 0;  // of the stages and the methods
@@ -21,7 +21,7 @@ struct SpectrumTrial {
 
 // spectrum_plan: from read_spectrum(). Runs the stages and measures by the methods on one thread until `*stop` is
 // true; `stop` may be null. Throws Error as measure() does.
-SpectrumTrial try_methods(const scenario::Plan& plan, const SpectrumPlan& spectrum_plan,
+InMemorySpectrum spectrum_in_memory(const scenario::Plan& plan, const SpectrumPlan& spectrum_plan,
                           const std::vector<Method>& methods, const std::atomic<bool>* stop);
 
 }  // namespace scree::spectrum

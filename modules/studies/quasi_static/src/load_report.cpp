@@ -1,4 +1,4 @@
-#include "course_files.hpp"
+#include "load_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include <scree/counted.hpp>
 #include <scree/pictures/load_backend.hpp>
-#include <scree/run/input_hashes_json.hpp>
 
 namespace scree::quasi_static {
 
@@ -16,32 +15,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr double most_whole_cycles = 4;  // drawn one after the other; of more, the first and the last
 
-void write_record(const std::string& status, const Course& c, const run::RunDirectory& directory) {
-  Json json = {{"version", SCREE_VERSION}, {"status", status}, {"title", c.title}};
-  if (!c.error.empty()) json["error"] = c.error;
-  json["bodies"] = c.bodies;
-  json["degrees_of_freedom"] = c.degrees_of_freedom;
-  json["start"] = c.start;
-  json["end"] = c.reached;
-  if (c.reached < c.end) json["planned_end"] = c.end;
-  json["increment"] = c.increment;
-  json["period"] = c.period;
-  json["increments"] = c.increments;
-  json["iterations"] = c.iterations;
-  json["events"] = c.events;
-  json["dynamic_steps"] = c.dynamic_steps;
+Json record_of(const FollowedLoad& load) {
+  Json json = {{"title", load.title}, {"bodies", load.bodies}};
+  json["degrees_of_freedom"] = load.degrees_of_freedom;
+  json["start"] = load.start;
+  json["end"] = load.reached;
+  if (load.reached < load.end) json["planned_end"] = load.end;
+  json["increment"] = load.increment;
+  json["period"] = load.period;
+  json["increments"] = load.increments;
+  json["iterations"] = load.iterations;
+  json["events"] = load.events;
+  json["dynamic_steps"] = load.dynamic_steps;
   json["hand_overs"] = Json::array();
-  for (const HandOver& h : c.hand_overs) json["hand_overs"].push_back({{"from", h.from}, {"to", h.to}});
-  json["wall"] = {{"all", c.wall}, {"dynamic", c.dynamic_wall}};
-  json["warnings"] = c.warnings;
-  json["inputs"] = run::json_of(c.inputs);
-  json["scenario"] = c.scenario;
-  directory.write_file("response.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  for (const HandOver& h : load.hand_overs) json["hand_overs"].push_back({{"from", h.from}, {"to", h.to}});
+  json["wall"] = {{"all", load.wall}, {"dynamic", load.dynamic_wall}};
+  return json;
 }
 
 namespace {
 
-// The part of a course between two times (s), over the time since `zero`.
+// The part of a load between two times (s), over the time since `zero`.
 pictures::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains,
                               double from, double to, double zero) {
   pictures::ChartSeries curve;
@@ -52,31 +46,31 @@ pictures::ChartSeries part_of(const std::vector<double>& times, const std::vecto
 
 }  // namespace
 
-void draw_chart(const Course& course, const std::vector<double>& times, const std::vector<double>& strains,
-                const run::RunDirectory& directory) {
+void draw_chart(const FollowedLoad& load, const std::vector<double>& times,
+                const std::vector<double>& strains, const run::RunDirectory& directory) {
   const bool drawn = strains.size() > 1 &&
                      std::all_of(strains.begin(), strains.end(), [](double s) { return std::isfinite(s); });
   if (!drawn || !pictures::has_pictures()) return;
   pictures::ChartSpec chart;
-  chart.title = course.title + ", quasi-static";
+  chart.title = load.title + ", quasi-static";
   chart.y_label = "strain L_y/L_y0 - L_x/L_x0";
-  const double end = times.back(), slack = 1e-9 * course.period;
-  if (course.period > 0 && end - course.start >= most_whole_cycles * course.period) {
-    const double cycles = std::floor((end - course.start) / course.period + 1e-9);
+  const double end = times.back(), slack = 1e-9 * load.period;
+  if (load.period > 0 && end - load.start >= most_whole_cycles * load.period) {
+    const double cycles = std::floor((end - load.start) / load.period + 1e-9);
     chart.x_label = "time in the cycle (s)";
     for (const double cycle : {1.0, cycles}) {
-      const double from = course.start + (cycle - 1) * course.period;
-      chart.series.push_back(part_of(times, strains, from - slack, from + course.period + slack, from));
+      const double from = load.start + (cycle - 1) * load.period;
+      chart.series.push_back(part_of(times, strains, from - slack, from + load.period + slack, from));
       chart.series.back().name = fmt::format("cycle {:g}", cycle);
     }
   } else {
     chart.x_label = "time (s)";
-    chart.series.push_back(part_of(times, strains, course.start, end, 0));
+    chart.series.push_back(part_of(times, strains, load.start, end, 0));
   }
   pictures::load_backend()->chart(chart, directory.add("charts/strain.png"));
 }
 
-std::string text_report(const Course& c) {
+std::string text_report(const FollowedLoad& c) {
   std::string text = fmt::format(
       "{}, {} degrees of freedom; {:g} to {:g} s in {} of at most {:g} s\n"
       "{} of Newton's method; contacts opened, closed, began or ended to slide {}\n",
