@@ -133,7 +133,7 @@ TEST_CASE("a spectrum that cannot be measured is refused at its key", "[spectrum
   refuses({"spectrum.sweep.periods=1e300"}, "1e+300 periods of",
           "or fewer sweep.periods, for at most 1e+12 steps");
   refuses({"spectrum.pulse.wave='nois'"}, "nois", "noise");
-  refuses({"spectrum.pulse.wave='noise'"}, "has no 'noise_rms'", "add a noise_rms");
+  refuses({"spectrum.pulse.wave='noise'"}, "has no 'noise_rms'", "add noise_rms");
   refuses(
       {"spectrum.pulse.wave='noise'", "spectrum.pulse.noise_rms=1e-8", "spectrum.pulse.noise_duration=1.5"},
       "noise of 1.5 s has fewer than 8 segments of 0.2 s", "a longer noise_duration");
