@@ -56,9 +56,10 @@ struct SnapshotKeys : TableKeys {
 
 struct CheckpointKeys : TableKeys {
   CheckpointKeys()
-      : TableKeys("checkpoint", "[checkpoint]",
-                  "states from which scree resume goes on: the two latest of a run in checkpoint/, the latest of a "
-                  "study in state.h5") {}
+      : TableKeys(
+            "checkpoint", "[checkpoint]",
+            "states from which scree resume goes on: the two latest of a run in checkpoint/, the latest of a "
+            "study in state.h5") {}
   StringKey every =
       string("every", "10 min", "wall time between them, as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
              "default \"10 min\"");

@@ -38,7 +38,7 @@ std::optional<State> after_stages(Simulation& simulation, const scenario::Plan& 
 }  // namespace
 
 InMemorySpectrum spectrum_in_memory(const scenario::Plan& plan, const SpectrumPlan& spectrum_plan,
-                          const std::vector<Method>& methods, const std::atomic<bool>* stop) {
+                                    const std::vector<Method>& methods, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   InMemorySpectrum found;
   if (const auto problem = scenario::sampling_problem(spectrum_plan.to_hz, plan.scene.step))

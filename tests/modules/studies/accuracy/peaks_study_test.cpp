@@ -34,7 +34,7 @@ constexpr const char* grid =
 
 TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[accuracy]") {
   const Convergence result =
-      study(driven_plan_of(Chain().text(grid)), of_peak("peaks.pulse.particles.z_8.peak_1"));
+      study(test::driven_plan_of(Chain().text(grid)), of_peak("peaks.pulse.particles.z_8.peak_1"));
   REQUIRE(result.of_peaks);
   REQUIRE(result.quantities.size() == 2);  // no positions
   CHECK(result.quantities[0].name == "peaks.pulse.particles.z_8.peak_1.frequency");
@@ -66,11 +66,12 @@ TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[ac
 TEST_CASE("a study of a peak of the linear method finds no error of the step", "[accuracy]") {
   StudyOptions options = of_peak("peaks.linear.particles.z_8.3lambda/4.frequency");
   options.count = 2;
-  const Convergence result = study(
-      driven_plan_of(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nlinear.fewest_contacts = 1\n"
-                                  "shape_from = 'profile'\n") +
-                     Chain::layers),
-      options);
+  const Convergence result =
+      study(test::driven_plan_of(
+                Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nlinear.fewest_contacts = 1\n"
+                             "shape_from = 'profile'\n") +
+                Chain::layers),
+            options);
   REQUIRE(result.quantities.size() == 1);
   CHECK(result.quantities[0].reference == Approx(Chain::mode_hz(2)).epsilon(1e-4));
   for (const SettingResult& o : result.outcomes)
@@ -86,10 +87,10 @@ TEST_CASE("a study compares peaks that [[expect]] names, and refuses to mix them
   StudyOptions options = of_peak("");
   options.count = 2;
   options.quantities.clear();
-  CHECK(study(driven_plan_of(text + expect), options).quantities.size() == 1);
+  CHECK(study(test::driven_plan_of(text + expect), options).quantities.size() == 1);
   const auto refused = [&](const std::vector<std::string>& quantities) {
     options.quantities = quantities;
-    return test::message([&] { study(driven_plan_of(text), options); });
+    return test::message([&] { study(test::driven_plan_of(text), options); });
   };
   CHECK(refused({"peaks.pulse.particles.z_8.peak_1.frequncy"}).find("did you mean") != std::string::npos);
   CHECK(refused({"particles.z_1.last", "peaks.pulse.particles.z_8.peak_1"})

@@ -22,6 +22,6 @@ struct InMemorySpectrum {
 // spectrum_plan: from read_spectrum(). Runs the stages and measures by the methods on one thread until `*stop` is
 // true; `stop` may be null. Throws Error as measure() does.
 InMemorySpectrum spectrum_in_memory(const scenario::Plan& plan, const SpectrumPlan& spectrum_plan,
-                          const std::vector<Method>& methods, const std::atomic<bool>* stop);
+                                    const std::vector<Method>& methods, const std::atomic<bool>* stop);
 
 }  // namespace scree::spectrum
