@@ -143,7 +143,8 @@ TEST_CASE("a chaotic scene is compared at the time until which its reference is 
 
 TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as charts", "[accuracy]") {
   const TemporaryFolder folder;
-  RecordedStudyOptions options{quick()};
+  RecordedStudyOptions options;
+  static_cast<StudyOptions&>(options) = quick();
   options.integrations = {Integration::velocity_verlet};
   options.out = folder / "out";
   CHECK(recorded_study(closed_form_plan(), options).second == options.out);
@@ -176,7 +177,8 @@ TEST_CASE("a study with a directory writes nothing before its reference is compl
           "[accuracy]") {
   const TemporaryFolder folder;
   std::atomic<bool> stop = true;
-  RecordedStudyOptions options{quick()};
+  RecordedStudyOptions options;
+  static_cast<StudyOptions&>(options) = quick();
   options.out = folder / "out";
   options.stop = &stop;
   CHECK_THROWS_WITH(recorded_study(closed_form_plan(), options),

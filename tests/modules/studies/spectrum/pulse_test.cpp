@@ -41,10 +41,10 @@ TEST_CASE("a chirp finds the modes of the discrete chain", "[spectrum]") {
   const Chain chain = {.damping = 0.02};
   const scenario::Plan plan = driven_plan_of(chain.text(
       "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\npulse.decay = 1e-6\npulse.wave = 'chirp'\npulse.chirp_duration = 0.5\n"));
-  const InMemorySpectrum found = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
-  CHECK(found.spectra[0].notes.empty());
+  const InMemorySpectrum measured = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
+  CHECK(measured.spectra[0].notes.empty());
   std::vector<double> found;
-  for (const Resonance& r : found.resonances)
+  for (const Resonance& r : measured.resonances)
     if (r.column == 1) found.push_back(r.mode.frequency);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {
@@ -65,8 +65,8 @@ TEST_CASE("noise measures the response and the modes of the discrete chain withi
   const Chain chain = {.damping = 0.05, .drag = 0.03};
   const scenario::Plan plan = driven_plan_of(chain.text(
       "from_hz = 20\nto_hz = 160\nstep_hz = 1\npulse.wave = 'noise'\npulse.noise_rms = 1e-8\npulse.noise_duration = 30\n"));
-  const InMemorySpectrum found = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
-  const MethodSpectrum& spectrum = found.spectra[0];
+  const InMemorySpectrum measured = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
+  const MethodSpectrum& spectrum = measured.spectra[0];
   REQUIRE(spectrum.frequencies.size() == 141);
   int covered = 0, cases = 0;
   double largest = 0;
@@ -84,7 +84,7 @@ TEST_CASE("noise measures the response and the modes of the discrete chain withi
   CHECK(double(covered) / cases == Approx(0.68).margin(0.05 + 0.04));  // the share of 141 is known to 0.04
   CHECK(largest < 0.03);
   std::vector<signals::Mode> found;
-  for (const Resonance& r : found.resonances)
+  for (const Resonance& r : measured.resonances)
     if (r.column == 1) found.push_back(r.mode);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {
