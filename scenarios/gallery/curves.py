@@ -31,8 +31,9 @@ def save(figure, path):
 def draw_discs(axes, discs, colours, edge="#5f7186"):
     """Discs (x, y, radius) in the units of the axes."""
     widths = [2 * radius for _, _, radius in discs]
-    axes.add_collection(EllipseCollection(widths, widths, [0] * len(discs), offsets=[disc[:2] for disc in discs], units="xy",
-                                          transOffset=axes.transData, facecolors=colours, edgecolors=edge, linewidths=0.4))
+    places = {"offsets": [disc[:2] for disc in discs], "units": "xy", "transOffset": axes.transData}
+    axes.add_collection(EllipseCollection(widths, widths, [0] * len(discs), facecolors=colours, edgecolors=edge,
+                                          linewidths=0.4, **places))
     axes.set_aspect("equal")
 
 
@@ -52,7 +53,8 @@ def bouncing_ball(run, _, path):
         rest = fall * (1 + e) / (1 - e)
         axes.plot([rest], [0], marker="^", color=colour, markersize=10, clip_on=False, zorder=3)
         axes.plot([rest, rest], [0, label], ":", color=colour, linewidth=1.2)
-        axes.annotate(f"$t_\\infty$ = {rest:.2f} s", (rest, label), (0, 3), textcoords="offset points", ha="center", color=colour)
+        axes.annotate(f"$t_\\infty$ = {rest:.2f} s", (rest, label), (0, 3), textcoords="offset points",
+                      ha="center", color=colour)
     axes.plot([], [], "o", color=GREY, fillstyle="none", markersize=7, label="$h\\,e^{2n}$")
     axes.plot([], [], "^", color=GREY, markersize=9, label="$t_\\infty = \\sqrt{2h/g}\\,(1+e)/(1-e)$")
     axes.set(xlabel="time (s)", ylabel="height above the floor (m)", ylim=(0, 1.02), xlim=(0, 4.4))
@@ -80,15 +82,18 @@ def drift_energy(run, bodies=512, radius=0.001, density=2500):
 def gas_that_cools(run, _, path):
     """Energy over time, both over their scales, on logarithmic axes."""
     figure, axes = chart()
-    times, energy, drift = column(run, "energy", "time"), column(run, "energy", "kinetic_translation"), drift_energy(run)
+    times, energy = column(run, "energy", "time"), column(run, "energy", "kinetic_translation")
+    drift = drift_energy(run)
     rate = haff(energy[0], drift)
     scaled = [((t - 0.05) * rate, (e - drift) / (energy[0] - drift)) for t, e in zip(times, energy) if t > 0.05]
     line = [(0.01 * 10 ** (k / 50)) for k in range(0, 151)]
-    axes.plot(line, [1 / (1 + x) ** 2 for x in line], color=ORANGE, linewidth=3.5, alpha=0.75, label="Haff: $(1+t/t_H)^{-2}$")
+    law = [1 / (1 + x) ** 2 for x in line]
+    axes.plot(line, law, color=ORANGE, linewidth=3.5, alpha=0.75, label="Haff: $(1+t/t_H)^{-2}$")
     axes.plot(line, [x**-2 for x in line], "--", color=GREY, linewidth=1, label="$(t/t_H)^{-2}$")
     chosen = [scaled[min(int(1.35**k), len(scaled)) - 1] for k in range(0, 20)]
     axes.plot(*zip(*chosen), "o", color=BLUE, markersize=6, label="512 beads, e = 0.9")
-    axes.set(xscale="log", yscale="log", xlim=(0.012, 8), ylim=(0.015, 1.5), xlabel="time / $t_H$", ylabel="energy / energy at the start")
+    axes.set(xscale="log", yscale="log", xlim=(0.012, 8), ylim=(0.015, 1.5))
+    axes.set(xlabel="time / $t_H$", ylabel="energy / energy at the start")
     axes.legend(frameon=False, loc="lower left")
     save(figure, path)
 
@@ -125,22 +130,24 @@ def piston(run, _, path):
     length = smooth([0.05 - abs(float(r["displacement_z_2"])) for r in rows], 830)
     volume = 512 * math.pi / 6 * 0.002**3
     start = volume / 0.05**3
-    energy = scenario_energy(run)
+    energy = energy_before(run)
     grid = [0.05 - 0.025 * k / 100 for k in range(101)]
     pressure = [2 / 3 * energy / (0.05**2 * z) for z in grid]
-    hard = [p * adiabat(volume / (0.05**2 * z), start) * hard_sphere_factor(volume / (0.05**2 * z)) for p, z in zip(pressure, grid)]
+    shares = [volume / (0.05**2 * z) for z in grid]
+    hard = [p * adiabat(share, start) * hard_sphere_factor(share) for p, share in zip(pressure, shares)]
     ideal = [p * (0.05 / z) ** (2 / 3) for p, z in zip(pressure, grid)]
     ratios = [z / 0.05 for z in grid]
     axes.plot(ratios, hard, color=ORANGE, linewidth=3.5, alpha=0.75, label="adiabat of hard spheres")
     axes.plot(ratios, ideal, "--", color=GREEN, label="adiabat of the ideal gas, $p \\propto V^{-5/3}$")
     axes.plot(ratios, pressure, ":", color=GREY, label="isotherm, $p \\propto V^{-1}$")
-    axes.plot([z / 0.05 for z in length], [f / 0.05**2 for f in force], "o", color=BLUE, markersize=6, label="512 beads")
+    measured = [(z / 0.05, f / 0.05**2) for z, f in zip(length, force)]
+    axes.plot(*zip(*measured), "o", color=BLUE, markersize=6, label="512 beads")
     axes.set(xlabel="volume / volume at the start", ylabel="pressure (Pa)", xlim=(1.02, 0.48))
     axes.legend(frameon=False, loc="upper left")
     save(figure, path)
 
 
-def scenario_energy(run):
+def energy_before(run):
     """Kinetic energy (J) before the compression, mean over the stage."""
     values = column(run, "before", "kinetic_translation")
     return sum(values) / len(values)
@@ -148,7 +155,8 @@ def scenario_energy(run):
 
 def bessel(order, x, points=2000):
     """J of an even order: the mean of cos(order s − x sin s) over half a turn, by the trapezoidal rule."""
-    return sum(math.cos(order * s - x * math.sin(s)) for s in (math.pi * (k + 0.5) / points for k in range(points))) / points
+    turns = [math.pi * (k + 0.5) / points for k in range(points)]
+    return sum(math.cos(order * s - x * math.sin(s)) for s in turns) / points
 
 
 def wave_in_a_chain(run, _, path):
@@ -159,7 +167,8 @@ def wave_in_a_chain(run, _, path):
     frequency = 80 / scenario_of(run)["stage"][0]["duration"]
     balls = range(-50, 51)
     axes.axhline(0, color="#cccccc", linewidth=0.8)
-    axes.vlines(balls, 0, [bessel(2 * abs(n), 80) for n in balls], color=ORANGE, linewidth=4, alpha=0.8, label="$v_0\\,J_{2n}(\\omega_m t)$")
+    law = [bessel(2 * abs(n), 80) for n in balls]
+    axes.vlines(balls, 0, law, color=ORANGE, linewidth=4, alpha=0.8, label="$v_0\\,J_{2n}(\\omega_m t)$")
     axes.plot(balls, [speeds[n] for n in balls], "o", color=BLUE, markersize=4, label="steel balls")
     for side in (-1, 1):
         axes.axvline(side * 40, color=GREEN, linewidth=1.2, linestyle="--")

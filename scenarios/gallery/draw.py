@@ -35,7 +35,8 @@ def run(program, scene, out, *words):
     if os.path.exists(os.path.join(out, "final_packing.csv")):
         return
     path = os.path.join(HERE, scene + ".toml")
-    done = subprocess.run([program, "run", path, "--out", out, "--quiet", *words], capture_output=True, text=True, check=False)
+    called = [program, "run", path, "--out", out, "--quiet", *words]
+    done = subprocess.run(called, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         refuse(f"{path}: exit status {done.returncode}: {done.stderr.strip()}")
 

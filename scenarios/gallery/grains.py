@@ -16,6 +16,11 @@ def bodies_of(run):
     return [(int(r["id"]), float(r["x"]), float(r["y"]), float(r.get("z") or 0), float(r["radius"])) for r in rows]
 
 
+def in_mm(bodies):
+    """(x, y, radius) of discs."""
+    return [(x * 1e3, y * 1e3, radius * 1e3) for _, x, y, _, radius in bodies]
+
+
 def fitted_line(points):
     """Slope and height at 0 of the straight line through points, by least squares."""
     count, x_mean, y_mean = len(points), *(sum(p[i] for p in points) / len(points) for i in (0, 1))
@@ -24,7 +29,7 @@ def fitted_line(points):
 
 
 def surface_of(bodies, length, bins):
-    """(x, z) of the surface: the mean of the tops of the highest four beads of each bin but the outer two on each side."""
+    """(x, z) of the surface: mean top of the highest four beads of each bin, without the outer two on each side."""
     points = []
     for k in range(2, bins - 2):
         tops = sorted(z + radius for _, x, _, z, radius in bodies if k <= x / length * bins < k + 1)[-4:]
@@ -53,7 +58,7 @@ def angle_of_repose(run, _, path):
     (x_low, y_low) = ends[1]
     axes.plot([x_low - 125, x_low], [y_low, y_low], "--", color=GREY, linewidth=1.2)
     arc = [math.pi - math.radians(angle) * k / 30 for k in range(31)]
-    axes.plot([x_low + 90 * math.cos(a) for a in arc], [y_low + 90 * math.sin(a) for a in arc], color=RED, linewidth=1.5)
+    axes.plot(*zip(*((x_low + 90 * math.cos(a), y_low + 90 * math.sin(a)) for a in arc)), color=RED, linewidth=1.5)
     axes.annotate(f"{angle:.0f}°", (x_low - 101, y_low + 12), color=RED, fontsize=15, ha="center",
                   bbox={"boxstyle": "round", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
     axes.annotate("", (30, -62), (30, -42), arrowprops={"arrowstyle": "-|>", "color": GREY})
@@ -66,21 +71,19 @@ def brazil_nut(run, _, path):
     """The box at the end, with the place where the nut began, and the height of the nut over time."""
     figure, (box, rise) = chart(1, 2, gridspec_kw={"width_ratios": [1, 1.15]})
     bodies, width = bodies_of(run), 0.1026
-    floor = 0
-    draw_discs(box, [(x * 1e3, y * 1e3, radius * 1e3) for _, x, y, _, radius in bodies],
-               [ORANGE if body[0] == 1000 else GRAIN for body in bodies])
+    draw_discs(box, in_mm(bodies), [ORANGE if body[0] == 1000 else GRAIN for body in bodies])
     times, heights = column(run, "nut", "time"), column(run, "nut", "y_1000")
-    places = column(run, "nut", "x_1000")
     settled = min(range(len(times)), key=lambda k: abs(times[k] - 0.5))
-    box.add_patch(pyplot.Circle((places[settled] * 1e3, heights[settled] * 1e3), 10, fill=False, color=RED, linewidth=1.8, linestyle="--"))
-    wall(box, (0, 125), (0, floor), (width * 1e3, floor), (width * 1e3, 125))
-    box.set(xlim=(-3, width * 1e3 + 3), ylim=(-3, 128))
+    place = column(run, "nut", "x_1000")[settled] * 1e3, heights[settled] * 1e3
+    box.add_patch(pyplot.Circle(place, 10, fill=False, color=RED, linewidth=1.8, linestyle="--"))
+    wall(box, (0, 100), (0, 0), (width * 1e3, 0), (width * 1e3, 100))
+    box.set(xlim=(-3, width * 1e3 + 3), ylim=(-3, 104))
     box.axis("off")
     rise.plot([t - 0.5 for t in times], [h * 1e3 for h in heights], color=ORANGE, linewidth=1.6)
-    rise.axvspan(0, 1.2, color="#e8eef5")
-    rise.annotate("$\\Gamma = 0.8$", (0.6, 0.97), xycoords=("data", "axes fraction"), ha="center", va="top", color=BLUE)
-    rise.annotate("$\\Gamma = 3.5$", (3.6, 0.97), xycoords=("data", "axes fraction"), ha="center", va="top", color=BLUE)
-    rise.set(xlabel="time (s)", ylabel="height of the nut (mm)", ylim=(0, None))
+    rise.axvspan(0, 1.0, color="#e8eef5")
+    rise.annotate("$\\Gamma = 0.8$", (0.5, 0.97), xycoords=("data", "axes fraction"), ha="center", va="top", color=BLUE)
+    rise.annotate("$\\Gamma = 3.2$", (4, 0.97), xycoords=("data", "axes fraction"), ha="center", va="top", color=BLUE)
+    rise.set(xlabel="time (s)", ylabel="height of the nut (mm)", ylim=(0, 122))
     save(figure, path)
 
 
@@ -104,9 +107,9 @@ def contacts_of(bodies, width, stiffness):
     return found
 
 
-def janssen(depth, length):
-    """Load on the floor over the load that a deep silo tends to; depth over the length W/(2 μ K)."""
-    return 1 - math.exp(-depth / length)
+def janssen(weight, deep):
+    """Load (N) of the floor under a weight (N); deep: the load of a deep silo (N)."""
+    return deep * (1 - math.exp(-weight / deep))
 
 
 def silo_load(run):
@@ -120,14 +123,14 @@ def fitted_saturation(loads):
     """Load S of a deep silo, by least squares of Q = S (1 − exp(−G/S)) to weights G and loads Q."""
     largest = max(weight for weight, _ in loads)
     tried = [largest * k / 2000 for k in range(20, 4000)]
-    return min(tried, key=lambda s: sum((q - s * janssen(g, s)) ** 2 for g, q in loads))
+    return min(tried, key=lambda s: sum((q - janssen(g, s)) ** 2 for g, q in loads))
 
 
 def silo(run, others, path):
     """The silo with its forces, and the load of its floor over the weight of the filling."""
     figure, (column_axes, law) = chart(1, 2, 5.2, gridspec_kw={"width_ratios": [1, 3.6]})
     bodies, width = bodies_of(run), 0.0605
-    draw_discs(column_axes, [(x * 1e3, y * 1e3, radius * 1e3) for _, x, y, _, radius in bodies], [GRAIN] * len(bodies), "#aab6c4")
+    draw_discs(column_axes, in_mm(bodies), [GRAIN] * len(bodies), "#aab6c4")
     forces = contacts_of(bodies, width, 2e5)
     mean = sum(force for _, force in forces) / len(forces)
     column_axes.add_collection(LineCollection([[(x * 1e3, y * 1e3) for x, y in ends] for ends, _ in forces], colors=RED,
@@ -142,15 +145,17 @@ def silo(run, others, path):
     print(f"  load of a deep silo {deep:.1f} N, K = {factor:.2f}")
     law.plot(*zip(*loads), "o", color=BLUE, markersize=8, label="floor, five fillings", zorder=3)
     grid = [loads[-1][0] * k / 100 for k in range(101)]
-    law.plot(grid, [deep * janssen(g, deep) for g in grid], color=ORANGE, linewidth=2.5, label=f"Janssen, K = {factor:.2f}")
+    fitted = [janssen(g, deep) for g in grid]
+    law.plot(grid, fitted, color=ORANGE, linewidth=2.5, label=f"Janssen, K = {factor:.2f}")
     law.plot(grid, grid, "--", color=GREY, linewidth=1.2, label="the whole weight, as of a fluid")
-    law.set(xlabel="weight of the filling (N)", ylabel="load of the floor (N)", xlim=(0, loads[-1][0] * 1.04), ylim=(0, deep * 1.9))
+    law.set(xlabel="weight of the filling (N)", ylabel="load of the floor (N)")
+    law.set(xlim=(0, loads[-1][0] * 1.04), ylim=(0, deep * 1.9))
     law.legend(frameon=False, loc="upper left")
     save(figure, path)
 
 
 def silo_factor(deep, bodies, width, friction=0.25, density=1000):
-    """K from the load S = ρ φ g W²/(2 μ K) of a deep silo, for 1 m of depth; φ of the filling below four fifths of its height."""
+    """K from the load S = ρ φ g W²/(2 μ K) (N) of a deep silo; φ: that of the lower four fifths of the filling."""
     low, high = min(b[2] - b[4] for b in bodies), max(b[2] for b in bodies)
     upper = low + 0.8 * (high - low)
     area = sum(math.pi * b[4] ** 2 for b in bodies if b[2] < upper)
@@ -159,12 +164,11 @@ def silo_factor(deep, bodies, width, friction=0.25, density=1000):
 
 
 def connected_front(bodies, gap):
-    """Largest x (m) of the discs that are joined to the wall at x = 0 by discs in contact."""
-    ordered = sorted(bodies, key=lambda body: body[1])
+    """Largest x (m) of the discs that are joined to the wall at x = 0 by discs no further apart than the gap (m)."""
     reached, front = [], 0.0
-    for _, x, y, _, radius in ordered:
-        near = [r for r in reached[-400:] if math.hypot(r[0] - x, r[1] - y) < r[2] + radius + gap]
-        if x - radius < gap or near:
+    for _, x, y, _, radius in sorted(bodies, key=lambda body: body[1]):
+        joined = any(math.hypot(r[0] - x, r[1] - y) < r[2] + radius + gap for r in reversed(reached))
+        if x - radius < gap or joined:
             reached.append((x, y, radius))
             front = max(front, x + radius)
     return front
@@ -177,8 +181,7 @@ def column_collapse(run, others, path):
     count = len(bodies)
     height = column_height(run)
     bands = [BLUE, "#e8b04a"]
-    draw_discs(heap, [(x * 1e3, y * 1e3, radius * 1e3) for _, x, y, _, radius in bodies],
-               [bands[(body[0] - 1) * 6 // count % 2] for body in bodies], "none")
+    draw_discs(heap, in_mm(bodies), [bands[(body[0] - 1) * 6 // count % 2] for body in bodies], "none")
     front = connected_front(bodies, 1e-4)
     heap.plot([0, width * 1e3, width * 1e3], [height * 1e3] * 2 + [0], "--", color=GREY, linewidth=1.4)
     wall(heap, (0, height * 1e3), (0, 0), (1.06 * front * 1e3, 0))
@@ -186,11 +189,13 @@ def column_collapse(run, others, path):
     heap.annotate("front", (front * 1e3, 16), color=RED, ha="center")
     heap.set(xlim=(-4, 1.06 * front * 1e3), ylim=(-4, height * 1e3 + 4))
     heap.axis("off")
-    points = sorted((column_height(each) / width, connected_front(bodies_of(each), 1e-4) / width - 1) for each in [*others, run])
+    points = sorted((column_height(each) / width, connected_front(bodies_of(each), 1e-4) / width - 1)
+                    for each in [*others, run])
     print("  " + ", ".join(f"a = {a:.2f}: runout {r:.2f}" for a, r in points))
     law.plot(*zip(*points), "o", color=BLUE, markersize=8, label="this column and three others", zorder=3)
     grid = [3 * k / 90 for k in range(91)]
-    law.plot(grid, [2.5 * a if a < 2 else 3.25 * a**0.7 for a in grid], color=ORANGE, linewidth=2.5, label="discs: 2.5 a, 3.25 a$^{0.7}$ above 2")
+    discs = [2.5 * a if a < 2 else 3.25 * a**0.7 for a in grid]
+    law.plot(grid, discs, color=ORANGE, linewidth=2.5, label="discs: 2.5 a, 3.25 a$^{0.7}$ above 2")
     law.plot(grid, [1.2 * a for a in grid], color=GREEN, linewidth=2.5, label="sand in a channel: 1.2 a")
     law.set(xlabel="height / width a of the column", ylabel="runout / width", xlim=(0, 3), ylim=(0, 7.5))
     law.legend(frameon=False, loc="upper left")
