@@ -120,7 +120,7 @@ TEST_CASE("a scenario of a spectrum without stages is checked, but not run", "[t
 }
 
 TEST_CASE("a misspelt table of a study is named, not the duration that it replaces", "[tools]") {
-  const Workspace w("[spectrm]\ndrive = 'x'\n" + chain.substr(0, chain.find("[spectrum]")));
+  const Workspace w("[spectrm]\ndrive = 'x'\n" + chain.substr(0, chain.find("\n[spectrum]") + 1));
   check_refused(w, w.run(), "scene.toml:1:2: unknown key 'spectrm' in the file; did you mean 'spectrum'?",
                 "");
 }
