@@ -4,6 +4,8 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <sys/types.h>
+#include <vector>
 
 namespace scree {
 
@@ -32,10 +34,30 @@ struct ChildOptions {
   bool silent = false;                                       // its standard output and error are dropped
 };
 
-// Runs work that may end or hold the process, such as code of others, in a child process, and waits for its end. The
-// work sends what it finds. Its handlers of signals are those of the system, it leaves no core file, and it ends with
-// the thread that waits.
+// Runs work that may end or hold the process, such as code of others, in a child process, and waits for its
+// end. The work sends what it finds. It has the default handlers of signals, leaves no core file, and ends
+// with the thread that waits.
 using Send = std::function<void(std::string_view bytes)>;
 ChildEnd in_child(const std::function<void(const Send& send)>& work, const ChildOptions& options = {});
+
+struct ProgramOptions {
+  int output = -1;                  // descriptor of its standard output and error; -1: as in this process
+  std::vector<int> inherited = {};  // further descriptors that stay open in the program
+  // In its own process group and without standard input, so that Ctrl-C on the terminal does not reach it.
+  bool own_group = false;
+};
+
+struct StartedProgram {
+  pid_t process = -1;    // for the caller to wait for; -1 if the program was not started
+  int no_process = 0;    // value of errno if there was no process to be had
+  int not_executed = 0;  // value of errno if the program could not be executed
+};
+
+// Starts the program words[0], a path or a name in PATH, with the other words as arguments. It has the
+// default handlers of signals, and receives SIGTERM when the thread that started it ends.
+StartedProgram start_program(const std::vector<std::string>& words, const ProgramOptions& options = {});
+
+// Waits for the end of a process; its status, as of waitpid().
+int wait_for(pid_t process);
 
 }  // namespace scree

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/error.hpp>
 #include <scree/plugin/abi.h>
 
 namespace scree {
@@ -16,13 +17,13 @@ class Parameters {
   const scree_plugin& plugin() const { return *plugin_; }
   // The declaration of a key, or null if there is none.
   const scree_parameter* find(const std::string& key) const;
-  // Checks numbers for a parameter. Returns "<problem>; <remedy>", or nothing if they are valid.
-  static std::optional<std::string> problem(const scree_parameter& parameter,
-                                            const std::vector<double>& data);
+  // What is wrong with numbers for a parameter, without a place, such as "= -1 is out of range; give a number
+  // above 0"; nothing if they are valid.
+  static std::optional<Error> problem(const scree_parameter& parameter, const std::vector<double>& data);
   // Sets a parameter. Throws Error for an unknown key or numbers that are out of range.
   void set(const std::string& key, std::vector<double> data);
-  // Sets a parameter of the type SCREE_INPUT: "<probe>.<column>" and the unit of that column. Throws Error for another
-  // parameter.
+  // Sets a parameter of the type SCREE_INPUT: "<probe>.<column>" and the unit of that column. Throws Error
+  // for another parameter.
   void set_input(const std::string& key, const std::string& name, const std::string& unit);
   // Throws Error if a required parameter is missing or if two mutually exclusive ones are given.
   void check_complete() const;

@@ -22,8 +22,8 @@ namespace scree {
 
 namespace {
 
-// Each message in the pipe: its kind, its length and its bytes. The last says how the work ended, so that a child that
-// ends with status 0 before does not pass for one that is done.
+// Each message in the pipe: its kind, its length and its bytes. The last says how the work ended, so that a
+// child that ends with status 0 before does not pass for one that is done.
 enum Kind : char { data = 'd', done = 'r', exception = 'e' };
 
 void write_all(int descriptor, const char* bytes, std::size_t count) {
@@ -44,11 +44,16 @@ void send(int descriptor, Kind kind, std::string_view bytes) {
   write_all(descriptor, bytes.data(), size);
 }
 
-void prepare_child(pid_t parent, bool silent) {
+// In the child: it ends with the thread of its parent by a signal, and has the default handlers of others.
+void begin_child(pid_t parent, int end_signal) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})
     std::signal(number, SIG_DFL);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, end_signal);
   if (getppid() != parent) _exit(1);
+}
+
+void prepare_child(pid_t parent, bool silent) {
+  begin_child(parent, SIGKILL);
   const rlimit no_core = {0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   if (!silent) return;
@@ -148,6 +153,53 @@ class Waiting {
   std::string bytes_;
 };
 
+// Blocks all signals during its lifetime: between fork and exec the child would handle a signal with the
+// handlers of the parent, and then lose it.
+class SignalBlock {
+ public:
+  SignalBlock() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalBlock() { restore(); }
+  SignalBlock(const SignalBlock&) = delete;
+  SignalBlock& operator=(const SignalBlock&) = delete;
+  void restore() const { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
+bool redirect(const ProgramOptions& options) {
+  if (options.own_group) {
+    const int nothing = open("/dev/null", O_RDONLY);
+    if (setpgid(0, 0) != 0 || nothing < 0 || dup2(nothing, STDIN_FILENO) < 0) return false;
+  }
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    if (options.output >= 0 && options.output != stream && dup2(options.output, stream) < 0) return false;
+  return std::all_of(options.inherited.begin(), options.inherited.end(),
+                     [](int descriptor) { return fcntl(descriptor, F_SETFD, 0) == 0; });
+}
+
+// In the child; nothing may be allocated between fork and exec. `failure` closes when the program is
+// executed.
+[[noreturn]] void execute(char* const* words, const ProgramOptions& options, int failure) {
+  if (redirect(options)) execvp(words[0], words);
+  const int code = errno;
+  write_all(failure, reinterpret_cast<const char*>(&code), sizeof(code));
+  _exit(127);
+}
+
+// The value of errno with which a program could not be executed; 0 if it is.
+int failure_of(int pipe) {
+  int code = 0;
+  ssize_t count = 0;
+  do count = read(pipe, &code, sizeof(code));
+  while (count < 0 && errno == EINTR);
+  return count == ssize_t(sizeof(code)) ? code : 0;
+}
+
 }  // namespace
 
 std::string ChildEnd::text() const {
@@ -188,6 +240,37 @@ ChildEnd in_child(const std::function<void(const Send&)>& work, const ChildOptio
   const ChildEnd end = child > 0 ? Waiting(child, ends[0], options.seconds).end() : none;
   close(ends[0]);
   return end;
+}
+
+StartedProgram start_program(const std::vector<std::string>& words, const ProgramOptions& options) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> pointers;
+  for (std::string& word : copies) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  StartedProgram started;
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return {-1, errno, 0};
+  const SignalBlock signals;
+  const pid_t parent = getpid(), child = fork();
+  if (child < 0) started.no_process = errno;
+  if (child == 0) {
+    begin_child(parent, SIGTERM);
+    signals.restore();
+    execute(pointers.data(), options, ends[1]);
+  }
+  close(ends[1]);
+  if (child > 0) started.not_executed = failure_of(ends[0]);
+  close(ends[0]);
+  if (child > 0 && started.not_executed) wait_for(child);
+  if (child > 0 && !started.not_executed) started.process = child;
+  return started;
+}
+
+int wait_for(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
 }
 
 }  // namespace scree

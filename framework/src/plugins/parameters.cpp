@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <scree/error.hpp>
 #include <scree/parameters.hpp>
 
 namespace scree {
@@ -86,8 +85,8 @@ Parameters::Parameters(const scree_plugin& plugin)
 std::size_t Parameters::index_of(const std::string& key) const {
   for (std::uint32_t k = 0; k < plugin_->parameter_count; ++k)
     if (key == plugin_->parameters[k].key) return k;
-  throw Error(
-      fmt::format("{} has no parameter '{}'; see scree describe {}", plugin_->name, key, plugin_->name));
+  throw Error("", fmt::format("{} has no parameter '{}'", plugin_->name, key),
+              fmt::format("see scree describe {}", plugin_->name));
 }
 
 const scree_parameter* Parameters::find(const std::string& key) const {
@@ -96,29 +95,30 @@ const scree_parameter* Parameters::find(const std::string& key) const {
   return nullptr;
 }
 
-std::optional<std::string> Parameters::problem(const scree_parameter& p, const std::vector<double>& data) {
-  if (data.empty()) return fmt::format("is empty; give a {}", describe_range(p));
-  if (p.type == SCREE_INPUT) return fmt::format("is a number; give {}", describe_range(p));
+std::optional<Error> Parameters::problem(const scree_parameter& p, const std::vector<double>& data) {
+  const auto wrong = [&](const std::string& what) {
+    return Error("", what, fmt::format("give a {}", describe_range(p)));
+  };
+  if (data.empty()) return wrong("is empty");
+  if (p.type == SCREE_INPUT) return Error("", "is a number", fmt::format("give {}", describe_range(p)));
   if (p.type == SCREE_PROGRAM) {
-    if (auto wrong = program_problem(data)) return wrong;
+    if (const auto invalid = program_problem(data)) return invalid;
     const auto [least, most] = program_extremes(data);
     for (const double x : {least, most})
-      if (out_of_range(p, x))
-        return fmt::format("reaches {:g}, which is out of range; give a {}", x, describe_range(p));
+      if (out_of_range(p, x)) return wrong(fmt::format("reaches {:g}, which is out of range", x));
     return {};
   }
   for (const double x : data)
     if (!std::isfinite(x) || (p.type != SCREE_CHOICE && out_of_range(p, x)))
-      return fmt::format("= {:g} is out of range; give a {}", x, describe_range(p));
-  if (has_wrong_shape(p, data))
-    return fmt::format("= {:g} has the wrong type; give a {}", fmt::join(data, ", "), describe_range(p));
+      return wrong(fmt::format("= {:g} is out of range", x));
+  if (has_wrong_shape(p, data)) return wrong(fmt::format("= {:g} has the wrong type", fmt::join(data, ", ")));
   return {};
 }
 
 void Parameters::set(const std::string& key, std::vector<double> data) {
   const std::size_t k = index_of(key);
   if (const auto wrong = problem(plugin_->parameters[k], data))
-    throw Error(fmt::format("{}.{} {}", plugin_->name, key, *wrong));
+    throw Error("", fmt::format("{}.{} {}", plugin_->name, key, wrong->problem()), wrong->cure());
   data_[k] = std::move(data);
   given_[k] = true;
 }
@@ -126,8 +126,8 @@ void Parameters::set(const std::string& key, std::vector<double> data) {
 void Parameters::set_input(const std::string& key, const std::string& name, const std::string& unit) {
   const std::size_t k = index_of(key);
   if (plugin_->parameters[k].type != SCREE_INPUT)
-    throw Error(fmt::format("{}.{} is no column of a probe; give a {}", plugin_->name, key,
-                            describe_range(plugin_->parameters[k])));
+    throw Error("", fmt::format("{}.{} is no column of a probe", plugin_->name, key),
+                fmt::format("give a {}", describe_range(plugin_->parameters[k])));
   if (!given_[k]) data_[k] = {double(inputs_.size())}, inputs_.emplace_back();
   inputs_[std::size_t(data_[k][0])] = {name, unit};
   given_[k] = true;
@@ -141,14 +141,14 @@ void Parameters::check_complete() const {
     if (p.excludes) {
       const bool other = given(p.excludes);
       if (given_[k] && other)
-        throw Error(fmt::format("{}: '{}' and '{}' are both given; keep one of them", plugin_->name, p.key,
-                                p.excludes));
+        throw Error(plugin_->name, fmt::format("'{}' and '{}' are both given", p.key, p.excludes),
+                    "keep one of them");
       if (!given_[k] && !other)
-        throw Error(fmt::format("{}: neither '{}' nor '{}' is given; add one of them", plugin_->name, p.key,
-                                p.excludes));
+        throw Error(plugin_->name, fmt::format("neither '{}' nor '{}' is given", p.key, p.excludes),
+                    "add one of them");
     } else if ((p.flags & SCREE_REQUIRED) && !given_[k]) {
-      throw Error(
-          fmt::format("{}: '{}' is missing; add {} = <{}>", plugin_->name, p.key, p.key, describe_range(p)));
+      throw Error(plugin_->name, fmt::format("'{}' is missing", p.key),
+                  fmt::format("add {} = <{}>", p.key, describe_range(p)));
     }
   }
 }

@@ -35,14 +35,15 @@ bool increases(const std::vector<double>& data, std::size_t first, bool strictly
   return true;
 }
 
-std::optional<std::string> drive_problem(const std::vector<double>& data) {
-  const auto not_positive = [&](std::size_t k, const char* what) -> std::optional<std::string> {
+std::optional<Error> drive_problem(const std::vector<double>& data) {
+  const auto not_positive = [&](std::size_t k, const char* what) -> std::optional<Error> {
     if (data[k] > 0) return {};
-    return fmt::format("has a {} of {:g}; give one above 0", what, data[k]);
+    return Error("", fmt::format("has a {} of {:g}", what, data[k]), "give one above 0");
   };
   const auto kind = Program::Kind(int(data[0]));
   const bool rises = kind >= Program::drive && kind != Program::gaussian && kind != Program::ricker;
-  if (rises && data[3] < 0) return fmt::format("rises within {:g} s; give a rise of 0 or more", data[3]);
+  if (rises && data[3] < 0)
+    return Error("", fmt::format("rises within {:g} s", data[3]), "give a rise of 0 or more");
   switch (kind) {
     case Program::drive:
       return not_positive(4, "frequency");
@@ -59,7 +60,7 @@ std::optional<std::string> drive_problem(const std::vector<double>& data) {
     case Program::sweep:
       for (std::size_t k = 5; k < data.size(); k += 2)
         if (auto wrong = not_positive(k, "frequency")) return wrong;
-      if (!increases(data, 6, true)) return "has decreasing times; sort the steps";
+      if (!increases(data, 6, true)) return Error("", "has decreasing times", "sort the steps");
       return not_positive(4, "duration");
     default:
       return {};
@@ -68,14 +69,16 @@ std::optional<std::string> drive_problem(const std::vector<double>& data) {
 
 }  // namespace
 
-std::optional<std::string> program_problem(const std::vector<double>& data) {
-  if (!fits(data)) return "is not a program (function of time); use one of the forms in program.hpp";
+std::optional<Error> program_problem(const std::vector<double>& data) {
+  if (!fits(data))
+    return Error("", "is not a program (function of time)", "use one of the forms in program.hpp");
   if (!std::all_of(data.begin(), data.end(), [](double x) { return std::isfinite(x); }))
-    return "contains a number that is not finite; give finite numbers";
+    return Error("", "contains a number that is not finite", "give finite numbers");
   const auto kind = Program::Kind(int(data[0]));
   if ((kind == Program::cycle || kind == Program::ramp) && !(data[3] > 0))
-    return fmt::format("lasts {:g} s; give a period or duration above 0", data[3]);
-  if (kind == Program::table && !increases(data, 1, false)) return "has decreasing times; sort the rows";
+    return Error("", fmt::format("lasts {:g} s", data[3]), "give a period or duration above 0");
+  if (kind == Program::table && !increases(data, 1, false))
+    return Error("", "has decreasing times", "sort the rows");
   return drive_problem(data);
 }
 

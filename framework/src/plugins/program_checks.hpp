@@ -1,15 +1,16 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include <scree/error.hpp>
+
 namespace scree {
 
-// Checks the numbers of a function of time (see program.hpp), which plug-ins read unchecked. Returns "<problem>;
-// <remedy>", or nothing if they are valid.
-std::optional<std::string> program_problem(const std::vector<double>& data);
+// What is wrong with the numbers of a function of time (see program.hpp), which plug-ins read unchecked,
+// without a place; nothing if they are valid.
+std::optional<Error> program_problem(const std::vector<double>& data);
 
 // Values between which a valid one stays.
 std::pair<double, double> program_extremes(const std::vector<double>& data);

@@ -16,26 +16,28 @@ namespace {
 
 std::string where(const Simulation& s) { return fmt::format("at t = {:g} s (step {})", s.time(), s.steps()); }
 
-[[noreturn]] void stop(const std::string& line) { throw Error(line, ExitStatus::blow_up); }
+[[noreturn]] void stop(const std::string& place, const std::string& problem, const std::string& cure) {
+  throw Error(place, problem, cure, ExitStatus::blow_up);
+}
 
 void report_not_a_number(const Simulation& s, const Body& body) {
   if (std::isfinite(norm(body.position)) && std::isfinite(norm(body.velocity)) &&
       std::isfinite(norm(body.spin)))
     return;
-  stop(fmt::format(
-      "particle {}: position, velocity or spin is not a number {}; use a shorter time.step (now {:g} s) "
-      "or check for overlapping bodies at the start{}",
-      body.id, where(s), s.step_length(),
-      s.scene().precision == Precision::mixed ? ", or use precision = \"double\"" : ""));
+  stop(fmt::format("particle {}", body.id),
+       fmt::format("position, velocity or spin is not a number {}", where(s)),
+       fmt::format("use a shorter time.step (now {:g} s) or check for overlapping bodies at the start{}",
+                   s.step_length(),
+                   s.scene().precision == Precision::mixed ? ", or use precision = \"double\"" : ""));
 }
 
 void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
   if (speed <= limit) return;
   const auto [shown, bound] = told_apart(speed, limit);
-  stop(
-      fmt::format("particle {} moves at {} m/s {}, above the limit of {} m/s; "
-                  "use a shorter time.step (now {:g} s), or raise limits.speed if this speed is intended",
-                  id, shown, where(s), bound, s.step_length()));
+  stop("",
+       fmt::format("particle {} moves at {} m/s {}, above the limit of {} m/s", id, shown, where(s), bound),
+       fmt::format("use a shorter time.step (now {:g} s), or raise limits.speed if this speed is intended",
+                   s.step_length()));
 }
 
 void report_overlap(const Simulation& s) {
@@ -58,10 +60,9 @@ void report_overlap(const Simulation& s) {
                      : worst_ratio >= 2 && b < p.size() ? "their centres coincide: move them apart"
                                                         : "they overlap at the start: move them apart";
   const auto [shown, bound] = told_apart(worst_ratio, s.scene().limits.overlap_ratio, 3);
-  stop(fmt::format(
-      "contact of particle {} with {}: overlap is {} of the smaller radius {}, above the limit of {}; "
-      "{}, or raise limits.overlap_ratio",
-      p.id[list.a[worst]], other, shown, where(s), bound, cure));
+  stop(fmt::format("contact of particle {} with {}", p.id[list.a[worst]], other),
+       fmt::format("overlap is {} of the smaller radius {}, above the limit of {}", shown, where(s), bound),
+       fmt::format("{}, or raise limits.overlap_ratio", cure));
 }
 
 }  // namespace
@@ -106,8 +107,8 @@ void report_blow_up(const Simulation& s, double speed_limit) {
     for (int k = 0; k < p.dimension(); ++k) mid_velocity[k] = p.mid_velocity()[k][i];
     report_speed(s, p.id[i], norm(mid_velocity), speed_limit);
   }
-  stop(fmt::format("the motion is no longer finite {}; use a shorter time.step (now {:g} s)", where(s),
-                   s.step_length()));
+  stop("", fmt::format("the motion is no longer finite {}", where(s)),
+       fmt::format("use a shorter time.step (now {:g} s)", s.step_length()));
 }
 
 }  // namespace scree

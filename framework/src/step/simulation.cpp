@@ -31,10 +31,10 @@ namespace {
   for (const Scene::BodyForce& force : s.scene().body_forces) names.push_back(force.parameters.plugin().name);
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  throw Error(fmt::format("one of the plug-ins {} threw an exception ({}) in step {}, at t = {:g} s; laws, "
-                          "walls and body forces must not throw",
+  throw Error("",
+              fmt::format("one of the plug-ins {} threw an exception ({}) in step {}, at t = {:g} s",
                           fmt::join(names, ", "), what, s.steps() + 1, s.time()),
-              ExitStatus::blow_up);
+              "laws, walls and body forces must not throw", ExitStatus::blow_up);
 }
 
 template <class Step>

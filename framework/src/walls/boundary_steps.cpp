@@ -56,11 +56,10 @@ void Boundaries::add_energy(Member& member, const scree_boundary_energy& energy)
 void Boundaries::check_finite(const Member& member, double time) {
   for (const scree_plane& plane : planes_of(member))
     if (!is_finite(plane))
-      throw Error(fmt::format("boundary plug-in {}, wall {}: {} at t = {:g} s; "
-                              "give it more mass or viscosity, or a shorter time.step",
-                              member.plugin_name(), names_[std::size_t(&plane - planes_.data())],
-                              problem_of(plane), time),
-                  ExitStatus::blow_up);
+      throw Error(fmt::format("boundary plug-in {}, wall {}", member.plugin_name(),
+                              names_[std::size_t(&plane - planes_.data())]),
+                  fmt::format("{} at t = {:g} s", problem_of(plane), time),
+                  "give it more mass or viscosity, or a shorter time.step", ExitStatus::blow_up);
 }
 
 }  // namespace scree

@@ -32,19 +32,20 @@ std::string quantity_of(const std::string& unit) {
   return "";
 }
 
-// Whether a label of the user's says the unit: in brackets, or as its last word.
+// Whether a label that the user gave contains the unit: in brackets, or as its last word.
 bool says_unit(const std::string& label, const std::string& unit) {
   return label.find_first_of("([") != std::string::npos || label == unit || label.ends_with(' ' + unit);
 }
 
-// The label and unit of an axis; a label that says the unit is complete.
+// Sets the label and the unit of an axis; the unit is empty if the label contains it.
 void set_axis(const document::Table& t, const StringKey& key, const std::string& words,
               const std::string& column_unit, std::string& label, std::string& unit) {
   label = t.string(key, words);
   unit = t.optional(key) && says_unit(label, column_unit) ? "" : column_unit;
 }
 
-// Curves of the given columns; their common unit, or none if it differs: then their names have it.
+// Adds curves of the given columns. Returns their common unit; empty if units differ, which the names then
+// contain.
 std::string add_curves(const ProbeColumns& columns, const std::vector<std::size_t>& at, const std::string& x,
                        ChartPlan& chart) {
   const auto unit = [&](std::size_t k) { return columns.units[at[k]]; };

@@ -1,8 +1,5 @@
-#include "checkpoint_reader.hpp"
-
 #include "output_keys.hpp"
-#include "plugin_parameters.hpp"
-#include "stage_reader.hpp"
+#include "readers.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -21,9 +18,9 @@ std::optional<double> parse_wall_time(const std::string& text) {
   for (const auto& [name, seconds] : units)
     if (failed == std::errc() && unit == name && number > 0 && std::isfinite(number * seconds))
       return number * seconds;
-  throw Error(fmt::format(
-      "'{}' is not a wall time; give a number above 0 with s, min, h or d, such as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
-      text));
+  throw Error(
+      "", fmt::format("'{}' is not a wall time", text),
+      "give a number above 0 with s, min, h or d, such as \"30 s\", \"10 min\", \"2 h\" or \"never\"");
 }
 
 CheckpointPlan read_checkpoint(const document::Table& root, double step) {

@@ -1,5 +1,4 @@
-#include "contact_reader.hpp"
-
+#include "readers.hpp"
 #include "scene_keys.hpp"
 
 #include <algorithm>
@@ -34,7 +33,7 @@ void assign_pair(const document::Table& t, std::uint32_t law, Scene& scene) {
   scene.law_of[a * n + b] = scene.law_of[b * n + a] = law;
 }
 
-// Walls do not touch each other: pairs of materials that no body has take any law.
+// Walls do not touch each other: a pair of materials that no body has may have any law.
 void fill_pairs_of_walls(Scene& scene) {
   if (scene.laws.empty()) return;
   const std::size_t n = scene.materials.size();

@@ -1,8 +1,5 @@
-#include "body_file.hpp"
 #include "particles_keys.hpp"
-#include "state_reader.hpp"
-
-#include <scree/scenario/input_files.hpp>
+#include "readers.hpp"
 
 namespace scree::scenario {
 

@@ -1,6 +1,4 @@
-#include "instances.hpp"
-
-#include "plugin_parameters.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -50,7 +48,7 @@ bool same_layout(const scree_boundary_instance& a, const scree_boundary_instance
 const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
                                    const Scene& scene, Instances& instances) {
   Parameters parameters(find_plugin(table, kind, host));
-  // First: the law that is taken in its place has other parameters.
+  // First, since the law that the user then chooses has other parameters.
   if (kind == SCREE_CONTACT_LAW)
     placed(table, "plugin", [&] { check_dimension(parameters, scene.dimension); });
   read_parameters(table, scene.dimension, parameters);

@@ -1,19 +1,20 @@
-#include "lattice_reader.hpp"
-
-#include "body_memory.hpp"
 #include "particles_keys.hpp"
-#include "plugin_parameters.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include <scree/available_memory.hpp>
 #include <scree/packing/lattice.hpp>
 
 namespace scree::scenario {
 
 namespace {
+
+// Peak memory (bytes) per body from reading to running, including neighbours and contacts.
+constexpr double memory_per_body = 2000;
 
 packing::ListedRadius read_list(const document::Table& t) {
   packing::ListedRadius list = {t.numbers(radius_keys.radii, radius_keys.radii.range), {}};
@@ -95,6 +96,16 @@ Vec3 read_vector(const document::Table& table, std::string_view key, int dimensi
   const std::vector<double> numbers = table.numbers(key, std::size_t(dimension));
   std::copy(numbers.begin(), numbers.end(), v.component);
   return v;
+}
+
+void check_body_memory(const document::Table& table, std::string_view key, double bodies) {
+  const double there = available_memory();
+  if (bodies * memory_per_body > there)
+    throw table.error(
+        key,
+        fmt::format("{:g} bodies need about {:.3g} GB of memory, but this computer has {:.3g} GB", bodies,
+                    1e-9 * bodies * memory_per_body, 1e-9 * there),
+        fmt::format("give at most {:.2g}", there / memory_per_body));
 }
 
 }  // namespace scree::scenario

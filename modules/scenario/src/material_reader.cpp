@@ -1,18 +1,16 @@
-#include "material_reader.hpp"
-
+#include "readers.hpp"
 #include "scene_keys.hpp"
 
 #include <fmt/format.h>
 
 #include <scree/files/text.hpp>
 #include <scree/packing/csv.hpp>
-#include <scree/scenario/names.hpp>
 
 namespace scree::scenario {
 
 namespace {
 
-// The law of every two materials is stored.
+// Limited, since the law of every pair of materials is stored.
 constexpr std::size_t most_materials = 1000;
 
 // final_packing.csv holds the names as cells.

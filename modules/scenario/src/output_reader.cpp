@@ -1,8 +1,5 @@
-#include "output_reader.hpp"
-
-#include "interval.hpp"
 #include "output_keys.hpp"
-#include "probe_reader.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 
@@ -60,6 +57,15 @@ std::optional<std::string> quantity_problem(const std::string& name, const std::
   return fmt::format("no quantity '{}'; {}", files::one_line(name), cure);
 }
 
+double read_interval(const document::Table& table, const Key& key, double step) {
+  const double every = table.number(key, key.range);
+  if (every < 0.999 * step)
+    throw table.error(
+        key, fmt::format("{} = {:g} s is shorter than the time step of {:g} s", key.name, every, step),
+        "increase it, or decrease time.step");
+  return every;
+}
+
 SnapshotPlan read_snapshot(const document::Table& root, double step) {
   SnapshotPlan plan;
   const auto t = root.optional_table("snapshot");
@@ -92,7 +98,7 @@ void read_expectations(const document::Table& root, const StudyTables* studies, 
   for (const document::Table& t : root.tables("expect")) {
     Expectation e = read_expectation(t);
     const auto problem = quantity_problem(e.quantity, known);
-    if (problem && !is_of_study(e.quantity)) throw Error(fmt::format("{}: {}", e.place, *problem));
+    if (problem && !is_of_study(e.quantity)) throw Error(*problem).at(e.place);
     (problem ? plan.study_expectations : plan.expectations).push_back(std::move(e));
   }
 }

@@ -1,10 +1,5 @@
-#include "particles_reader.hpp"
-
-#include "body_memory.hpp"
-#include "lattice_reader.hpp"
 #include "particles_keys.hpp"
-#include "plugin_parameters.hpp"
-#include "state_reader.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +10,6 @@
 
 #include <scree/packing/import.hpp>
 #include <scree/plugin/abi.h>
-#include <scree/scenario/names.hpp>
 #include <scree/spatial_order.hpp>
 
 namespace scree::scenario {
@@ -72,7 +66,7 @@ void repeat(const document::Table& particles, int dimension, packing::Packing& p
   }
 }
 
-// These select or copy bodies of a file.
+// Refuses keys that select or copy bodies of a file.
 void refuse_keys_of_files(const document::Table& particles) {
   for (const Key& key : {Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period})
     if (particles.has(key))
@@ -156,7 +150,7 @@ Body complete(const document::Table& t, const packing::Body& from, int dimension
   return body;
 }
 
-// Adds the [[particle]]s; their ids must differ from those of other bodies.
+// Adds the [[particle]]s, whose ids no other body may have.
 void add_inline(const document::Table& root, int dimension, const std::vector<Material>& materials,
                 std::vector<Body>& bodies) {
   std::set<std::int64_t> used;
@@ -182,7 +176,7 @@ void number_bodies(const document::Table& root, std::vector<Body>& bodies) {
   }
 }
 
-// Small scenes fit into the caches anyway and keep the order of the file.
+// Smaller scenes fit into the caches anyway, and keep the order of the file.
 constexpr std::size_t min_bodies_to_sort = 1024;
 
 void sort_in_space(std::vector<Body>& bodies, int dimension) {
@@ -198,7 +192,7 @@ void refuse_without_state(const document::Table& particles) {
                           "add state = \"<path>\", or remove it");
 }
 
-// What [particles] adds to the velocities of its bodies.
+// The velocity that [particles] adds to its bodies.
 class AddedVelocity {
  public:
   AddedVelocity(const document::Table& particles, int dimension)
@@ -223,7 +217,7 @@ class AddedVelocity {
   int dimension_;
 };
 
-// Bodies keep the order of the state, by which its contacts number them.
+// Bodies keep the order of the state, since its contacts refer to them by number.
 ReadBodies read_bodies_of_state(const document::Table& root, const document::Table& particles, int dimension,
                                 const std::vector<Material>& materials, std::uint64_t seed,
                                 const std::filesystem::path& folder) {

@@ -1,13 +1,5 @@
-#include "body_file.hpp"
-#include "checkpoint_reader.hpp"
-#include "contact_reader.hpp"
-#include "output_reader.hpp"
-#include "particles_reader.hpp"
-#include "plugin_parameters.hpp"
-#include "probe_reader.hpp"
+#include "readers.hpp"
 #include "scene_keys.hpp"
-#include "stage_reader.hpp"
-#include "state_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <scree/document/document.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/drive_sampling.hpp>
-#include <scree/scenario/plan.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
 #include <scree/single_precision.hpp>
@@ -44,7 +34,7 @@ void read_header(const document::Table& root, Plan& plan) {
   scene.skin = read_optional(root.table_or_empty("neighbours"), neighbours_keys.skin).value_or(0);
 }
 
-// Returns the box of the file of bodies.
+// Reads the materials and bodies. Returns the box of the file of bodies.
 Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> given, Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
@@ -81,7 +71,7 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
   }
 }
 
-// A file of bodies that is periodic does not make the scene so, and its bodies may touch through its faces.
+// A periodic file of bodies does not make the scene periodic, and its bodies may touch through its faces.
 void warn_of_box(const Domain& file, Plan& plan) {
   const Domain scene = periodic_domain(plan.scene);
   std::vector<std::string> in_file, in_scene;
@@ -166,7 +156,7 @@ void check_audit(const document::Table& root, const Plan& plan) {
     if (needs_energy_audit(e.quantity)) refuse(fmt::format("the [[expect]] of '{}'", e.quantity));
 }
 
-// Refused here, before anything is computed or written.
+// Refuses pictures in a build without them, before anything is computed or written.
 void check_pictures(const document::Table& root, const Plan& plan) {
   if (pictures::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
   throw root.error(
@@ -181,7 +171,7 @@ bool any_probe_needs(const Plan& plan, std::uint32_t what) {
                      [&](const ProbePlan& probe) { return needs(probe, plan, what); });
 }
 
-// Whether the parameters of a law, in the scene or in a stage, need what must be carried from the start.
+// Whether a law, in the scene or in a stage, needs a quantity, which then exists from the start.
 bool any_law(const Plan& plan, bool (*needs)(const Parameters& law, int dimension)) {
   for (const Scene::Law& law : plan.scene.laws)
     if (needs(law.parameters, plan.scene.dimension)) return true;
@@ -217,8 +207,8 @@ void read_studies(const document::Table& root, const StudyTables& studies, Plan&
   for (const StudyTable& study : studies) study.check(plan);
 }
 
-// Reads all but the texts. `bodies`: of a run that goes on; if empty, they are read too. `studies`: null if the scenario has
-// been checked before.
+// Reads everything except the texts. bodies: of a run that goes on; if empty, they are read too. studies:
+// null if the scenario has been checked before.
 Plan read(const document::Document& document, const std::filesystem::path& path, std::vector<Body> bodies,
           PluginHost& host, const StudyTables* studies) {
   const document::Table root = document.root();
@@ -278,7 +268,7 @@ Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host) {
   const document::Document document = document::Document::parse(text, name, overrides);
   Plan plan = read(document, name, std::move(bodies), host, nullptr);
-  // Elsewhere keys stay unread, as the bodies are known; overrides change lengths only.
+  // Only here, since overrides change lengths only, and keys of bodies stay unread.
   document.root().table("time").refuse_unused();
   for (const document::Table& stage : document.root().tables("stage")) stage.refuse_unused();
   plan.files.plugins = plugin_files(document, host);

@@ -1,6 +1,4 @@
-#include "plugin_parameters.hpp"
-
-#include "program_reader.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 
@@ -39,13 +37,6 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
   return {table.number(p.key)};
 }
 
-// text: "problem; cure" from the framework.
-[[noreturn]] void refuse(const document::Table& table, const std::string& key, const std::string& text) {
-  const auto semicolon = text.find("; ");
-  throw table.error(key, fmt::format("{} {}", key, text.substr(0, semicolon)),
-                    semicolon == std::string::npos ? "see scree describe" : text.substr(semicolon + 2));
-}
-
 }  // namespace
 
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host) {
@@ -65,7 +56,8 @@ void read_parameters(const document::Table& table, int dimension, Parameters& pa
     const scree_parameter& p = plugin.parameters[k];
     if (p.type == SCREE_INPUT || !table.optional(p.key)) continue;
     std::vector<double> data = read_value(table, p, dimension);
-    if (const auto wrong = Parameters::problem(p, data)) refuse(table, p.key, *wrong);
+    if (const auto wrong = Parameters::problem(p, data))
+      throw table.error(p.key, fmt::format("{} {}", p.key, wrong->problem()), wrong->cure());
     parameters.set(p.key, std::move(data));
   }
 }

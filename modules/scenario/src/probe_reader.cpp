@@ -1,8 +1,5 @@
-#include "probe_reader.hpp"
-
-#include "interval.hpp"
 #include "output_keys.hpp"
-#include "plugin_parameters.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 
@@ -11,7 +8,6 @@
 
 #include <scree/files/text.hpp>
 #include <scree/probes.hpp>
-#include <scree/scenario/names.hpp>
 
 namespace scree::scenario {
 
@@ -23,13 +19,14 @@ struct InputKey {
   std::size_t probe;  // in the order of the file
 };
 
-struct Entry {
+// A [[probe]] while it is read.
+struct ProbeDraft {
   document::Table table;
   ProbePlan plan;
   std::vector<InputKey> inputs;
 };
 
-Entry read_name(const document::Table& t, PluginHost& host) {
+ProbeDraft read_name(const document::Table& t, PluginHost& host) {
   ProbePlan plan{.name = "",
                  .parameters = Parameters(find_plugin(t, SCREE_PROBE, host)),
                  .stages = {},
@@ -39,31 +36,31 @@ Entry read_name(const document::Table& t, PluginHost& host) {
   return {t, std::move(plan), {}};
 }
 
-InputKey read_input(const Entry& entry, const std::string& key, const std::vector<std::string>& names) {
-  const document::Table& t = entry.table;
+InputKey read_input(const ProbeDraft& draft, const std::string& key, const std::vector<std::string>& names) {
+  const document::Table& t = draft.table;
   const std::string text = t.string(key);
   const std::size_t dot = text.find('.');
   if (dot == text.npos)
     throw t.error(key, fmt::format("'{}' is not <probe>.<column>", files::one_line(text)),
                   "give the name of a [[probe]], a dot and one of its columns");
   const std::size_t probe = find_name(t, key, "probe", text.substr(0, dot), names);
-  if (names[probe] == entry.plan.name)
-    throw t.error(key, fmt::format("the probe '{}' reads a column of itself", entry.plan.name),
+  if (names[probe] == draft.plan.name)
+    throw t.error(key, fmt::format("the probe '{}' reads a column of itself", draft.plan.name),
                   "give a column of another probe");
   return {key, text.substr(dot + 1), probe};
 }
 
-void find_inputs(Entry& entry, const std::vector<std::string>& names) {
-  const scree_plugin& plugin = entry.plan.parameters.plugin();
+void find_inputs(ProbeDraft& draft, const std::vector<std::string>& names) {
+  const scree_plugin& plugin = draft.plan.parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k)
-    if (const scree_parameter& p = plugin.parameters[k]; p.type == SCREE_INPUT && entry.table.optional(p.key))
-      entry.inputs.push_back(read_input(entry, p.key, names));
+    if (const scree_parameter& p = plugin.parameters[k]; p.type == SCREE_INPUT && draft.table.optional(p.key))
+      draft.inputs.push_back(read_input(draft, p.key, names));
 }
 
-// Throws Error about probes that wait for each other; `waits`: whether an entry is among them, or behind them.
-[[noreturn]] void refuse_cycle(const std::vector<Entry>& entries, const std::vector<bool>& waits) {
+// Refuses probes that wait for each other. waits: whether a draft is one of them, or reads from one.
+[[noreturn]] void refuse_cycle(const std::vector<ProbeDraft>& drafts, const std::vector<bool>& waits) {
   const auto next = [&](std::size_t k) {
-    return *std::find_if(entries[k].inputs.begin(), entries[k].inputs.end(),
+    return *std::find_if(drafts[k].inputs.begin(), drafts[k].inputs.end(),
                          [&](const InputKey& input) { return waits[input.probe]; });
   };
   std::vector<std::size_t> path;
@@ -71,32 +68,32 @@ void find_inputs(Entry& entry, const std::vector<std::string>& names) {
   for (; std::find(path.begin(), path.end(), k) == path.end(); k = next(k).probe) path.push_back(k);
   std::vector<std::string> names;
   for (auto at = std::find(path.begin(), path.end(), k); at != path.end(); ++at)
-    names.push_back(entries[*at].plan.name);
-  throw entries[k].table.error(
+    names.push_back(drafts[*at].plan.name);
+  throw drafts[k].table.error(
       next(k).key,
       fmt::format("the probes {} read columns of each other in a circle", fmt::join(names, ", ")),
       "let one of them read a column of another probe");
 }
 
-// Each entry after those whose columns it reads.
-std::vector<std::size_t> reading_order(const std::vector<Entry>& entries) {
+// Indices of the drafts, each after the drafts whose columns it reads.
+std::vector<std::size_t> reading_order(const std::vector<ProbeDraft>& drafts) {
   std::vector<std::size_t> order;
-  std::vector<bool> waits(entries.size(), true);
-  while (order.size() < entries.size()) {
+  std::vector<bool> waits(drafts.size(), true);
+  while (order.size() < drafts.size()) {
     const std::size_t before = order.size();
-    for (std::size_t k = 0; k < entries.size(); ++k) {
+    for (std::size_t k = 0; k < drafts.size(); ++k) {
       const auto ready = [&](const InputKey& input) { return !waits[input.probe]; };
-      if (!waits[k] || !std::all_of(entries[k].inputs.begin(), entries[k].inputs.end(), ready)) continue;
+      if (!waits[k] || !std::all_of(drafts[k].inputs.begin(), drafts[k].inputs.end(), ready)) continue;
       order.push_back(k);
       waits[k] = false;
     }
-    if (order.size() == before) refuse_cycle(entries, waits);
+    if (order.size() == before) refuse_cycle(drafts, waits);
   }
   return order;
 }
 
 // A column has a value only while its probe records.
-void check_stages(const Entry& reader, const InputKey& input, const ProbePlan& read,
+void check_stages(const ProbeDraft& reader, const InputKey& input, const ProbePlan& read,
                   const std::vector<std::string>& all) {
   const std::vector<std::string>& stages = reader.plan.stages.empty() ? all : reader.plan.stages;
   for (const std::string& stage : stages)
@@ -107,16 +104,16 @@ void check_stages(const Entry& reader, const InputKey& input, const ProbePlan& r
                                "give both the same stages");
 }
 
-void take_inputs(Entry& entry, const std::vector<Entry>& entries, int dimension,
+void take_inputs(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, int dimension,
                  const std::vector<std::string>& stages) {
-  for (const InputKey& input : entry.inputs) {
-    const ProbePlan& read = entries[input.probe].plan;
-    check_stages(entry, input, read, stages);
+  for (const InputKey& input : draft.inputs) {
+    const ProbePlan& read = drafts[input.probe].plan;
+    check_stages(draft, input, read, stages);
     const Probe configured(read.parameters, dimension);
-    const std::size_t column = find_name(entry.table, input.key, "column", input.column, configured.names());
-    entry.plan.parameters.set_input(input.key, read.name + "." + input.column, configured.units()[column]);
-    entry.plan.inputs.push_back({input.probe, column});
-    entry.plan.depth = std::max(entry.plan.depth, read.depth + 1);
+    const std::size_t column = find_name(draft.table, input.key, "column", input.column, configured.names());
+    draft.plan.parameters.set_input(input.key, read.name + "." + input.column, configured.units()[column]);
+    draft.plan.inputs.push_back({input.probe, column});
+    draft.plan.depth = std::max(draft.plan.depth, read.depth + 1);
   }
 }
 
@@ -137,18 +134,18 @@ void read_observation(const document::Table& t, const Scene& scene, ProbePlan& p
   plan.observe_every = read_interval(t, probe_keys.observe_every, scene.step);
 }
 
-void read_probe(Entry& entry, const std::vector<Entry>& entries, const Scene& scene,
+void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const Scene& scene,
                 const std::vector<std::string>& stages) {
-  const document::Table& t = entry.table;
-  ProbePlan& plan = entry.plan;
+  const document::Table& t = draft.table;
+  ProbePlan& plan = draft.plan;
   read_parameters(t, scene.dimension, plan.parameters);
-  // Without stages nothing is sampled by time.
+  // Without stages there is no run, and no time between samples.
   if (!stages.empty() || t.optional(probe_keys.every))
     plan.every = read_interval(t, probe_keys.every, scene.step);
   if (t.optional(probe_keys.stages)) plan.stages = t.strings(probe_keys.stages);
   for (std::size_t k = 0; k < plan.stages.size(); ++k)
     find_name(t, "stages", "stage", plan.stages[k], stages, k);
-  take_inputs(entry, entries, scene.dimension, stages);
+  take_inputs(draft, drafts, scene.dimension, stages);
   check_complete(t, plan.parameters);
   read_observation(t, scene, plan);
 }
@@ -165,19 +162,19 @@ ProbeColumns columns_of(const ProbePlan& probe, int dimension) {
 
 std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
                                    const std::vector<Stage>& stages, PluginHost& host) {
-  std::vector<Entry> entries;
+  std::vector<ProbeDraft> drafts;
   UniqueNames unique("probe");
   std::vector<std::string> names, stage_names;
   for (const Stage& stage : stages) stage_names.push_back(stage.name);
   for (const document::Table& t : root.tables("probe")) {
-    entries.push_back(read_name(t, host));
-    names.push_back(entries.back().plan.name);
+    drafts.push_back(read_name(t, host));
+    names.push_back(drafts.back().plan.name);
     unique.add(t, names.back());
   }
-  for (Entry& entry : entries) find_inputs(entry, names);
-  for (const std::size_t k : reading_order(entries)) read_probe(entries[k], entries, scene, stage_names);
+  for (ProbeDraft& draft : drafts) find_inputs(draft, names);
+  for (const std::size_t k : reading_order(drafts)) read_probe(drafts[k], drafts, scene, stage_names);
   std::vector<ProbePlan> probes;
-  for (Entry& entry : entries) probes.push_back(std::move(entry.plan));
+  for (ProbeDraft& draft : drafts) probes.push_back(std::move(draft.plan));
   return probes;
 }
 

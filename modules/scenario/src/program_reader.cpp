@@ -1,4 +1,4 @@
-#include "program_reader.hpp"
+#include "readers.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,14 +6,13 @@
 
 #include <fmt/format.h>
 
-#include <scree/packing/random.hpp>
 #include <scree/plugin/program.hpp>
 
 namespace scree::scenario {
 
 namespace {
 
-// Each of these keys makes a table a function of its own.
+// Each of these keys selects another kind of function.
 void refuse_mixture(const document::Table& t) {
   std::vector<std::string> given;
   for (const char* key : {"table", "amplitude", "period", "duration"})

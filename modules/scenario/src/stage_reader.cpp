@@ -1,6 +1,4 @@
-#include "stage_reader.hpp"
-
-#include "plugin_parameters.hpp"
+#include "readers.hpp"
 #include "scene_keys.hpp"
 
 #include <algorithm>
@@ -11,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <scree/plugin/program.hpp>
-#include <scree/scenario/plan.hpp>
 #include <scree/scene_checks.hpp>
 #include <scree/told_apart.hpp>
 
@@ -60,7 +57,7 @@ void read_end(const document::Table& t, double step, Stage& stage) {
   }
 }
 
-// Once in a cycle, what is sampled is then at another phase of the load in each.
+// Warns of cycles that are no whole number of steps: samples once in a cycle drift in the phase of the load.
 void warn_of_phases(const document::Table& t, double step, const Stage& stage,
                     std::vector<std::string>& warnings) {
   if (!(stage.period > 0) || !(*stage.duration > stage.period)) return;
@@ -77,7 +74,7 @@ void warn_of_phases(const document::Table& t, double step, const Stage& stage,
           .what());
 }
 
-// Functions of time that are given to an instance, by their keys. They are views of its parameters.
+// The functions of time of an instance that are given, by their keys; views of its parameters.
 std::vector<std::pair<std::string, Program>> programs_of(const Parameters& parameters) {
   std::vector<std::pair<std::string, Program>> programs;
   const std::vector<scree_value> values = parameters.values();
@@ -88,7 +85,8 @@ std::vector<std::pair<std::string, Program>> programs_of(const Parameters& param
   return programs;
 }
 
-// At the ends of such cycles the load is at another phase each time. instances: as they are in the stage.
+// Warns of loads whose period does not divide the cycle: each cycle ends at another phase. instances: as in
+// the stage.
 void warn_of_other_periods(const document::Table& t, const Scene& scene, const Stage& stage,
                            const std::vector<Stage::Change>& instances, std::vector<std::string>& warnings) {
   if (!(stage.period > 0)) return;
@@ -109,7 +107,7 @@ void warn_of_other_periods(const document::Table& t, const Scene& scene, const S
                          .what());
 }
 
-// Functions of time of an instance that vary and that a stage does not set anew.
+// Keys of the functions of time of an instance that vary and that a stage does not set.
 std::vector<std::string> kept_programs(const Stage::Change& instance, const document::Table& set) {
   std::vector<std::string> kept;
   for (const auto& [key, program] : programs_of(instance.parameters))
@@ -117,8 +115,8 @@ std::vector<std::string> kept_programs(const Stage::Change& instance, const docu
   return kept;
 }
 
-// The clock of a boundary starts again when any of its parameters is set; of functions that its walls no longer follow this says
-// nothing.
+// Warns that the clock of a boundary starts again when any of its parameters is set, unless the boundary no
+// longer uses its functions of time.
 void warn_of_restart(const document::Table& set, const Stage::Change& before, const Stage::Change& instance,
                      const Scene& scene, std::vector<std::string>& warnings) {
   if (instance.kind != SCREE_BOUNDARY) return;
@@ -148,7 +146,7 @@ void read_changes(const document::Table& t, const Scene& scene, std::vector<Stag
   }
 }
 
-// A misspelt table, such as [[stages]] or [spectra], is named before the duration that would stand in its place.
+// Names a misspelt table, such as [[stages]] or [spectra], before the duration that is missing without it.
 void refuse_unknown_tables(const document::Table& root, const StudyTables& studies) {
   for (const TableDescription& table : describe_tables(studies))
     if (table.name.find('.') == std::string::npos) root.accept(table.name);

@@ -1,7 +1,5 @@
-#include "state_reader.hpp"
-
 #include "particles_keys.hpp"
-#include "plugin_parameters.hpp"
+#include "readers.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <scree/scenario/names.hpp>
 #include <scree/state_file/state_file.hpp>
 
 namespace scree::scenario {
@@ -18,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Folders from which a scenario may read states: its own, the working folder, and those that the user names.
+// Folders from which a scenario may read states: its own, the working folder, and those in SCREE_STATE_PATH.
 std::vector<fs::path> state_folders(const fs::path& folder) {
   std::vector<fs::path> all = {folder.empty() ? "." : folder, "."};
   if (const char* named = std::getenv("SCREE_STATE_PATH")) {
@@ -81,8 +78,8 @@ void check_ids(const std::vector<Body>& bodies) {
   std::sort(ids.begin(), ids.end());
   const bool positive = ids.empty() || ids.front() > 0;
   if (!positive || std::adjacent_find(ids.begin(), ids.end()) != ids.end())
-    throw Error(
-        "'bodies/id' has an id that is not above 0 or is used twice; take a state that scree has written");
+    throw Error("", "'bodies/id' has an id that is not above 0 or is used twice",
+                "take a state that scree has written");
 }
 
 std::vector<Body> bodies_of(const document::Table& particles, const State& state,
@@ -93,8 +90,8 @@ std::vector<Body> bodies_of(const document::Table& particles, const State& state
     for (const std::string& name : materials_of(state)) {
       const auto found = std::find(names.begin(), names.end(), name);
       if (found == names.end())
-        throw Error(
-            fmt::format("the state has bodies of the material '{}'; add a [[material]] of this name", name));
+        throw Error("", fmt::format("the state has bodies of the material '{}'", name),
+                    "add a [[material]] of this name");
       here.push_back(std::uint32_t(found - names.begin()));
     }
     std::vector<Body> bodies = present_bodies(state);

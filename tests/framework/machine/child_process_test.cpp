@@ -1,8 +1,12 @@
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <stdexcept>
+#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -65,4 +69,55 @@ TEST_CASE("a process that outlives its parent in a child process is not waited f
   const ChildEnd end = in_child(work, {.seconds = 5});
   CHECK(end.how == ChildEnd::returned);
   CHECK(end.sent == "done");
+}
+
+namespace {
+
+// What a program writes into a pipe until all its copies of the pipe are closed.
+std::string output_of(const std::vector<std::string>& words, scree::ProgramOptions options, int* status) {
+  int ends[2];
+  REQUIRE(pipe2(ends, O_CLOEXEC) == 0);
+  options.output = ends[1];
+  const scree::StartedProgram started = scree::start_program(words, options);
+  close(ends[1]);
+  REQUIRE(started.process > 0);
+  std::string text;
+  for (char c; read(ends[0], &c, 1) == 1;) text += c;
+  close(ends[0]);
+  *status = scree::wait_for(started.process);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a program is started by its path or its name, with its output in a descriptor") {
+  int status = 0;
+  CHECK(output_of({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, {}, &status) == "out\nerr\n");
+  CHECK(WEXITSTATUS(status) == 3);
+  // Its standard input is empty, and its group has its own number: the fifth field, after the name in brackets.
+  const std::string group =
+      output_of({"sh", "-c", "cat; set -- $(cat /proc/$$/stat); test $5 = $$ && echo own"},
+                {.own_group = true}, &status);
+  CHECK(group == "own\n");
+}
+
+TEST_CASE("a program that cannot be executed is told from the lack of processes, and leaves no process") {
+  const scree::StartedProgram none = scree::start_program({"/no/such/program"});
+  CHECK(none.process == -1);
+  CHECK(none.no_process == 0);
+  CHECK(none.not_executed == ENOENT);
+  CHECK(waitpid(-1, nullptr, WNOHANG) < 0);
+}
+
+TEST_CASE("a program has the descriptors that it inherits, and no others") {
+  int ends[2];
+  REQUIRE(pipe2(ends, O_CLOEXEC) == 0);
+  const std::string test = "test -e /proc/self/fd/" + std::to_string(ends[1]);
+  const auto has = [&](const scree::ProgramOptions& options) {
+    return WEXITSTATUS(scree::wait_for(scree::start_program({"/bin/sh", "-c", test}, options).process)) == 0;
+  };
+  CHECK(has({.inherited = {ends[1]}}));
+  CHECK_FALSE(has({}));
+  close(ends[0]);
+  close(ends[1]);
 }

@@ -111,7 +111,7 @@ signals::LockInResult harmonics_of(const SpectrumArguments& arguments, const sig
   try {
     return lock_in(series.times, series.values, options_of(arguments, series), detrending);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", arguments.csv, error.what()), error.status());
+    throw error.at(arguments.csv);
   }
 }
 

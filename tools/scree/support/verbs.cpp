@@ -58,7 +58,7 @@ std::optional<double> wall_time_option(const char* option, const std::string& te
   try {
     return scenario::parse_wall_time(text);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", option, error.what()));
+    throw error.at(option, ExitStatus::bad_input);
   }
 }
 

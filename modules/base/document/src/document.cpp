@@ -23,7 +23,7 @@ std::string shown(const fs::path& path) {
 }
 
 Error unreadable(const fs::path& path, std::string_view reason, std::string_view cure) {
-  return Error(fmt::format("{}: cannot be read ({}); {}", shown(path), reason, cure));
+  return {shown(path), fmt::format("cannot be read ({})", reason), std::string(cure)};
 }
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {

@@ -16,7 +16,7 @@ std::string name_cure(std::string_view word, const std::vector<std::string>& can
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
   const auto near = nearest_word(word, candidates);
-  return near ? fmt::format("; did you mean '{}'?", files::one_line(*near)) : ";";
+  return near ? fmt::format("did you mean '{}'? ", files::one_line(*near)) : "";
 }
 
 std::string number_text(double value) {

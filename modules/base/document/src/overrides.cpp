@@ -69,9 +69,9 @@ class Override {
     document_.overrides.push_back(place_);
     check_utf8();
     const std::size_t equals = find_unquoted(text_, '=');
-    if (equals == nowhere) throw error("has no '='; write --set key=value");
+    if (equals == nowhere) throw error("has no '='", "write --set key=value");
     const std::string_view value = trimmed(text_.substr(equals + 1));
-    if (value.empty()) throw error("has no value; write --set key='\"\"' for an empty text");
+    if (value.empty()) throw error("has no value", "write --set key='\"\"' for an empty text");
     const std::vector<Segment> path = read_path(text_.substr(0, equals));
     toml::table parsed = parse_value(value, place_);
     Slot slot{nullptr, {}, 0, &document_.root};
@@ -80,20 +80,17 @@ class Override {
   }
 
  private:
-  template <class... Arguments>
-  Error error(fmt::format_string<Arguments...> what, Arguments&&... arguments) const {
-    return Error(place_ + ": " + fmt::format(what, std::forward<Arguments>(arguments)...));
-  }
+  Error error(const std::string& problem, const std::string& cure) const { return {place_, problem, cure}; }
 
-  Error malformed(std::string_view what) const {
-    return error("{}; write the key as in table.key, table[0].key or table.\"odd name\".key", what);
+  Error malformed(const std::string& problem) const {
+    return error(problem, "write the key as in table.key, table[0].key or table.\"odd name\".key");
   }
 
   void check_utf8() const {
     try {
       [[maybe_unused]] const toml::table text = toml::parse("text = " + quoted_text(text_));
     } catch (const toml::parse_error&) {
-      throw error("is not UTF-8 text; encode it as UTF-8");
+      throw error("is not UTF-8 text", "encode it as UTF-8");
     }
   }
 
@@ -148,13 +145,15 @@ class Override {
       std::size_t count = 0;
       toml::node* match = nullptr;
       for (toml::node& entry : array) {
-        if (names(entry, key, name)) match = &entry, ++count;
+        if (!names(entry, key, name)) continue;
+        match = &entry;
+        ++count;
       }
       if (count == 1) return match;
-      if (count > 1) {
-        throw error("{} entries of {} have {} '{}'; choose one by index: {}", count, document_.path(array),
-                    key, files::one_line(name), titles(array, key, name));
-      }
+      if (count > 1)
+        throw error(fmt::format("{} entries of {} have {} '{}'", count, document_.path(array), key,
+                                files::one_line(name)),
+                    "choose one by index: " + titles(array, key, name));
     }
     return nullptr;
   }
@@ -163,29 +162,28 @@ class Override {
   toml::table& table_at(toml::node& node, const std::string& name) const {
     if (node.is_table()) return *node.as_table();
     const std::string path = document_.path(node);
-    if (!node.is_array_of_tables()) {
-      throw error("{} is {}, so it has no '{}'; give {} itself a value or correct the path", path,
-                  description(document_, node), files::one_line(name), path);
-    }
+    if (!node.is_array_of_tables())
+      throw error(fmt::format("{} is {}, so it has no '{}'", path, description(document_, node),
+                              files::one_line(name)),
+                  fmt::format("give {} itself a value or correct the path", path));
     toml::array& array = *node.as_array();
     if (array.size() == 1) return *array[0].as_table();
     std::vector<std::string> known;
     for (const std::string_view key : naming_keys)
       for (const toml::node& entry : array)
         if (const std::string* text = text_under(entry, key)) known.push_back(*text);
-    throw error("{} has {} and '{}' names none of them{} choose one: {}", path,
-                counted(array.size(), "entry", "entries"), files::one_line(name), suggestion(name, known),
-                titles(array));
+    throw error(fmt::format("{} has {} and '{}' names none of them", path,
+                            counted(array.size(), "entry", "entries"), files::one_line(name)),
+                suggestion(name, known) + "choose one: " + titles(array));
   }
 
   // Creates a table for an absent key, unless it is the last of the path, to which the value is assigned.
   Slot child_of(toml::table& table, const Segment& segment, bool last) {
     toml::node* child = table.get(segment.name);
-    if (child == nullptr && !segment.indices.empty()) {
-      throw error("{} has no '{}' to take an entry of{} an override adds no entries to a list",
-                  document_.label(table), files::one_line(segment.name),
-                  suggestion(segment.name, document_.keys(table)));
-    }
+    if (child == nullptr && !segment.indices.empty())
+      throw error(fmt::format("{} has no '{}' to take an entry of", document_.label(table),
+                              files::one_line(segment.name)),
+                  suggestion(segment.name, document_.keys(table)) + "an override adds no entries to a list");
     if (child == nullptr && !last) {
       toml::table parsed = toml::parse("[value]", place_);
       assign({&table, segment.name, 0, nullptr}, std::move(*parsed.get("value")));
@@ -199,14 +197,14 @@ class Override {
     toml::array* array = slot.value->as_array();
     if (slot.value->is_table() && index == 0 && first) return slot;
     const std::string path = document_.path(*slot.value);
-    if (array == nullptr) {
-      throw error("{} is {}, so it has no entry {}; leave the index out", path,
-                  description(document_, *slot.value), index);
-    }
+    if (array == nullptr)
+      throw error(
+          fmt::format("{} is {}, so it has no entry {}", path, description(document_, *slot.value), index),
+          "leave the index out");
     if (index < array->size()) return {array, {}, index, &(*array)[index]};
-    throw error("{} has {}, so there is no entry {}; count from 0{}", path,
-                counted(array->size(), "entry", "entries"), index,
-                array->is_array_of_tables() ? ": " + titles(*array) : "");
+    throw error(fmt::format("{} has {}, so there is no entry {}", path,
+                            counted(array->size(), "entry", "entries"), index),
+                array->is_array_of_tables() ? "count from 0: " + titles(*array) : "count from 0");
   }
 
   void assign(const Slot& slot, toml::node&& value) {

@@ -53,7 +53,7 @@ constexpr Cure cures[] = {
     {"keys, tables", "write key = value, [table], [[entry of a list]] or # comment"},
 };
 
-// The key of the value at a place; the parser garbles a quoted one that it complains of.
+// The key of the value at a place, since the parser garbles quoted keys in its messages.
 std::string key_before(std::string_view text, const toml::source_region& region) {
   for (toml::source_index line = 1; line < region.begin.line && !text.empty(); ++line)
     text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
@@ -64,7 +64,7 @@ std::string key_before(std::string_view text, const toml::source_region& region)
   return std::string(key.substr(first, key.find_last_not_of(" \t") + 1 - first));
 }
 
-// Error of the TOML parser about a text as one line "place: not valid TOML: what; cure".
+// An error of the TOML parser as "place: not valid TOML: what; cure".
 Error no_toml(std::string_view name, std::string_view text, const toml::parse_error& error) {
   constexpr std::string_view opening = "Error while parsing ";
   std::string_view description = error.description();
@@ -80,12 +80,13 @@ Error no_toml(std::string_view name, std::string_view text, const toml::parse_er
     break;
   }
   if (description.starts_with(opening)) description.remove_prefix(opening.size());
-  return Error(fmt::format("{}: not valid TOML: {}; {}", place_text(name, error.source()),
-                           files::one_line(description, longest_complaint), cure));
+  return Error(place_text(name, error.source()),
+               fmt::format("not valid TOML: {}", files::one_line(description, longest_complaint)),
+               std::string(cure));
 }
 
 Error too_deep(const std::string& place) {
-  return Error(fmt::format("{}: tables or arrays more than {} deep; flatten them", place, deepest_nesting));
+  return Error(place, fmt::format("tables or arrays more than {} deep", deepest_nesting), "flatten them");
 }
 
 bool is_key_character(char c) {
@@ -148,12 +149,14 @@ std::optional<toml::source_region> find_endless_key(std::string_view text) {
   return std::nullopt;
 }
 
-// Depth, and texts: as the end of a C string a character 0 would hide the rest of a path.
+// Refuses deep nesting, and texts with a character 0, which as the end of a C string would hide the rest of a
+// path.
 void check_nodes(std::string_view name, const toml::node& node, int depth) {
   if (depth > deepest_nesting) throw too_deep(place_text(name, node.source()));
   if (const auto* text = node.as_string(); text && text->get().find('\0') != std::string::npos)
-    throw Error(fmt::format("{}: the text \"{}\" has a character U+0000; remove it",
-                            place_text(name, node.source()), files::one_line(text->get())));
+    throw Error(place_text(name, node.source()),
+                fmt::format("the text \"{}\" has a character U+0000", files::one_line(text->get())),
+                "remove it");
   each_child(node, [&](const toml::node& child) { check_nodes(name, child, depth + 1); });
 }
 

@@ -155,9 +155,9 @@ void Table::refuse_unused() const {
       if (const auto* name = unknown.table->get_as<std::string>(naming); name && name->get() != key)
         meant.push_back(name->get());
   const std::string cure = known.empty() ? "remove it, no key is read here" : "known keys: " + listed(known);
-  throw Error(fmt::format("{}: unknown key '{}' in {}{} {}", document.key_place(unknown.entry),
-                          files::one_line(key), document.label(*unknown.table), suggestion(key, meant),
-                          cure));
+  throw Error(document.key_place(unknown.entry),
+              fmt::format("unknown key '{}' in {}", files::one_line(key), document.label(*unknown.table)),
+              suggestion(key, meant) + cure);
 }
 
 std::string Table::place() const { return state_->document->place(*state_->toml); }

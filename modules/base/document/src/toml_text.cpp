@@ -19,7 +19,7 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : quoted_text(key);
 }
 
-// Whether a value is written under a header of its own: [table] or [[entry]].
+// Whether a value is written under its own header: [table] or [[entry]].
 bool has_header(const toml::node& node) {
   if (const toml::table* table = node.as_table()) return !table->is_inline();
   const toml::array* array = node.as_array();
@@ -43,7 +43,7 @@ void append(const DocumentState& document, const toml::table& table, const std::
       append(document, *entry.as_table(), path + ".", text);
     };
     const toml::table* child = value->as_table();
-    // A table that contains only tables needs no header of its own: their headers imply it.
+    // A table that contains only tables needs no header: their headers imply it.
     const bool plain = child != nullptr &&
                        (child->empty() || std::any_of(child->begin(), child->end(),
                                                       [](const auto& e) { return !has_header(e.second); }));

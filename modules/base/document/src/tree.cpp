@@ -133,7 +133,7 @@ std::string DocumentState::label(const toml::table& table) const {
 }
 
 Error DocumentState::error(const toml::node& node, std::string_view what, std::string_view cure) const {
-  return Error(fmt::format("{}: {}; {}", place(node), what, cure));
+  return {place(node), std::string(what), std::string(cure)};
 }
 
 Error DocumentState::wrong_type(const toml::node& node, std::string_view cure) const {

@@ -17,10 +17,10 @@ namespace scree::document {
 
 struct DocumentState;
 
-// By the value of the first of these that has it an override names an entry of a list of tables.
+// Keys by whose value an override names an entry of a list of tables; the first key that fits counts.
 inline constexpr std::string_view naming_keys[] = {"name", "plugin", "type"};
 
-// State behind the handle Table: a table of the document, and the keys that readers have requested from it.
+// What a handle Table refers to: a table of the document, and the keys that readers have requested from it.
 struct TableState {
   DocumentState* document;
   const toml::table* toml;
@@ -51,7 +51,7 @@ struct DocumentState {
   TableState& state_of(const toml::table& table);
   // Index of the override that wrote a node, from 0; the largest std::size_t if the node is of the file.
   std::size_t override_of(const toml::source_region& source) const;
-  // In file order, followed by those that overrides have added.
+  // In file order, followed by the entries that overrides have added.
   std::vector<Entry> entries(const toml::table& table) const;
   std::vector<std::string> keys(const toml::table& table) const;
 

@@ -83,9 +83,9 @@ std::string read_choice(const DocumentState& document, const toml::node& node, c
   for (const std::string& word : allowed) {
     if (word == text) return word;
   }
-  throw Error(fmt::format("{}: {} = \"{}\" is none of the choices{} give {}", document.place(node),
-                          document.path(node), files::one_line(text), suggestion(text, allowed),
-                          any_of(allowed)));
+  throw document.error(
+      node, fmt::format("{} = \"{}\" is none of the choices", document.path(node), files::one_line(text)),
+      suggestion(text, allowed) + "give " + any_of(allowed));
 }
 
 // Reads each element of an array by read(document, element, arguments...). what: the elements in messages.

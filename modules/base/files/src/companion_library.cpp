@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 #include <sys/file.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <scree/child_process.hpp>
@@ -35,8 +36,8 @@ fs::path find(const CompanionLibrary& library) {
   return {};
 }
 
-// Whether a library is a regular file with all its sections, which end it: the dynamic loader trusts them, and ends the
-// process with SIGBUS where they are missing.
+// Whether a library is a regular file with all its sections, which stand at its end. The dynamic loader
+// trusts them: where they are missing, the process ends with SIGBUS.
 bool is_whole(const fs::path& library) {
   std::error_code failed;
   if (!fs::is_regular_file(library, failed)) return false;
@@ -48,25 +49,25 @@ bool is_whole(const fs::path& library) {
          fs::file_size(library, failed) >= end;
 }
 
-// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded; throws if there is no ninja.
-// ninja and the compilers that it starts keep the lock open: if this process is ended, no other builds before they have
-// ended too.
+// Runs `ninja -C <tree> <target>`, whose output goes to stderr. Returns whether it succeeded; throws if there
+// is no ninja. ninja and the compilers that it starts inherit the lock: if this process ends before them, no
+// other process builds until they have ended too.
 bool run_build(const std::string& tree, const char* target, const Descriptor& lock) {
-  const ChildEnd end = in_child([&](const Send&) {
-    fcntl(lock.get(), F_SETFD, 0);
-    dup2(STDERR_FILENO, STDOUT_FILENO);
-    execlp("ninja", "ninja", "-C", tree.c_str(), target, nullptr);
-    throw Error(std::strerror(errno));
-  });
-  if (end.how == ChildEnd::threw)
-    throw Error(fmt::format("ninja: cannot be started ({}), and {} is not built yet; install ninja-build",
-                            end.exception, target));
-  return end.how == ChildEnd::exited && end.number == 0;
+  const StartedProgram ninja =
+      start_program({"ninja", "-C", tree, target}, {.output = STDERR_FILENO, .inherited = {lock.get()}});
+  if (ninja.process < 0)
+    throw Error(
+        "ninja",
+        fmt::format("cannot be started ({}), and {} is not built yet",
+                    std::strerror(ninja.not_executed ? ninja.not_executed : ninja.no_process), target),
+        "install ninja-build");
+  const int status = wait_for(ninja.process);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 void say(const std::string& what) { std::fputs(fmt::format("scree: {}\n", what).c_str(), stderr); }
 
-// One process at a time builds; the others find the library when it is their turn. Does nothing outside a build tree.
+// One process at a time builds; the others then find the library. Does nothing outside a build tree.
 void build(const CompanionLibrary& library) {
   const fs::path tree = program_tree();
   const Descriptor build_file(open((tree / "build.ninja").c_str(), O_RDONLY | O_CLOEXEC));
@@ -79,18 +80,17 @@ void build(const CompanionLibrary& library) {
   say(fmt::format("building {}, which is required for {}; this takes some minutes, once", library.target,
                   library.purpose));
   if (!run_build(tree.string(), library.target, build_file))
-    throw Error(
-        fmt::format("{}: the build of {} failed; see its output above", tree.string(), library.target),
-        ExitStatus::failure);
+    throw Error(tree.string(), fmt::format("the build of {} failed", library.target), "see its output above",
+                ExitStatus::failure);
 }
 
 fs::path find_or_build(const CompanionLibrary& library) {
   if (const fs::path file = find(library); !file.empty()) return file;
   if (library.built_on_demand) build(library);
   if (const fs::path file = find(library); !file.empty()) return file;
-  throw Error(fmt::format("{}/lib{}.so: not found; it is required for {}: build the target {}, or {}",
-                          (program_tree() / "lib").string(), library.target, library.purpose, library.target,
-                          library.without));
+  throw Error(fmt::format("{}/lib{}.so", (program_tree() / "lib").string(), library.target), "not found",
+              fmt::format("it is required for {}: build the target {}, or {}", library.purpose,
+                          library.target, library.without));
 }
 
 }  // namespace
@@ -98,14 +98,14 @@ fs::path find_or_build(const CompanionLibrary& library) {
 void* load_factory(const CompanionLibrary& library) {
   const fs::path file = find_or_build(library);
   if (!is_whole(file))
-    throw Error(fmt::format(
-        "{}: is no whole library; remove it and build the target {} again, or install scree again",
-        file.string(), library.target));
-  // Never unloaded: VTK, Mesa and HDF5 leave thread-local data and exit handlers behind.
+    throw Error(
+        file.string(), "is no whole library",
+        fmt::format("remove it and build the target {} again, or install scree again", library.target));
+  // Never unloaded, since VTK, Mesa and HDF5 leave thread-local data and exit handlers.
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (!handle)
-    throw Error(
-        fmt::format("{}: cannot be loaded ({}); install {}", file.string(), dlerror(), library.needs));
+    throw Error(file.string(), fmt::format("cannot be loaded ({})", dlerror()),
+                fmt::format("install {}", library.needs));
   return dlsym(handle, library.factory);
 }
 

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,32 +8,27 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/checksum.hpp>
 #include <scree/files/content_hash.hpp>
-#include <scree/state_hash.hpp>
 
 namespace scree::files {
 
 namespace {
 
+// Checksum of a content and its size, since the last piece is filled with zeros.
 class Hasher {
  public:
-  // All pieces but the last must be multiples of 8 bytes.
   void add(std::string_view piece) {
     size_ += piece.size();
-    for (; !piece.empty(); piece.remove_prefix(std::min(piece.size(), sizeof(std::uint64_t)))) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, piece.data(), std::min(piece.size(), sizeof word));
-      hash_.add(word);
-    }
+    checksum_.add(piece.data(), piece.size());
   }
-  // With the size, as the last word is filled with zeros.
   std::string value() {
-    hash_.add(size_);
-    return fmt::format("{:016x}", hash_.value());
+    checksum_.add(&size_, sizeof size_);
+    return fmt::format("{:016x}", checksum_.value());
   }
 
  private:
-  StateHash hash_;
+  Checksum checksum_;
   std::uint64_t size_ = 0;
 };
 
@@ -67,7 +61,10 @@ std::string file_hash(const std::filesystem::path& path) {
   const Version version = {found.st_dev, found.st_ino, found.st_size, found.st_ctim.tv_sec,
                            found.st_ctim.tv_nsec};
   auto& [of, hash] = known[path];
-  if (hash.empty() || of != version) of = version, hash = read_and_hash(path);
+  if (hash.empty() || of != version) {
+    of = version;
+    hash = read_and_hash(path);
+  }
   return hash;
 }
 

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cerrno>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,15 +7,11 @@
 #include <scree/counted.hpp>
 #include <scree/files/csv_rows.hpp>
 #include <scree/files/text.hpp>
-#include <scree/files/text_file.hpp>
 #include <scree/nearest.hpp>
 
 namespace scree::files {
 
 namespace {
-
-// Beyond it a file is no table, and would be read whole before that is seen.
-constexpr std::size_t longest_line = 1u << 20;
 
 CsvRows::Column column_of(std::string_view header) {
   const std::size_t bracket = header.find('[');
@@ -28,48 +24,29 @@ CsvRows::Column column_of(std::string_view header) {
 
 }  // namespace
 
-CsvRows::CsvRows(const std::filesystem::path& path)
-    : TextLine(path.string()), file_(open_text(path), std::fclose) {
-  read_header();
+CsvRows::CsvRows(const std::filesystem::path& path) : TextReader(path) { read_header("time [s],strain", {}); }
+
+CsvRows::CsvRows(std::string_view text, std::string name, std::string_view example,
+                 const std::function<void(const TextReader&)>& on_comment)
+    : TextReader(text, std::move(name)) {
+  read_header(example, on_comment);
 }
 
-bool CsvRows::next_line() {
-  text_.clear();
-  whole_ = true;
-  errno = 0;
-  for (int byte; (byte = getc_unlocked(file_.get())) != '\n';) {
-    if (byte == EOF) {
-      if (std::ferror(file_.get()))
-        throw ReadError(name() + ": cannot be read to its end; check the disk, and that it is a file", errno);
-      if (text_.empty()) return false;
-      whole_ = false;
-      break;
-    }
-    text_.push_back(char(byte));
-    if (text_.size() > longest_line) break;
-  }
-  if (line_number() == 0) {
-    refuse_compressed(text_, name());
-    if (text_.starts_with(byte_order_mark)) text_.erase(0, byte_order_mark.size());
-  }
-  set(text_);
-  if (const std::size_t zero = line().find('\0'); zero != line().npos)
-    fail(zero + 1, "not a text file: it contains a zero byte", "give an uncompressed text file");
-  if (text_.size() > longest_line)
-    fail(1, fmt::format("the line is longer than {} bytes", longest_line),
-         "give a table with a line per row");
-  return true;
-}
-
-void CsvRows::read_header() {
+void CsvRows::read_header(std::string_view example,
+                          const std::function<void(const TextReader&)>& on_comment) {
   bool found = false;
-  while (!found && next_line()) found = !is_comment();
-  if (!found) fail(1, "there is no header", "name the columns in the first line, such as 'time [s],strain'");
-  if (line().find(';') != line().npos && line().find(',') == line().npos)
-    fail(1, "the columns are separated by semicolons", "separate them by commas, with decimal points");
-  if (line().find('\t') != line().npos && line().find(',') == line().npos)
-    fail(1, "the columns are separated by tabs", "separate them by commas, with decimal points");
-  for (const Token& cell : cells()) {
+  while (!found && TextReader::next()) {
+    found = !is_comment();
+    if (!found && on_comment) on_comment(*this);
+  }
+  if (!found)
+    fail(1, "there is no header", fmt::format("name the columns in the first line, such as '{}'", example));
+  for (const auto& [separator, name] : {std::pair(';', "semicolons"), std::pair('\t', "tabs")})
+    if (line().find(separator) != line().npos && line().find(',') == line().npos)
+      fail(1, fmt::format("the columns are separated by {}", name),
+           "separate them by commas, with decimal points");
+  row_ = &cells();
+  for (const Token& cell : *row_) {
     columns_.push_back(column_of(cell.text));
     labels_.push_back(one_line(columns_.back().name));
   }
@@ -99,7 +76,7 @@ std::size_t CsvRows::column(std::string_view wanted) const {
 
 bool CsvRows::next() {
   do {
-    if (!next_line()) return false;
+    if (!TextReader::next()) return false;
   } while (is_comment());
   row_ = &cells();
   if (row_->size() != columns_.size())
@@ -109,11 +86,11 @@ bool CsvRows::next() {
 }
 
 double CsvRows::number(std::size_t column) const {
-  return TextLine::number((*row_)[column], labels_[column]);
+  return TextReader::number((*row_)[column], labels_[column]);
 }
 
 double CsvRows::any_number(std::size_t column) const {
-  return TextLine::any_number((*row_)[column], labels_[column]);
+  return TextReader::any_number((*row_)[column], labels_[column]);
 }
 
 std::string CsvRows::text(std::size_t column) const {

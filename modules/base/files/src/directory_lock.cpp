@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 PlaceError unusable(const fs::path& path, const char* what, int code) {
-  return PlaceError(fmt::format("{}: cannot be {} ({})", path.string(), what, std::strerror(code)));
+  return {path.string(), fmt::format("cannot be {} ({})", what, std::strerror(code)), ""};
 }
 
 fs::path lock_in(const fs::path& directory) { return directory / DirectoryLock::file_name; }

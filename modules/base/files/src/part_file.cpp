@@ -18,7 +18,7 @@ namespace {
   const char* cure = full             ? "check the space on the disk"
                      : code == EISDIR ? "move it elsewhere"
                                       : "check that its folder exists and is writable";
-  throw Error(fmt::format("{}: cannot be written ({}); {}", path.string(), std::strerror(code), cure),
+  throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(code)), cure,
               ExitStatus::failure);
 }
 

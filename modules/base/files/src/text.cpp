@@ -1,6 +1,10 @@
+#include <vector>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/files/text.hpp>
+#include <scree/nearest.hpp>
 
 namespace scree::files {
 namespace {
@@ -44,6 +48,12 @@ std::string one_line(std::string_view text, std::size_t longest) {
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
   return escaped(text.substr(0, end)) + "...";
+}
+
+std::string suggest_name(std::string_view unknown, std::span<const std::string_view> known) {
+  const auto near = nearest_word(unknown, {known.begin(), known.end()});
+  return near ? fmt::format("did you mean '{}'?", *near)
+              : fmt::format("known are {}", fmt::join(known, ", "));
 }
 
 }  // namespace scree::files

@@ -19,14 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t block_size = 1u << 16;
 
-std::string line(const fs::path& path, std::string_view problem, std::string_view cure) {
-  return fmt::format("{}: {}; {}", path.string(), problem, cure);
-}
-
 ReadError not_opened(const fs::path& path, int code) {
   std::error_code failed;
-  if (!fs::exists(path, failed)) return {line(path, "there is no such file", "check the path"), code};
-  return {line(path, "cannot be opened", "check its permissions"), code};
+  if (!fs::exists(path, failed)) return {path.string(), "there is no such file", "check the path", code};
+  return {path.string(), "cannot be opened", "check its permissions", code};
 }
 
 // Reads a file to its end, or at most one block beyond `largest`.
@@ -42,15 +38,17 @@ std::string read_blocks(std::FILE* file, std::size_t expected, std::size_t large
 }
 
 void write_whole(const fs::path& path, const fs::path& temporary, std::string_view text) {
-  const std::string unopened =
-      line(path, "cannot be opened for writing", "check that its folder exists and is writable");
+  const auto unopened = [&](int code) {
+    return WriteError(path.string(), "cannot be opened for writing",
+                      "check that its folder exists and is writable", code);
+  };
   const Descriptor file = create_file(temporary.c_str());
-  if (!file.is_open()) throw WriteError(unopened, errno);
+  if (!file.is_open()) throw unopened(errno);
   if (const int code = write_all(file, text))
-    throw WriteError(line(path, "could not be written in full", "check the space on the disk"), code);
+    throw WriteError(path.string(), "could not be written in full", "check the space on the disk", code);
   std::error_code failed;
   fs::rename(temporary, path, failed);
-  if (failed) throw WriteError(unopened, failed.value());
+  if (failed) throw unopened(failed.value());
 }
 
 // Throws ReadError.
@@ -65,7 +63,7 @@ void refuse_devices(const fs::path& path) {
   std::error_code failed;
   if (const fs::file_status status = fs::status(path, failed);
       fs::exists(status) && !fs::is_regular_file(status))
-    throw ReadError(line(path, "is not a regular file", "give a text file"), EINVAL);
+    throw ReadError(path.string(), "is not a regular file", "give a text file", EINVAL);
 }
 
 }  // namespace
@@ -83,21 +81,20 @@ std::string read_text(const fs::path& path, std::size_t largest) {
   std::uintmax_t size = regular ? fs::file_size(path, failed) : 0;
   if (failed) size = 0;
   std::string text;
+  const auto too_large = [&](const std::string& problem, int code) {
+    return ReadError(path.string(), problem, "cut it to the part that is needed", code);
+  };
   try {
     text = read_blocks(file.get(), size <= largest ? size : 0, largest);
   } catch (const std::bad_alloc&) {
-    throw ReadError(line(path, "does not fit into memory", "cut it to the part that is needed"), ENOMEM);
+    throw too_large("does not fit into memory", ENOMEM);
   } catch (const std::length_error&) {
-    throw ReadError(line(path, "does not fit into memory", "cut it to the part that is needed"), ENOMEM);
+    throw too_large("does not fit into memory", ENOMEM);
   }
-  if (text.size() > largest)
-    throw ReadError(
-        line(path, fmt::format("is larger than {} bytes", largest), "cut it to the part that is needed"),
-        EFBIG);
+  if (text.size() > largest) throw too_large(fmt::format("is larger than {} bytes", largest), EFBIG);
   if (std::ferror(file.get()) != 0 || text.size() < size)
-    throw ReadError(
-        line(path, "cannot be read to its end", "check the disk, and that nothing is writing the file"),
-        errno != 0 ? errno : EIO);
+    throw ReadError(path.string(), "cannot be read to its end",
+                    "check the disk, and that nothing is writing the file", errno != 0 ? errno : EIO);
   return text;
 }
 

@@ -1,8 +1,4 @@
-#include "scree/packing/bead_file.hpp"
-
 #include "body_field.hpp"
-#include "checked_import.hpp"
-#include "text_reader.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +7,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/packing/bead_file.hpp>
 
 namespace scree::packing {
 
@@ -25,10 +22,9 @@ struct Header {
 Header read_header(TextReader& reader) {
   if (!reader.next_words()) reader.fail(1, "the file is empty", "begin with a line 'N L H'");
   const auto& words = reader.words();
-  if (words.size() != 3) {
+  if (words.size() != 3)
     reader.fail(1, fmt::format("{} instead of 'N L H'", counted(words.size(), "word")),
                 "give number of beads, period and height");
-  }
   return {reader.positive_integer(words[0], "number of beads"), reader.positive_number(words[1], "period"),
           reader.positive_number(words[2], "height")};
 }
@@ -36,10 +32,9 @@ Header read_header(TextReader& reader) {
 Body read_bead(TextReader& reader) {
   constexpr BodyField columns[] = {BodyField::x, BodyField::y, BodyField::z, BodyField::radius};
   const auto& words = reader.words();
-  if (words.size() != 4) {
+  if (words.size() != 4)
     reader.fail(1, fmt::format("{} instead of 'x y z radius'", counted(words.size(), "word")),
                 "give four numbers");
-  }
   Body body;
   for (std::size_t k = 0; k < 4; ++k) set_field(body, columns[k], words[k], reader);
   return body;
@@ -58,12 +53,11 @@ Packing parse_beads(std::string_view text, const std::string& name, const Import
     packing.bodies.back().id = std::int64_t(packing.bodies.size());
   }
   const auto found = std::int64_t(packing.bodies.size());
-  if (found != header.count) {
+  if (found != header.count)
     reader.fail(1,
                 fmt::format("the first line gives {}, the file has {}",
                             counted(std::size_t(header.count), "bead"), found),
                 "complete the file or correct its first line");
-  }
   return checked_import(std::move(packing), name);
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/error.hpp>
 #include <scree/plugin/abi.h>
 
 namespace scree::packing {
@@ -73,9 +74,8 @@ void set_field(Body& body, BodyField field, const Token& token, const TextReader
       body.radius = reader.positive_number(token, name);
       break;
   }
-  if (body.radius == 0.0 && field == BodyField::diameter) {
+  if (body.radius == 0.0 && field == BodyField::diameter)
     reader.fail(token.column, "half the diameter is 0 in double precision", "check the unit");
-  }
 }
 
 void require_planar(Body& body, BodyField field, const Token& token, const TextReader& reader) {
@@ -85,6 +85,15 @@ void require_planar(Body& body, BodyField field, const Token& token, const TextR
   reader.fail(token.column,
               fmt::format("{} {} is not 0 in two dimensions", name_of(field), quote_token(token.text)),
               "set it to 0, or read the file in three dimensions");
+}
+
+Packing checked_import(Packing packing, const std::string& file) {
+  try {
+    check(packing);
+  } catch (const Error& error) {
+    throw error.at(file);
+  }
+  return packing;
 }
 
 void IdRegister::add(std::int64_t id, const Token& token, const TextReader& reader) {

@@ -1,13 +1,18 @@
 #pragma once
 
-#include "scree/packing/packing.hpp"
-#include "text_reader.hpp"
-
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
+#include <scree/files/text_reader.hpp>
+#include <scree/packing/packing.hpp>
+
 namespace scree::packing {
+
+using files::quote_token;
+using files::TextReader;
+using files::Token;
 
 // Properties of a body that a file column can hold.
 enum class BodyField { id, material, x, y, z, radius, diameter, density, mass, vx, vy, vz, wx, wy, wz };
@@ -20,6 +25,9 @@ double* field_component(Body& body, BodyField field);
 
 // Fails at the token if the field must be 0 in two dimensions and is not.
 void require_planar(Body& body, BodyField field, const Token& token, const TextReader& reader);
+
+// Returns the packing of a file after check(), whose errors then name the file.
+Packing checked_import(Packing packing, const std::string& file);
 
 // Ids that a file has used, with the line of each.
 class IdRegister {

@@ -1,8 +1,4 @@
 #include "body_field.hpp"
-#include "checked_import.hpp"
-#include "nearest_name.hpp"
-#include "scree/packing/csv.hpp"
-#include "text_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +10,10 @@
 #include <fmt/format.h>
 
 #include <scree/counted.hpp>
+#include <scree/files/csv_rows.hpp>
+#include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/packing/csv.hpp>
 
 namespace scree::packing {
 
@@ -64,9 +63,8 @@ std::array<bool, 3> read_axes(const std::vector<Token>& words, const TextReader&
   std::array<bool, 3> periodic{};
   for (const Token& word : words) {
     const std::size_t axis = std::string_view("xyz").find(word.text);
-    if (word.text.size() != 1 || axis == std::string_view::npos) {
+    if (word.text.size() != 1 || axis == std::string_view::npos)
       reader.fail(word.column, fmt::format("{} is not an axis", quote_token(word.text)), "list x, y and z");
-    }
     periodic[axis] = true;
   }
   return periodic;
@@ -107,12 +105,12 @@ void read_comment(Preamble& preamble, const TextReader& reader) {
 }
 
 const ColumnName& find_column(std::string_view name, const Token& cell, const TextReader& reader) {
-  for (const ColumnName& column : columns) {
+  for (const ColumnName& column : columns)
     if (column.name == name || (!name.empty() && column.other_name == name)) return column;
-  }
   std::array<std::string_view, columns.size()> known;
   std::transform(columns.begin(), columns.end(), known.begin(), [](const ColumnName& c) { return c.name; });
-  reader.fail(cell.column, fmt::format("unknown column {}", quote_token(name)), suggest_name(name, known));
+  reader.fail(cell.column, fmt::format("unknown column {}", quote_token(name)),
+              files::suggest_name(name, known));
 }
 
 BodyField read_column(const Token& cell, const TextReader& reader) {
@@ -122,11 +120,10 @@ BodyField read_column(const Token& cell, const TextReader& reader) {
   if (bracket == cell.text.size()) return column.field;
   const std::string_view unit = cell.text.substr(bracket);
   const bool is_other = !column.other_unit.empty() && unit == fmt::format("[{}]", column.other_unit);
-  if (!is_other && unit != fmt::format("[{}]", column.unit)) {
+  if (!is_other && unit != fmt::format("[{}]", column.unit))
     reader.fail(cell.column, fmt::format("column {} has unit {}", column.name, quote_token(unit)),
                 column.unit.empty() ? "leave the brackets out"
                                     : fmt::format("convert its numbers and write [{}]", column.unit));
-  }
   return column.field;
 }
 
@@ -135,36 +132,22 @@ bool has(const std::vector<BodyField>& fields, BodyField field) {
 }
 
 void require_columns(const std::vector<BodyField>& fields, const TextReader& reader) {
-  if (!has(fields, BodyField::x) || !has(fields, BodyField::y)) {
+  if (!has(fields, BodyField::x) || !has(fields, BodyField::y))
     reader.fail(1, "column x or y is missing", "add it; the header names the columns, separated by commas");
-  }
-  if (has(fields, BodyField::radius) == has(fields, BodyField::diameter)) {
+  if (has(fields, BodyField::radius) == has(fields, BodyField::diameter))
     reader.fail(1, "there must be either a column radius or a column diameter", "give one of the two");
-  }
 }
 
-std::vector<BodyField> read_header(Preamble& preamble, TextReader& reader) {
-  bool found = false;
-  while (!found && reader.next()) {
-    found = !reader.is_comment();
-    if (!found) read_comment(preamble, reader);
-  }
-  if (!found)
-    reader.fail(1, "there is no header", "name the columns in the first line, such as 'x,y,z,radius'");
-  if (reader.line().find(';') != std::string_view::npos &&
-      reader.line().find(',') == std::string_view::npos) {
-    reader.fail(1, "the columns are separated by semicolons", "separate them by commas, with decimal points");
-  }
+std::vector<BodyField> fields_of(const files::CsvRows& rows) {
   std::vector<BodyField> fields;
-  for (const Token& cell : reader.cells()) {
-    const BodyField field = read_column(cell, reader);
-    if (has(fields, field)) {
-      reader.fail(cell.column, fmt::format("column {} appears twice", quote_token(cell.text)),
-                  "leave one of them out");
-    }
+  for (const Token& cell : rows.row()) {
+    const BodyField field = read_column(cell, rows);
+    if (has(fields, field))
+      rows.fail(cell.column, fmt::format("column {} appears twice", quote_token(cell.text)),
+                "leave one of them out");
     fields.push_back(field);
   }
-  require_columns(fields, reader);
+  require_columns(fields, rows);
   return fields;
 }
 
@@ -173,31 +156,26 @@ bool may_be_empty(BodyField field) {
          field >= BodyField::vx;
 }
 
-class BodyRows {
+class BodyReader {
  public:
-  BodyRows(std::vector<BodyField> fields, int dimension)
+  BodyReader(std::vector<BodyField> fields, int dimension)
       : fields_(std::move(fields)), dimension_(dimension) {}
 
-  Body read(TextReader& reader, std::int64_t row) {
-    const std::vector<Token>& cells = reader.cells();
-    if (cells.size() != fields_.size()) {
-      reader.fail(
-          1, fmt::format("{} under {}", counted(cells.size(), "cell"), counted(fields_.size(), "column")),
-          "give one cell for each column; decimal commas are not supported");
-    }
+  // The body in the current row; number: its id if the file has none.
+  Body read(const files::CsvRows& rows, std::int64_t number) {
+    const std::vector<Token>& cells = rows.row();
     Body body;
-    body.id = row;
+    body.id = number;
     Token id = cells[0];
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (cells[k].text.empty() && may_be_empty(fields_[k])) continue;
-      set_field(body, fields_[k], cells[k], reader);
-      if (dimension_ == 2) require_planar(body, fields_[k], cells[k], reader);
+      set_field(body, fields_[k], cells[k], rows);
+      if (dimension_ == 2) require_planar(body, fields_[k], cells[k], rows);
       if (fields_[k] == BodyField::id) id = cells[k];
     }
-    if (body.density == body.density && body.mass == body.mass) {
-      reader.fail(1, "density and mass are both given", "leave one of the two cells empty");
-    }
-    ids_.add(body.id, id, reader);
+    if (body.density == body.density && body.mass == body.mass)
+      rows.fail(1, "density and mass are both given", "leave one of the two cells empty");
+    ids_.add(body.id, id, rows);
     return body;
   }
 
@@ -213,9 +191,8 @@ Packing begin_packing(const Preamble& preamble, const ImportOptions& options, in
   packing.dimension = dimension;
   packing.periodic = options.periodic.value_or(preamble.periodic.value_or(std::array<bool, 3>{}));
   packing.time = preamble.time;
-  if (preamble.lower.has_value() != preamble.upper.has_value()) {
+  if (preamble.lower.has_value() != preamble.upper.has_value())
     reader.fail(1, "only one of '# lower [m]' and '# upper [m]' is given", "give both");
-  }
   if (preamble.lower) packing.bounds = Bounds{*preamble.lower, *preamble.upper};
   return packing;
 }
@@ -223,18 +200,16 @@ Packing begin_packing(const Preamble& preamble, const ImportOptions& options, in
 }  // namespace
 
 Packing parse_csv(std::string_view text, const std::string& name, const ImportOptions& options) {
-  TextReader reader(text, name);
   Preamble preamble;
-  std::vector<BodyField> fields = read_header(preamble, reader);
+  files::CsvRows rows(text, name, "x,y,z,radius",
+                      [&](const TextReader& comment) { read_comment(preamble, comment); });
+  std::vector<BodyField> fields = fields_of(rows);
   const int dimension_of_columns = has(fields, BodyField::z) ? 3 : 2;
   const int dimension = options.dimension.value_or(preamble.dimension.value_or(dimension_of_columns));
-  Packing packing = begin_packing(preamble, options, dimension, reader);
-  BodyRows rows(std::move(fields), dimension);
-  while (reader.next()) {
-    if (reader.is_comment()) continue;
-    packing.bodies.push_back(rows.read(reader, std::int64_t(packing.bodies.size()) + 1));
-  }
-  if (packing.bodies.empty()) reader.fail(1, "no body follows the header", "add a line for each body");
+  Packing packing = begin_packing(preamble, options, dimension, rows);
+  BodyReader bodies(std::move(fields), dimension);
+  while (rows.next()) packing.bodies.push_back(bodies.read(rows, std::int64_t(packing.bodies.size()) + 1));
+  if (packing.bodies.empty()) rows.fail(1, "no body follows the header", "add a line for each body");
   return checked_import(std::move(packing), name);
 }
 

@@ -1,6 +1,3 @@
-#include "scree/packing/csv.hpp"
-#include "text_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,19 +7,21 @@
 
 #include <scree/error.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/files/text_reader.hpp>
+#include <scree/packing/csv.hpp>
 
 namespace scree::packing {
 
 namespace {
 
 // Columns that are written only if some body needs them.
-struct Optional {
+struct OptionalColumns {
   bool material;
   bool density;
   bool mass;
 };
 
-Optional needed_columns(const Packing& packing) {
+OptionalColumns needed_columns(const Packing& packing) {
   const auto any = [&](auto condition) {
     return std::any_of(packing.bodies.begin(), packing.bodies.end(), condition);
   };
@@ -40,13 +39,12 @@ void write_preamble(std::string& out, const Packing& packing) {
     fmt::format_to(end, "# upper [m]: {} {} {}\n", upper[0], upper[1], upper[2]);
   }
   out += "# periodic:";
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
     if (packing.periodic[k]) fmt::format_to(end, " {}", "xyz"[k]);
-  }
   out += '\n';
 }
 
-void write_header(std::string& out, const Optional& columns, int dimension) {
+void write_header(std::string& out, const OptionalColumns& columns, int dimension) {
   out += "id";
   if (columns.material) out += ",material";
   out += dimension == 3 ? ",x [m],y [m],z [m],radius [m]" : ",x [m],y [m],radius [m]";
@@ -58,10 +56,9 @@ void write_header(std::string& out, const Optional& columns, int dimension) {
 
 void require_plain(const Body& body) {
   if (fits_csv_cell(body.material)) return;
-  throw Error(
-      fmt::format("packing: body {}: material {} cannot be written as a CSV cell; rename it without "
-                  "commas, quotes, control characters and leading or trailing blanks",
-                  body.id, quote_token(body.material)));
+  throw Error(fmt::format("packing: body {}", body.id),
+              fmt::format("material {} cannot be written as a CSV cell", files::quote_token(body.material)),
+              "rename it without commas, quotes, control characters and leading or trailing blanks");
 }
 
 void write_optional(std::string& out, double value) {
@@ -69,7 +66,7 @@ void write_optional(std::string& out, double value) {
   if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{}", value);
 }
 
-void write_body(std::string& out, const Body& body, const Optional& columns, int dimension) {
+void write_body(std::string& out, const Body& body, const OptionalColumns& columns, int dimension) {
   const auto end = std::back_inserter(out);
   fmt::format_to(end, "{}", body.id);
   if (columns.material) fmt::format_to(end, ",{}", body.material);
@@ -92,7 +89,7 @@ bool fits_csv_cell(std::string_view text) {
 
 std::string format_csv(const Packing& packing) {
   check(packing);
-  const Optional columns = needed_columns(packing);
+  const OptionalColumns columns = needed_columns(packing);
   std::string out;
   write_preamble(out, packing);
   write_header(out, columns, packing.dimension);

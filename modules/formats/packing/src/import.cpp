@@ -1,18 +1,16 @@
-#include "scree/packing/import.hpp"
-
-#include "nearest_name.hpp"
-#include "scree/packing/bead_file.hpp"
-#include "scree/packing/csv.hpp"
-#include "scree/packing/lammps.hpp"
-#include "text_reader.hpp"
-
 #include <array>
 #include <string>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/files/text_reader.hpp>
+#include <scree/packing/bead_file.hpp>
+#include <scree/packing/csv.hpp>
+#include <scree/packing/import.hpp>
+#include <scree/packing/lammps.hpp>
 
 namespace scree::packing {
 
@@ -25,7 +23,7 @@ bool begins_with_number(std::string_view word) {
 }
 
 // The header of a data file is short and contains a line "<number> atoms".
-bool has_atom_count(TextReader& reader) {
+bool has_atom_count(files::TextReader& reader) {
   constexpr int header_lines = 100;
   for (int k = 0; k < header_lines && reader.next_words(); ++k) {
     const auto& words = reader.words();
@@ -51,15 +49,14 @@ Packing parse(std::string_view text, const std::string& name, FileFormat format,
 }  // namespace
 
 FileFormat file_format(std::string_view name) {
-  for (std::size_t k = 0; k < format_names.size(); ++k) {
+  for (std::size_t k = 0; k < format_names.size(); ++k)
     if (format_names[k] == name) return FileFormat(k);
-  }
-  throw Error(fmt::format("packing: unknown file format {}; {}", quote_token(name),
-                          suggest_name(name, format_names)));
+  throw Error("packing", fmt::format("unknown file format {}", files::quote_token(name)),
+              files::suggest_name(name, format_names));
 }
 
 FileFormat detect_format(std::string_view text, std::string_view name) {
-  TextReader reader(text, std::string(name));
+  files::TextReader reader(text, std::string(name));
   if (text.starts_with("ITEM:")) return FileFormat::lammps_dump;
   if (has_atom_count(reader)) return FileFormat::lammps_data;
   reader.seek({});
@@ -73,8 +70,7 @@ FileFormat detect_format(std::string_view text, std::string_view name) {
 }
 
 Packing parse_packing(std::string_view text, const std::string& name, const ImportOptions& options) {
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  if (text.starts_with(files::byte_order_mark)) text.remove_prefix(files::byte_order_mark.size());
   return parse(text, name, detect_format(text, name), options);
 }
 

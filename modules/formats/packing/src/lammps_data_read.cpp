@@ -1,9 +1,5 @@
 #include "body_field.hpp"
-#include "checked_import.hpp"
 #include "material_types.hpp"
-#include "nearest_name.hpp"
-#include "scree/packing/lammps.hpp"
-#include "text_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +14,9 @@
 #include <fmt/format.h>
 
 #include <scree/counted.hpp>
+#include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/packing/lammps.hpp>
 
 namespace scree::packing {
 
@@ -115,11 +113,10 @@ bool DataReader::read_header() {
   while (reader_.next_words()) {
     const auto& words = reader_.words();
     if (read_header_line(words)) continue;
-    if (!expected_) {
+    if (!expected_)
       reader_.fail(1,
                    fmt::format("the header has no number of atoms before {}", quote_token(joined(words, 0))),
                    "add a line such as '100 atoms' above the sections");
-    }
     return true;
   }
   return false;
@@ -137,9 +134,8 @@ bool DataReader::read_header_line(const std::vector<Token>& words) {
   } else if (two_values == "zlo zhi") {
     read_extent(words, 2);
   } else if (contains(refused_counts, keyword)) {
-    if (reader_.integer(words[0], keyword) != 0) {
+    if (reader_.integer(words[0], keyword) != 0)
       reader_.fail(1, fmt::format("the file has {}", keyword), "give a packing of free spheres");
-    }
   } else if (joined(words, 3) == "xy xz yz" || contains(tilted_boxes, joined(words, 3))) {
     require_upright_box(words);
   } else {
@@ -176,13 +172,12 @@ bool DataReader::read_section() {
   if (keyword == "Atoms") return read_atoms();
   if (keyword == "Velocities") return read_velocities();
   if (contains(skipped_sections, keyword)) return skip_section();
-  if (contains(refused_sections, keyword)) {
+  if (contains(refused_sections, keyword))
     reader_.fail(1, fmt::format("the file has a section {}", keyword), "give a packing of free spheres");
-  }
   std::vector<std::string_view> known = {"Atoms", "Velocities"};
   known.insert(known.end(), std::begin(skipped_sections), std::end(skipped_sections));
   reader_.fail(1, fmt::format("unknown header line or section {}", quote_token(keyword)),
-               suggest_name(keyword, known));
+               files::suggest_name(keyword, known));
 }
 
 void DataReader::require_sphere_style(std::string_view line) {
@@ -213,21 +208,19 @@ void DataReader::read_atom(const std::vector<Token>& words) {
   constexpr BodyField fields[] = {BodyField::diameter, BodyField::density, BodyField::x, BodyField::y,
                                   BodyField::z};
   refuse_surplus(std::int64_t(packing_.bodies.size()), "Atoms");
-  if (words.size() != 7 && words.size() != 10) {
+  if (words.size() != 7 && words.size() != 10)
     reader_.fail(1,
                  fmt::format("{} instead of 'id type diameter density x y z [ix iy iz]'",
                              counted(words.size(), "word")),
                  "write the file with atom_style sphere or granular");
-  }
   Body body;
   store(body, BodyField::id, words[0]);
   body.material = material_of_type(words[1], options_.materials, reader_);
   for (std::size_t k = 0; k < 5; ++k) store(body, fields[k], words[k + 2]);
   for (std::size_t k = 7; k < words.size(); ++k) reader_.integer(words[k], "image flag");
   const auto [known, is_new] = index_of_.emplace(body.id, packing_.bodies.size());
-  if (!is_new) {
+  if (!is_new)
     reader_.fail(words[0].column, fmt::format("id {} is used twice", body.id), "give every atom its own id");
-  }
   packing_.bodies.push_back(std::move(body));
 }
 
@@ -251,23 +244,20 @@ bool DataReader::read_velocities() {
 void DataReader::read_velocity(const std::vector<Token>& words) {
   constexpr BodyField fields[] = {BodyField::vx, BodyField::vy, BodyField::vz,
                                   BodyField::wx, BodyField::wy, BodyField::wz};
-  if (words.size() != 7) {
+  if (words.size() != 7)
     reader_.fail(1, fmt::format("{} instead of 'id vx vy vz wx wy wz'", counted(words.size(), "word")),
                  "write the file with atom_style sphere or granular");
-  }
   const std::int64_t id = reader_.integer(words[0], "id");
   const auto known = index_of_.find(id);
-  if (known == index_of_.end()) {
+  if (known == index_of_.end())
     reader_.fail(words[0].column, fmt::format("there is no atom {}", id),
                  "give velocities of listed atoms only");
-  }
   for (std::size_t k = 0; k < 6; ++k) store(packing_.bodies[known->second], fields[k], words[k + 1]);
 }
 
 bool DataReader::skip_section() {
-  while (reader_.next_words()) {
+  while (reader_.next_words())
     if (at_section()) return true;
-  }
   return false;
 }
 

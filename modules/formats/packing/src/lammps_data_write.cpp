@@ -1,5 +1,4 @@
 #include "material_types.hpp"
-#include "scree/packing/lammps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include <scree/error.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/packing/lammps.hpp>
 
 namespace scree::packing {
 
@@ -18,8 +18,8 @@ double density_of(const Body& body, const ExportOptions& options) {
   double density = sphere_density(body);
   if (std::isnan(density)) density = options.density;
   if (std::isfinite(density) && density > 0.0) return density;
-  throw Error(fmt::format(
-      "packing: body {} has no density; give one for the export, such as that of its material", body.id));
+  throw Error("packing", fmt::format("body {} has no density", body.id),
+              "give one for the export, such as that of its material");
 }
 
 // LAMMPS and LIGGGHTS accept an atom only below the upper bound of the box, and in two dimensions only a box
@@ -38,9 +38,10 @@ Bounds export_box(const Packing& packing) {
     for (int k = 0; k < packing.dimension; ++k) {
       const double x = body.position[k];
       if (packing.periodic[k] || (x >= box.lower[k] && x < box.upper[k])) continue;
-      throw Error(
-          fmt::format("packing: body {} lies at {} = {} m, outside the box from {} to {} m; widen the bounds",
-                      body.id, "xyz"[k], x, box.lower[k], box.upper[k]));
+      throw Error("packing",
+                  fmt::format("body {} lies at {} = {} m, outside the box from {} to {} m", body.id, "xyz"[k],
+                              x, box.lower[k], box.upper[k]),
+                  "widen the bounds");
     }
   }
   return box;
@@ -51,9 +52,8 @@ void write_header(std::string& out, const Packing& packing, std::int64_t types) 
   const auto end = std::back_inserter(out);
   fmt::format_to(end, "scree packing, SI units, atom style sphere\n\n{} atoms\n{} atom types\n\n",
                  packing.bodies.size(), types);
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
     fmt::format_to(end, "{} {} {}lo {}hi\n", box.lower[k], box.upper[k], "xyz"[k], "xyz"[k]);
-  }
 }
 
 }  // namespace

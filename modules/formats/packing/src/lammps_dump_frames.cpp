@@ -9,6 +9,10 @@
 
 namespace scree::packing {
 
+using files::quote_token;
+using files::TextReader;
+using files::Token;
+
 namespace {
 
 std::uint64_t distance(std::int64_t a, std::int64_t b) {
@@ -31,16 +35,14 @@ std::vector<DumpFrame> find_frames(TextReader& reader) {
   bool complete = true;
   while (reader.next()) {
     const bool item = reader.line().starts_with("ITEM:");
-    if (reader.line_number() == 1 && !item) {
+    if (reader.line_number() == 1 && !item)
       reader.fail(1, "not a text dump: it does not begin with 'ITEM:'", "give the output of dump custom");
-    }
     if (!item) continue;
     if (complete) frames.push_back({reader.position(), 0});
     complete = reader.line().starts_with("ITEM: ATOMS");
     if (reader.line().starts_with("ITEM: UNITS")) require_si(reader);
-    if (reader.line().starts_with("ITEM: TIMESTEP") && reader.next()) {
+    if (reader.line().starts_with("ITEM: TIMESTEP") && reader.next())
       frames.back().timestep = reader.integer(reader.trimmed(0, reader.line().size()), "timestep");
-    }
   }
   if (frames.empty()) reader.fail(1, "the dump is empty", "give the output of dump custom");
   return frames;

@@ -1,9 +1,6 @@
 #include "body_field.hpp"
-#include "checked_import.hpp"
 #include "lammps_dump_frames.hpp"
 #include "material_types.hpp"
-#include "scree/packing/lammps.hpp"
-#include "text_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +14,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/packing/lammps.hpp>
 
 namespace scree::packing {
 
@@ -81,9 +79,8 @@ class FrameReader {
   }
 
   Packing read() {
-    while (reader_.next()) {
+    while (reader_.next())
       if (read_item()) return std::move(packing_);
-    }
     fail_truncated();
   }
 
@@ -139,12 +136,10 @@ Token FrameReader::value_line() {
 }
 
 void FrameReader::read_box_flags(const std::vector<Token>& words) {
-  if (words.size() > 3 && words[3].text == "xy") {
+  if (words.size() > 3 && words[3].text == "xy")
     reader_.fail(words[3].column, "the box is tilted", "give a packing in an axis-parallel box");
-  }
-  for (std::size_t k = 3; k < std::min<std::size_t>(words.size(), 6); ++k) {
+  for (std::size_t k = 3; k < std::min<std::size_t>(words.size(), 6); ++k)
     packing_.periodic[k - 3] = words[k].text == "pp";
-  }
 }
 
 void FrameReader::read_box() {
@@ -153,11 +148,10 @@ void FrameReader::read_box() {
   for (int k = 0; k < 3; ++k) {
     if (!reader_.next()) fail_truncated();
     const auto& words = reader_.words();
-    if (words.size() != 2) {
+    if (words.size() != 2)
       reader_.fail(1,
                    fmt::format("{} instead of the two bounds of {}", counted(words.size(), "word"), "xyz"[k]),
                    "give a packing in an axis-parallel box");
-    }
     packing_.bounds->lower[k] = reader_.number(words[0], "lower bound");
     packing_.bounds->upper[k] = reader_.number(words[1], "upper bound");
     if (packing_.bounds->lower[k] < packing_.bounds->upper[k]) continue;
@@ -173,17 +167,14 @@ void FrameReader::require_columns(const std::vector<Source>& sources) {
     return std::any_of(sources.begin(), sources.end(),
                        [&](const Source& source) { return same_quantity(source.field, field); });
   };
-  if (!expected_ || !packing_.bounds) {
+  if (!expected_ || !packing_.bounds)
     reader_.fail(1, "the number of atoms or the box is missing before the atoms",
                  "give the output of dump custom");
-  }
-  if (!has(BodyField::x) || !has(BodyField::y) || (packing_.dimension == 3 && !has(BodyField::z))) {
+  if (!has(BodyField::x) || !has(BodyField::y) || (packing_.dimension == 3 && !has(BodyField::z)))
     reader_.fail(1, "there are no positions", "write the dump with columns x y z, or xs ys zs, or xu yu zu");
-  }
-  if (!has(BodyField::radius)) {
+  if (!has(BodyField::radius))
     reader_.fail(1, "there is neither a column radius nor diameter",
                  "write the dump with 'dump custom ... radius'");
-  }
 }
 
 void FrameReader::read_atoms() {
@@ -196,12 +187,11 @@ void FrameReader::read_atoms() {
   packing_.bodies.reserve(std::min(count, reader_.size() / shortest_line));
   for (std::size_t k = 0; k < count; ++k) {
     if (!reader_.next() || reader_.line().starts_with("ITEM:")) fail_truncated();
-    if (reader_.words().size() != names.size()) {
+    if (reader_.words().size() != names.size())
       reader_.fail(1,
                    fmt::format("{} under {}", counted(reader_.words().size(), "word"),
                                counted(names.size(), "column")),
                    "complete the line, or choose another timestep");
-    }
     packing_.bodies.push_back(read_body(sources));
   }
   while (reader_.next() && !reader_.line().starts_with("ITEM:")) {

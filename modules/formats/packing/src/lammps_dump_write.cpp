@@ -1,5 +1,4 @@
 #include "material_types.hpp"
-#include "scree/packing/lammps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include <scree/error.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/packing/lammps.hpp>
 
 namespace scree::packing {
 
@@ -22,10 +22,10 @@ bool is_column(const Packing& packing, double Body::*value, std::string_view nam
                                    [&](const Body& body) { return !std::isnan(body.*value); });
   if (given == 0) return false;
   if (given == std::ssize(packing.bodies)) return true;
-  throw Error(
-      fmt::format("packing: {} of {} bodies have a {}, but a dump needs it for all or none; complete it, or "
-                  "write CSV",
-                  given, packing.bodies.size(), name));
+  throw Error("packing",
+              fmt::format("{} of {} bodies have a {}, but a dump needs it for all or none", given,
+                          packing.bodies.size(), name),
+              "complete it, or write CSV");
 }
 
 void write_box(std::string& out, const Packing& packing) {
@@ -53,9 +53,8 @@ std::string format_lammps_dump(const Packing& packing, const ExportOptions& opti
   const bool mass = is_column(packing, &Body::mass, "mass");
   std::string out;
   const auto end = std::back_inserter(out);
-  if (options.dialect == Dialect::lammps) {
+  if (options.dialect == Dialect::lammps)
     fmt::format_to(end, "ITEM: UNITS\nsi\nITEM: TIME\n{}\n", packing.time);
-  }
   fmt::format_to(end, "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n", options.timestep,
                  packing.bodies.size());
   write_box(out, packing);

@@ -1,9 +1,5 @@
-#include "scree/packing/lattice.hpp"
-
 #include "close_pairs.hpp"
 #include "lattice_geometry.hpp"
-#include "nearest_name.hpp"
-#include "text_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +9,9 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/text.hpp>
+#include <scree/files/text_reader.hpp>
+#include <scree/packing/lattice.hpp>
 
 namespace scree::packing {
 
@@ -23,36 +22,32 @@ constexpr std::array<std::string_view, 5> names = {"simple_cubic", "face_centred
 
 void require_length(double value, std::string_view what) {
   if (std::isfinite(value) && value >= 0.0) return;
-  throw Error(fmt::format("lattice: {} {} is negative or not finite; give 0 or more", what, value));
+  throw Error("lattice", fmt::format("{} {} is negative or not finite", what, value), "give 0 or more");
 }
 
 // Number of sites. Each factor is checked against the limit first, as the product could overflow.
 std::int64_t require_count(const SiteCount& count, LatticeKind kind) {
   std::int64_t product = 1;
   for (int k = 0; k < 3; ++k) {
-    if (count[k] < 1) {
-      throw Error(fmt::format("lattice: {} sites along {}; give at least 1", count[k], "xyz"[k]));
-    }
-    if (count[k] > max_lattice_sites / product) {
-      throw Error(fmt::format("lattice: more than {} sites; give smaller counts", max_lattice_sites));
-    }
+    if (count[k] < 1)
+      throw Error("lattice", fmt::format("{} sites along {}", count[k], "xyz"[k]), "give at least 1");
+    if (count[k] > max_lattice_sites / product)
+      throw Error("lattice", fmt::format("more than {} sites", max_lattice_sites), "give smaller counts");
     product *= count[k];
   }
-  if (lattice_dimension(kind) == 2 && count[2] != 1) {
-    throw Error(fmt::format("lattice: {} has {} sites along z; it is two-dimensional, give 1",
-                            lattice_name(kind), count[2]));
-  }
+  if (lattice_dimension(kind) == 2 && count[2] != 1)
+    throw Error("lattice", fmt::format("{} has {} sites along z", lattice_name(kind), count[2]),
+                "it is two-dimensional, give 1");
   return product;
 }
 
 SiteCount resolve_count(const LatticeOptions& options) {
-  if (options.count.has_value() == options.total.has_value()) {
-    throw Error("lattice: give either the counts along the axes or the total number of bodies");
-  }
+  if (options.count.has_value() == options.total.has_value())
+    throw Error("lattice", "give either the counts along the axes or the total number of bodies", "");
   if (options.count) return *options.count;
-  if (*options.total < 1 || *options.total > max_lattice_sites) {
-    throw Error(fmt::format("lattice: total of {} bodies; give 1 to {}", *options.total, max_lattice_sites));
-  }
+  if (*options.total < 1 || *options.total > max_lattice_sites)
+    throw Error("lattice", fmt::format("total of {} bodies", *options.total),
+                fmt::format("give 1 to {}", max_lattice_sites));
   return nearest_count(options.kind, *options.total, options.periodic);
 }
 
@@ -60,23 +55,23 @@ void require_closure(const LatticeOptions& options, const SiteCount& count) {
   const auto staggered = staggered_axes(options.kind);
   for (int k = 0; k < 3; ++k) {
     if (!options.periodic[k]) continue;
-    if (k >= lattice_dimension(options.kind)) {
-      throw Error(fmt::format("lattice: {} cannot be periodic along {}; it is two-dimensional",
-                              lattice_name(options.kind), "xyz"[k]));
-    }
-    if (staggered[k] && count[k] % 2 != 0) {
-      throw Error(
-          fmt::format("lattice: {} with {} rows along {} does not close periodically; give an even number",
-                      lattice_name(options.kind), count[k], "xyz"[k]));
-    }
+    if (k >= lattice_dimension(options.kind))
+      throw Error("lattice",
+                  fmt::format("{} cannot be periodic along {}", lattice_name(options.kind), "xyz"[k]),
+                  "it is two-dimensional");
+    if (staggered[k] && count[k] % 2 != 0)
+      throw Error("lattice",
+                  fmt::format("{} with {} rows along {} does not close periodically",
+                              lattice_name(options.kind), count[k], "xyz"[k]),
+                  "give an even number");
   }
 }
 
 double resolve_spacing(const LatticeOptions& options, double largest_radius) {
   if (!options.spacing) return 2.0 * largest_radius * (1.0 + options.gap) + 2.0 * options.displacement;
   if (std::isfinite(*options.spacing) && *options.spacing > 0.0) return *options.spacing;
-  throw Error(fmt::format("lattice: spacing {} m is not positive and finite; give a number above 0",
-                          *options.spacing));
+  throw Error("lattice", fmt::format("spacing {} m is not positive and finite", *options.spacing),
+              "give a number above 0");
 }
 
 // Along open axes the margin keeps the outer bodies inside for any displacement; along periodic axes it is
@@ -124,9 +119,8 @@ void place_bodies(Packing& packing, const LatticeOptions& options, const SiteCou
 // Overlap (m) that rounding of the coordinates can produce.
 double rounding_depth(const Bounds& bounds) {
   double farthest = 0.0;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
     farthest = std::max({farthest, std::abs(bounds.lower[k]), std::abs(bounds.upper[k])});
-  }
   return 16.0 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
@@ -141,8 +135,9 @@ double rounded_up(double value) {
   const Body& b = packing.bodies[pair.second];
   const double depth = a.radius + b.radius - pair.distance;
   throw Error(
-      fmt::format("lattice: bodies {} and {} overlap by {:.6g} m; give a spacing of at least {:.6g} m",
-                  std::min(a.id, b.id), std::max(a.id, b.id), depth, rounded_up(sufficient_spacing)));
+      "lattice",
+      fmt::format("bodies {} and {} overlap by {:.6g} m", std::min(a.id, b.id), std::max(a.id, b.id), depth),
+      fmt::format("give a spacing of at least {:.6g} m", rounded_up(sufficient_spacing)));
 }
 
 // Without displacement every distance is proportional to the spacing, so the largest ratio of required to
@@ -173,10 +168,10 @@ void refuse_overlap(const Packing& packing, double spacing, double displacement,
 }  // namespace
 
 LatticeKind lattice_kind(std::string_view name) {
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == name) return LatticeKind(k);
-  }
-  throw Error(fmt::format("lattice: unknown kind {}; {}", quote_token(name), suggest_name(name, names)));
+  throw Error("lattice", fmt::format("unknown kind {}", files::quote_token(name)),
+              files::suggest_name(name, names));
 }
 
 std::string_view lattice_name(LatticeKind kind) { return names[std::size_t(kind)]; }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "scree/packing/lattice.hpp"
-
 #include <array>
 #include <cstdint>
+
+#include <scree/packing/lattice.hpp>
 
 namespace scree::packing {
 

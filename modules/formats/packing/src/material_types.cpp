@@ -10,6 +10,10 @@
 
 namespace scree::packing {
 
+using files::quote_token;
+using files::TextReader;
+using files::Token;
+
 namespace {
 
 // The name as a type number; empty unless it is a positive integer up to the maximum, without leading zeros.
@@ -23,9 +27,8 @@ std::optional<std::int64_t> as_type(const std::string& name) {
 std::vector<std::string> names_in_order(const Packing& packing) {
   std::vector<std::string> names;
   std::unordered_map<std::string, bool> seen;
-  for (const Body& body : packing.bodies) {
+  for (const Body& body : packing.bodies)
     if (seen.emplace(body.material, true).second) names.push_back(body.material);
-  }
   return names;
 }
 
@@ -35,11 +38,10 @@ std::string material_of_type(const Token& token, const std::vector<std::string>&
                              const TextReader& reader) {
   const std::int64_t type = reader.positive_integer(token, "type");
   if (materials.empty()) return fmt::to_string(type);
-  if (type > std::int64_t(materials.size())) {
+  if (type > std::int64_t(materials.size()))
     reader.fail(token.column,
                 fmt::format("type {} has no material: the list has only {}", type, materials.size()),
                 "name a material for every type of the file");
-  }
   return materials[std::size_t(type - 1)];
 }
 
@@ -55,15 +57,14 @@ MaterialTypes::MaterialTypes(const Packing& packing, const std::vector<std::stri
     }
     return;
   }
-  for (const std::string& name : materials.empty() ? used : materials) {
+  for (const std::string& name : materials.empty() ? used : materials)
     type_of_.emplace(name, std::int64_t(type_of_.size()) + 1);
-  }
   if (!materials.empty()) type_of_.emplace("", 1);
   count_ = std::int64_t(materials.empty() ? used.size() : materials.size());
   for (const std::string& name : used) {
     if (type_of_.contains(name)) continue;
-    throw Error(fmt::format("packing: material {} has no type number; add it to the listed materials",
-                            quote_token(name)));
+    throw Error("packing", fmt::format("material {} has no type number", quote_token(name)),
+                "add it to the listed materials");
   }
 }
 

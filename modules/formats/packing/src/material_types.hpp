@@ -1,12 +1,12 @@
 #pragma once
 
-#include "scree/packing/packing.hpp"
-#include "text_reader.hpp"
-
 #include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <vector>
+
+#include <scree/files/text_reader.hpp>
+#include <scree/packing/packing.hpp>
 
 namespace scree::packing {
 
@@ -14,8 +14,8 @@ namespace scree::packing {
 inline constexpr std::int64_t max_type = 10'000;
 
 // Material of a type number: its name in the list, or the number as text if the list is empty.
-std::string material_of_type(const Token& type, const std::vector<std::string>& materials,
-                             const TextReader& reader);
+std::string material_of_type(const files::Token& type, const std::vector<std::string>& materials,
+                             const files::TextReader& reader);
 
 // Type numbers for the materials of a packing; see ExportOptions::materials for the rule.
 class MaterialTypes {

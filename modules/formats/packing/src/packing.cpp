@@ -1,14 +1,13 @@
-#include "scree/packing/packing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
+#include <string>
 #include <unordered_set>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/packing/packing.hpp>
 
 namespace scree::packing {
 
@@ -20,61 +19,53 @@ bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 
 bool unset_or_positive(double value) { return std::isnan(value) || positive(value); }
 
-[[noreturn]] void fail(const Body& body, std::string_view message, std::string_view cure) {
-  throw Error(fmt::format("packing: body {}: {}; {}", body.id, message, cure));
+[[noreturn]] void fail(const Body& body, const std::string& problem, const std::string& cure) {
+  throw Error(fmt::format("packing: body {}", body.id), problem, cure);
 }
 
 void check_body(const Body& body, int dimension) {
   if (body.id <= 0) fail(body, "the id is not positive", "number the bodies from 1 on");
-  if (!positive(body.radius)) {
+  if (!positive(body.radius))
     fail(body, fmt::format("the radius {} m is not positive and finite", body.radius),
          "give a radius above 0");
-  }
   if (!unset_or_positive(body.density))
     fail(body, "the density is not positive", "give a density above 0, or none");
   if (!unset_or_positive(body.mass)) fail(body, "the mass is not positive", "give a mass above 0, or none");
-  if (!std::isnan(body.density) && !std::isnan(body.mass)) {
+  if (!std::isnan(body.density) && !std::isnan(body.mass))
     fail(body, "density and mass are both given", "give one of them");
-  }
-  if (!finite(body.position) || !finite(body.velocity) || !finite(body.spin)) {
+  if (!finite(body.position) || !finite(body.velocity) || !finite(body.spin))
     fail(body, "position, velocity or spin is not finite", "give finite numbers");
-  }
   const bool planar =
       body.position[2] == 0.0 && body.velocity[2] == 0.0 && body.spin[0] == 0.0 && body.spin[1] == 0.0;
-  if (dimension == 2 && !planar) {
+  if (dimension == 2 && !planar)
     fail(body, "z, vz, spin_x or spin_y is not 0 in two dimensions",
          "set them to 0, or use three dimensions");
-  }
 }
 
 void check_box(const Packing& packing) {
-  if (packing.bounds && !(finite(packing.bounds->lower) && finite(packing.bounds->upper))) {
-    throw Error("packing: the bounds are not finite; give finite numbers");
-  }
+  if (packing.bounds && !(finite(packing.bounds->lower) && finite(packing.bounds->upper)))
+    throw Error("packing", "the bounds are not finite", "give finite numbers");
   for (int k = 0; k < 3; ++k) {
     const double length = packing.bounds ? packing.bounds->upper[k] - packing.bounds->lower[k] : 0.0;
-    if (length < 0.0) {
-      throw Error(
-          fmt::format("packing: the upper bound along {} is below the lower one; swap them", "xyz"[k]));
-    }
-    if (packing.periodic[k] && !positive(length)) {
-      throw Error(
-          fmt::format("packing: {} is periodic without a finite period; give bounds along it", "xyz"[k]));
-    }
+    if (length < 0.0)
+      throw Error("packing", fmt::format("the upper bound along {} is below the lower one", "xyz"[k]),
+                  "swap them");
+    if (packing.periodic[k] && !positive(length))
+      throw Error("packing", fmt::format("{} is periodic without a finite period", "xyz"[k]),
+                  "give bounds along it");
   }
 }
 
 }  // namespace
 
 void check(const Packing& packing) {
-  if (packing.dimension != 2 && packing.dimension != 3) {
-    throw Error(fmt::format("packing: {} dimensions are not supported; give 2 or 3", packing.dimension));
-  }
-  if (packing.bodies.empty()) throw Error("packing: there are no bodies; add at least one");
-  if (packing.dimension == 2 && packing.periodic[2]) {
-    throw Error("packing: z is periodic in two dimensions; keep only x and y");
-  }
-  if (!std::isfinite(packing.time)) throw Error("packing: the time is not finite; give a number of seconds");
+  if (packing.dimension != 2 && packing.dimension != 3)
+    throw Error("packing", fmt::format("{} dimensions are not supported", packing.dimension), "give 2 or 3");
+  if (packing.bodies.empty()) throw Error("packing", "there are no bodies", "add at least one");
+  if (packing.dimension == 2 && packing.periodic[2])
+    throw Error("packing", "z is periodic in two dimensions", "keep only x and y");
+  if (!std::isfinite(packing.time))
+    throw Error("packing", "the time is not finite", "give a number of seconds");
   check_box(packing);
   std::unordered_set<std::int64_t> ids;
   for (const Body& body : packing.bodies) {

@@ -1,5 +1,3 @@
-#include "scree/packing/radius_distribution.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +9,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
+#include <scree/packing/radius_distribution.hpp>
 
 namespace scree::packing {
 
@@ -18,16 +17,16 @@ namespace {
 
 void require_radius(double radius, std::string_view what) {
   if (std::isfinite(radius) && radius > 0.0) return;
-  throw Error(fmt::format("radius distribution: {} {} m is not positive and finite; give a number above 0",
-                          what, radius));
+  throw Error("radius distribution", fmt::format("{} {} m is not positive and finite", what, radius),
+              "give a number above 0");
 }
 
 void require_range(double minimum, double maximum) {
   require_radius(minimum, "minimum");
   require_radius(maximum, "maximum");
   if (minimum <= maximum) return;
-  throw Error(
-      fmt::format("radius distribution: minimum {} m exceeds maximum {} m; swap them", minimum, maximum));
+  throw Error("radius distribution", fmt::format("minimum {} m exceeds maximum {} m", minimum, maximum),
+              "swap them");
 }
 
 // Fraction of a normal distribution in [minimum, maximum]. If both bounds lie below the mean they are
@@ -50,55 +49,51 @@ void check_distribution(const UniformRadius& d) { require_range(d.minimum, d.max
 
 void check_distribution(const NormalRadius& d) {
   require_range(d.minimum, d.maximum);
-  if (!std::isfinite(d.mean)) throw Error("radius distribution: the mean is not finite; give a number");
-  if (!(std::isfinite(d.standard_deviation) && d.standard_deviation > 0.0)) {
-    throw Error(
-        fmt::format("radius distribution: standard deviation {} m is not positive and finite; give a number "
-                    "above 0, or a constant radius",
-                    d.standard_deviation));
-  }
+  if (!std::isfinite(d.mean)) throw Error("radius distribution", "the mean is not finite", "give a number");
+  if (!(std::isfinite(d.standard_deviation) && d.standard_deviation > 0.0))
+    throw Error("radius distribution",
+                fmt::format("standard deviation {} m is not positive and finite", d.standard_deviation),
+                "give a number above 0, or a constant radius");
   const double fraction = acceptance(d);
-  if (fraction < min_acceptance) {
+  if (fraction < min_acceptance)
     throw Error(
-        fmt::format("radius distribution: only a fraction of {:.2g} of the normal distribution lies between "
-                    "minimum {} m and maximum {} m; widen the range or move the mean into it",
-                    fraction, d.minimum, d.maximum));
-  }
+        "radius distribution",
+        fmt::format(
+            "only a fraction of {:.2g} of the normal distribution lies between minimum {} m and maximum {} m",
+            fraction, d.minimum, d.maximum),
+        "widen the range or move the mean into it");
 }
 
 void check_distribution(const BidisperseRadius& d) {
   require_radius(d.small_radius, "small radius");
   require_radius(d.large_radius, "large radius");
-  if (d.small_radius > d.large_radius) {
-    throw Error(fmt::format("radius distribution: small radius {} m exceeds large radius {} m; swap them",
-                            d.small_radius, d.large_radius));
-  }
-  if (!(d.large_fraction >= 0.0 && d.large_fraction <= 1.0)) {
-    throw Error(
-        fmt::format("radius distribution: fraction {} of large bodies is not between 0 and 1; give 0 to 1",
-                    d.large_fraction));
-  }
+  if (d.small_radius > d.large_radius)
+    throw Error("radius distribution",
+                fmt::format("small radius {} m exceeds large radius {} m", d.small_radius, d.large_radius),
+                "swap them");
+  if (!(d.large_fraction >= 0.0 && d.large_fraction <= 1.0))
+    throw Error("radius distribution",
+                fmt::format("fraction {} of large bodies is not between 0 and 1", d.large_fraction),
+                "give 0 to 1");
 }
 
 void check_distribution(const ListedRadius& d) {
-  if (d.radii.empty()) throw Error("radius distribution: the list is empty; give at least one radius");
+  if (d.radii.empty()) throw Error("radius distribution", "the list is empty", "give at least one radius");
   for (const double radius : d.radii) require_radius(radius, "listed radius");
   if (d.weights.empty()) return;
-  if (d.weights.size() != d.radii.size()) {
-    throw Error(fmt::format("radius distribution: {} for {}; give one weight for each radius",
-                            counted(d.weights.size(), "weight"), counted(d.radii.size(), "radius", "radii")));
-  }
-  for (const double weight : d.weights) {
-    if (!(std::isfinite(weight) && weight >= 0.0)) {
-      throw Error(
-          fmt::format("radius distribution: weight {} is negative or not finite; give 0 or more", weight));
-    }
-  }
+  if (d.weights.size() != d.radii.size())
+    throw Error("radius distribution",
+                fmt::format("{} for {}", counted(d.weights.size(), "weight"),
+                            counted(d.radii.size(), "radius", "radii")),
+                "give one weight for each radius");
+  for (const double weight : d.weights)
+    if (!(std::isfinite(weight) && weight >= 0.0))
+      throw Error("radius distribution", fmt::format("weight {} is negative or not finite", weight),
+                  "give 0 or more");
   const double sum = std::accumulate(d.weights.begin(), d.weights.end(), 0.0);
-  if (!(std::isfinite(sum) && sum > 0.0)) {
-    throw Error(fmt::format(
-        "radius distribution: the weights add up to {}; give weights with a positive finite sum", sum));
-  }
+  if (!(std::isfinite(sum) && sum > 0.0))
+    throw Error("radius distribution", fmt::format("the weights add up to {}", sum),
+                "give weights with a positive finite sum");
 }
 
 double draw_one(const ConstantRadius& d, std::size_t, Random&) { return d.radius; }
@@ -131,19 +126,19 @@ double draw_one(const ListedRadius& d, std::size_t index, Random& random) {
   return d.radii[chosen];
 }
 
-struct Range {
+struct Extremes {
   double smallest;
   double largest;
 };
 
-Range range_of(const ConstantRadius& d) { return {d.radius, d.radius}; }
-Range range_of(const UniformRadius& d) { return {d.minimum, d.maximum}; }
-Range range_of(const NormalRadius& d) { return {d.minimum, d.maximum}; }
-Range range_of(const BidisperseRadius& d) {
+Extremes extremes_of(const ConstantRadius& d) { return {d.radius, d.radius}; }
+Extremes extremes_of(const UniformRadius& d) { return {d.minimum, d.maximum}; }
+Extremes extremes_of(const NormalRadius& d) { return {d.minimum, d.maximum}; }
+Extremes extremes_of(const BidisperseRadius& d) {
   return {d.large_fraction == 1.0 ? d.large_radius : d.small_radius,
           d.large_fraction == 0.0 ? d.small_radius : d.large_radius};
 }
-Range range_of(const ListedRadius& d) {
+Extremes extremes_of(const ListedRadius& d) {
   const auto [smallest, largest] = std::minmax_element(d.radii.begin(), d.radii.end());
   return {*smallest, *largest};
 }
@@ -156,23 +151,22 @@ void check(const RadiusDistribution& distribution) {
 
 double smallest_radius(const RadiusDistribution& distribution) {
   check(distribution);
-  return std::visit([](const auto& d) { return range_of(d).smallest; }, distribution);
+  return std::visit([](const auto& d) { return extremes_of(d).smallest; }, distribution);
 }
 
 double largest_radius(const RadiusDistribution& distribution) {
   check(distribution);
-  return std::visit([](const auto& d) { return range_of(d).largest; }, distribution);
+  return std::visit([](const auto& d) { return extremes_of(d).largest; }, distribution);
 }
 
 std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size_t count, Random& random) {
   check(distribution);
   const auto* list = std::get_if<ListedRadius>(&distribution);
-  if (list && list->weights.empty() && list->radii.size() != count) {
-    throw Error(
-        fmt::format("radius distribution: the list has {} for {}; give one for each, or "
-                    "weights to draw them at random",
-                    counted(list->radii.size(), "radius", "radii"), counted(count, "body", "bodies")));
-  }
+  if (list && list->weights.empty() && list->radii.size() != count)
+    throw Error("radius distribution",
+                fmt::format("the list has {} for {}", counted(list->radii.size(), "radius", "radii"),
+                            counted(count, "body", "bodies")),
+                "give one for each, or weights to draw them at random");
   std::vector<double> radii(count);
   std::visit(
       [&](const auto& d) {

@@ -1,8 +1,8 @@
-#include "scree/packing/random.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include <scree/packing/random.hpp>
 
 namespace scree::packing {
 

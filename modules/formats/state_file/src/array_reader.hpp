@@ -8,8 +8,9 @@
 
 namespace scree::state_file {
 
-// Reads arrays from the places where a file has them. Places may claim anything: before memory is taken, an array is
-// compared with the file, all arrays with its size, and the memory with a limit. Throws Error without path and cure.
+// Reads arrays from their places in a file. A damaged file may claim any places: before memory is allocated,
+// each array and the sum of all are compared with the size of the file, and the memory with a limit. Throws
+// Error without path and cure.
 class ArrayReader {
  public:
   // file_bytes: size of the open file; memory: bytes that the arrays may take.
@@ -19,7 +20,7 @@ class ArrayReader {
   StateArray read(const PlacedArray& place);
 
  private:
-  // Of the values; after the comparisons.
+  // Bytes of the values, after the comparisons.
   std::uint64_t bytes_of(const PlacedArray& place);
   void read_bytes(const PlacedArray& place, void* to, std::uint64_t bytes) const;
   template <class T>

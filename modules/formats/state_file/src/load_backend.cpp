@@ -22,11 +22,8 @@ constexpr files::CompanionLibrary library = {
 };
 
 [[noreturn]] void refuse_without_memory(const std::filesystem::path& file) {
-  throw Error(
-      fmt::format("{}: there is no memory for HDF5, which writes and reads states; give the program more "
-                  "(ulimit -v)",
-                  file.string()),
-      ExitStatus::failure);
+  throw Error(file.string(), "there is no memory for HDF5, which writes and reads states",
+              "give the program more (ulimit -v)", ExitStatus::failure);
 }
 
 bool has_room_to_load() {
@@ -36,8 +33,8 @@ bool has_room_to_load() {
   return room != MAP_FAILED && ::munmap(room, with_other_libraries) == 0;
 }
 
-// HDF5 crashes where memory ends while it works. Tried in small pieces as it takes them, since each is a page where
-// there is no room for a heap of the thread.
+// HDF5 crashes if memory ends while it works. Tries small pieces, as HDF5 allocates them: where there is no
+// room for a heap of the thread, each piece takes a page.
 bool has_room_to_work() {
   constexpr std::size_t pieces = 16384, bytes = 256;
   try {

@@ -23,24 +23,24 @@
 namespace scree::state_file {
 namespace {
 
-// A pipe is not waited for, and not read.
+// Neither waits for a pipe nor reads one.
 int open_regular(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   const char* reason = std::strerror(errno);
   if (descriptor < 0 && errno == ENOENT)
-    throw Error(fmt::format("{}: there is no such file; check the path", path.string()));
+    throw Error(path.string(), "there is no such file", "check the path");
   if (descriptor < 0)
-    throw Error(fmt::format("{}: cannot be opened ({}); check its permissions", path.string(), reason));
+    throw Error(path.string(), fmt::format("cannot be opened ({})", reason), "check its permissions");
   struct stat status = {};
   if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) return descriptor;
   ::close(descriptor);
-  throw Error(fmt::format("{}: is not a regular file; give a state file", path.string()));
+  throw Error(path.string(), "is not a regular file", "give a state file");
 }
 
-// (bytes) Far above what the places of the arrays of a state take.
+// Of the child process that asks HDF5 for the places of arrays.
 void limit_memory() {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  constexpr rlim_t most = rlim_t(4) << 30;
+  constexpr rlim_t most = rlim_t(4) << 30;  // (bytes) far above what the places of the arrays of a state take
   rlimit now = {};
   getrlimit(RLIMIT_DATA, &now);
   now.rlim_cur = std::min(now.rlim_cur, most);
@@ -84,9 +84,8 @@ OpenedFile::~OpenedFile() { ::close(descriptor_); }
 void OpenedFile::refuse(const std::string& problem) const {
   struct stat status = {};
   if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0)
-    throw Error(fmt::format("{}: was removed while it was read; give a file that stays", path_.string()));
-  throw Error(fmt::format("{}: {}; write it anew with this version of scree", path_.string(),
-                          files::one_line(problem, 300)));
+    throw Error(path_.string(), "was removed while it was read", "give a file that stays");
+  throw Error(path_.string(), files::one_line(problem, 300), "write it anew with this version of scree");
 }
 
 State OpenedFile::state() const {
@@ -102,7 +101,7 @@ State OpenedFile::state() const {
   } catch (const std::length_error& error) {
     refuse(fmt::format("is damaged, so that HDF5 cannot read it ({})", error.what()));
   } catch (const std::bad_alloc&) {
-    throw Error(fmt::format("{}: does not fit into memory; use a computer with more", path_.string()));
+    throw Error(path_.string(), "does not fit into memory", "use a computer with more");
   }
 }
 

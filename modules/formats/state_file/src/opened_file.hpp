@@ -22,7 +22,7 @@ class OpenedFile {
   State state() const;
 
  private:
-  // Throws Error with the path and a cure: another one for a file that was removed meanwhile.
+  // Throws Error with the path and a cure, which differs for a file that was removed meanwhile.
   [[noreturn]] void refuse(const std::string& problem) const;
 
   std::filesystem::path path_;
@@ -30,12 +30,12 @@ class OpenedFile {
   Seal seal_;
 };
 
-// Name of an open file which stays that of the same file if another one takes its path.
+// A name of an open file that stays valid if another file takes its path.
 std::filesystem::path name_of(int descriptor);
 
-// The places of all arrays of an open file, found in a child process: a file that anyone may have written can crash
-// HDF5, or keep it busy for ever. Where there is no process to be had, they are found here. Throws Error without path
-// and cure.
+// The places of all arrays of an open file. They are found in a child process, since a foreign file can crash
+// HDF5 or keep it busy for ever; if no process can be started, in this one. Throws Error without path and
+// cure.
 std::vector<PlacedArray> places_in(int descriptor, StateBackend& backend);
 
 }  // namespace scree::state_file

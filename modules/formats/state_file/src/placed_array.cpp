@@ -6,7 +6,7 @@
 namespace scree::state_file {
 namespace {
 
-// Both have the same functions, so that one lists the members of an array for both directions.
+// Packer and Unpacker have the same functions, so that transfer() lists the members of an array for both.
 struct Packer {
   std::string bytes;
 

@@ -21,7 +21,7 @@ struct PlacedArray {
   bool operator==(const PlacedArray&) const = default;
 };
 
-// As bytes for another process, and back. unpacked throws std::length_error for bytes that packed did not make.
+// Arrays as bytes for another process, and back. unpacked() throws std::length_error for other bytes.
 std::string packed(const std::vector<PlacedArray>& arrays);
 std::vector<PlacedArray> unpacked(std::string_view bytes);
 

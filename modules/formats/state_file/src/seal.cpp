@@ -1,7 +1,5 @@
 #include "seal.hpp"
 
-#include "checksum.hpp"
-
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -15,6 +13,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
+#include <scree/files/checksum.hpp>
 #include <scree/files/text.hpp>
 
 namespace scree::state_file {
@@ -23,17 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view title = "scree state\nformat ";
-constexpr std::string_view damaged =
-    "is damaged: its bytes do not match its checksum; take another copy of it";
 
-[[noreturn]] void refuse(const fs::path& path, std::string_view problem_and_cure) {
-  throw Error(fmt::format("{}: {}", path.string(), problem_and_cure));
+[[noreturn]] void refuse_damaged(const fs::path& path) {
+  throw Error(path.string(), "is damaged: its bytes do not match its checksum", "take another copy of it");
 }
 
 std::uint64_t size_of(int descriptor, const fs::path& path) {
   struct stat status = {};
   if (::fstat(descriptor, &status) != 0)
-    refuse(path, fmt::format("cannot be read ({}); check the disk", std::strerror(errno)));
+    throw Error(path.string(), fmt::format("cannot be read ({})", std::strerror(errno)), "check the disk");
   return std::uint64_t(status.st_size);
 }
 
@@ -42,15 +39,18 @@ void read_at(int descriptor, char* to, std::size_t bytes, std::uint64_t from, co
     const ssize_t count = ::pread(descriptor, to, bytes, off_t(from));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0)
-      refuse(path, "cannot be read to its end; check the disk, and that nothing is writing the file");
-    to += count, from += std::uint64_t(count), bytes -= std::size_t(count);
+      throw Error(path.string(), "cannot be read to its end",
+                  "check the disk, and that nothing is writing the file");
+    to += count;
+    from += std::uint64_t(count);
+    bytes -= std::size_t(count);
   }
 }
 
-// Checksum of a file with this seal: of the seal, with 0 for the checksum itself, and of all bytes behind it.
+// Checksum of a file with this seal: of the seal, with 0 for the checksum itself, and of all bytes after it.
 std::uint64_t checksum_of(int descriptor, Seal seal, const fs::path& path) {
   constexpr std::size_t block_size = 1u << 20;
-  Checksum checksum;
+  files::Checksum checksum;
   seal.checksum = 0;
   checksum.add(seal.text().data(), Seal::size);
   std::vector<char> block(block_size);
@@ -62,7 +62,7 @@ std::uint64_t checksum_of(int descriptor, Seal seal, const fs::path& path) {
   return checksum.value();
 }
 
-// Cuts the line off the text that begins with the name and a space; the rest of the line.
+// Takes the first line off the text if it begins with the name. Returns the rest of the line.
 std::optional<std::string_view> take_line(std::string_view& text, std::string_view name) {
   const std::size_t end = text.find('\n');
   if (!text.starts_with(name) || end == text.npos || end < name.size()) return std::nullopt;
@@ -81,21 +81,21 @@ std::optional<Number> number_of(std::optional<std::string_view> text, int base) 
 }
 
 Seal parse(std::string_view text, const fs::path& path) {
-  if (!text.starts_with(title)) refuse(path, "is not a state file of scree; give one that scree has written");
+  if (!text.starts_with(title))
+    throw Error(path.string(), "is not a state file of scree", "give one that scree has written");
   take_line(text, "");
   const auto format = number_of<int>(take_line(text, "format "), 10);
   const auto version = take_line(text, "written by scree ");
-  if (!format) refuse(path, damaged);
+  if (!format) refuse_damaged(path);
   if (*format < Seal::oldest || *format > Seal::newest)
-    refuse(
-        path,
-        fmt::format(
-            "has format {}, and this scree reads formats {} to {}; use the version that has written it, {}",
-            *format, Seal::oldest, Seal::newest,
-            files::one_line(version.value_or("which it does not say"), 40)));
+    throw Error(path.string(),
+                fmt::format("has format {}, and this scree reads formats {} to {}", *format, Seal::oldest,
+                            Seal::newest),
+                fmt::format("use the version that has written it, {}",
+                            files::one_line(version.value_or("which it does not say"), 40)));
   const auto bytes = number_of<std::uint64_t>(take_line(text, "bytes "), 10);
   const auto checksum = number_of<std::uint64_t>(take_line(text, "checksum "), 16);
-  if (!version || !bytes || !checksum) refuse(path, damaged);
+  if (!version || !bytes || !checksum) refuse_damaged(path);
   return {*format, std::string(*version), *bytes, *checksum};
 }
 
@@ -116,21 +116,21 @@ void write_seal(int descriptor, const fs::path& path) {
   seal.checksum = checksum_of(descriptor, seal, path);
   const std::string text = seal.text();
   if (::pwrite(descriptor, text.data(), text.size(), 0) != ssize_t(text.size()))
-    throw Error(
-        fmt::format("{}: cannot be written ({}); check the disk", path.string(), std::strerror(errno)),
-        ExitStatus::failure);
+    throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(errno)), "check the disk",
+                ExitStatus::failure);
 }
 
 Seal checked_seal(int descriptor, const fs::path& path) {
   const std::uint64_t bytes = size_of(descriptor, path);
-  if (bytes == 0) refuse(path, "is empty; take another copy of it");
+  if (bytes == 0) throw Error(path.string(), "is empty", "take another copy of it");
   std::string text(std::size_t(std::min<std::uint64_t>(bytes, Seal::size)), '\0');
   read_at(descriptor, text.data(), text.size(), 0, path);
   const Seal seal = parse(text, path);
   if (bytes != seal.bytes)
-    refuse(path, fmt::format("has {}, and {} when it was written; take another copy of it",
-                             counted(bytes, "byte"), seal.bytes));
-  if (text != seal.text() || checksum_of(descriptor, seal, path) != seal.checksum) refuse(path, damaged);
+    throw Error(path.string(),
+                fmt::format("has {}, and {} when it was written", counted(bytes, "byte"), seal.bytes),
+                "take another copy of it");
+  if (text != seal.text() || checksum_of(descriptor, seal, path) != seal.checksum) refuse_damaged(path);
   return seal;
 }
 

@@ -7,11 +7,11 @@
 
 namespace scree::state_file {
 
-// What a state file says of itself in its first bytes, as text before the HDF5 file.
+// The first bytes of a state file, a text before the HDF5 file: format, version, size and checksum.
 struct Seal {
   static constexpr std::size_t size = 512;  // bytes; the smallest user block of HDF5
   static constexpr int newest = 2;          // format that is written
-  static constexpr int oldest = 1;          // that is read
+  static constexpr int oldest = 1;          // format that is read
 
   int format = newest;  // counts incompatible changes of the file
   std::string program_version;

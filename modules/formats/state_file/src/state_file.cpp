@@ -39,11 +39,8 @@ void write_state(const std::filesystem::path& path, const State& state) {
   try {
     backend.write(name_of(file.descriptor()), state);
   } catch (const Error& error) {
-    throw Error(
-        fmt::format(
-            "{}: cannot be written ({}); check the space on the disk and the limit on the size of files",
-            path.string(), error.what()),
-        ExitStatus::failure);
+    throw Error(path.string(), fmt::format("cannot be written ({})", error.what()),
+                "check the space on the disk and the limit on the size of files", ExitStatus::failure);
   }
   write_seal(file.descriptor(), path);
   file.commit();

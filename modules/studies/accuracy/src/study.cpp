@@ -31,12 +31,6 @@ Plan with(Plan plan, const Setting& setting) {
   return plan;
 }
 
-std::string problem_only(const std::string& message) {
-  const auto place = message.find(": "), cure = message.find("; ");
-  const std::size_t from = place == std::string::npos || place > cure ? 0 : place + 2;
-  return message.substr(from, cure == std::string::npos ? cure : cure - from);
-}
-
 class StudyRunner {
  public:
   StudyRunner(const Plan& plan, const StudyOptions& options)
@@ -201,7 +195,7 @@ class StudyRunner {
       outcome.steps = run.steps;
       compare(run, outcome);
     } catch (const Error& error) {
-      outcome.problem = problem_only(error.what());
+      outcome.problem = error.problem();
     }
     found_.outcomes.push_back(std::move(outcome));
     count(traits_of(setting.integration).evaluations * finest_ / setting.step);

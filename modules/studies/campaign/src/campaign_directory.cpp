@@ -1,6 +1,5 @@
-#include "directory_layout.hpp"
-
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -16,24 +15,37 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* state_of_spectrum = "state.h5";  // from which a spectrum goes on
+constexpr const char* state_path = "SCREE_STATE_PATH";
+
 // Two campaigns in one directory would replace each other's runs.
 void check_owner(const fs::path& path, const Campaign& campaign) {
   std::error_code failed;
   const fs::path record = path / "campaign.json";
   if (!fs::exists(record, failed)) return;
   if (!fs::is_regular_file(record, failed))
-    throw Error(fmt::format("{}: is not a file; remove it, or give another --out", record.string()));
+    throw Error(record.string(), "is not a file", "remove it, or give another --out");
   const auto json = run::parse_record(files::read_text(record));
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return;
   const std::string owner = json["file"];
   // Campaign file and directory may have been moved together.
   const bool elsewhere = fs::exists(owner, failed) && !fs::equivalent(owner, campaign.source, failed);
   if (elsewhere || fs::path(owner).filename() != campaign.source.filename())
-    throw Error(fmt::format("{}: contains the campaign of {}; give another --out", path.string(),
-                            files::one_line(owner)));
+    throw Error(path.string(), fmt::format("contains the campaign of {}", files::one_line(owner)),
+                "give another --out");
 }
 
 }  // namespace
+
+StatePath::StatePath(const std::filesystem::path& folder) {
+  if (folder.string().find(':') != std::string::npos)
+    throw Error(folder.parent_path().string(), "the path of a campaign with [prepare] cannot contain ':'",
+                "give another --out");
+  if (const char* before = std::getenv(state_path)) before_ = before;
+  setenv(state_path, (folder.string() + (before_ ? ":" + *before_ : "")).c_str(), 1);
+}
+
+StatePath::~StatePath() { before_ ? setenv(state_path, before_->c_str(), 1) : unsetenv(state_path); }
 
 CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bool alone)
     : files_(std::move(path), run::RunDirectory::Existing::keep, run::RunDirectory::Kind::campaign) {

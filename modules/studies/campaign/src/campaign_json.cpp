@@ -1,10 +1,18 @@
-#include "setting_json.hpp"
+#include <nlohmann/json.hpp>
 
 #include <scree/campaign/report.hpp>
 
 namespace scree::campaign {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A TOML value as JSON: numbers, strings, booleans and lists as themselves, anything else as its text.
+Json setting_json(const std::string& toml) {
+  Json json = Json::parse(toml, nullptr, false);
+  return json.is_discarded() ? Json(toml) : json;
+}
 
 Json settings_json(const std::vector<Setting>& settings) {
   Json json = Json::object();

@@ -66,8 +66,8 @@ std::vector<Case> read_cases(const Table& root) {
 }
 
 Error set_elsewhere(const Setting& setting, const char* where) {
-  return Error(fmt::format("{}: '{}' is also set by {}; keep one of the two", setting.place,
-                           one_line(setting.key), where));
+  return Error(setting.place, fmt::format("'{}' is also set by {}", one_line(setting.key), where),
+               "keep one of the two");
 }
 
 // Each key must have a single source, so that the table columns are unambiguous.
@@ -77,8 +77,8 @@ void check_sources(const Campaign& c) {
   for (const Parameter& parameter : c.parameters) {
     keys.insert(parameter.key);
     if (parameter.key == "scene.seed")
-      throw Error(fmt::format("{}: scene.seed cannot be in [set]; write seeds = [...] in [campaign]",
-                              parameter.values.front().place));
+      throw Error(parameter.values.front().place, "scene.seed cannot be in [set]",
+                  "write seeds = [...] in [campaign]");
   }
   const auto check = [&](const Setting& setting) {
     if (!c.seeds.empty() && setting.key == "scene.seed") throw set_elsewhere(setting, "seeds");
@@ -99,12 +99,12 @@ void check_scenario(const Campaign& c) {
   const std::filesystem::file_status status = std::filesystem::status(c.scenario, failed);
   // Each run reads the scenario again, which a pipe gives only once.
   if (std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status))
-    throw Error(fmt::format("{}: {} is not a regular file; give a file that can be read several times",
-                            c.scenario_place, c.scenario.string()));
+    throw Error(c.scenario_place, fmt::format("{} is not a regular file", c.scenario.string()),
+                "give a file that can be read several times");
   try {
     Document::load(c.scenario);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", c.scenario_place, error.what()));
+    throw error.at(c.scenario_place);
   }
 }
 
@@ -140,13 +140,14 @@ std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campai
   const auto table = root.optional_table("prepare");
   if (!table) {
     if (!overrides.empty())
-      throw Error(fmt::format("--set prepare.{}: the campaign has no [prepare]; leave \"prepare.\" out",
-                              one_line(overrides.front())));
+      throw Error(fmt::format("--set prepare.{}", one_line(overrides.front())),
+                  "the campaign has no [prepare]", "leave \"prepare.\" out");
     for (const Case& one : c.cases)
       if (!one.preparation.empty())
-        throw Error(fmt::format(
-            "{}: a case sets '{}' of its preparation, but there is no [prepare]; add one with scenario",
-            one.preparation.front().place, one_line(one.preparation.front().key)));
+        throw Error(one.preparation.front().place,
+                    fmt::format("a case sets '{}' of its preparation, but there is no [prepare]",
+                                one_line(one.preparation.front().key)),
+                    "add one with scenario");
     return nullptr;
   }
   const auto preparation = std::make_shared<Campaign>();

@@ -1,5 +1,4 @@
 #include "job.hpp"
-#include "run_log.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -19,13 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// The same check as by the run itself: the directory may contain other files.
+// Checks the directory as the run itself will: it may contain other files.
 void check_directory(const fs::path& path, const Campaign& campaign) {
   std::error_code failed;
   for (const fs::path& one : {path, path.parent_path()})
     if (fs::is_symlink(fs::symlink_status(one, failed)))
-      throw Error(fmt::format(
-          "{}: is a symbolic link, which is not followed; remove it, or give another --out", one.string()));
+      throw Error(one.string(), "is a symbolic link, which is not followed",
+                  "remove it, or give another --out");
   using run::RunDirectory;
   RunDirectory(path, RunDirectory::Existing::replace,
                campaign.methods.empty() ? RunDirectory::Kind::run : RunDirectory::Kind::spectrum);
@@ -94,7 +93,7 @@ class Executor {
     if (job.to_do) waiting_.push_back(&jobs_.back());
   }
 
-  // Checks all points whose preparation is there, once: the others differ from them only in the seed.
+  // Checks, once, all points whose preparation is finished: the others differ from them only in the seed.
   void check_points() {
     if (points_checked_) return;
     std::size_t checked = 0;
@@ -159,7 +158,7 @@ class Executor {
     failed_ += job.outcome.status == Status::failed;
   }
 
-  // A state that cannot be read, or that belongs to other plug-ins.
+  // Runs a job from its start, since its state cannot be read or belongs to other plug-ins.
   void begin_anew(Job& job) {
     result_.begun_anew.push_back(job.point.name + ": " + problem_of(directory_.log(job.point), ""));
     job.goes_on = false;
@@ -180,9 +179,12 @@ class Executor {
     return outcome;
   }
 
-  // What the end of a preparation means for its points.
+  // After the end of a preparation: its points can run, or have failed with it.
   void follow(const Job& preparation) {
-    if (preparation.is_there()) result_.prepared.push_back(preparation.id), check_points();
+    if (preparation.is_there()) {
+      result_.prepared.push_back(preparation.id);
+      check_points();
+    }
     if (!preparation.has_failed()) return;
     std::erase_if(waiting_, [&](Job* job) {
       if (job->preparation != &preparation) return false;

@@ -4,9 +4,9 @@
 
 namespace scree::campaign {
 
-// A run of this call: a preparation or a point of a campaign.
+// A run of this call of scree campaign: a preparation or a point.
 struct Job {
-  const Campaign& campaign;  // that of the point
+  const Campaign& campaign;  // to which the point belongs
   const Point& point;
   Outcome& outcome;
   const Job* preparation = nullptr;  // from which it branches
@@ -19,8 +19,14 @@ struct Job {
   bool is_there() const { return !to_do && outcome.status == Status::finished; }
 };
 
-// The call of the program for a job.
+// The command line of a job.
 std::vector<std::string> command_of(const Job& job, const std::filesystem::path& directory,
                                     const ExecutionOptions& options);
+
+// Reason why a run has not finished: the last line "scree: ..." of its log without that prefix, else its last
+// line; then `how` its process ended, in brackets.
+std::string problem_of(const std::filesystem::path& log, const std::string& how);
+// Progress of a run, 0 to 1, from the last progress line of its log, " 42 %  ..."; 0 if there is none.
+double share_in(const std::filesystem::path& log);
 
 }  // namespace scree::campaign

@@ -1,20 +1,22 @@
-#include "collected.hpp"
-#include "setting_json.hpp"
-
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <scree/campaign/outcome.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/input_hashes.hpp>
 #include <scree/run/record_json.hpp>
+#include <scree/run/series.hpp>
+#include <scree/scenario/quantities.hpp>
 
 namespace scree::campaign {
 
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 // Absent in a run.json of former versions.
 std::optional<run::InputHashes> hashes_in(const Json& json) {
@@ -28,6 +30,26 @@ Status status_of(const Json& json, const Inputs& inputs) {
   for (const Status known : {Status::finished, Status::failed, Status::running})
     if (status == status_name(known)) return known;
   return Status::interrupted;
+}
+
+// Values of quantities "<probe>.<column>.<statistic>" from the series of a run. Where a series is missing or
+// damaged, its quantities are omitted, and a line "<what>; <cure>" is appended to `damaged`.
+std::vector<std::pair<std::string, double>> collected(const std::filesystem::path& directory,
+                                                      const std::vector<std::string>& names,
+                                                      std::vector<std::string>& damaged) {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (const std::string& name : names) {
+    const scenario::SeriesQuantity of = scenario::series_quantity(name);
+    try {
+      const std::vector<double> values = run::series_column(directory / "series" / (of.probe + ".csv"),
+                                                            of.column, "run the campaign with --overwrite");
+      if (!values.empty()) numbers.emplace_back(name, scenario::series_statistic(values, of.statistic));
+    } catch (const Error& error) {
+      if (std::find(damaged.begin(), damaged.end(), error.what()) == damaged.end())
+        damaged.push_back(error.what());
+    }
+  }
+  return numbers;
 }
 
 void add_numbers(const Json& json, const std::string& above, Outcome& outcome) {
@@ -54,6 +76,12 @@ const char* status_name(Status status) {
   static constexpr const char* names[] = {"missing", "changed", "interrupted",
                                           "running", "failed",  "finished"};
   return names[std::size_t(status)];
+}
+
+double Outcome::number(const std::string& name) const {
+  for (const auto& [known, value] : numbers)
+    if (known == name) return value;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::size_t Outcome::unmet() const {

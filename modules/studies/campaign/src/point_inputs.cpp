@@ -11,31 +11,39 @@ namespace scree::campaign {
 
 namespace {
 
-// Position of the setting that an error message refers to, else that of the scenario.
-std::string position_of_cause(const Campaign& campaign, const Point& point, const std::string& line) {
+// Whether an error concerns the value that a setting gives to a key.
+bool is_of(const Error& error, const std::string& key) {
+  const std::string& begin = error.place().empty() ? error.problem() : error.place();
+  return begin.starts_with("--set " + key + "=");
+}
+
+// Position of the setting that causes an error, or else of the scenario.
+std::string position_of_cause(const Campaign& campaign, const Point& point, const Error& error) {
   for (const Setting& setting : point.settings)
-    if (line.starts_with("--set " + setting.key + "=")) return setting.place;
+    if (is_of(error, setting.key)) return setting.place;
   return campaign.scenario_place;
 }
 
 // Hint for a common error: [0, 0, -9.81] in [set] means three values, not one vector.
-std::string bracket_hint(const Campaign& campaign, const Point& point, const std::string& line) {
-  if (line.find("give an array") == std::string::npos) return "";
+std::string bracket_hint(const Campaign& campaign, const Error& error) {
+  if (error.cure().find("give an array") == std::string::npos) return "";
   for (const Parameter& parameter : campaign.parameters)
-    if (line.starts_with("--set " + point.find(parameter.key)->key + "="))
+    if (is_of(error, parameter.key))
       return " (in [set] a list is a list of values; write [[...]] for one that is itself a list)";
   return "";
 }
 
-// Runs `action`; prefixes an error in the scenario of a point with the position in the campaign file.
+// Does work on the scenario of a point. Its errors then name the run and the position in the campaign file.
 template <class Action>
 auto placed(const Campaign& campaign, const Point& point, Action&& action) {
   try {
     return action();
   } catch (const Error& error) {
-    const std::string line = error.what();
-    throw Error(fmt::format("{}: in run '{}' {}{}", position_of_cause(campaign, point, line), point.name,
-                            line, bracket_hint(campaign, point, line)));
+    const std::string run = fmt::format("in run '{}' ", point.name),
+                      cause = position_of_cause(campaign, point, error),
+                      cure = error.cure() + bracket_hint(campaign, error);
+    if (error.place().empty()) throw Error(cause, run + error.problem(), cure);
+    throw Error(cause + ": " + run + error.place(), error.problem(), cure);
   }
 }
 
@@ -44,8 +52,7 @@ auto placed(const Campaign& campaign, const Point& point, Action&& action) {
 Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost& host) {
   return placed(campaign, point, [&] {
     const auto document = document::Document::load(campaign.scenario, point.overrides());
-    if (!document.conflict().empty())
-      throw Error(fmt::format("{}; keep one of the two", document.conflict()));
+    if (!document.conflict().empty()) throw Error("", document.conflict(), "keep one of the two");
     return Inputs{document.resolved_text(),
                   run::hashes_of(scenario::input_files(document, campaign.scenario, host))};
   });
@@ -68,16 +75,16 @@ void check_point(const Campaign& campaign, const Point& point, PluginHost& host,
                  const scenario::StudyTables& studies) {
   const scenario::Plan plan = checked_plan(campaign, point, host, studies);
   if (!campaign.methods.empty() && !plan.document->root().has("spectrum"))
-    throw Error(
-        fmt::format("{}: {} has no [spectrum] to measure; add one, or remove spectrum from [campaign]",
-                    campaign.scenario_place, campaign.scenario.string()));
+    throw Error(campaign.scenario_place,
+                fmt::format("{} has no [spectrum] to measure", campaign.scenario.string()),
+                "add one, or remove spectrum from [campaign]");
   const std::vector<std::string> known = scenario::quantity_names(plan.probes, plan.scene.dimension);
   for (const std::string& name : campaign.collect) {
     if (const auto problem = scenario::quantity_problem(name, known))
-      throw Error(fmt::format("{}: {}", campaign.collect_place, *problem));
+      throw Error(*problem).at(campaign.collect_place);
     if (!plan.scene.audit && scenario::needs_energy_audit(name))
-      throw Error(fmt::format("{}: '{}' needs the energy audit; set time.energy_audit = true, or remove it",
-                              campaign.collect_place, name));
+      throw Error(campaign.collect_place, fmt::format("'{}' needs the energy audit", name),
+                  "set time.energy_audit = true, or remove it");
   }
 }
 
@@ -86,9 +93,9 @@ std::vector<Body> check_preparation(const Campaign& preparation, const Point& po
   const scenario::Plan plan = checked_plan(preparation, point, host, studies);
   if (!plan.checkpoint.final_state)
     throw Error(
-        fmt::format("{}: {} writes no final state, from which runs could begin; remove "
-                    "checkpoint.final_state = false",
-                    preparation.scenario_place, preparation.scenario.string()));
+        preparation.scenario_place,
+        fmt::format("{} writes no final state, from which runs could begin", preparation.scenario.string()),
+        "remove checkpoint.final_state = false");
   return plan.scene.bodies;
 }
 

@@ -1,5 +1,3 @@
-#include "table_columns.hpp"
-
 #include <algorithm>
 #include <iterator>
 
@@ -47,7 +45,7 @@ void write_expectations(const std::vector<Outcome>& outcomes, Out out) {
 
 constexpr std::size_t max_listed = 20;
 
-// With the first of the cases that it is for, and its seed.
+// The name of a preparation, with its first case and its seed.
 std::string name_of(const Point& preparation) {
   std::vector<std::string> of;
   if (!preparation.case_name.empty()) of.push_back(files::one_line(preparation.case_name));
@@ -65,7 +63,7 @@ void write_preparations(const Campaign& campaign, const Execution& execution, Ou
     if (outcomes[k].status == Status::failed)
       fmt::format_to(out, "FAILED   {}: {}\n", name, outcomes[k].problem);
     else if (now && ++made <= max_listed)
-      fmt::format_to(out, "prepared {} in {:.3g} s\n", name, number_of(outcomes[k], "wall_s"));
+      fmt::format_to(out, "prepared {} in {:.3g} s\n", name, outcomes[k].number("wall_s"));
     else if (!now && outcomes[k].status == Status::finished)
       ++kept;
   }
@@ -94,7 +92,10 @@ void write_warnings(const Campaign& campaign, const std::vector<Outcome>& outcom
                     const char* where, Out out) {
   std::size_t count = 0, first = outcomes.size();
   for (std::size_t k = outcomes.size(); k-- > 0;)
-    if (!outcomes[k].warnings.empty()) first = k, ++count;
+    if (!outcomes[k].warnings.empty()) {
+      first = k;
+      ++count;
+    }
   if (count)
     fmt::format_to(out, "WARNINGS in {} of {}, see {}; {}: {}\n", count, counted(outcomes.size(), noun),
                    where, campaign.points[first].name,

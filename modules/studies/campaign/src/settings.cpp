@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <scree/document/document.hpp>
 #include <scree/document/message.hpp>
@@ -67,7 +68,8 @@ class Reader {
   std::set<std::string> taken_;
 };
 
-// In place of the one with its key, since the order of parameters is that of the names of runs; or behind all.
+// Replaces the element with the same key, or appends a new one: the order of parameters is their order in the
+// names of runs.
 template <class T>
 void put(std::vector<T>& all, T one) {
   const auto known =
@@ -82,7 +84,7 @@ void put(std::vector<T>& all, T one) {
 Settings read_override(const std::string& text, bool lists_vary) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw Error(fmt::format("--set {}: is not KEY=VALUE; write --set time.step=1e-5", one_line(text)));
+    throw Error(fmt::format("--set {}", one_line(text)), "is not KEY=VALUE", "write --set time.step=1e-5");
   // The path is a single key here.
   const std::string key = text.substr(0, equals), quote = key.find('\'') == std::string::npos ? "'" : "\"";
   const auto document = document::Document::parse("", "--set", {quote + key + quote + text.substr(equals)});
@@ -103,6 +105,11 @@ std::vector<Setting> read_case_settings(const Table& table) {
   Reader reader(false);
   reader.read(table, "");
   return reader.take().fixed;
+}
+
+std::string setting_text(const std::string& toml) {
+  const auto json = nlohmann::json::parse(toml, nullptr, false);
+  return json.is_string() ? json.get<std::string>() : toml;
 }
 
 void replace_setting(Settings& settings, const std::string& text) {

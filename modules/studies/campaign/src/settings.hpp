@@ -21,10 +21,13 @@ Settings read_settings(const document::Table& table);
 // Settings of a case: a list is a value.
 std::vector<Setting> read_case_settings(const document::Table& table);
 
-// "KEY=VALUE" of the command line, as a line of [set], in place of what the settings have for KEY. Throws Error as read_settings, and
-// for a text without KEY or VALUE.
+// A TOML value for people: a string without its quotes, anything else as it is.
+std::string setting_text(const std::string& toml);
+
+// Replaces what the settings have for KEY by "KEY=VALUE" of the command line, read like a line of [set].
+// Throws Error like read_settings, and for a text without KEY or VALUE.
 void replace_setting(Settings& settings, const std::string& text);
-// The same among settings in which a list is a value.
+// The same for settings in which a list is a value.
 void replace_setting(std::vector<Setting>& settings, const std::string& text);
 
 }  // namespace scree::campaign

@@ -88,7 +88,7 @@ class VibrationStudy : public run::Study {
       const auto last = options_.loads ? run::set_up_with_last_stage(plan_) : nullptr;
       if (last) response::check_loaded_walls(*last);
     } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+      throw error.at(plan_.source.string());
     }
   }
 
@@ -101,7 +101,7 @@ class VibrationStudy : public run::Study {
       if (!rest.warning.empty()) session_.warn(rest.warning);
       system_.emplace(response::assemble(*simulation_, assembly_));
     } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+      throw error.at(plan_.source.string());
     }
   }
 
@@ -120,7 +120,7 @@ class VibrationStudy : public run::Study {
     try {
       check_search(undamped, options_);
     } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()));
+      throw error.at(plan_.source.string(), ExitStatus::bad_input);
     }
   }
 

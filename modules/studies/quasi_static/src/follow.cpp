@@ -182,7 +182,7 @@ void LoadStudy::check_last_stage() const {
     response::check_laws(plan_.scene, response::LawsNeeded::all);
     if (const auto last = run::set_up_with_last_stage(plan_)) response::loads_of_walls(*last, last->time());
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+    throw error.at(plan_.source.string());
   }
 }
 
@@ -211,7 +211,7 @@ void LoadStudy::begin_packing(std::unique_ptr<Simulation> simulation) {
       session_.warn(warning);
     if (packing_.begin(std::move(simulation))) return;
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", plan_.source.string(), error.what()), error.status());
+    throw error.at(plan_.source.string());
   }
   // The load jumps there, or the packing has not come to rest.
   session_.warn(

@@ -69,7 +69,7 @@ bool is_unused(const fs::path& path, const Layout& layout) {
 }
 
 files::PlaceError refusal(const fs::path& path, const std::string& problem, const char* cure = "") {
-  return files::PlaceError(fmt::format("{}: {}", path.string(), problem), cure, ExitStatus::bad_input,
+  return files::PlaceError(path.string(), problem, cure, ExitStatus::bad_input,
                            "give the directory of one that was interrupted");
 }
 
@@ -169,8 +169,9 @@ void RunDirectory::check() const {
   if (fs::exists(fs::symlink_status(path_, failed))) check_present(path_, kind_, existing_);
   const fs::path existing = existing_part(path_);
   if (!fs::is_directory(existing, failed) || access(existing.c_str(), W_OK | X_OK) != 0)
-    throw files::PlaceError(fmt::format("{}: cannot be written ({} is not a writable directory)",
-                                        path_.string(), existing.string()));
+    throw files::PlaceError(
+        path_.string(), fmt::format("cannot be written ({} is not a writable directory)", existing.string()),
+        "");
 }
 
 void RunDirectory::take() {
@@ -268,22 +269,22 @@ void RunDirectory::write_file(const std::string& name, const std::string& text) 
 }
 
 void throw_unwritable(const fs::path& path, int code) {
-  const std::string problem = fmt::format("{}: cannot be written", path.string());
+  const std::string problem = "cannot be written";
   const auto failure = ExitStatus::failure;
   for (const fs::path& place : {path, fs::path(path) += files::part_suffix})
     if (std::error_code failed; fs::is_directory(fs::symlink_status(place, failed)))
-      throw files::PlaceError(fmt::format("{}: is a directory in the place of a file", place.string()),
-                              "move it elsewhere", failure);
+      throw files::PlaceError(place.string(), "is a directory in the place of a file", "move it elsewhere",
+                              failure);
   if (code == EMFILE)
-    throw Error(problem + " (too many files are open); use fewer probes, or raise the limit (ulimit -n)",
-                failure);
+    throw Error(path.string(), problem + " (too many files are open)",
+                "use fewer probes, or raise the limit (ulimit -n)", failure);
   if (code == EFBIG)
-    throw Error(problem + " (it would be too large); raise the limit (ulimit -f) or sample less often",
-                failure);
+    throw Error(path.string(), problem + " (it would be too large)",
+                "raise the limit (ulimit -f) or sample less often", failure);
   if (code == EACCES || code == EPERM || code == EROFS || code == ENOENT || code == ENOTDIR || code == ELOOP)
-    throw files::PlaceError(fmt::format("{} ({})", problem, std::strerror(code)),
+    throw files::PlaceError(path.string(), fmt::format("{} ({})", problem, std::strerror(code)),
                             "check its folder and its permissions", failure);
-  throw files::PlaceError(problem, "free disk space", failure);
+  throw files::PlaceError(path.string(), problem, "free disk space", failure);
 }
 
 fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {

@@ -88,8 +88,7 @@ std::vector<double> series_column(const std::filesystem::path& file, const std::
     return read_column(file, name);
   } catch (const Error& error) {
     // A run has written the file, so that no cure is to write it otherwise.
-    const std::string line = error.what();
-    throw Error(line.substr(0, line.find("; ", file.string().size())) + "; " + cure, ExitStatus::failure);
+    throw Error(error.place(), error.problem(), cure, ExitStatus::failure);
   }
 }
 

@@ -29,7 +29,7 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
   } catch (const Error& error) {
     // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
     const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty();
-    throw Error(fmt::format("{}: {}", of_bodies ? plan.bodies_place : plan.periodic_place, error.what()));
+    throw error.at(of_bodies ? plan.bodies_place : plan.periodic_place, ExitStatus::bad_input);
   }
 }
 
@@ -80,7 +80,7 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
     try {
       check_start(probe, plan, simulation, simulation.time() + span.begin, simulation.time() + span.end);
     } catch (const Error& error) {
-      throw Error(fmt::format("{}: {}", probe.place, error.what()));
+      throw error.at(probe.place, ExitStatus::bad_input);
     }
   }
 }
@@ -89,7 +89,7 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
 
 void check_step(const scenario::Plan& plan, const Simulation& s) {
   const auto problem = plan.step_guard ? step_problem(s) : std::nullopt;
-  if (problem) throw Error(fmt::format("t = {:g} s: {}", s.time(), *problem), ExitStatus::blow_up);
+  if (problem) throw problem->at(fmt::format("t = {:g} s", s.time()), ExitStatus::blow_up);
 }
 
 namespace {
@@ -115,7 +115,8 @@ void check_later_stages(const scenario::Plan& plan) {
     const Stage& stage = plan.stages[k];
     if (!plan.step_guard || !change_scene(stage, scene)) continue;
     if (const auto problem = step_problem(*simulation_of(plan, scene)))
-      throw Error(fmt::format("{}: in stage '{}' {}", plan.step_place, stage.name, *problem));
+      throw Error(plan.step_place, fmt::format("in stage '{}' {}", stage.name, problem->problem()),
+                  problem->cure());
   }
 }
 
@@ -124,7 +125,7 @@ void check_later_stages(const scenario::Plan& plan) {
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads) {
   auto simulation = make_simulation(plan, threads);
   if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
-    throw Error(fmt::format("{}: {}", plan.step_place, *problem));
+    throw problem->at(plan.step_place);
   check_later_stages(plan);
   check_probes(plan, *simulation);
   return simulation;
@@ -165,21 +166,23 @@ double rounded_down(double step) {
   return std::floor(step / unit * (1 + round_off)) * unit;
 }
 
-// "<problem>; <cure>" if the time step is above its limit.
-std::optional<std::string> too_long(const Simulation& s) {
+// Error without a place if the time step is above its limit.
+std::optional<Error> too_long(const Simulation& s) {
   const StepLimit limit = shortest_limit(s);
   if (s.step_length() <= limit.longest_step * (1 + round_off)) return std::nullopt;
   const std::string_view plural = limit.cause.starts_with("the contacts") ? "" : "s";
   if (!(limit.longest_step > 0))
-    return fmt::format("no time step is short enough: {} allow{} none; check speeds, masses and viscosities",
-                       limit.cause, plural);
+    return Error("", fmt::format("no time step is short enough: {} allow{} none", limit.cause, plural),
+                 "check speeds, masses and viscosities");
   const double contact = s.min_steps_per_contact() * s.step_length();
   const std::string step = told_apart(s.step_length(), limit.longest_step)[0];
   const std::string longest = told_apart(s.step_length(), limit.longest_step, 4)[1];
-  return fmt::format(
-      "the time step of {} s is too long: {} allow{} {} s at most; use time.step = {:.2g} or less{}", step,
-      limit.cause, plural, longest, rounded_down(std::min(contact / 50, limit.longest_step)),
-      contact / 50 < limit.longest_step ? " (50 steps per contact)" : "");
+  return Error("",
+               fmt::format("the time step of {} s is too long: {} allow{} {} s at most", step, limit.cause,
+                           plural, longest),
+               fmt::format("use time.step = {:.2g} or less{}",
+                           rounded_down(std::min(contact / 50, limit.longest_step)),
+                           contact / 50 < limit.longest_step ? " (50 steps per contact)" : ""));
 }
 
 }  // namespace
@@ -192,7 +195,7 @@ std::string describe_step(const Simulation& s) {
 
 std::optional<std::string> step_warning(const Simulation& s) {
   constexpr double few = 20;  // with fewer steps, errors of contacts are several per cent
-  if (const auto problem = too_long(s)) return problem;
+  if (const auto problem = too_long(s)) return problem->what();
   if (s.min_steps_per_contact() >= few * (1 - round_off)) return std::nullopt;
   return fmt::format(
       "the shortest contact takes {} time steps; use {:g} or more, 50 for errors of 0.1 % unless damping is "
@@ -200,10 +203,10 @@ std::optional<std::string> step_warning(const Simulation& s) {
       told_apart(s.min_steps_per_contact(), few, 3)[0], few);
 }
 
-std::optional<std::string> step_problem(const Simulation& s) {
-  auto problem = too_long(s);
-  if (problem) *problem += ", or time.step_guard = false to run it anyway";
-  return problem;
+std::optional<Error> step_problem(const Simulation& s) {
+  const auto problem = too_long(s);
+  if (!problem) return std::nullopt;
+  return Error("", problem->problem(), problem->cure() + ", or time.step_guard = false to run it anyway");
 }
 
 }  // namespace scree::run

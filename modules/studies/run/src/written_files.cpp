@@ -57,16 +57,15 @@ void check_lines(const fs::path& directory, const std::vector<std::string>& line
     const std::string folder = fs::path(lines[k]).parent_path().string();
     if (stays_below(lines[k]) && (!checked.insert(folder).second || !leads_through_link(directory, folder)))
       continue;
-    throw files::PlaceError(
-        fmt::format("{}:{}: '{}' leads out of the directory", (directory / WrittenFiles::file_name).string(),
-                    k + 1, files::one_line(lines[k])),
-        "remove the line or the link");
+    throw files::PlaceError(fmt::format("{}:{}", (directory / WrittenFiles::file_name).string(), k + 1),
+                            fmt::format("'{}' leads out of the directory", files::one_line(lines[k])),
+                            "remove the line or the link");
   }
 }
 
 void remove_file(const fs::path& path) {
   if (unlink(path.c_str()) == 0 || errno == ENOENT || errno == ENOTDIR) return;
-  throw files::PlaceError(fmt::format("{}: cannot be removed ({})", path.string(), std::strerror(errno)),
+  throw files::PlaceError(path.string(), fmt::format("cannot be removed ({})", std::strerror(errno)),
                           "check its permissions", ExitStatus::failure);
 }
 
@@ -127,8 +126,7 @@ std::string WrittenFiles::text() const {
   std::error_code failed;
   const fs::file_status status = fs::symlink_status(path, failed);
   if (status.type() == fs::file_type::not_found) return "";
-  if (!fs::is_regular_file(status))
-    throw files::PlaceError(fmt::format("{}: is not a file", path.string()), "remove it");
+  if (!fs::is_regular_file(status)) throw files::PlaceError(path.string(), "is not a file", "remove it");
   std::string text = files::read_text(path);
   text.resize(text.rfind('\n') + 1);
   return text;
@@ -168,12 +166,11 @@ void WrittenFiles::check_new(const std::string& file) const {
   const fs::path path = directory_ / file;
   std::error_code failed;
   if (!stays_below(file) || fs::exists(fs::symlink_status(path, failed)))
-    throw files::PlaceError(fmt::format("{}: is there and was not written by a run", path.string()),
-                            "move it elsewhere", ExitStatus::failure);
+    throw files::PlaceError(path.string(), "is there and was not written by a run", "move it elsewhere",
+                            ExitStatus::failure);
   if (leads_through_link(directory_, fs::path(file).parent_path()))
-    throw files::PlaceError(
-        fmt::format("{}: its folder is a symbolic link, which is not followed", path.string()), "remove it",
-        ExitStatus::failure);
+    throw files::PlaceError(path.string(), "its folder is a symbolic link, which is not followed",
+                            "remove it", ExitStatus::failure);
 }
 
 void WrittenFiles::forget_removed_states() {

@@ -29,7 +29,7 @@ const std::vector<double>& Observer::values(const scree_view& view) {
       try {
         return watched.probe.sample(view);
       } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", plan_.probes[watched.number].place, error.what()), error.status());
+        throw error.at(plan_.probes[watched.number].place);
       }
     }();
     for (std::size_t c = 0; c < values_.size(); ++c)

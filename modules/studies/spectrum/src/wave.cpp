@@ -29,7 +29,7 @@ void start_wave(Simulation& simulation, const SpectrumPlan& plan, const Wave& wa
   try {
     simulation.reconfigure_boundary(plan.boundary, with_wave(simulation.scene(), plan, wave));
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", plan.drive_place, error.what()));
+    throw error.at(plan.drive_place, ExitStatus::bad_input);
   }
   simulation.apply_reconfiguration();
 }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "checksum.hpp"
 #include "seal.hpp"
 
 #include <string>
+
+#include <scree/files/checksum.hpp>
 
 namespace scree::test {
 
@@ -11,7 +12,7 @@ namespace scree::test {
 inline std::string resealed(const std::string& bytes, state_file::Seal seal = {.program_version = "0"}) {
   seal.bytes = bytes.size();
   seal.checksum = 0;
-  state_file::Checksum checksum;
+  files::Checksum checksum;
   const std::string content = bytes.substr(state_file::Seal::size), text = seal.text();
   checksum.add(text.data(), text.size());
   checksum.add(content.data(), content.size());

@@ -148,7 +148,7 @@ TEST_CASE("a failure is recorded with the cure of its place", "[run]") {
   const auto fail = [](std::uint64_t at) {
     return [at](Counting& study) {
       study.on_count = [at](std::uint64_t count) {
-        if (count == at) throw files::PlaceError("out/a.csv: is a directory", "move it elsewhere");
+        if (count == at) throw files::PlaceError("out/a.csv", "is a directory", "move it elsewhere");
       };
     };
   };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view own_group = "scree/";
 
-// Path of the array at a place of the file; none for what is there for other programs.
+// Path of the array that a dataset holds; none for datasets that are written for other programs.
 std::optional<std::string> path_of(const std::string& dataset) {
   if (const auto path = path_at(dataset)) return path;
   if (!dataset.starts_with(own_group)) return std::nullopt;
@@ -28,11 +28,12 @@ void print_no_failures() { checked(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), 
 class Hdf5Backend final : public StateBackend {
  public:
   Hdf5Backend() {
-    // At the end of the program HDF5 would close again what it could not close, and crash. It is too late to say so
-    // where other code has used HDF5 before.
+    // At the end of the program HDF5 would close again what it could not close, and crash. The call has no
+    // effect if other code has used HDF5 before.
     H5dont_atexit();
     if (H5open() < 0)
-      throw Error("libscree_state_hdf5.so: HDF5 cannot be started; give the program more memory (ulimit -v)");
+      throw Error("libscree_state_hdf5.so", "HDF5 cannot be started",
+                  "give the program more memory (ulimit -v)");
   }
 
   void write(const std::filesystem::path& file, const State& state) override {

@@ -9,7 +9,7 @@
 namespace scree::state_file {
 namespace {
 
-// The numbers of an array with at least so many of them; null if there is none.
+// The numbers of an array; null if there is no such array of this type with enough numbers.
 template <class T>
 const T* numbers(const State& state, const char* path, std::size_t at_least) {
   if (!state.has(path)) return nullptr;
@@ -77,7 +77,7 @@ void BodiesWriter::write_box() {
     boundary[k] = "periodic", periodic = true;
   }
   write_boundary(box, boundary);
-  if (!periodic) return;  // edges of what is not there are left out
+  if (!periodic) return;  // a box that is not periodic has no edges
   writer_.array(name + "/edges/value", {edges, {dimension_, dimension_}, "m"}, true);
   write_time(name + "/edges");
 }

@@ -26,7 +26,7 @@ class BodiesWriter {
   std::string first_;                       // the element whose time the others share
 };
 
-// Writes the group that makes a file one of H5MD: its version, this program as creator, and the module of units.
+// Writes the group that identifies a file as H5MD: version, this program as creator, and the module of units.
 void write_h5md_group(FileWriter& writer);
 
 }  // namespace scree::state_file

@@ -6,7 +6,8 @@
 
 namespace scree::state_file {
 
-// How numbers lie in memory and in a file. Constants of HDF5 are calls, since it must be running.
+// Types of numbers in memory and in a file. Functions, since the constants of HDF5 are calls, which need it
+// running.
 template <class T>
 hid_t memory_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;

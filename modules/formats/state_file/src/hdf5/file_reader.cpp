@@ -73,7 +73,7 @@ bool is_of(hid_t type) {
 
 using Values = decltype(StateArray::values);
 
-// Place of a type among the kinds of values of a state; their number if it is none of them.
+// Index of a type among the kinds of values of a state; the number of kinds if it is none of them.
 template <std::size_t k = 0>
 std::size_t kind_of(hid_t type) {
   if constexpr (k < std::variant_size_v<Values>) {
@@ -111,8 +111,8 @@ std::vector<std::string> FileReader::datasets() {
   return std::move(found_);
 }
 
-// In the order of the file: sorted by names, HDF5 1.10 makes a table of them that it frees without having filled it
-// when it fails, and its own recursion has no limit.
+// In the order of the file, since HDF5 1.10 makes a table to sort names that it frees unfilled when it fails.
+// Not with the recursion of HDF5, which has no limit.
 void FileReader::visit(hid_t group, const std::string& name, int depth) {
   std::vector<std::pair<std::string, H5L_info_t>> links;
   hsize_t next = 0;

@@ -30,14 +30,14 @@ Handle create_file(const std::filesystem::path& file) {
   const Handle creation = without_times(H5P_FILE_CREATE),
                access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
   checked(H5Pset_userblock(creation, Seal::size), "room for the seal");
-  // What HDF5 1.8 and later read: shorter than what its first versions do, and with its own checksums.
+  // The format of HDF5 1.8 and later: shorter than the first one, and with its own checksums.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "version of the format");
   // No other process knows the file yet, and some network file systems have no locks.
   checked(H5Pset_file_locking(access, false, true), "locks");
   return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "new file"};
 }
 
-// The last part of a path, and in `folder` what stands before it.
+// The last part of a path; the rest goes to `folder`.
 std::string split(const std::string& name, std::string& folder) {
   const std::size_t slash = name.rfind('/');
   folder = slash == name.npos ? "" : name.substr(0, slash);
@@ -71,7 +71,7 @@ FileWriter::FileWriter(const std::filesystem::path& file)
 
 FileWriter::~FileWriter() {
   if (complete_) return;
-  // HDF5 keeps its memory of a file that it cannot write to its end: let it write that end to nowhere.
+  // HDF5 does not free a file whose end it cannot write: the rest goes to /dev/null.
   void* descriptor = nullptr;
   const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   if (H5Fget_vfd_handle(file_, H5P_DEFAULT, &descriptor) >= 0 && nowhere >= 0)

@@ -10,32 +10,32 @@
 
 namespace scree::state_file {
 
-// Attributes of a dataset: its unit as in the module `units` of H5MD, "1" also where a state has none, and then an
-// attribute that distinguishes the two.
+// Attributes of a dataset: its unit as in the module `units` of H5MD. Without a unit in the state it is "1",
+// with a label that says so.
 inline constexpr const char* unit_attribute = "unit";
 inline constexpr const char* unit_attribute_of_format_1 = "units";  // with the unit as in a state
 inline constexpr const char* label_attribute = "label";
-// Lengths of texts of which one ends with a character 0, which reads like filling.
+// Lengths of texts, if one of them ends with a character 0, which reads like padding.
 inline constexpr const char* lengths_attribute = "lengths";
 
-// Writes an HDF5 file dataset by dataset. Datasets lie in one piece and are not compressed: of 10^6 bodies with
-// 4.5 pairs each, shuffle and deflate at level 1 would save a third of 288 MB, but take 6 s instead of 0.3 to write
-// and 1.8 s instead of 0.2 to read. A reader can thus compare the size that a dataset claims with that of the file.
-// No times are stored, so that equal states give equal bytes.
-// Names are paths from the root without a leading '/'. Every function throws Error without path and cure.
+// Writes an HDF5 file dataset by dataset. Names are paths from the root without a leading '/'. No times are
+// stored, so that equal states give equal bytes. Datasets lie in one piece and are not compressed, so that a
+// reader can compare the size that a dataset claims with the size of the file. Shuffle and deflate at level 1
+// would save a third of 288 MB (10^6 bodies with 4.5 pairs each), but take 6 s instead of 0.3 to write and
+// 1.8 s instead of 0.2 to read. Every function throws Error without path and cure.
 class FileWriter {
  public:
   explicit FileWriter(const std::filesystem::path& file);
-  // Leaves a file that was not closed incomplete.
+  // A file that was not closed stays incomplete.
   ~FileWriter();
 
-  // Opens a group, which is made if it is missing, with those that hold it.
+  // Opens a group. It is made if it is missing, with the groups that contain it.
   Handle group(const std::string& name);
   // Writes an array; as_frame: with a leading dimension of 1, the time.
   void array(const std::string& name, const StateArray& array, bool as_frame);
   // A second name of a dataset.
   void link(const std::string& existing, const std::string& name);
-  // Writes what is left to write, and closes the file.
+  // Writes the rest, and closes the file.
   void close();
 
  private:

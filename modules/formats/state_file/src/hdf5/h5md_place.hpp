@@ -8,7 +8,7 @@ namespace scree::state_file {
 // Where an array "bodies/<name>" lies in the layout of H5MD 1.1 (https://www.nongnu.org/h5md/h5md.html).
 struct H5mdPlace {
   std::string element;  // "particles/bodies/position"
-  bool as_frame;        // its first index is that of the time, of which a state has one
+  bool as_frame;        // its first index counts times, of which a state has one
 
   std::string dataset() const { return as_frame ? element + "/value" : element; }
 };

@@ -5,15 +5,15 @@
 namespace scree::state_file {
 namespace {
 
-// The first entry is that of the innermost function, which names the cause.
+// The first entry comes from the innermost function, which names the cause.
 herr_t keep_first(unsigned, const H5E_error2_t* entry, void* text) {
   auto& kept = *static_cast<std::string*>(text);
   if (kept.empty() && entry->desc) kept = entry->desc;
   return 0;
 }
 
-// The cause of a failed call of the system, "No space left on device", from "file write failed: ..., error message =
-// 'No space left on device', ..."; empty for other failures.
+// The cause of a failed call of the system, "No space left on device", from "file write failed: ..., error
+// message = 'No space left on device', ..."; empty for other failures.
 std::string system_cause(const std::string& entry) {
   constexpr std::string_view before = "error message = '";
   const std::size_t begin = entry.find(before);

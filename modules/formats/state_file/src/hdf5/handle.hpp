@@ -9,7 +9,7 @@
 
 namespace scree::state_file {
 
-// "what: reason" with what HDF5 says of its last failure, or the reason of a failed call of the system alone.
+// Throws Error "what: reason" with the last failure of HDF5, or only the reason of a failed system call.
 [[noreturn]] void fail_of_hdf5(std::string_view what);
 
 // Result of a call of HDF5, which is below 0 after a failure.
@@ -32,7 +32,7 @@ class Handle {
   }
 
   operator hid_t() const { return id_; }
-  // Closes it now, to learn of what was left to write. Throws Error.
+  // Closes it now. Throws Error if the rest cannot be written.
   void close(std::string_view what) { checked(close_(std::exchange(id_, -1)), what); }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace scree::state_file {
 
-// Text is stored in UTF-8 with a fixed number of bytes, filled with 0, which C and Fortran read as it stands.
+// The type of UTF-8 text with a fixed number of bytes, padded with 0, which C and Fortran read directly.
 Handle text_type(std::size_t bytes);
 
 // Adds an attribute with one text.
@@ -16,7 +16,7 @@ void write_attribute(hid_t object, const char* name, std::string_view text);
 // Text of an attribute; empty if there is none, or none of the kind that write_attribute writes.
 std::string read_attribute(hid_t object, const char* name);
 
-// Lines of text filled to the longest; at least one byte each.
+// Lines of text padded to the longest; at least one byte each.
 struct PaddedText {
   std::vector<char> bytes;
   std::size_t width = 1;

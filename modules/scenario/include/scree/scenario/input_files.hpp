@@ -9,15 +9,15 @@
 
 namespace scree::scenario {
 
-// Files that decide, besides its text, what a scenario gives.
+// The files on which the result of a scenario depends, besides its text.
 struct InputFiles {
   std::filesystem::path bodies;  // the packing or state that it begins from; empty if there is none
-  // Baseline libraries by kind and name, "contact/linear_spring_dashpot", which are the same for every processor; an
-  // empty path for a plug-in that does not exist.
+  // Baseline libraries by kind and name, "contact/linear_spring_dashpot", which are the same for every
+  // processor; an empty path for a plug-in that does not exist.
   std::map<std::string, std::filesystem::path> plugins;
 };
 
-// The input files of a scenario file that has been loaded. Throws Error if it names a state that does not exist.
+// The input files of a scenario file that has been loaded. Throws Error for a state that does not exist.
 InputFiles input_files(const document::Document& document, const std::filesystem::path& scenario,
                        const PluginHost& host);
 

@@ -30,7 +30,7 @@ struct ProbePlan {
   double every = 0;                          // (s) between samples, rounded to whole steps when it runs
   std::optional<double> observe_every = {};  // (s) likewise, between observations; absent: every step
   std::vector<ProbeInput> inputs = {};       // in the order of Parameters::inputs()
-  std::size_t depth = 0;                     // greater than those of the probes of its inputs
+  std::size_t depth = 0;                     // greater than the depth of each probe of its inputs
   std::vector<std::string> stages;           // stages in which it records; all if empty
   std::string place;                         // file:line:column, for messages
 };
@@ -54,8 +54,7 @@ struct CheckpointPlan {
   bool final_state = true;            // at the end of the run
 };
 
-// Reads a wall time: "30 s", "10 min", "2 h", or "never", which gives nothing. Throws Error "'<text>' <problem>;
-// <cure>".
+// Reads a wall time: "30 s", "10 min", "2 h", or "never", which gives nothing. Throws Error without a place.
 std::optional<double> parse_wall_time(const std::string& text);
 
 // One curve of a chart, from the series of a probe.
@@ -67,7 +66,7 @@ struct CurvePlan {
 struct ChartPlan {
   std::string name;  // of the file
   std::string title, x_label, y_label;
-  std::string x_unit, y_unit;  // SI, shown with a prefix behind the label; empty: none is added
+  std::string x_unit, y_unit;  // SI, shown with a prefix after the label; empty: none is added
   std::vector<CurvePlan> curves;
   bool log_x = false, log_y = false;
 };
@@ -83,8 +82,8 @@ struct Expectation {
   std::string place = {};       // file:line:column, for messages
 };
 
-// Largest number of steps of a stage, or of one frequency of a sweep. At one microsecond per step, faster than almost any
-// scene, this takes twelve days.
+// Largest number of steps of a stage, or of one frequency of a sweep. At one microsecond per step, faster
+// than almost any scene, this takes twelve days.
 inline constexpr double most_steps = 1e12;
 
 // A scenario file, read and checked. The PluginHost it was read with must outlive it.
@@ -107,15 +106,15 @@ struct Plan {
   std::vector<std::string> studies;             // names of these tables; with one there may be no stages
   std::optional<document::Document> document;   // from which studies read their tables; set by read_plan
   std::string resolved_text;                    // TOML with overrides
-  std::string
-      text_for_any_folder;   // the same with the path of a packing made absolute; empty if not to be written
-  std::string bodies_place;  // file:line:column, for messages
+  // The same with an absolute path of the packing; empty if it is not to be written.
+  std::string text_for_any_folder;
+  std::string bodies_place;    // file:line:column, for messages
   std::string periodic_place;  // of the first periodic boundary; empty without one
   std::string step_place;
   bool step_guard = true;             // refuse a time step that is too long
   std::vector<std::string> warnings;  // "<what>; <cure>" of what was read
 
-  // That of reports: the title, or else the name of the file.
+  // The heading of reports: the title, or else the name of the file.
   std::string heading() const { return title.empty() ? source.stem().string() : title; }
 };
 
@@ -124,23 +123,24 @@ std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, in
 // Returns "no quantity '<name>'; <cure>" unless the name is among `known`.
 std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known);
 
-// Reads a scenario file; `studies` check their tables. Throws Error "file:line:column: what is wrong; what to do" for any
-// error in it, and for keys that nothing reads.
+// Reads a scenario file; `studies` check their tables. Throws Error "file:line:column: what is wrong; what to
+// do" for any error in it, and for keys that nothing reads.
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host,
                const StudyTables& studies = {});
 
-// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start, so
-// that no packing is read again. name: of the text in messages. Tables of studies are not checked again.
+// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start,
+// so that no packing is read again. name: of the text in messages. Tables of studies are not checked again.
 Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host);
 
-// Refuses the keys of a scenario that nothing reads, while the state from which it begins is not there: `bodies` stand for
-// those of the state, and keys of [particles] are not looked at. What else is wrong is left to read_plan.
+// Refuses the keys of a scenario that nothing reads, while the state from which it begins does not exist yet:
+// `bodies` are used instead of the bodies of the state, and keys of [particles] are not checked. Other errors
+// are left to read_plan.
 void check_keys(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                 std::vector<Body> bodies, PluginHost& host, const StudyTables& studies = {});
 
-// The override "stage[1].duration=2", with which the last stage of a scenario, which ends by its duration or after
-// cycles, takes so many seconds.
+// The override "stage[1].duration=2" that gives the last stage of a scenario, which ends by its duration or
+// after cycles, this length (s).
 std::string length_override(const std::string& resolved_text, double seconds);
 
 }  // namespace scree::scenario

@@ -15,8 +15,8 @@ struct StudyTable {
   const char* name;  // of the table and of the verb; a scenario that has the table needs no stages
   // The table and the tables below it, for scree describe.
   std::vector<TableDescription> (*describe)();
-  // Reads and checks the table in a plan that is complete otherwise. Returns what scree check prints of it in one line;
-  // empty if the scenario does not have the table. Throws Error at the wrong key.
+  // Reads and checks the table in a plan that is complete otherwise. Returns what scree check prints of it in
+  // one line; empty if the scenario does not have the table. Throws Error at the wrong key.
   std::string (*check)(const Plan& plan);
   // Whether a quantity of [[expect]] is a result of the study; check() then checks Plan::study_expectations.
   bool (*judges)(std::string_view quantity);
@@ -24,7 +24,8 @@ struct StudyTable {
 
 using StudyTables = std::vector<StudyTable>;
 
-// All tables of a scenario, tables of studies last. Parameters of plug-ins stand beside the keys of their tables.
+// All tables of a scenario, tables of studies last. Parameters of plug-ins stand beside the keys of their
+// tables.
 std::vector<TableDescription> describe_tables(const StudyTables& studies = {});
 
 }  // namespace scree::scenario

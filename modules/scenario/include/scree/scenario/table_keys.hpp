@@ -13,8 +13,8 @@ namespace scree::scenario {
 
 using document::Range;
 
-// A key of a table: its name for the readers, and all that is known of its value. Declared once, in the headers *_keys.hpp;
-// read with the functions below.
+// A key of a table: its name for the readers, and the range of its value. Keys are declared once, in the
+// headers *_keys.hpp, and read with the functions below.
 struct Key {
   std::string name;
   document::Range range = document::Range::any();

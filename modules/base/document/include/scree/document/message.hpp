@@ -10,7 +10,7 @@ namespace scree::document {
 // else "there are: box, plane".
 std::string name_cure(std::string_view word, const std::vector<std::string>& candidates);
 
-// "; did you mean 'friction'?" if a candidate is spelt similarly, else ";".
+// Beginning of a cure: "did you mean 'friction'? " if a candidate is spelt similarly, else empty.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 // Shortest decimal that reads back to the same bits: "2e-5", "0.1", "3".

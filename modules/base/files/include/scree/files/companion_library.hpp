@@ -19,9 +19,10 @@ struct CompanionLibrary {
   bool built_on_demand = false;
 };
 
-// A function of the library, from the build or install tree of the running program. A library that is built on demand is
-// built first if it is missing, with a line on stderr that says so. The library is never unloaded. Throws Error if it is
-// missing or broken, or if its build fails (failure); null if it has no such function.
+// A function of the library, from the build or install tree of the running program; null if it has no such
+// function. A library that is built on demand is built first if it is missing, with a line on stderr that
+// says so. The library is never unloaded. Throws Error if it is missing or broken, or if its build fails
+// (failure).
 void* load_factory(const CompanionLibrary& library);
 
 // Makes the interface that the library implements. Throws Error; if the library has another version too.
@@ -30,8 +31,8 @@ Interface* load_companion(const CompanionLibrary& library, int version) {
   const auto create = reinterpret_cast<Interface* (*)(int)>(load_factory(library));
   Interface* made = create ? create(version) : nullptr;
   if (!made)
-    throw Error(fmt::format("lib{0}.so: has another version than this program; rebuild the target {0}",
-                            library.target));
+    throw Error(fmt::format("lib{}.so", library.target), "has another version than this program",
+                fmt::format("rebuild the target {}", library.target));
   return made;
 }
 

@@ -20,14 +20,16 @@ class Descriptor {
   int number_;
 };
 
-// Opens a file for writing, created empty: what has its name is removed first, so that no link is followed. Closed
-// to processes started by this one. If it cannot, the descriptor is not open, and errno has the reason.
+// Opens a file for writing, created empty: what has its name is removed first, so that no link is followed.
+// Closed to processes started by this one. If it cannot, the descriptor is not open, and errno has the
+// reason.
 Descriptor create_file(const char* path);
 
 // The same for a file that is written on at its end, if there is one.
 Descriptor append_file(const char* path);
 
-// Whether a path, of which the last part is no link, is that of this open file: false once it was removed or moved.
+// Whether this open file is still at a path, the last part of which is no link: false once it was removed or
+// moved.
 bool is_at(const Descriptor& file, const char* path);
 
 // Writes all bytes. Returns 0, or the value of errno of the first call that failed.

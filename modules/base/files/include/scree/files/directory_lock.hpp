@@ -8,8 +8,9 @@
 
 namespace scree::files {
 
-// The right to write into a directory, which one process has at a time: until this object is destroyed, or until the
-// process ends in any way. Directories that were made for it are removed with it if they are empty then.
+// The right to write into a directory, which one process has at a time: until this object is destroyed, or
+// until the process ends in any way. Directories that were made for it are removed with it if they are empty
+// then.
 class DirectoryLock {
  public:
   // In the directory while it is locked, and after a process that was killed.
@@ -17,8 +18,9 @@ class DirectoryLock {
   // inherited: processes started by this one hold the lock too, until the last of them ends.
   enum class Children { none, inherit };
 
-  // Makes the directory, with its parents, if it is not there, and locks it. Absent: another process has it. Throws
-  // Error "path: what is wrong; what to do". Where a file system has no locks, two processes can have one: see excludes().
+  // Makes the directory, with its parents, if it is not there, and locks it. Absent: another process has it.
+  // Throws Error "path: what is wrong; what to do". Where a file system has no locks, two processes can have
+  // one: see excludes().
   static std::optional<DirectoryLock> take(const std::filesystem::path& directory,
                                            Children children = Children::none);
   // The same, but absent also if something has this name already.
@@ -29,9 +31,10 @@ class DirectoryLock {
 
   // Whether other processes are kept out: false on a file system without locks.
   bool excludes() const { return excludes_; }
-  // Whether the lock file in the directory is still the open one: false once it or the directory was removed or moved.
+  // Whether the lock file in the directory is still the open one: false once it or the directory was removed
+  // or moved.
   bool is_current() const;
-  // Where a directory that is no longer current is now; empty if it was removed, or that cannot be told.
+  // Where a directory that is no longer current is now; empty if it was removed or cannot be found.
   std::filesystem::path moved_to() const;
 
   DirectoryLock(DirectoryLock&&) = default;

@@ -4,9 +4,10 @@
 
 namespace scree::files {
 
-// A file that gets its name only when it is complete and on the disk. Until then it is <name>.part in the same
-// folder, where a file of an interrupted program is replaced and a symbolic link is removed, not followed.
-// Every function throws Error (failure) "path: what is wrong; what to do", and leaves an earlier file whole.
+// A file that gets its name only when it is complete and on the disk. Until then it is <name>.part in the
+// same folder, where a file of an interrupted program is replaced and a symbolic link is removed, not
+// followed. Every function throws Error (failure) "path: what is wrong; what to do", and leaves an earlier
+// file whole.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);

@@ -6,16 +6,17 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <scree/error.hpp>
 
 namespace scree::files {
 
-// Error for a file that cannot be read: "path: what is wrong; what to do". From the code a caller can derive
-// another cure.
+// Error for a file that cannot be read, at its path. From the code a caller can derive another cure.
 class ReadError : public Error {
  public:
-  ReadError(const std::string& line, int code) : Error(line), code_(code) {}
+  ReadError(std::string place, std::string problem, std::string cure, int code)
+      : Error(std::move(place), std::move(problem), std::move(cure)), code_(code) {}
   // Value of errno; EFBIG for a file above the limit.
   int code() const { return code_; }
 
@@ -23,10 +24,11 @@ class ReadError : public Error {
   int code_;
 };
 
-// Error (failure) for a file that cannot be written: "path: what is wrong; what to do".
+// Error (failure) for a file that cannot be written, at its path.
 class WriteError : public Error {
  public:
-  WriteError(const std::string& line, int code) : Error(line, ExitStatus::failure), code_(code) {}
+  WriteError(std::string place, std::string problem, std::string cure, int code)
+      : Error(std::move(place), std::move(problem), std::move(cure), ExitStatus::failure), code_(code) {}
   // Value of errno.
   int code() const { return code_; }
 

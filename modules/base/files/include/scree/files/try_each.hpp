@@ -4,7 +4,8 @@
 
 namespace scree::files {
 
-// Calls every function, even if others throw; exceptions are discarded. For what is saved behind an error, which is the one to report.
+// Calls every function, even if others throw; their exceptions are discarded. For work after an error, which
+// is then the one to report.
 template <class... Work>
 void try_each(const Work&... work) {
   const auto attempt = [](const auto& one) {

@@ -9,13 +9,13 @@
 
 namespace scree::packing {
 
-// Comma-separated values. The header names the columns, in any order, each optionally with its SI unit:
-// id, material, x [m], y [m], z [m], radius [m] or diameter [m], density [kg/m^3], mass [kg],
-// vx [m/s], vy, vz, spin_x [rad/s], spin_y, spin_z; [kg/m3] and wx, wy, wz are read too. Required are x, y and the
-// size. Without z the packing has two dimensions; ids default to 1, 2, ..., other absent columns and empty cells to
-// the defaults of Body. Comment lines before the header may carry "# dimension: 3", "# time [s]: 0", "# lower [m]: 0
-// 0 0", "# upper [m]: 1 1 1", "# periodic: x z". Of the options only `dimension` and `periodic` are used. Errors:
-// "name:line:column: what is wrong; what to do".
+// Comma-separated values. The header names the columns, in any order, each optionally with its SI unit: id,
+// material, x [m], y [m], z [m], radius [m] or diameter [m], density [kg/m^3], mass [kg], vx [m/s], vy, vz,
+// spin_x [rad/s], spin_y, spin_z; [kg/m3] and wx, wy, wz are read too. Required are x, y and the size.
+// Without z the packing has two dimensions; ids default to 1, 2, ..., other absent columns and empty cells to
+// the defaults of Body. Comment lines before the header may carry "# dimension: 3", "# time [s]: 0", "# lower
+// [m]: 0 0 0", "# upper [m]: 1 1 1", "# periodic: x z". Of the options only `dimension` and `periodic` are
+// used. Errors: "name:line:column: what is wrong; what to do".
 Packing read_csv(const std::filesystem::path& path, const ImportOptions& options = {});
 Packing parse_csv(std::string_view text, const std::string& name, const ImportOptions& options = {});
 

@@ -12,8 +12,8 @@ namespace scree::packing {
 
 // What an importer needs beyond the file. Each reader ignores the options that its format has no use for.
 struct ImportOptions {
-  std::optional<int> dimension{};                 // 2 or 3; absent: that of the file, else 3
-  std::optional<std::array<bool, 3>> periodic{};  // absent: those of the file, else none
+  std::optional<int> dimension{};                 // 2 or 3; absent: as in the file, else 3
+  std::optional<std::array<bool, 3>> periodic{};  // absent: as in the file, else none
   std::vector<std::string> materials{};           // names of types 1, 2, ...; empty: the type number as text
   std::optional<std::int64_t> timestep{};         // frame of a dump; absent: the last frame
 };

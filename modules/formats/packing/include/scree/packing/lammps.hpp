@@ -26,7 +26,7 @@ void write_lammps_data(const Packing& packing, const std::filesystem::path& path
                        const ExportOptions& options = {});
 std::string format_lammps_data(const Packing& packing, const ExportOptions& options = {});
 
-// One frame of a text dump (dump custom): the last, or that of options.timestep (its last occurrence).
+// One frame of a text dump (dump custom): the last, or the last one with options.timestep.
 // Columns in any order: id, type, x | xs | xu | xsu (and y, z), radius | diameter, vx vy vz, omegax omegay
 // omegaz, mass, density; others are ignored. Required are the position and the size; without id the bodies
 // are numbered in file order. Unwrapped coordinates are wrapped into the box along periodic axes.

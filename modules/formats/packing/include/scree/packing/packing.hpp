@@ -19,7 +19,7 @@ struct Body {
   std::int64_t id = 0;     // positive, unique in its packing; in files at most SCREE_MAX_ID
   std::string material;    // name, or type number from a LAMMPS file; empty: the only material of the scene
   double radius = 0.0;     // (m) positive
-  double density = unset;  // (kg/m³) positive, or unset: that of the material
+  double density = unset;  // (kg/m³) positive, or unset: from the material
   double mass = unset;     // (kg) positive, or unset: from the density. Not allowed together with density
   Vec3 position{};         // (m) in two dimensions z = 0
   Vec3 velocity{};         // (m/s) in two dimensions vz = 0

@@ -36,10 +36,10 @@ struct Case {
 
 // One run of a campaign.
 struct Point {
-  std::string name;       // of its directory below that of the campaign, unique
+  std::string name;       // of its directory in the directory of the campaign, unique
   std::string case_name;  // empty in a campaign without cases
   std::optional<std::int64_t> seed;
-  std::vector<Setting> settings;  // fixed settings, those of the case, parameters, seed
+  std::vector<Setting> settings;  // fixed settings, settings of the case, parameters, seed
 
   // "key=value" for scree run --set.
   std::vector<std::string> overrides() const;
@@ -59,21 +59,20 @@ struct Campaign {
   std::vector<Case> cases;
   std::vector<std::int64_t> seeds;
   std::vector<Point> points;  // at least one
-  // [prepare]: a campaign of one point per seed, and per case if any has settings for it, from whose final states the
-  // points of this one branch; or null.
+  // [prepare]: a campaign with one point per seed, and per case if any case has settings for it. The points
+  // of this campaign begin from its final states. Null without [prepare].
   std::shared_ptr<const Campaign> preparation = nullptr;
 
-  // Keys in which points may differ: those of the cases, then the parameters.
+  // Keys in which points may differ: of the cases, then the parameters.
   std::vector<std::string> varying_keys() const;
   std::vector<std::size_t> preparation_of;  // of each point: index in preparation->points
   // File in the directory of a point that states its status and inputs.
   const char* record() const { return methods.empty() ? "run.json" : "spectrum.json"; }
 };
 
-// Reads a campaign file. Throws Error "file:line:column: what is wrong; what to do" for any error in it, and
-// if the scenario cannot be read.
-// overrides: "KEY=VALUE", a line of [set] in place of that of the file; "campaign.KEY=VALUE" of [campaign], "prepare.KEY=VALUE" of
-// what [prepare] sets.
+// Reads a campaign file. overrides: "KEY=VALUE" replaces a line of [set], "campaign.KEY=VALUE" a line of
+// [campaign], "prepare.KEY=VALUE" a setting of [prepare]. Throws Error "file:line:column: what is wrong; what
+// to do" for any error in the file, and if the scenario cannot be read.
 Campaign read_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 // Inputs of the run of a point, as stored in its record.
@@ -85,19 +84,20 @@ struct Inputs {
 // Throws Error at a setting that does not fit the scenario, and for a state that does not exist.
 Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost& host);
 
-// The campaign with all points beginning from the final states of their preparations, whose names are then
-// "prepare/<hash of their inputs>". Without [prepare] unchanged. Throws Error as inputs_of() of a preparation.
+// The campaign with all points beginning from the final states of their preparations, which are then named
+// "prepare/<hash of their inputs>"; unchanged without [prepare]. Throws Error like inputs_of() of a
+// preparation.
 Campaign branched(Campaign campaign, const PluginHost& host);
 
-// Throws Error, like scree check, unless the point can be run and has all collected quantities. The position
-// is that of the setting that causes the error, if there is one.
+// Throws Error, like scree check, unless the point can be run and has all collected quantities; at the
+// setting that causes the error, if one does.
 void check_point(const Campaign& campaign, const Point& point, PluginHost& host,
                  const scenario::StudyTables& studies = {});
 // The same for a point of a preparation, which must write its final state. Returns the bodies at its start.
 std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host,
                                     const scenario::StudyTables& studies = {});
-// Throws Error at a setting, or in the scenario, of a key that nothing reads, as far as that is known before the preparation
-// of the point, which begins with these bodies, has been run.
+// Refuses keys of the settings and of the scenario that nothing reads, as far as they are known before the
+// preparation of the point, which begins with these bodies, has been run.
 void check_keys(const Campaign& campaign, const Point& point, const std::vector<Body>& bodies,
                 PluginHost& host, const scenario::StudyTables& studies = {});
 

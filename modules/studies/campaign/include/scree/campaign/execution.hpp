@@ -35,7 +35,7 @@ struct Execution {
   std::size_t finished_before = 0;  // not run again
   bool interrupted = false;
   std::vector<Outcome> preparations = {};    // in the order of Campaign::preparation->points
-  std::vector<std::size_t> prepared = {};    // numbers of those that this call has run to their end
+  std::vector<std::size_t> prepared = {};    // numbers of preparations that this call has finished
   std::size_t gone_on = 0;                   // runs and preparations that went on from a state
   std::vector<std::string> begun_anew = {};  // "<name>: <why it could not go on>"
   bool blew_up = false;                      // a run or preparation of this call
@@ -47,11 +47,11 @@ struct Execution {
 void check(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
            PluginHost& host);
 
-// Runs all unfinished points, each in its own process, and updates the tables in the directory. Those that were
-// interrupted go on from their last state. The campaign is one from branched(): its preparations are run first. Throws
-// Error (bad_input) before anything is written if any point is refused, or, if it can only be checked from the state
-// of a preparation, before any point is run; Error (failure) if the directory cannot be written, after all runs have
-// ended.
+// Runs all unfinished points, each in its own process, and updates the tables in the directory. Interrupted
+// runs go on from their last state. The campaign comes from branched(): its preparations are run first.
+// Throws Error (bad_input) if a point is refused: before anything is written, or, for points that can only be
+// checked with the state of a preparation, before any point is run. Throws Error (failure) if the directory
+// cannot be written, after all runs have ended.
 Execution execute(const Campaign& campaign, CampaignDirectory& directory, const ExecutionOptions& options,
                   PluginHost& host);
 

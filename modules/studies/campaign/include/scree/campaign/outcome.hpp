@@ -32,11 +32,13 @@ struct Outcome {
   std::vector<Judged> expectations;
   std::vector<std::string> warnings = {};  // of a finished run
 
+  // A number of a finished run; NaN if it has none of this name.
+  double number(const std::string& name) const;
   std::size_t unmet() const;
 };
 
-// Reads the record of a run or spectrum, and the collected quantities, from its directory. An unreadable or invalid
-// file counts as missing.
+// Reads the record of a run or spectrum, and the collected quantities, from its directory. An unreadable or
+// invalid file counts as missing.
 Outcome read_outcome(const std::filesystem::path& directory, const Campaign& campaign, const Inputs& inputs);
 
 }  // namespace scree::campaign

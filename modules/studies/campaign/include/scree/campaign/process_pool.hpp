@@ -18,7 +18,7 @@ class ProcessPool {
     std::string how;            // "exit status 3", "killed by signal 9 (Killed)"; empty for status 0
     std::optional<int> status;  // absent if killed
   };
-  // What becomes of a log that is there.
+  // What is done with an existing log.
   enum class Log { replace, append };
 
   ProcessPool() = default;
@@ -28,14 +28,16 @@ class ProcessPool {
   ProcessPool& operator=(const ProcessPool&) = delete;
 
   // Starts the program at the path command[0], with its output in the file `log`; `id` identifies it in
-  // Ended. Throws Error (failure) if the log cannot be written or no process can be started.
+  // Ended. A program that cannot be executed ends with status 127, with the reason in its log. Throws Error
+  // (failure) if the log cannot be written or no process can be started.
   void start(std::size_t id, const std::vector<std::string>& command, const std::filesystem::path& log,
              Log existing = Log::replace);
-  // Processes ended since the last call. Waits for at least one, at most `seconds` or until a signal.
+  // Processes that have ended since the last call. Waits for at least one, at most `seconds` or until a
+  // signal.
   std::vector<Ended> wait(double seconds);
   void signal(int number) const;
 
-  std::size_t size() const { return running_.size(); }
+  std::size_t size() const { return running_.size() + not_executed_.size(); }
 
  private:
   struct Running {
@@ -44,6 +46,7 @@ class ProcessPool {
     int alive;  // read end of a pipe that closes when the process ends
   };
   std::vector<Running> running_;
+  std::vector<Ended> not_executed_;
 };
 
 }  // namespace scree::campaign

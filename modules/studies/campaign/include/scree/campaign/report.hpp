@@ -21,8 +21,8 @@ std::string campaign_json(const Campaign& campaign, const Execution& execution);
 // Writes table.csv, campaign.json and, with several seeds, means.csv. Throws Error (failure) if it cannot.
 void write_report(const Campaign& campaign, const Execution& execution, const CampaignDirectory& directory);
 
-// For a terminal: varied keys, preparations with their wall times, number of finished runs, runs that went on from a
-// state, expectations, failed runs with their reasons, runs with warnings.
+// For a terminal: varied keys, preparations with their wall times, number of finished runs, runs that went on
+// from a state, expectations, failed runs with their reasons, runs with warnings.
 std::string text_report(const Campaign& campaign, const Execution& execution);
 
 // For a terminal: runs that are no longer part of the campaign; empty if there are none.

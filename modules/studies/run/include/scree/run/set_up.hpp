@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <scree/error.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 #include <scree/state_transfer.hpp>
@@ -32,8 +33,8 @@ std::string describe_step(const Simulation& simulation);
 // Returns "<what>; <cure>" if the time step is unstable or its errors are large.
 std::optional<std::string> step_warning(const Simulation& simulation);
 
-// Returns "<problem>; <cure>" if the time step exceeds the limit of the scene: see step_guard.hpp.
-std::optional<std::string> step_problem(const Simulation& simulation);
+// Error without a place if the time step exceeds the limit of the scene: see step_guard.hpp.
+std::optional<Error> step_problem(const Simulation& simulation);
 
 // Throws Error (blow_up) if the plan has a step guard and the time step is too long; called at each stage,
 // which may change the limit.

@@ -6,10 +6,10 @@
 
 #include <scree/state_hash.hpp>
 
-namespace scree::state_file {
+namespace scree::files {
 
-// 64-bit checksum of bytes that detects every single changed word of 8 bytes. Four hashes take turns, since each waits
-// for its last multiplication: 12 GB/s, where one has 4.
+// 64-bit checksum of bytes that detects every single changed word of 8 bytes. Four hashes take turns, since
+// each has to wait for its last multiplication: 12 GB/s, where one hash reaches 4.
 class Checksum {
  public:
   // All pieces but the last must be multiples of 32 bytes.
@@ -20,4 +20,4 @@ class Checksum {
   std::array<StateHash, 4> hashes_;
 };
 
-}  // namespace scree::state_file
+}  // namespace scree::files

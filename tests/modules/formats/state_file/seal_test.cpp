@@ -52,7 +52,7 @@ struct Sample {
 
 }  // namespace
 
-TEST_CASE("A state file is refused whichever of its bytes has one wrong bit", "[damage]") {
+TEST_CASE("A state file is refused whichever of its bytes has one wrong bit", "[seal]") {
   const Sample sample;
   std::string other = sample.bytes;
   for (std::size_t k = 0; k < other.size(); ++k) {
@@ -64,7 +64,7 @@ TEST_CASE("A state file is refused whichever of its bytes has one wrong bit", "[
   }
 }
 
-TEST_CASE("A state file is refused whichever bit of its seal is wrong", "[damage]") {
+TEST_CASE("A state file is refused whichever bit of its seal is wrong", "[seal]") {
   const Sample sample;
   std::string other = sample.bytes;
   for (std::size_t bit = 0; bit < 512 * 8; ++bit) {
@@ -74,7 +74,7 @@ TEST_CASE("A state file is refused whichever bit of its seal is wrong", "[damage
   }
 }
 
-TEST_CASE("A state file that was cut off or extended is refused", "[damage]") {
+TEST_CASE("A state file that was cut off or extended is refused", "[seal]") {
   const Sample sample;
   const std::string size = std::to_string(sample.bytes.size());
   for (std::size_t end = 97; end < sample.bytes.size(); end += 97)
@@ -86,7 +86,7 @@ TEST_CASE("A state file that was cut off or extended is refused", "[damage]") {
              EndsWith(size + " when it was written; take another copy of it"));
 }
 
-TEST_CASE("A state file with two regions exchanged or one set to zero is refused", "[damage]") {
+TEST_CASE("A state file with two regions exchanged or one set to zero is refused", "[seal]") {
   const Sample sample;
   for (std::size_t at = 512; at + 128 <= sample.bytes.size(); at += 64) {
     std::string exchanged = sample.bytes, zeroed = sample.bytes;
@@ -98,7 +98,7 @@ TEST_CASE("A state file with two regions exchanged or one set to zero is refused
   }
 }
 
-TEST_CASE("The refusal of a state file names the format and what wrote it", "[damage]") {
+TEST_CASE("The refusal of a state file names the format and what wrote it", "[seal]") {
   const Sample sample;
   for (const char* format : {"0", "3", "17"})
     CHECK(
@@ -112,7 +112,7 @@ TEST_CASE("The refusal of a state file names the format and what wrote it", "[da
     sample.refusal_with("format 2", wrong);
 }
 
-TEST_CASE("What is no readable file is refused as a state and not waited for", "[damage]") {
+TEST_CASE("What is no readable file is refused as a state and not waited for", "[seal]") {
   const TemporaryFolder folder;
   CHECK(refusal(folder / "none.h5") == "there is no such file; check the path");
   CHECK(refusal(folder.path()) == "is not a regular file; give a state file");

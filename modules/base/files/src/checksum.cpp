@@ -1,9 +1,9 @@
-#include "checksum.hpp"
-
 #include <bit>
 #include <cstring>
 
-namespace scree::state_file {
+#include <scree/files/checksum.hpp>
+
+namespace scree::files {
 namespace {
 
 // Bytes as a number with the lowest first, whatever the order of the processor.
@@ -38,4 +38,4 @@ std::uint64_t Checksum::value() const {
   return all.value();
 }
 
-}  // namespace scree::state_file
+}  // namespace scree::files

@@ -65,7 +65,7 @@ struct File {
 
 }  // namespace
 
-TEST_CASE("A state file says that it is H5MD 1.1 by scree", "[h5md]") {
+TEST_CASE("A state file says that it is H5MD 1.1 by scree", "[bodies_writer]") {
   const File file(sample_state());
   CHECK(file.integers("h5md", "version", 2) == std::vector{1, 1});
   CHECK(file.attribute("h5md/creator", "name", 5) == "scree");
@@ -76,7 +76,7 @@ TEST_CASE("A state file says that it is H5MD 1.1 by scree", "[h5md]") {
   CHECK(file.attribute("h5md/modules/units", "system", 2) == "SI");
 }
 
-TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[h5md]") {
+TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[bodies_writer]") {
   const File file(sample_state());
   CHECK(file.values<double>("particles/bodies/position/value", H5T_NATIVE_DOUBLE, {1, 3, 3}) ==
         std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 0});
@@ -96,13 +96,13 @@ TEST_CASE("Bodies are elements of H5MD, with one time for all that changes", "[h
   CHECK(file.attribute("particles/bodies/species", "unit", 1) == "1");
 }
 
-TEST_CASE("An array without one row for each body is no element of H5MD", "[h5md]") {
+TEST_CASE("An array without one row for each body is no element of H5MD", "[bodies_writer]") {
   const File file(odd_state());
   CHECK(file.has("scree/bodies/total"));
   CHECK_FALSE(file.has("particles/bodies/total"));
 }
 
-TEST_CASE("The box of H5MD has the periods of the scene", "[h5md]") {
+TEST_CASE("The box of H5MD has the periods of the scene", "[bodies_writer]") {
   const File file(sample_state());
   CHECK(file.integers("particles/bodies/box", "dimension", 1)[0] == 3);
   CHECK(file.attribute("particles/bodies/box", "boundary", 8) ==
@@ -111,7 +111,8 @@ TEST_CASE("The box of H5MD has the periods of the scene", "[h5md]") {
         std::vector<double>{10, 0, 0, 0, 0, 0, 0, 0, 0});
 }
 
-TEST_CASE("A scene without periods has a box without edges, and one without positions no bodies", "[h5md]") {
+TEST_CASE("A scene without periods has a box without edges, and one without positions no bodies",
+          "[bodies_writer]") {
   State state = sample_state();
   state.put("walls/domain_upper", state.at("walls/domain_lower"));
   const File walled(state);
@@ -122,7 +123,7 @@ TEST_CASE("A scene without periods has a box without edges, and one without posi
   CHECK_FALSE(File(clock).has("particles"));
 }
 
-TEST_CASE("Numbers lie in the file with the lowest byte first, in one piece", "[h5md]") {
+TEST_CASE("Numbers lie in the file with the lowest byte first, in one piece", "[bodies_writer]") {
   const File file(odd_state());
   const std::pair<const char*, hid_t> types[] = {{"particles/bodies/position/value", H5T_IEEE_F64LE},
                                                  {"scree/odd/floats", H5T_IEEE_F32LE},

@@ -77,7 +77,7 @@ hid_t chunked() {
 
 }  // namespace
 
-TEST_CASE("A dataset that claims a million bodies in a small file takes no memory", "[foreign_file]") {
+TEST_CASE("A dataset that claims a million bodies in a small file takes no memory", "[file_reader]") {
   CHECK_THAT(refusal_after([](hid_t file) { add(file, "scree/many", H5T_IEEE_F64LE, {1'000'000}); }),
              Contains("/scree/many claims more values than it has"));
   CHECK_THAT(refusal_after([](hid_t file) {
@@ -89,7 +89,7 @@ TEST_CASE("A dataset that claims a million bodies in a small file takes no memor
       Contains("/scree/many does not lie in the file in one piece"));
 }
 
-TEST_CASE("Datasets that share their bytes do not count as more than the file has", "[foreign_file]") {
+TEST_CASE("Datasets that share their bytes do not count as more than the file has", "[file_reader]") {
   const std::string line = refusal_after([](hid_t file) {
     add(file, "scree/large", H5T_IEEE_F64LE, {1000});
     const hid_t dataset = H5Dopen2(file, "scree/large", H5P_DEFAULT);
@@ -102,7 +102,7 @@ TEST_CASE("Datasets that share their bytes do not count as more than the file ha
   CHECK_THAT(line, Contains("claims more bytes than are in the file"));
 }
 
-TEST_CASE("Datasets that no state has are named", "[foreign_file]") {
+TEST_CASE("Datasets that no state has are named", "[file_reader]") {
   const auto of_type = [](hid_t type) {
     return refusal_after([type](hid_t file) { add(file, "scree/odd", type, {0}); });
   };
@@ -130,7 +130,7 @@ TEST_CASE("Datasets that no state has are named", "[foreign_file]") {
              Contains("/particles/bodies/velocity/value is not the state at one time"));
 }
 
-TEST_CASE("Links out of their place are not followed", "[foreign_file]") {
+TEST_CASE("Links out of their place are not followed", "[file_reader]") {
   CHECK_THAT(refusal_after([](hid_t file) {
                H5Lcreate_external("/etc/passwd", "/", file, "scree/other", H5P_DEFAULT, H5P_DEFAULT);
              }),
@@ -148,7 +148,7 @@ TEST_CASE("Links out of their place are not followed", "[foreign_file]") {
 }
 
 TEST_CASE("Groups that hold themselves are read once, and what other programs add elsewhere is left out",
-          "[foreign_file]") {
+          "[file_reader]") {
   CHECK(refusal_after([](hid_t file) {
           H5Lcreate_hard(file, "scree", file, "observables", H5P_DEFAULT, H5P_DEFAULT);
           H5Ldelete(file, "observables", H5P_DEFAULT);
@@ -160,7 +160,7 @@ TEST_CASE("Groups that hold themselves are read once, and what other programs ad
         }) == "");
 }
 
-TEST_CASE("Groups in many others are refused, and so are second names of groups", "[foreign_file]") {
+TEST_CASE("Groups in many others are refused, and so are second names of groups", "[file_reader]") {
   const auto nested = [](int depth) {
     return refusal_after([depth](hid_t file) {
       std::string name = "scree";
@@ -179,7 +179,7 @@ TEST_CASE("Groups in many others are refused, and so are second names of groups"
              Contains("/scree/again is a second name of a group"));
 }
 
-TEST_CASE("A file with any byte changed and sealed again is read or refused in one line", "[foreign_file]") {
+TEST_CASE("A file with any byte changed and sealed again is read or refused in one line", "[file_reader]") {
   const TemporaryFolder folder;
   state_file::write_state(folder / "a.h5", sample_state());
   const std::string sound = text_of(folder / "a.h5");
@@ -202,7 +202,7 @@ TEST_CASE("A file with any byte changed and sealed again is read or refused in o
   CHECK(read > 0);
 }
 
-TEST_CASE("A file of the format before is read", "[foreign_file]") {
+TEST_CASE("A file of the format before is read", "[file_reader]") {
   const TemporaryFolder folder;
   const auto path = folder / "a.h5";
   state_file::write_state(path, sample_state());
@@ -221,7 +221,7 @@ TEST_CASE("A file of the format before is read", "[foreign_file]") {
             "b.h5", resealed(bytes, {.format = 1, .program_version = "0.1.0"}))) == sample_state());
 }
 
-TEST_CASE("A sealed file that is not HDF5 is refused", "[foreign_file]") {
+TEST_CASE("A sealed file that is not HDF5 is refused", "[file_reader]") {
   const TemporaryFolder folder;
   const auto file = folder.write("a.h5", std::string(4096, 'x'));
   seal(file);

@@ -27,6 +27,11 @@ void append(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary | std::ios::app) << text;
 }
 
+void starts(const std::string& line, const std::string& with) {
+  INFO(line);
+  CHECK(line.starts_with(with));
+}
+
 }  // namespace
 
 TEST_CASE("a run counts only for the same content of its file of bodies, whatever its date", "[campaign]") {
@@ -81,4 +86,25 @@ TEST_CASE("a run of a former version, which did not record its inputs, counts as
   folder.folder().write("out/run.json",
                         test::with(test::text_of(out / "run.json"), "\"inputs\"", "\"outputs\""));
   CHECK(outcome_of(c, 0, out).status == Status::changed);
+}
+
+TEST_CASE("a run that would be refused is reported at the value that causes it", "[campaign]") {
+  starts(CampaignFolder("[set]\n\"contact.normal_stiffness\" = [1e4, -1]\n").refusal(),
+         "campaign.toml:4:36: in run 'normal_stiffness=-1' --set contact.normal_stiffness=-1: ");
+  starts(CampaignFolder("[set]\n\"contact.normal_stiffness\" = 1e14\n").refusal(),
+         "campaign.toml:2:12: in run 'run' scene.toml:4:8: the time step of 1e-05 s is too long: ");
+  starts(CampaignFolder(
+             "[set]\n\"contact[0].normal_stiffness\" = 2e4\n\"contact.normal_stiffness\" = [1e4, 3e4]\n")
+             .refusal(),
+         "campaign.toml:4:33: in run 'normal_stiffness=10000' --set contact[0].normal_stiffness=20000.0 is "
+         "undone by --set contact.normal_stiffness=10000.0; ");
+  CHECK(
+      CampaignFolder("[set]\nparticles.lattice.count = [3, 4]\ncontact = [1]\n").refusal().find("[[...]]") ==
+      std::string::npos);
+  CHECK(CampaignFolder("[set]\nparticles.lattice.origin = [0, 1]\n").refusal().find("write [[...]]") !=
+        std::string::npos);
+  starts(CampaignFolder("collect = ['energy.wrk.last']\n").refusal(),
+         "campaign.toml:3:11: no quantity 'energy.wrk.last'; did you mean 'energy.work.last'?");
+  starts(CampaignFolder("collect = ['energy.work.last', 'steps', 'energy.work.last']\n").refusal(),
+         "campaign.toml:3:41: 'energy.work.last' appears twice in the list; remove one");
 }

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <scree/branching.hpp>
+#include <scree/document/document.hpp>
+#include <scree/document/table.hpp>
+#include <scree/domain.hpp>
+#include <scree/packing/packing.hpp>
+#include <scree/packing/random.hpp>
+#include <scree/parameters.hpp>
+#include <scree/particles.hpp>
+#include <scree/plugin_host.hpp>
+#include <scree/scenario/charts.hpp>
+#include <scree/scenario/names.hpp>
+#include <scree/scenario/plan.hpp>
+#include <scree/scenario/study_table.hpp>
+#include <scree/scenario/table_keys.hpp>
+#include <scree/scene.hpp>
+#include <scree/stage.hpp>
+
+// The readers of the tables of a scenario, each in the source that has its name. All throw Error at the wrong
+// key.
+namespace scree::scenario {
+
+// Does work whose errors then name the position of the key in the file, or of the table if it has no such
+// key.
+template <class Work>
+decltype(auto) placed(const document::Table& table, std::string_view key, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw error.at(table.place(key));
+  }
+}
+
+// lattice_reader.cpp
+
+// The bodies of [particles] with lattice and radius.
+packing::Packing read_lattice_bodies(const document::Table& particles, int dimension,
+                                     packing::Random& random);
+// A vector of `dimension` numbers; 0 if it is absent and not required.
+Vec3 read_vector(const document::Table& table, std::string_view key, int dimension, bool required);
+// Throws Error at the key if this number of bodies does not fit into memory. To be called before anything is
+// allocated: a system without memory ends a program without a message.
+void check_body_memory(const document::Table& table, std::string_view key, double bodies);
+
+// material_reader.cpp
+
+// A [[material]].
+struct Material {
+  std::string name;
+  double density;  // (kg/m³)
+};
+// All materials; at least one, with different names.
+std::vector<Material> read_materials(const document::Table& root);
+std::vector<std::string> names_of(const std::vector<Material>& materials);
+
+// state_reader.cpp
+
+// Path of the state that [particles] names: in or below `folder`, the working folder, or a folder in the
+// environment variable SCREE_STATE_PATH=DIR:DIR.
+std::filesystem::path find_state(const document::Table& particles, const std::filesystem::path& folder);
+std::shared_ptr<const State> read_state(const document::Table& particles,
+                                        const std::filesystem::path& folder);
+Branching read_branching(const document::Table& particles);
+// Throws Error unless the ids are above 0 and differ.
+void check_ids(const std::vector<Body>& bodies);
+// The bodies of a state, with the materials of the scenario that have the same names.
+std::vector<Body> bodies_of(const document::Table& particles, const State& state,
+                            const std::vector<Material>& materials);
+
+// input_files.cpp
+
+// A file from which a scene takes its bodies: the key of [particles] that names it, and its absolute path.
+struct BodyFile {
+  std::string key;
+  std::filesystem::path path;
+};
+// Absent if the scenario names none.
+std::optional<BodyFile> body_file(const document::Document& document, const std::filesystem::path& scenario);
+
+// particles_reader.cpp
+
+struct ReadBodies {
+  std::vector<Body> bodies;
+  Domain box;                                    // of the file of bodies; not periodic without one
+  std::shared_ptr<const State> state = nullptr;  // in which they were; null for a new packing
+  Branching branching = {};
+};
+// The bodies of [particles] (a lattice or a file) and of [[particle]], with mass and inertia: spheres in 3D
+// (I = 2mR²/5), discs of unit thickness in 2D (I = mR²/2). At least one. File names are relative to `folder`.
+ReadBodies read_bodies(const document::Table& root, int dimension, const std::vector<Material>& materials,
+                       std::uint64_t seed, const std::filesystem::path& folder);
+
+// plugin_parameters.cpp
+
+// The plug-in that the key `plugin` of the table names.
+const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host);
+// Copies the keys of a table that the plug-in declares to `parameters`; other keys, and columns of other
+// probes, are left for the caller.
+void read_parameters(const document::Table& table, int dimension, Parameters& parameters);
+// Throws Error at the table unless all required parameters are given.
+void check_complete(const document::Table& table, const Parameters& parameters);
+
+// program_reader.cpp
+
+// A function of time: a number, or a table whose keys determine its kind. Returns the numbers of a Program
+// (see program.hpp of the framework).
+std::vector<double> read_program(const document::Table& table, const std::string& key);
+
+// instances.cpp
+
+// Laws, boundaries and body forces of a scene with their parameters, by the names used in stages.
+struct Instances {
+  std::vector<Stage::Change> all;
+  UniqueNames names{"law, boundary or force"};
+};
+// Reads one table of [[contact]], [[boundary]] or [[body_force]], checks it and adds it to the instances. The
+// scene must have its bodies already.
+const Stage::Change& read_instance(const document::Table& table, scree_kind kind, PluginHost& host,
+                                   const Scene& scene, Instances& instances);
+// The instance with the parameters in `table` (of a stage) replaced, checked.
+Stage::Change changed_instance(const document::Table& table, const Stage::Change& old, const Scene& scene);
+
+// contact_reader.cpp
+
+// Reads the [[contact]] laws and assigns one to each pair of materials. The scene must have its materials.
+void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, Instances& instances);
+
+// stage_reader.cpp
+
+// Reads the [[stage]]s, or makes one stage of [time] duration. A change by a stage persists in the following
+// stages. The scene must be complete except for what depends on the stages. There may be none with the table
+// of a study; without `studies`, the scenario has been checked before and there may be none in any case.
+std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances,
+                               const StudyTables* studies, std::vector<std::string>& warnings);
+// A time (s) of at least one step and at most 1e12.
+double read_steps(const document::Table& table, const Key& key, double step);
+
+// probe_reader.cpp
+
+// Reads [[probe]]. A probe may read columns of others that stand before or after it.
+std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& scene,
+                                   const std::vector<Stage>& stages, PluginHost& host);
+ProbeColumns columns_of(const ProbePlan& probe, int dimension);
+
+// output_reader.cpp and checkpoint_reader.cpp
+
+// A time between outputs (s), at least one time step (s).
+double read_interval(const document::Table& table, const Key& key, double step);
+SnapshotPlan read_snapshot(const document::Table& root, double step);
+CheckpointPlan read_checkpoint(const document::Table& root, double step);
+// Sorts [[expect]] into the expectations of the run and of studies; the plan has its probes already. studies:
+// as for read_stages.
+void read_expectations(const document::Table& root, const StudyTables* studies, Plan& plan);
+
+}  // namespace scree::scenario
