@@ -39,10 +39,10 @@ const std::vector<std::string> detrendings = {"constant", "linear", "quadratic",
 constexpr std::size_t least_samples = 8, most_lines = 5;
 constexpr double tolerated_unevenness = 1e-3;
 
-signals::LockInOptions options_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
+LockInOptions options_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
   const auto degree =
       std::find(detrendings.begin(), detrendings.end(), arguments.detrend) - detrendings.begin();
-  signals::LockInOptions options;
+  LockInOptions options;
   options.frequency = arguments.frequency;
   options.duration = series.duration();
   options.drift_degree = degree > 3 ? 0 : int(degree);
@@ -103,7 +103,7 @@ void print_line(const signals::FoundLine& line) {
   fmt::print("\n");
 }
 
-signals::LockInResult harmonics_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
+LockInResult harmonics_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
   using signals::Detrending;
   const auto detrending =
       arguments.detrend == "period-average" ? Detrending::period_average : Detrending::polynomial;
@@ -138,7 +138,7 @@ std::vector<signals::FoundLine> report_lines(const SpectrumArguments& arguments,
     if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
     return lines;
   }
-  const signals::LockInResult result = harmonics_of(arguments, series);
+  const LockInResult result = harmonics_of(arguments, series);
   print_head(arguments, series, unevenness, false);
   for (std::size_t k = 0; k < result.harmonics; ++k)
     print_line(lines.emplace_back(signals::FoundLine{result.lines[k]}));

@@ -1,5 +1,7 @@
 #include "line_fit.hpp"
 
+#include "scree/signals/lock_in.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <scree/scenario/spectrum_plan.hpp>
-#include <scree/signals/lock_in.hpp>
-#include <scree/signals/period_average.hpp>
+#include <scree/plugin/lock_in.hpp>
+#include <scree/plugin/period_average.hpp>
 
 namespace scree::spectrum {
 
@@ -31,10 +31,10 @@ class ToneLockIn {
   Amplitude result() const;
 
  private:
-  signals::LockInOptions options_;
+  LockInOptions options_;
   std::vector<double> fit_state_, average_state_;
-  signals::LockIn fit_;
-  std::optional<signals::PeriodAverage> average_;
+  LockIn fit_;
+  std::optional<PeriodAverage> average_;
   double sum_ = 0, origin_ = 0;
   std::size_t samples_ = 0;
 };

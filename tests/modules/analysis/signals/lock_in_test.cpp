@@ -10,6 +10,7 @@
 #include <scree/error.hpp>
 #include <scree/signals/lock_in.hpp>
 
+using namespace scree;
 using namespace scree::signals;
 using scree::test::equal_times;
 using scree::test::random_times;
@@ -36,7 +37,7 @@ std::vector<double> driven(const std::vector<double>& times) {
 void check_lines(const LockInResult& result) {
   REQUIRE(result.harmonics == 3);
   for (int h = 0; h < 3; ++h) {
-    const Line& line = result.lines[h];
+    const SpectralLine& line = result.lines[h];
     CHECK(line.frequency == (h + 1) * frequency);
     CHECK(std::abs(line.amplitude - amplitudes[h]) < 1e-15);
     CHECK(std::abs(turned_by(line.phase, phases[h])) < 1e-15 / amplitudes[h]);
@@ -72,7 +73,7 @@ TEST_CASE("phases refer to the origin, also for a record that starts late", "[lo
   check_lines(lock_in(times, driven(times), options_of(3)));
   LockInOptions later = options_of(3);
   later.origin = 5.0123;
-  const Line line = lock_in(times, driven(times), later).lines[0];
+  const SpectralLine line = lock_in(times, driven(times), later).lines[0];
   CHECK(std::abs(turned_by(line.phase, phases[0] + 2 * std::numbers::pi * frequency * 5.0123)) < 1e-9);
   CHECK(line.phase <= std::numbers::pi);
   CHECK(line.phase > -std::numbers::pi);

@@ -37,7 +37,7 @@ std::vector<double> at_equal_steps(std::span<const double> times, std::span<cons
 // A line that decays, A exp(-pi f (t - t_0) / Q) sin(2 pi f t + phi), has its amplitude at the first time t_0; its
 // errors are those of the fit of all four numbers in noise of the density near the line. The frequency without
 // damping would be f sqrt(1 + 1 / (4 Q^2)).
-struct FoundLine : Line {
+struct FoundLine : SpectralLine {
   double frequency_error = 0;             // (Hz) standard error
   double quality = 0, quality_error = 0;  // Q and its standard error; 0 of a line that does not decay
 };
