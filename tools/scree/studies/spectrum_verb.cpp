@@ -1,5 +1,4 @@
 #include "studies/measurement_report.hpp"
-#include "studies/series_text.hpp"
 #include "studies/spectrum_files.hpp"
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
@@ -83,7 +82,7 @@ bool decay(const std::vector<signals::FoundLine>& lines) {
 void print_head(const SpectrumArguments& arguments, const signals::TimeSeries& series, double unevenness,
                 bool with_quality) {
   fmt::print("{}: {}, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
-             with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
+             signals::with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
              series.times.front(), series.times.back(), unevenness > tolerated_unevenness ? "mean " : "",
              series.mean_step(), arguments.frequency > 0 ? arguments.detrend : "cubic and relaxation");
   const std::string unit = series.unit.empty() ? "" : fmt::format(" [{}]", files::one_line(series.unit));
@@ -155,7 +154,7 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   const signals::TimeSeries series =
       signals::read_time_series(arguments.csv, arguments.column, least_samples);
   if (series.cut_line > 0)
-    report_warning(fmt::format("{}: {}", arguments.csv, warning_of_cut_line(series.cut_line)));
+    report_warning(fmt::format("{}: {}", arguments.csv, signals::cut_line_warning(series.cut_line)));
   check_frequency(arguments, series);
   const double unevenness = signals::unevenness(series.times);
   const signals::AmplitudeSpectrum amplitudes =

@@ -20,11 +20,12 @@ double robust_deviation(std::vector<double> deviations) {
 }
 
 struct Deviation {
-  double of_pairs = 0, smaller = 0, mean = 0;  // mean: what the pairs say
+  double of_pairs = 0, smaller = 0, mean = 0;  // mean: expected by the pairs
 };
 
-// Of the first value and the last, which have values on one side only. What exceeds thrice the range of the next values counts: the first of a slope is 3/4 of
-// it from their median, of a decay by a factor of e per cycle 2.6 times.
+// The deviation of the first or last value, which has neighbours on one side only: what exceeds three times
+// their range. The first value of a slope is 3/4 of the range from their median, of a decay by a factor of e
+// per cycle 2.6 times it.
 Deviation deviation_at_end(const std::vector<double>& values, std::size_t place) {
   const std::size_t count = std::min(reach, values.size() - 1);
   const auto begin = place == 0 ? values.begin() + 1 : values.end() - 1 - std::ptrdiff_t(count);

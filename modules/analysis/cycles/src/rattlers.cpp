@@ -1,4 +1,4 @@
-#include "studies/cycles_touching.hpp"
+#include "scree/cycles/rattlers.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <scree/error.hpp>
 #include <scree/files/csv_rows.hpp>
 
-namespace scree::tool {
+namespace scree::cycles {
 
 namespace {
 
@@ -18,11 +18,12 @@ using files::CsvRows;
 
 constexpr std::string_view touched = "touched_", last_touch = "last_touch_";
 
-// The columns of one body, and its numbers at each minimum.
+// The two columns of a body, and their values at each minimum.
 struct Track {
   long long id = 0;
   std::size_t touched_column = 0, last_column = 0;
-  std::vector<double> observations, last;  // in which it touched; (s) time of the last touch
+  std::vector<double> observations;  // in which it touched, so far
+  std::vector<double> last;          // (s) time of the last touch
 };
 
 std::vector<Track> tracks_of(const CsvRows& rows) {
@@ -45,7 +46,7 @@ std::vector<Track> tracks_of(const CsvRows& rows) {
 // Reads the rows at the minima. Returns the number of observations at each.
 std::vector<double> read_tracks(CsvRows& rows, const fs::path& file, const std::vector<double>& minima,
                                 std::vector<Track>& tracks) {
-  constexpr double slack = 1e-6;  // of a period, as for strains
+  constexpr double slack = 1e-6;  // over the period, as for strains
   const double near = minima.size() > 1 ? slack * (minima[1] - minima[0]) : 0;
   const std::size_t all = rows.column("observations");
   std::vector<double> observations;
@@ -79,8 +80,8 @@ Rattlers read_rattlers(const fs::path& file, const std::vector<double>& minima, 
   Rattlers found;
   std::erase_if(tracks, [&](const Track& track) {
     const double share = (track.observations.back() - track.observations[drop]) / counted;
-    if (share < Rattlers::seldom) found.bodies.push_back({track.id, share});
-    return !(share < Rattlers::seldom);
+    if (share < Rattler::seldom) found.bodies.push_back({track.id, share});
+    return !(share < Rattler::seldom);
   });
   for (std::size_t n = 0; n < minima.size() && !tracks.empty(); ++n) {
     const auto latest = std::max_element(
@@ -90,4 +91,4 @@ Rattlers read_rattlers(const fs::path& file, const std::vector<double>& minima, 
   return found;
 }
 
-}  // namespace scree::tool
+}  // namespace scree::cycles

@@ -14,12 +14,12 @@ namespace {
 
 constexpr int trials = 500;
 
-// How many of the trials are called what they are not.
+// Number of trials with a wrong class.
 struct Called {
   int ratcheting = 0, periodic = 0, falls = 0;  // falls: shakedown, creep or settling
 };
 
-// series: so many values by a generator of random numbers.
+// series: makes so many values with a generator of random numbers.
 template <class Series>
 Called called(std::size_t count, const Series& series) {
   ClassOptions options;
@@ -37,10 +37,10 @@ Called called(std::size_t count, const Series& series) {
   return sum;
 }
 
-// Of a share of the trials, with three standard deviations of such a number.
+// The number of trials for a share, plus three standard deviations.
 int at_most(double share) { return int(share * trials + 3 * std::sqrt(share * trials)); }
 
-// Independent values of a distribution.
+// Independent values from a distribution.
 template <class Distribution>
 auto independent(Distribution distribution) {
   return [distribution](std::mt19937_64& random, std::size_t count) {
@@ -51,7 +51,7 @@ auto independent(Distribution distribution) {
   };
 }
 
-// Normal values that keep a part of the one before: 1 is a random walk.
+// Normal values plus a share of the value before; 1 is a random walk.
 auto remembering(double part) {
   return [part](std::mt19937_64& random, std::size_t count) {
     std::normal_distribution<double> normal;
