@@ -33,7 +33,8 @@ std::vector<double> driven(const std::vector<double>& times) {
   return x;
 }
 
-// Round-off of a value of the record is 1e-18; the fit takes 2e4 samples and hence adds less than that to the lines.
+// Round-off of a value of the record is 1e-18; the fit takes 2e4 samples and hence adds less than that to the
+// lines.
 void check_lines(const LockInResult& result) {
   REQUIRE(result.harmonics == 3);
   for (int h = 0; h < 3; ++h) {
@@ -89,7 +90,7 @@ TEST_CASE("a drift that is no polynomial changes the amplitude by no more than t
     options.frequency = 5, options.drift_degree = degree;
     return std::abs(lock_in(times, x, options).lines[0].amplitude - 0.01);
   };
-  // Of degree 0, r = exp(-t) - 1/2 has max|r| = 1/2 and V = 1; of degree 2, Chebyshev: max|r| <= T^3 / (2^5 3!).
+  // Degree 0: r = exp(-t) - 1/2 has max|r| = 1/2 and V = 1. Degree 2, by Chebyshev: max|r| <= T^3 / (2^5 3!).
   CHECK(error(0) < 2 / (std::numbers::pi * 20));
   CHECK(error(0) > 1e-3);
   const double rest = 64.0 / 192;

@@ -12,8 +12,8 @@ enum class Detrending {
   period_average  // the mean over one period is subtracted first (period_average.hpp), then the same
 };
 
-// The lock-in of a whole record. times: (s) increasing, as many as values. A duration of 0 in the options stands for
-// the length of the record. Throws Error.
+// The lock-in of a whole record. times: (s) increasing, as many as values. A duration of 0 in the options
+// stands for the length of the record. Throws Error.
 LockInResult lock_in(std::span<const double> times, std::span<const double> values, LockInOptions options,
                      Detrending detrending = Detrending::polynomial);
 

@@ -14,7 +14,7 @@ namespace scree::spectrum {
 // A peak in the response of a column, as one road found it.
 struct Resonance {
   std::size_t road = 0, column = 0;  // of the measurement
-  signals::Mode mode;
+  signals::FittedMode mode;
   // f0 − that of the nearest peak of the first road (Hz); 0 for the first road, NaN if it has none.
   double difference = 0;
   // Wavelengths between the ends of the packing, 0.25 of λ/4: from the shape, not the order (mode_shape.hpp); NaN without a standing wave.

@@ -26,7 +26,7 @@ struct Shares {
 
 }  // namespace
 
-// Line and drift are fitted in turn, six times; what the drift leaves in a line is the less, the longer this lasts.
+// Line and drift are fitted in turn, six times; each round lowers the error that the drift leaves in a line.
 TEST_CASE("a decay has its frequency, Q and amplitude at the beginning", "[strongest_lines]") {
   for (const double quality : {20.0, 50.0, 400.0}) {
     const double small = quality < 50 ? 1e-4 : 1e-7;
@@ -45,7 +45,7 @@ TEST_CASE("a decay has its frequency, Q and amplitude at the beginning", "[stron
   }
 }
 
-// Shares of 100 cases have standard deviations of 0.047 and 0.022: four of them.
+// Shares of 100 cases have standard deviations of 0.047 and 0.022; the margins are four of them.
 TEST_CASE("errors of a decay cover the true ones in white noise", "[strongest_lines]") {
   constexpr int cases = 100;
   std::mt19937_64 random(3);

@@ -17,12 +17,12 @@
 using namespace scree::signals;
 using namespace scree::test;
 
-// How often stated errors cover the truth, for a mode among hundreds of weak ones that no fit tells apart, as in a
-// disordered packing.
+// How often stated errors cover the truth, for a mode among hundreds of weak ones that no fit tells apart, as
+// in a disordered packing.
 
 namespace {
 
-// What weak modes are like, over a mode of height 1.
+// The weak modes beside a mode of height 1.
 struct WeakModes {
   double height;  // largest, or mean of exponential ones
   double least_quality, most_quality;
@@ -30,7 +30,8 @@ struct WeakModes {
   double noise = 0;
 };
 
-// λ/4, 3λ/4, 5λ/4 and 7λ/4 (Q 60 to 5), the second first and of height 1, and 300 weak modes from 1 to 200 kHz.
+// Modes λ/4, 3λ/4, 5λ/4 and 7λ/4 (Q 60 to 5), the second in front and of height 1, and 300 weak modes from 1 to
+// 200 kHz.
 std::vector<Truth> packing(const WeakModes& weak, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -81,7 +82,7 @@ struct Grid {
 };
 constexpr std::array grids = {Grid{12e3, 30e3, 61}, Grid{10e3, 34e3, 97}, Grid{15e3, 27e3, 61}};
 
-bool is_absurd(const Mode& mode, const std::vector<double>& f, const std::vector<Complex>& h) {
+bool is_absurd(const FittedMode& mode, const std::vector<double>& f, const std::vector<Complex>& h) {
   double largest = 0;
   for (std::size_t k = 0; k < f.size(); ++k)
     if (std::abs(f[k] - mode.frequency) <= mode.width) largest = std::max(largest, std::abs(h[k]));
@@ -95,8 +96,8 @@ void add(Cover& cover, const WeakModes& weak, unsigned first_seed, unsigned case
     const auto f = band(grid.low, grid.high, grid.count);
     Noise noise(weak.noise, first_seed + k);
     const auto h = noise.added(response(f, modes));
-    Mode best;
-    for (const Mode& mode : find_modes(f, h)) {
+    FittedMode best;
+    for (const FittedMode& mode : fit_peaks(f, h)) {
       cover.absurd += is_absurd(mode, f, h);
       if (std::abs(mode.frequency - modes[0].frequency) < modes[0].width && mode.amplitude > best.amplitude)
         best = mode;
@@ -109,7 +110,7 @@ void add(Cover& cover, const WeakModes& weak, unsigned first_seed, unsigned case
   }
 }
 
-// Ensembles of modes of `height` at most, or of half or 0.6 of it on average, with other widths and noise.
+// Ensembles of weak modes, with a largest height or a mean of 0.5 or 0.6 of it, and with other widths and noise.
 constexpr std::size_t ensembles = 3;
 WeakModes weak_modes(double height, std::size_t ensemble) {
   const std::array of = {WeakModes{height, 8, 60}, WeakModes{height / 2, 5, 40, true, 1e-3},
@@ -123,8 +124,8 @@ TEST_CASE("errors of a mode cover the truth among weak modes of a tenth of its h
   Cover cover;
   add(cover, weak_modes(0.1, 0), 5000, 60);
   INFO(cover.text());
-  // Shares of 60 cases have standard deviations of 0.060 and 0.028; the margins are three of them and the 0.06 and
-  // 0.04 that are claimed.
+  // Shares of 60 cases have standard deviations of 0.060 and 0.028; the margins are three of them and the
+  // 0.06 and 0.04 that are claimed.
   CHECK(cover.found > 50);
   for (const Shares& shares : {cover.frequency, cover.width}) {
     CHECK(shares.one / double(cover.found) == Approx(0.68).margin(0.06 + 0.18));
@@ -139,9 +140,10 @@ TEST_CASE("modes that the response does not show are refused among weak modes", 
   CHECK(cover.absurd == 0);
 }
 
-// test_modules_analysis_signals "[.coverage]" prints the shares of a thousand responses of each ensemble, by height. The method
-// was settled on the first, with other seeds; on the second only how unlikely further poles are; on the third nothing.
-// Errors are to hold for 68 +- 6 % and 95 +- 4 %; of the thousands, the lower bounds are checked.
+// test_modules_analysis_signals "[.coverage]" prints the shares of a thousand responses of each ensemble, by
+// height. The method was settled on the first, with other seeds; on the second only how unlikely further
+// poles are; on the third nothing. Errors are to hold for 68 +- 6 % and 95 +- 4 %; of the thousands, the
+// lower bounds are checked.
 TEST_CASE("errors cover the truth in a thousand responses at heights from 1 to 30 %", "[.coverage]") {
   for (std::size_t ensemble = 0; ensemble < ensembles; ++ensemble) {
     Cover all;

@@ -14,7 +14,7 @@ using scree::test::equal_times;
 
 namespace {
 
-// A line of amplitude 1 in noise of 0.1, in records of 1 s, and how often the errors cover its frequency.
+// How often the errors cover the frequency of a line of amplitude 1 in noise of 0.1, in records of 1 s.
 struct Cover {
   static constexpr int cases = 40;
   static constexpr std::size_t samples = 1000;
@@ -40,7 +40,7 @@ struct Cover {
 
 }  // namespace
 
-// Shares of 40 cases have standard deviations of 0.074 and 0.034: four and three and a half of them.
+// Shares of 40 cases have standard deviations of 0.074 and 0.034; the margins are 4 and 3.5 of them.
 TEST_CASE("errors of a line hold beside relaxations ten times as large", "[strongest_lines]") {
   const std::vector<std::function<double(double)>> drifts = {
       [](double t) { return 10 * std::exp(-4 * t); }, [](double t) { return 10 * std::log(1 + 50 * t); },
