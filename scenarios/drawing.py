@@ -1,4 +1,4 @@
-"""Matplotlib without a display, for the scripts of the folders beside this file."""
+"""Matplotlib without a display, for the scripts of the papers."""
 from tables import refuse
 
 try:

@@ -1,5 +1,6 @@
-"""Tables and campaigns that scree writes, for the scripts of the folders beside this file."""
+"""Tables and campaigns that scree writes, for the scripts of the papers."""
 import csv
+import json
 import os
 import sys
 import tomllib
@@ -19,8 +20,8 @@ def read(path):
 
 
 def runs_of(folder, *columns):
-    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign. Ends the script with one line if
-    its table lacks one of the columns."""
+    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign. Ends
+    the script with one line if its table lacks one of the columns."""
     table = os.path.join(folder, "table.csv")
     rows = read(table) if os.path.exists(table) else []
     for column in columns:
@@ -32,7 +33,7 @@ def runs_of(folder, *columns):
 
 
 def scenario_of(run):
-    """The scenario of a run as it was taken."""
+    """The scenario of a run, with all its overrides."""
     with open(os.path.join(run, "scenario.toml"), "rb") as scenario:
         return tomllib.load(scenario)
 
@@ -47,6 +48,28 @@ def arguments(usage, least, most):
         print(usage, file=sys.stderr)
         sys.exit(2)
     return given
+
+
+def folders(usage):
+    """The folders that the script is given, and the folder of --out, by default the first."""
+    given = arguments(usage, 1, sys.maxsize)
+    if "--out" not in given:
+        return given, given[0]
+    at = given.index("--out")
+    out, given = given[at + 1 : at + 2], given[:at] + given[at + 2 :]
+    if not out or not given:
+        print(usage, file=sys.stderr)
+        sys.exit(2)
+    return given, out[0]
+
+
+def study_of(folder):
+    """The name of the file of a campaign without its ending, or the name of a folder that is no campaign."""
+    try:
+        with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
+            return os.path.splitext(os.path.basename(json.load(record)["file"]))[0]
+    except OSError:
+        return os.path.basename(os.path.abspath(folder))
 
 
 def no_runs(folder, campaign):

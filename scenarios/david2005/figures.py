@@ -1,11 +1,12 @@
-"""Draws strain accumulation over the cycles for packings of several sizes and frictions (figures 3 and 5 of David et al. 2005) and their loops
-(figures 2 and 4) with each tangential spring, from a campaign of accumulation.toml, and prints their numbers: means over the seeds ± standard
-error, in brackets where it is of two packings and says little. Writes runs.csv, one row a cycle of each run, beside the pictures; runs of an
-earlier runs.csv there that the campaign lacks are kept and count too, but for their loops. Of a campaign with several periods or steps
-(rates.toml) it prints the numbers of each run instead.
+"""Draws cyclic loading of packings of several sizes and frictions, and records its numbers (David et al. 2005):
+claims.png, of figures 3 to 5; of each campaign its strain over the cycles (accumulation.png for
+accumulation.toml) and its loops (loops.png); results.csv, means over the seeds and standard errors. Of
+accumulation.toml also runs.csv, one row a cycle of each run; runs of an earlier runs.csv there that the
+campaign lacks are kept and count too, but for their loops. Of rates.toml and of the campaigns of
+quickstart.toml it records numbers alone.
 
-Usage: python3 scenarios/david2005/figures.py campaigns/accumulation [FOLDER for pictures and table, default: that of the campaign]
-Needs python3-matplotlib."""
+Usage: python3 scenarios/david2005/figures.py DIR... [--out FOLDER, default: the first DIR]
+DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib."""
 import math
 import os
 import statistics
@@ -13,28 +14,20 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from runs import SPRINGS, merged, runs_at  # noqa: E402 (of this folder)
+from claims import draw_claims  # noqa: E402 (of this folder, like the next)
+from record import mean_of, put_frictions, put_groups, put_runs, quantities_of  # noqa: E402
+from runs import SPRINGS, kept_runs, merged, runs_at  # noqa: E402
 from drawing import pyplot  # noqa: E402 (of the folder above, like the next)
-from tables import arguments, made, no_runs  # noqa: E402
+from results import Results  # noqa: E402
+from tables import folders, made, no_runs, study_of  # noqa: E402
 
-LATE = 50  # cycles
-
-
-def late_slope(run):
-    """Strain per cycle from cycle LATE on, or in the second half of fewer than twice as many."""
-    from_cycle = min(LATE, len(run.strain) // 2)
-    cycles = len(run.strain) - 1 - from_cycle
-    return (run.strain[-1] - run.strain[from_cycle]) / cycles if cycles > 0 else math.nan
-
-
-def mean_of(values):
-    error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else math.nan
-    return statistics.fmean(values), error
+PAPER = os.path.dirname(os.path.abspath(__file__))
+TABLE, KEPT = "runs.csv", "accumulation"  # the campaign whose runs the table keeps
 
 
 def with_error(mean, error, count):
     """A mean and its standard error as text, in brackets where it is of two values, without where it is of one."""
-    if count < 2:
+    if count < 2 or math.isnan(mean):
         return f"{mean:.3g}"
     return f"{mean:.3g} ± {error:.1g}" if count > 2 else f"{mean:.3g} (± {error:.1g})"
 
@@ -48,36 +41,51 @@ def groups_of(runs):
 
 
 def print_numbers(groups):
-    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seeds':>5}  {'strain after the last cycle':>28}  {'per cycle, late':>24}  {'first loop [Pa]':>20}  {'slope [kPa]':>16}")
+    heads = ("strain after the last cycle", "per cycle, late", "first loop [Pa]", "slope [kPa]")
+    print(f"spheres     μ {'spring':14} seeds  {heads[0]:>28}  {heads[1]:>24}  {heads[2]:>20}  {heads[3]:>16}")
     for (size, friction, spring), runs in groups.items():
-        quantities = (lambda r: r.strain[-1], late_slope, lambda r: r.loop_area[0], lambda r: r.slope[0] / 1e3)
-        numbers = [mean_of([quantity(r) for r in runs]) for quantity in quantities]
-        texts = [with_error(mean, error, len(runs)) for mean, error in numbers]
-        print(f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}  {texts[2]:>20}  {texts[3]:>16}")
+        texts = [with_error(mean, error, len(runs)) for _, _, mean, error in quantities_of(runs)[:4]]
+        print(
+            f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}"
+            f"  {texts[2]:>20}  {texts[3]:>16}"
+        )
 
 
 def print_runs(runs):
-    print(f"{'spheres':>7} {'μ':>5} {'spring':14} {'seed':>4} {'period [s]':>10} {'step [s]':>8} {'cycles':>6} {'strain after the last':>21}"
-          f" {'first loop [Pa]':>15} {'slope [kPa]':>11}")
+    print(
+        f"spheres     μ {'spring':14} seed period [s] step [s] cycles strain after the last"
+        " first loop [Pa] slope [kPa]"
+    )
     for run in sorted(runs, key=lambda run: run.key):
-        print(f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g} {len(run.loop_area):6} {run.strain[-1]:21.3g}"
-              f" {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}")
-    print("several periods or steps: no means, pictures and runs.csv")
+        print(
+            f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g}"
+            f" {len(run.loop_area):6} {run.strain[-1]:21.3g} {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}"
+        )
+    print("several periods or steps: no means")
 
 
 def plot_accumulation(axes, groups, title, name_of):
-    """Means of the seeds, with standard errors after the last cycle; on a logarithmic scale where they differ widely."""
+    """Means of the seeds, with standard errors after the last cycle; logarithmic where they differ widely."""
     ends = [mean_of([run.strain[-1] for run in runs])[0] for runs in groups.values()]
     if min(ends) > 0 and max(ends) > 20 * min(ends):
         axes.set_yscale("log")
-    for at, (label, runs, look) in enumerate(with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")):
+    for at, (label, runs, look) in enumerate(
+        with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")
+    ):
         last = min(len(r.strain) for r in runs) - 1
-        axes.plot(range(last + 1), [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)], label=label, **look)
+        axes.plot(
+            range(last + 1),
+            [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)],
+            label=label,
+            **look,
+        )
         mean, error = mean_of([1e3 * r.strain[last] for r in runs])
         error = None if math.isnan(error) else error
-        # Beside one another.
+        # Next to one another.
         fill = "none" if look["linestyle"] == "--" else "full"
-        axes.errorbar(last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look)
+        axes.errorbar(
+            last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look
+        )
     axes.set(title=title, xlabel="cycle", ylabel="deviatoric strain at the least load / 10⁻³")
 
 
@@ -107,7 +115,7 @@ def packings_of(groups, key):
 
 
 def save(figure, panels, file, note):
-    figure.suptitle(f"Tangential springs: solid lines that of David et al., dashed lines painted points{note}", fontsize=10)
+    figure.suptitle(f"Tangential springs: solid lines David et al., dashed lines painted points{note}", fontsize=10)
     for axes in panels:
         axes.grid(color="#eeeeee")
         axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
@@ -149,26 +157,33 @@ def draw_panels(panels, file, note=""):
     save(figure, axes, file, note)
 
 
-def draw_accumulation(groups, folder):
+def draw_accumulation(groups, file):
     """Over sizes and frictions, or the one of which there are several."""
     (sizes, weakest), (frictions, compared) = by_size(groups), by_friction(groups)
     panels = []
     if values_of(sizes, 0) > 1 or values_of(frictions, 1) < 2:
-        panels.append(lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of))
+        panels.append(
+            lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of)
+        )
     if values_of(frictions, 1) > 1:
-        panels.append(lambda axes: plot_accumulation(axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of))
-    draw_panels(panels, os.path.join(folder, "accumulation.png"), "; n packings of each")
+        panels.append(
+            lambda axes: plot_accumulation(
+                axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of
+            )
+        )
+    draw_panels(panels, file, "; n packings of each")
 
 
-def draw_loops(groups, folder):
-    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several frictions, and the first."""
+def draw_loops(groups, file):
+    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several
+    frictions, and the first."""
     looped = {key: [run for run in runs if run.loops] for key, runs in groups.items()}
     looped = {key: runs for key, runs in looped.items() if runs}
     if not looped:
         return
     (sizes, weakest), (frictions, compared) = by_size(looped), by_friction(looped)
     largest = {key: runs for key, runs in sizes.items() if key[0] == max(size for size, _, _ in sizes)}
-    # Those of two springs would hide each other.
+    # Loops of two springs would hide each other.
     spring = min((key[2] for key in largest), key=list(SPRINGS.values()).index)
     largest = {key: runs for key, runs in largest.items() if key[2] == spring}
     panels, compares = [], values_of(frictions, 1) > 1
@@ -177,24 +192,44 @@ def draw_loops(groups, folder):
         panels.append(lambda axes: plot_loops(axes, largest, title, size_of, lambda run: run.loops, 0.4))
     if compares:
         title_of_first = f"First cycle, {compared} spheres, first seed"
-        panels.append(lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop()))
-    draw_panels(panels, os.path.join(folder, "loops.png"))
+        panels.append(
+            lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop())
+        )
+    draw_panels(panels, file)
+
+
+def evaluate(folder, out, results):
+    """Draws and records the runs of a folder."""
+    study, campaign = study_of(folder), folder
+    if study in ("friction-campaign", "prepared-friction-campaign"):
+        return put_frictions(results, study, folder)
+    found = runs_at(folder)
+    if len({(run.period, run.step) for run in found}) > 1:
+        print_runs(found)
+        return put_runs(results, study, found, folder)
+    if not found:
+        found, study, campaign = kept_runs(os.path.join(folder, TABLE)), KEPT, None
+    elif study == KEPT:
+        found = merged(found, folder, os.path.join(made(out), TABLE))
+    if not found:
+        no_runs(folder, f"scenarios/david2005/{KEPT}.toml")
+    groups = groups_of(found)
+    made(out)
+    print_numbers(groups)
+    put_groups(results, study, groups, campaign)
+    if len(found[0].strain) > 2:
+        draw_accumulation(groups, os.path.join(out, f"{study}.png"))
+    return draw_loops(groups, os.path.join(out, "loops.png" if study == KEPT else f"{study}-loops.png"))
 
 
 def main():
-    folder, *out = arguments(__doc__, 1, 2)
-    out, found = out[0] if out else folder, runs_at(folder)
-    table = os.path.join(out, "runs.csv")
-    if not found and not os.path.exists(table):
-        no_runs(folder, "scenarios/david2005/accumulation.toml")
-    if len({(run.period, run.step) for run in found}) > 1:
-        return print_runs(found)
-    made(out)
-    groups = groups_of(merged(found, folder, table))
-    print_numbers(groups)
-    draw_accumulation(groups, out)
-    draw_loops(groups, out)
-    return None
+    given, out = folders(__doc__)
+    results = Results(PAPER, out)
+    for folder in given:
+        evaluate(folder, out, results)
+    results.write()
+    kept = kept_runs(os.path.join(out, TABLE)) or kept_runs(os.path.join(PAPER, TABLE))
+    draw_claims(by_size(groups_of(kept))[0], results, out)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""Runs of cyclic loading: strain after each cycle, areas and slopes of the loops, from campaigns and from the table that keeps them."""
+"""Runs of cyclic loading: strain after each cycle, areas and slopes of the loops, from campaigns and from the
+table that keeps them."""
 import csv
 import itertools
 import json
@@ -15,8 +16,9 @@ COLUMNS = ("cycle", "strain", "loop_area [Pa]", "slope [Pa]")
 
 
 class Run:
-    """strain: deviatoric, at the least load before and after each cycle; loop_area: ∮ σ dε of each cycle (Pa); slope: between the extreme
-    points of each (Pa); loops: strains and stresses (Pa) of all cycles, None of runs that a table kept."""
+    """strain: deviatoric, at the least load before and after each cycle; loop_area: ∮ σ dε of each cycle (Pa);
+    slope: between the extreme points of each (Pa); loops: strains and stresses (Pa) of all cycles, None of runs
+    that a table kept."""
 
     def __init__(self, key, strain, loop_area, slope, loops=None, per_cycle=0):
         self.key = tuple(key)
@@ -31,7 +33,10 @@ class Run:
 def area(strain, stress):
     """∮ σ dε, closed from the last point to the first, as `scree cycles` does."""
     closed_strain, closed_stress = [*strain, strain[0]], [*stress, stress[0]]
-    return sum((a + b) / 2 * (d - c) for a, b, c, d in zip(closed_stress, closed_stress[1:], closed_strain, closed_strain[1:]))
+    return sum(
+        (a + b) / 2 * (d - c)
+        for a, b, c, d in zip(closed_stress, closed_stress[1:], closed_strain, closed_strain[1:])
+    )
 
 
 def slope(strain, stress):
@@ -40,7 +45,7 @@ def slope(strain, stress):
 
 
 def bodies_of(path, scenario):
-    """Those of the lattice, or of the state from which the run began."""
+    """Number of bodies of the lattice, or of the state from which the run began."""
     if "lattice" in scenario["particles"]:
         return math.prod(scenario["particles"]["lattice"]["count"])
     with open(os.path.join(path, "run.json"), encoding="utf-8") as record:
@@ -52,14 +57,26 @@ def run_at(path):
     scenario = scenario_of(path)
     contact, stage = scenario["contact"][0], scenario["stage"][-1]
     # Cycles may have another friction than the preparation.
-    friction = stage.get("set", {}).get(contact.get("name", contact["plugin"]), {}).get("static_friction", contact["static_friction"])
-    key = (bodies_of(path, scenario), float(friction), SPRINGS[contact["plugin"]], scenario["scene"]["seed"],
-           float(stage["period"]), float(scenario["time"]["step"]))
+    friction = (
+        stage.get("set", {})
+        .get(contact.get("name", contact["plugin"]), {})
+        .get("static_friction", contact["static_friction"])
+    )
+    key = (
+        bodies_of(path, scenario),
+        float(friction),
+        SPRINGS[contact["plugin"]],
+        scenario["scene"]["seed"],
+        float(stage["period"]),
+        float(scenario["time"]["step"]),
+    )
     rows = read(os.path.join(path, "series", "box.csv"))
     times, strain, stress = ([float(r[c]) for r in rows] for c in ("time", "deviatoric_strain", "deviatoric_stress"))
     n = round(stage["period"] / (times[1] - times[0]))
     loops = [(strain[at : at + n + 1], stress[at : at + n + 1]) for at in range(0, len(strain) - n, n)]
-    return Run(key, strain[::n], [area(*loop) for loop in loops], [slope(*loop) for loop in loops], (strain, stress), n)
+    return Run(
+        key, strain[::n], [area(*loop) for loop in loops], [slope(*loop) for loop in loops], (strain, stress), n
+    )
 
 
 def runs_at(folder):
@@ -80,7 +97,14 @@ def kept_runs(table):
     for texts, cycles in itertools.groupby(rows, key=lambda row: row[: len(KEYS)]):
         strain, loop_area, slopes = ([float(v) for v in values] for values in list(zip(*cycles))[len(KEYS) + 1 :])
         size, friction, spring, seed, period, step = texts
-        runs.append(Run((int(size), float(friction), spring, int(seed), float(period), float(step)), strain, loop_area[1:], slopes[1:]))
+        runs.append(
+            Run(
+                (int(size), float(friction), spring, int(seed), float(period), float(step)),
+                strain,
+                loop_area[1:],
+                slopes[1:],
+            )
+        )
     return runs
 
 
@@ -96,13 +120,13 @@ def keep(runs, table):
 
 
 def merged(found, folder, table):
-    """Runs of a campaign and those of the table that it lacks, which the table then has. Ends the script with one line where they have other
-    periods or steps."""
+    """Runs of a campaign, and runs of the table that it lacks. Writes both into the table. Ends the script with
+    one line where they have other periods or steps."""
     runs = {run.key: run for run in kept_runs(table)}
     runs.update((run.key, run) for run in found)
     for at, what in ((4, "period"), (5, "step")):
         if len({key[at] for key in runs}) > 1:
-            refuse(f"{table}: its runs have another {what} than those of {folder}; move it away")
+            refuse(f"{table}: its runs have another {what} than the runs of {folder}; move it away")
     found = [runs[key] for key in sorted(runs)]
     if found:
         keep(found, table)

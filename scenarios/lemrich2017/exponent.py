@@ -1,4 +1,5 @@
-"""Prints the peaks of the packings of spectra.toml and the exponent of their frequencies in the stress, with its error from the seeds.
+"""Prints the peaks of the packings of spectra.toml and the exponent of their frequencies in the stress, with
+its error from the seeds.
 
 Usage: python3 scenarios/lemrich2017/exponent.py campaigns/spectra"""
 import math
@@ -13,7 +14,7 @@ NAMES = {0.25: "λ/4", 0.75: "3λ/4", 1.25: "5λ/4"}
 
 
 def largest_peaks(path):
-    """Of each number of wavelengths the peak with the largest amplitude."""
+    """The peak with the largest amplitude, for each number of wavelengths: frequency, its error, Q."""
     largest = {}
     for peak in read(path):
         if not peak["wavelengths"]:
@@ -25,42 +26,83 @@ def largest_peaks(path):
 
 
 def slope(points):
-    """Of a straight line through (x, y), by least squares."""
+    """Slope of a straight line through (x, y), by least squares."""
     x_mean, y_mean = (statistics.fmean(p[k] for p in points) for k in (0, 1))
     return sum((x - x_mean) * (y - y_mean) for x, y in points) / sum((x - x_mean) ** 2 for x, _ in points)
 
 
 def print_peaks(packings):
-    print("stress [kPa] seed  " + "  ".join(f"{name + ' [Hz]':>16} {'Q':>5}" for name in NAMES.values()) + "   ratios")
+    print(
+        "stress [kPa] seed  " + "  ".join(f"{name + ' [Hz]':>16} {'Q':>5}" for name in NAMES.values()) + "   ratios"
+    )
     for (stress, seed), peaks in packings.items():
         first = peaks[0.25][0]
         columns = "  ".join(f"{peaks[w][0]:8.0f} ± {peaks[w][1]:5.1f} {peaks[w][2]:5.1f}" for w in NAMES)
-        print(f"{stress / 1e3:12g} {seed:>4}  {columns}   1 : {peaks[0.75][0] / first:.3f} : {peaks[1.25][0] / first:.3f}")
+        print(
+            f"{stress / 1e3:12g} {seed:>4}  {columns}   1 : {peaks[0.75][0] / first:.3f} : {peaks[1.25][0] / first:.3f}"
+        )
 
 
-def print_exponents(packings, seeds):
-    for wavelengths, name in NAMES.items():
-        slopes = [slope([(math.log(stress), math.log(peaks[wavelengths][0])) for (stress, s), peaks in packings.items() if s == seed])
-                  for seed in seeds]
-        error = statistics.stdev(slopes) / math.sqrt(len(slopes)) if len(slopes) > 1 else math.nan
-        print(f"{name:>5}: f ∝ σ^n, n = {statistics.fmean(slopes):.4f} ± {error:.4f} (seeds: {', '.join(f'{n:.4f}' for n in slopes)})")
+def packings_of(folder):
+    """Peaks by stress (Pa) and seed. Ends the script with one line if there are none, or a packing lacks one."""
+    packings = {}
+    for row in runs_of(folder, "boundary.bottom.stress"):
+        packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(
+            os.path.join(row["path"], "peaks.csv")
+        )
+    if not packings:
+        no_runs(folder, "scenarios/lemrich2017/spectra.toml")
+    lacking = [
+        f"{stress:g} Pa, seed {seed}"
+        for (stress, seed), peaks in packings.items()
+        if any(w not in peaks for w in NAMES)
+    ]
+    if lacking:
+        refuse(f"{folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found")
+    return packings
+
+
+def exponents_of(packings):
+    """By the name of the mode: exponents n of f ∝ σ^n, one for each seed. Empty if a seed has one stress."""
+    seeds = sorted({seed for _, seed in packings})
+    if any(sum(s == seed for _, s in packings) < 2 for seed in seeds):
+        return {}
+    return {
+        name: [
+            slope(
+                [
+                    (math.log(stress), math.log(peaks[wavelengths][0]))
+                    for (stress, s), peaks in packings.items()
+                    if s == seed
+                ]
+            )
+            for seed in seeds
+        ]
+        for wavelengths, name in NAMES.items()
+    }
+
+
+def mean_and_error(slopes):
+    """Mean and standard error."""
+    return (
+        statistics.fmean(slopes),
+        statistics.stdev(slopes) / math.sqrt(len(slopes)) if len(slopes) > 1 else math.nan,
+    )
 
 
 def main():
-    (folder,), packings = arguments(__doc__, 1, 1), {}
-    for row in runs_of(folder, "boundary.bottom.stress"):
-        packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(os.path.join(row["path"], "peaks.csv"))
-    if not packings:
-        no_runs(folder, "scenarios/lemrich2017/spectra.toml")
-    lacking = [f"{stress:g} Pa, seed {seed}" for (stress, seed), peaks in packings.items() if any(w not in peaks for w in NAMES)]
-    if lacking:
-        refuse(f"{folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found")
+    (folder,) = arguments(__doc__, 1, 1)
+    packings = packings_of(folder)
     print_peaks(packings)
     seeds = sorted({seed for _, seed in packings})
     single = [seed for seed in seeds if sum(s == seed for _, s in packings) < 2]
     if single:
-        refuse(f"{folder}: no exponent from one stress, of seed {', '.join(single)}; let the campaign finish two or more")
-    print_exponents(packings, seeds)
+        refuse(
+            f"{folder}: no exponent from one stress, of seed {', '.join(single)}; let the campaign finish two or more"
+        )
+    for name, slopes in exponents_of(packings).items():
+        mean, error = mean_and_error(slopes)
+        print(f"{name:>5}: f ∝ σ^n, n = {mean:.4f} ± {error:.4f} (seeds: {', '.join(f'{n:.4f}' for n in slopes)})")
 
 
 if __name__ == "__main__":

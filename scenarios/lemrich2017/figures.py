@@ -1,17 +1,24 @@
-"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of drives.toml, and prints their numbers.
+"""Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of
+drives.toml, and what the paper claims (claims.png) from results.csv; prints the numbers of these and of
+spectra.toml, and records them in results.csv.
 
-Usage: python3 scenarios/lemrich2017/figures.py campaigns/sweeps|campaigns/drives [FOLDER for the pictures, default: that of the campaign]
-Needs python3-matplotlib."""
+Usage: python3 scenarios/lemrich2017/figures.py DIR... [--out FOLDER, default: the first DIR]
+DIR: a campaign, or this folder, for claims.png of what is recorded. Needs python3-matplotlib."""
 import cmath
 import itertools
-import json
 import math
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PAPER = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.dirname(PAPER))
+sys.path.insert(0, PAPER)
+from claims import draw_claims  # noqa: E402 (of this folder, like the next)
+from exponent import exponents_of, packings_of, print_peaks  # noqa: E402
+from record import put_collapse, put_drives, put_exponents, put_peaks  # noqa: E402
 from drawing import pyplot, ticker  # noqa: E402 (of the folder above, like the next)
-from tables import arguments, made, no_runs, read, runs_of, scenario_of  # noqa: E402
+from results import Results  # noqa: E402
+from tables import folders, made, no_runs, read, runs_of, scenario_of, study_of  # noqa: E402
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
@@ -24,7 +31,9 @@ class Sweep:
     """One run of the campaign: a stress, a drive, the response and its highest peak."""
 
     def __init__(self, row, folder):
-        self.prepared = os.path.join(folder, "prepare", os.path.basename(os.path.dirname(scenario_of(row["path"])["particles"]["state"])))
+        self.prepared = os.path.join(
+            folder, "prepare", os.path.basename(os.path.dirname(scenario_of(row["path"])["particles"]["state"]))
+        )
         self.stress = float(row["boundary.bottom.stress"])
         self.case = row["case"]
         self.amplitude = float(row["spectrum.amplitude"])
@@ -33,29 +42,36 @@ class Sweep:
         self.response = [float(r[f"{COLUMN}.amplitude"]) for r in spectrum]
         self.largest = max(range(len(self.response)), key=self.response.__getitem__)
         peaks = [r for r in read(os.path.join(row["path"], "peaks.csv")) if r["column"] == COLUMN]
-        self.peak = min(peaks, key=lambda r: abs(float(r["frequency"]) - self.frequencies[self.largest]), default=None)
+        self.peak = min(
+            peaks, key=lambda r: abs(float(r["frequency"]) - self.frequencies[self.largest]), default=None
+        )
         self.layers = self.read_layers(os.path.join(row["path"], "shapes.csv"))
 
     def read_layers(self, path):
-        """Complex displacements of the layers at the peak, over that of the drive."""
+        """Complex displacements of the layers at the peak, over the displacement of the drive."""
         if self.peak is None or not os.path.exists(path):
             return []
-        return [cmath.rect(float(r["amplitude"]), float(r["phase"])) for r in read(path)
-                if r["column"] == COLUMN and r["frequency"] == self.peak["frequency"]]
+        return [
+            cmath.rect(float(r["amplitude"]), float(r["phase"]))
+            for r in read(path)
+            if r["column"] == COLUMN and r["frequency"] == self.peak["frequency"]
+        ]
 
     def top(self):
         """Frequency (Hz) and response (1/m) of the maximum, by a parabola through the three highest points."""
         k = min(max(self.largest, 1), len(self.response) - 2)
-        low, middle, high = self.response[k - 1:k + 2]
+        low, middle, high = self.response[k - 1 : k + 2]
         bend = low - 2 * middle + high
         shift = 0.5 * (low - high) / bend if bend < 0 else 0.0
         step = self.frequencies[k + 1] - self.frequencies[k]
         return self.frequencies[k] + shift * step, middle - 0.25 * (low - high) * shift
 
     def height(self):
-        """Of the packing from which the sweep begins (m)."""
+        """Height of the packing from which the sweep begins (m)."""
         with open(os.path.join(self.prepared, "final_packing.csv"), encoding="utf-8") as packing:
-            ends = {line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))}
+            ends = {
+                line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))
+            }
         return ends["upper"] - ends["lower"]
 
     def local_strain(self):
@@ -66,14 +82,19 @@ class Sweep:
 
     def scaled(self):
         """Local strain and frequency (Hz) over what Hertz's law makes them depend on the stress."""
-        return self.local_strain() * (self.stress / MODULUS) ** (-2 / 3), self.top()[0] * (self.stress / MODULUS) ** (-1 / 6)
+        return self.local_strain() * (self.stress / MODULUS) ** (-2 / 3), self.top()[0] * (self.stress / MODULUS) ** (
+            -1 / 6
+        )
 
     def resonates(self):
         return 0 < self.largest < len(self.response) - 1 and self.quality() >= LEAST_QUALITY
 
 
 def sweeps_of(folder):
-    return sorted((Sweep(row, folder) for row in runs_of(folder, "boundary.bottom.stress", "spectrum.amplitude", "case")), key=lambda s: (s.stress, s.amplitude))
+    return sorted(
+        (Sweep(row, folder) for row in runs_of(folder, "boundary.bottom.stress", "spectrum.amplitude", "case")),
+        key=lambda s: (s.stress, s.amplitude),
+    )
 
 
 def draw_sweeps(sweeps, path):
@@ -81,8 +102,15 @@ def draw_sweeps(sweeps, path):
     height = sweeps[0].height()
     for sweep, colour in zip(sweeps, itertools.cycle(COLOURS)):
         ratio = [r * height for r in sweep.response]
-        axes.plot([f / 1e3 for f in sweep.frequencies], ratio, color=colour, marker="o", markersize=3, linewidth=1.3,
-                  label=f"{sweep.amplitude / height:.1e}")
+        axes.plot(
+            [f / 1e3 for f in sweep.frequencies],
+            ratio,
+            color=colour,
+            marker="o",
+            markersize=3,
+            linewidth=1.3,
+            label=f"{sweep.amplitude / height:.1e}",
+        )
     axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
     axes.set_title(f"Sweeps at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
     axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False, loc="lower left", ncols=2)
@@ -100,7 +128,9 @@ def draw_collapse(sweeps, path):
         plain.plot([s.local_strain() for s in chosen], [s.top()[0] / 1e3 for s in chosen], **style)
         scaled.plot([s.scaled()[0] for s in chosen], [s.scaled()[1] / 1e3 for s in chosen], **style)
     plain.set(xscale="log", xlabel="local strain", ylabel="frequency of 3λ/4 (kHz)")
-    scaled.set(xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)")
+    scaled.set(
+        xscale="log", xlabel=r"local strain · $(\sigma/Y)^{-2/3}$", ylabel=r"frequency · $(\sigma/Y)^{-1/6}$ (kHz)"
+    )
     plain.set_title("Peaks 3λ/4 under four stresses (figure 3)", loc="left", fontsize=11)
     scaled.set_title("The same, scaled after Hertz", loc="left", fontsize=11)
     for axes, ticks in ((plain, (2e-5, 5e-5, 1e-4, 2e-4, 5e-4)), (scaled, (0.3, 0.5, 1, 2, 4))):
@@ -121,7 +151,7 @@ def strain_profile(layers):
 
 
 def ideal_strain(height):
-    """Of 3λ/4 with a free lower end, cos(3π h/2): its strain over the same distance."""
+    """Strain over the same distance of the mode 3λ/4 with a free lower end, cos(3π h/2)."""
     half = LAYERS_APART / 14 / 2
     wave = 1.5 * math.pi
     return abs(math.cos(wave * (height + half)) - math.cos(wave * (height - half)))
@@ -132,8 +162,15 @@ def draw_profile(sweeps, path):
     for sweep, colour in zip(sweeps, (COLOURS[0], COLOURS[3], COLOURS[4])):
         heights, strains = strain_profile(sweep.layers)
         largest = max(strains)
-        axes.plot([s / largest for s in strains], heights, color=colour, marker="o", markersize=4, linewidth=1.2,
-                  label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz")
+        axes.plot(
+            [s / largest for s in strains],
+            heights,
+            color=colour,
+            marker="o",
+            markersize=4,
+            linewidth=1.2,
+            label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz",
+        )
     fine = [LAYERS_APART / 28 + k * (1 - LAYERS_APART / 14) / 200 for k in range(201)]
     ideal = [ideal_strain(h) for h in fine]
     axes.plot([s / max(ideal) for s in ideal], fine, color="black", linewidth=1.2, label="3λ/4")
@@ -149,8 +186,10 @@ def print_table(sweeps):
     print("stress [kPa]  drive [m]  peak [Hz]       Q  local strain  f (σ/Y)^(-1/6) [kHz]  ε (σ/Y)^(-2/3)")
     for s in sweeps:
         strain, frequency = s.scaled()
-        print(f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {s.top()[0]:10.0f} {s.quality():7.1f} {s.local_strain():13.3e}"
-              f" {frequency / 1e3:22.1f} {strain:15.4f}")
+        print(
+            f"{s.stress / 1e3:12g} {s.amplitude:10.1e} {s.top()[0]:10.0f} {s.quality():7.1f} {s.local_strain():13.3e}"
+            f" {frequency / 1e3:22.1f} {strain:15.4f}"
+        )
 
 
 def at_strain(curve, strain):
@@ -167,37 +206,59 @@ def spread(curves, strain):
     return len(found), (max(found) - min(found)) * len(found) / sum(found) if found else math.nan
 
 
-def print_collapse(sweeps):
-    """How far the frequencies of different stresses lie apart at equal strains, scaled and not."""
+def apart_at_strains(sweeps):
+    """How far the frequencies of different stresses lie apart at equal strains, not scaled and scaled: name of
+    the strain, strain, number of stresses, range over the mean."""
     stresses = sorted({s.stress for s in sweeps})
     resonant = [[s for s in sweeps if s.stress == stress and s.resonates()] for stress in stresses]
     plain = [[(s.local_strain(), s.top()[0]) for s in chosen] for chosen in resonant]
     scaled = [[s.scaled() for s in chosen] for chosen in resonant]
-    for name, curves, strains in (("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
-                                  ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8))):
-        for strain in strains:
-            count, apart = spread(curves, strain)
-            if count > 1:
-                print(f"{name} {strain:g}: the frequencies of {count} stresses lie within {100 * apart:.1f} % of their mean")
+    found = []
+    for name, curves, strains in (
+        ("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
+        ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8)),
+    ):
+        found += [(name, strain, *spread(curves, strain)) for strain in strains]
+    return [row for row in found if row[2] > 1]
 
 
-def main():
-    folder, *others = arguments(__doc__, 1, 2)
-    sweeps = sweeps_of(folder)
-    if not sweeps:
-        no_runs(folder, "scenarios/lemrich2017/sweeps.toml, or drives.toml,")
-    print_table(sweeps)
-    out = made(others[0] if others else folder)
-    with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
-        of_band = os.path.basename(json.load(record)["file"]) == "sweeps.toml"
-    if of_band:
-        return draw_sweeps(sweeps, os.path.join(out, "sweeps.png"))
-    print_collapse(sweeps)
+def evaluate_drives(sweeps, campaign, out, results):
+    apart = apart_at_strains(sweeps)
+    for name, strain, count, share in apart:
+        print(f"{name} {strain:g}: the frequencies of {count} stresses lie within {100 * share:.1f} % of their mean")
+    put_collapse(results, apart, campaign)
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
     shaped = [s for s in sweeps if s.stress == sweeps[0].stress and s.layers]
     if shaped:
         draw_profile([shaped[0], shaped[len(shaped) // 2], shaped[-1]], os.path.join(out, "profile.png"))
-    return None
+
+
+def evaluate(campaign, out, results):
+    """Draws and records a campaign."""
+    study = study_of(campaign)
+    if study == "spectra":
+        packings = packings_of(campaign)
+        print_peaks(packings)
+        put_peaks(results, packings, campaign)
+        return put_exponents(results, exponents_of(packings), campaign)
+    sweeps = sweeps_of(campaign)
+    if not sweeps:
+        no_runs(campaign, "scenarios/lemrich2017/sweeps.toml, drives.toml or spectra.toml")
+    print_table(sweeps)
+    put_drives(results, study, sweeps, campaign)
+    if study == "sweeps":
+        return draw_sweeps(sweeps, os.path.join(made(out), "sweeps.png"))
+    return evaluate_drives(sweeps, campaign, made(out), results)
+
+
+def main():
+    given, out = folders(__doc__)
+    results = Results(PAPER, out)
+    for campaign in given:
+        if os.path.realpath(campaign) != os.path.realpath(PAPER):
+            evaluate(campaign, out, results)
+    results.write()
+    draw_claims(results, out)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""Draws forces of contacts on a closed path, without slip and rotation, under three laws (figures 8 to 10 of McNamara et al. 2008), and
-prints what each keeps of a round.
+"""Draws forces of contacts on a closed path, without slip and rotation, under three laws (figures 8 to 10 of
+McNamara et al. 2008), and prints what each keeps of a round.
 
 Usage: python3 scenarios/mcnamara2008/closed_path.py runs/closed-path [FOLDER for the picture, default: that of the run]
 Needs a run of closed-path.toml and python3-matplotlib."""
@@ -42,7 +42,9 @@ def growth_of_a_round(rows, disc, points=4096):
 
 def draw(rows, out):
     figure, (path, plane, rounds) = pyplot.subplots(1, 3, figsize=(13, 4.3))
-    path.plot([1e3 * r["x_1"] for r in rows[: SAMPLES + 1]], [1e3 * r["y_1"] for r in rows[: SAMPLES + 1]], color=GREY)
+    path.plot(
+        [1e3 * r["x_1"] for r in rows[: SAMPLES + 1]], [1e3 * r["y_1"] for r in rows[: SAMPLES + 1]], color=GREY
+    )
     for disc, (law, colour, _) in LAWS.items():
         side = [math.copysign(1, rows[0][f"{axis}_{disc}"]) for axis in "xy"]
         path.annotate("", xy=[11 * s for s in side], xytext=(0, 0), arrowprops={"arrowstyle": "->", "color": colour})
@@ -77,11 +79,13 @@ def main():
         refuse(f"{folder}: no run; run scree run scenarios/mcnamara2008/closed-path.toml --out {folder} first")
     rows = [{name: float(value) for name, value in row.items()} for row in read(table)]
     if len(rows) <= SAMPLES or any(f"fx_{disc}" not in rows[0] for disc in LAWS):
-        refuse(f"{table}: not a round of the discs of scenarios/mcnamara2008/closed-path.toml; give the folder of a run of it")
+        refuse(f"{table}: not a round of scenarios/mcnamara2008/closed-path.toml; give the folder of a run of it")
     for disc, (law, _, _) in LAWS.items():
         kept = forces(rows, disc)[1][::SAMPLES]
-        print(f"{law:20} {kept[1] / STIFFNESS:.6e} m after a round, {kept[-1] / STIFFNESS:.6e} m after {len(kept) - 1};"
-              f" ∮ρ dθ = {growth_of_a_round(rows, disc):.6e} m")
+        print(
+            f"{law:20} {kept[1] / STIFFNESS:.6e} m after a round, {kept[-1] / STIFFNESS:.6e} m after {len(kept) - 1};"
+            f" ∮ρ dθ = {growth_of_a_round(rows, disc):.6e} m"
+        )
     draw(rows, *(out or [folder]))
 
 

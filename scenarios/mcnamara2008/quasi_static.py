@@ -1,10 +1,9 @@
 """Speed against error of a cyclic load by dynamics and without them, for a packing of biaxial.toml with slip.
 
 Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
-Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10 to 640 increments a
-cycle, 30 cycles each or stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle and, of more than 12 cycles, the strain per
-cycle from cycle 10 on, with their differences from those of the most increments, and draws FOLDER/quasi-static.png. Needs
-python3-matplotlib."""
+Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10
+to 640 increments a cycle, 30 cycles each or stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle
+and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their differences from the numbers of the most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
 import json
 import math
 import os
@@ -23,7 +22,9 @@ SCENARIO = os.path.join(os.path.dirname(os.path.abspath(__file__)), "biaxial.tom
 
 def call(scree, verb, out, overrides):
     sets = [word for override in overrides for word in ("--set", override)]
-    done = subprocess.run([scree, *verb, "--out", out, "--overwrite", "--quiet", *sets], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [scree, *verb, "--out", out, "--overwrite", "--quiet", *sets], capture_output=True, text=True, check=False
+    )
     if done.returncode:
         refuse((done.stderr.strip().splitlines() or [f"{scree} {verb[0]} ended with {done.returncode}"])[-1])
 
@@ -36,7 +37,7 @@ def record(folder, name):
         return refuse(f"{folder}: no {name}; SCREE is not the program scree")
 
 
-class Course:
+class Load:
     """Strains at the least load of each cycle, and wall time (s) of a cycle."""
 
     def __init__(self, name, rows, seconds):
@@ -60,18 +61,27 @@ def check(scree, packing, overrides):
     for override in overrides:
         if "=" not in override:
             refuse(f"{override}: not KEY=VALUE")
-        if override.startswith(CYCLES_KEY) and (not override.removeprefix(CYCLES_KEY).isdecimal() or cycles_of([override]) < 1):
+        if override.startswith(CYCLES_KEY) and (
+            not override.removeprefix(CYCLES_KEY).isdecimal() or cycles_of([override]) < 1
+        ):
             refuse(f"{override}: cycles are a number, 1 or more")
 
 
 def by_dynamics(scree, folder, overrides, period):
     out = os.path.join(folder, f"period-{period}")
-    keys = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every", "probe.touching.every")
+    keys = (
+        "stage.cycles.period",
+        "stage.cycles.set.box.stress_y_high.period",
+        "probe.load.every",
+        "probe.touching.every",
+    )
     call(scree, ["run", SCENARIO], out, [*overrides, *(f"{k}={period}" for k in keys)])
     run = record(out, "run.json")
     last = run["stages"][-1]
     share = last["steps"] / sum(stage["steps"] for stage in run["stages"])
-    return Course(f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / cycles_of(overrides))
+    return Load(
+        f"{period} τ", read(os.path.join(out, "series", "load.csv")), run["stepping_s"] * share / cycles_of(overrides)
+    )
 
 
 def without_dynamics(scree, folder, overrides, increments):
@@ -79,17 +89,23 @@ def without_dynamics(scree, folder, overrides, increments):
     verb = ["response", SCENARIO, "--quasi-static", "--increments", str(increments)]
     call(scree, verb, out, overrides)
     rows = read(os.path.join(out, "series", "quasi_static.csv"))[::increments]
-    return Course(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / cycles_of(overrides))
+    return Load(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / cycles_of(overrides))
 
 
-def draw(axes, roads, exact, value, title, unit):
-    for (name, courses), colour, mark in zip(roads, (ORANGE, BLUE), "so"):
-        shown = [(c, abs(value(c) / value(exact) - 1)) for c in courses]
+def draw(axes, methods, exact, value, title, unit):
+    for (name, loads), colour, mark in zip(methods, (ORANGE, BLUE), "so"):
+        shown = [(c, abs(value(c) / value(exact) - 1)) for c in loads]
         shown = [(c, error) for c, error in shown if error > 0]
         axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
         for k, (c, error) in enumerate(shown):
             lowest = 0 < k < len(shown) - 1 and error < min(shown[k - 1][1], shown[k + 1][1])
-            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points", xytext=(-3, -14) if lowest else (8, 5), fontsize=8)
+            axes.annotate(
+                c.name,
+                (1e3 * c.seconds, error),
+                textcoords="offset points",
+                xytext=(-3, -14) if lowest else (8, 5),
+                fontsize=8,
+            )
     label(axes, title, "wall time of a cycle / ms", unit)
     axes.margins(0.2, 0.12)
     axes.xaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
@@ -106,18 +122,20 @@ def main(scree, folder, packing="5", *overrides):
     dynamic = [by_dynamics(scree, folder, overrides, period) for period in PERIODS]
     static = [without_dynamics(scree, folder, overrides, increments) for increments in INCREMENTS]
     exact = static[-1]
-    for name, courses in (("period", dynamic), ("increments", static)):
-        for c in courses:
+    for name, loads in (("period", dynamic), ("increments", static)):
+        for c in loads:
             per_cycle = "" if math.isnan(c.slope) else f", per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})"
-            print(f"{name} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
-                  f"({c.first / exact.first - 1:+.1e}){per_cycle}")
-    roads = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
+            print(
+                f"{name} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
+                f"({c.first / exact.first - 1:+.1e}){per_cycle}"
+            )
+    methods = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
     values = [(lambda c: c.first, "Strain after a cycle")]
     if not math.isnan(exact.slope):
         values.append((lambda c: c.slope, f"Strain per cycle, cycles {DROPPED} to {cycles_of(overrides)}"))
     figure, axes = pyplot.subplots(1, len(values), figsize=(5.5 * len(values), 4.4), squeeze=False)
     for part, (value, title) in zip(axes[0], values):
-        draw(part, roads, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
+        draw(part, methods, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
     save(figure, folder, "quasi-static.png")
 
 

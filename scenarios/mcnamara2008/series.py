@@ -1,4 +1,5 @@
-"""Series of the campaigns of this folder, for figures.py: strain over the cycles, its straight line, and paths of contacts."""
+"""Series of the campaigns of this folder, for figures.py: strain over the cycles, its straight line, and paths
+of contacts."""
 import math
 import os
 import sys
@@ -43,11 +44,13 @@ class Paths:
         self.path = path
         rows = read(os.path.join(path, "series", "paths.csv"))
         self.per_cycle = round(PERIOD / (float(rows[1]["time"]) - float(rows[0]["time"])))
-        last = rows[-self.per_cycle - 1:]
+        last = rows[-self.per_cycle - 1 :]
         names = [n.removeprefix("normal_force_") for n in rows[0] if n.startswith("normal_force_")]
         self.contacts = {}
         for name in names:
-            columns = [[float(r[f"{c}_{name}"]) for r in last] for c in ("normal_force", "tangential_force", "sliding")]
+            columns = [
+                [float(r[f"{c}_{name}"]) for r in last] for c in ("normal_force", "tangential_force", "sliding")
+            ]
             if max(columns[0]) > 0:
                 self.contacts[name] = columns
 

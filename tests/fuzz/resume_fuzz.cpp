@@ -117,12 +117,12 @@ Interrupted interrupted_sweep(const test::TemporaryFolder& folder) {
   const scenario::Plan plan =
       scenario::read_plan(SCREE_FUZZ_SCENARIOS "/sound/chain.toml",
                           {"spectrum.from_hz=100", "spectrum.to_hz=140", "spectrum.step_hz=2",
-                           "spectrum.periods=400", "spectrum.adaptive=true"},
-                          host());
+                           "spectrum.sweep.periods=400", "spectrum.sweep.adaptive=true"},
+                          host(), {spectrum::spectrum_table()});
   std::atomic<bool> stop = false;
   spectrum::MeasurementOptions options;
   options.out = folder / "sweep";
-  options.roads = {spectrum::Road::linear, spectrum::Road::sweep};
+  options.methods = {spectrum::Method::linear, spectrum::Method::sweep};
   options.stop = &stop;
   options.on_progress = [&](double share, double, const std::string& what) {
     stop = share > 0.1 && what.starts_with("sweep");

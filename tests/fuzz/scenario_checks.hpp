@@ -10,6 +10,7 @@
 
 #include <scree/run/set_up.hpp>
 #include <scree/scenario/plan.hpp>
+#include <scree/spectrum/spectrum_plan.hpp>
 
 namespace scree::fuzz {
 
@@ -20,7 +21,7 @@ inline int check_scene(std::string_view text, const std::vector<std::string>& ov
       std::filesystem::temp_directory_path() / ("scree_fuzz_" + std::to_string(getpid()) + ".toml");
   std::ofstream(file, std::ios::binary) << text;
   return accept_or_refuse([&] {
-    const scenario::Plan plan = scenario::read_plan(file, overrides, host);
+    const scenario::Plan plan = scenario::read_plan(file, overrides, host, {spectrum::spectrum_table()});
     run::describe_step(*run::set_up(plan));
   });
 }

@@ -1,4 +1,5 @@
 """Scripts of the scenarios on small campaigns whose numbers are known. Those that draw are skipped without matplotlib."""
+import csv
 import importlib.util
 import os
 import re
@@ -22,25 +23,50 @@ def write(path, text):
         file.write(text)
 
 
+def rows_of(table):
+    """Rows of a results.csv by study, quantity and case."""
+    with open(table, encoding="utf-8", newline="") as file:
+        return {(row["study"], row["quantity"], row["case"]): row for row in csv.DictReader(file)}
+
+
 class Exponent(unittest.TestCase):
+    @staticmethod
+    def spectra(folder):
+        """Four packings whose frequencies grow by the powers 0.15 and 0.19 of the stress."""
+        rows = ["run,boundary.bottom.stress,seed,status"]
+        for seed, power in ((1, 0.15), (2, 0.19)):
+            for stress in (1e4, 1e5):
+                name = f"s{seed}_{stress:g}"
+                rows.append(f"{name},{stress},{seed},finished")
+                first = 7000 * (stress / 1e4) ** power
+                peaks = [f"{first * (4 * w)},1,10,{2 - w},{w}" for w in (0.25, 0.75, 1.25)]
+                head = "frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths"
+                # A smaller peak of the same name is left out.
+                write(os.path.join(folder, name, "peaks.csv"), "\n".join([head, *peaks, "1234,1,10,0.01,0.25"]) + "\n")
+        write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+        write(os.path.join(folder, "campaign.json"), '{"file": "spectra.toml"}')
+
     def test_of_frequencies_that_grow_by_a_power(self):
         with tempfile.TemporaryDirectory() as folder:
-            rows = ["run,boundary.bottom.stress,seed,status"]
-            for seed, power in ((1, 0.15), (2, 0.19)):
-                for stress in (1e4, 1e5):
-                    name = f"s{seed}_{stress:g}"
-                    rows.append(f"{name},{stress},{seed},finished")
-                    first = 7000 * (stress / 1e4) ** power
-                    peaks = [f"{first * (4 * w)},1,10,{2 - w},{w}" for w in (0.25, 0.75, 1.25)]
-                    head = "frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths"
-                    # A smaller peak of the same name is left out.
-                    write(os.path.join(folder, name, "peaks.csv"), "\n".join([head, *peaks, "1234,1,10,0.01,0.25"]) + "\n")
-            write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+            self.spectra(folder)
             done = call("lemrich2017/exponent.py", folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         # Mean of the powers, and half their difference.
         self.assertEqual(len(re.findall(r"n = 0\.1700 ± 0\.0200 \(seeds: 0\.1500, 0\.1900\)", done.stdout)), 3, done.stdout)
         self.assertIn("1 : 3.000 : 5.000", done.stdout)
+
+    @DRAWS
+    def test_that_rows_of_the_record_are_replaced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.spectra(folder)
+            done = call("lemrich2017/figures.py", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(os.path.exists(os.path.join(folder, "claims.png")))
+            rows = rows_of(os.path.join(folder, "results.csv"))
+        found = rows["spectra", "exponent of 3λ/4 in the stress", "prepare.toml"]
+        self.assertEqual([found[name] for name in ("paper", "scree", "error", "packings", "source")], ["1/6", "0.1700", "0.0200", "2", "runs"])
+        self.assertEqual(rows["spectra", "frequency of 5λ/4", "10 kPa, seed 1"]["scree"], "35.0000")
+        self.assertEqual(rows["spectra", "frequency of 5λ/4", "10 kPa, seed 3"]["source"], "recorded")
 
     def refused(self, table, line):
         with tempfile.TemporaryDirectory() as folder:
@@ -80,9 +106,14 @@ period = 1
         with tempfile.TemporaryDirectory() as folder:
             self.campaign(folder, (1, 2))
             done = call("david2005/figures.py", folder)
-            pictures = [os.path.exists(os.path.join(folder, name)) for name in ("accumulation.png", "loops.png")]
+            pictures = [os.path.exists(os.path.join(folder, name)) for name in ("accumulation.png", "loops.png", "claims.png")]
+            rows = rows_of(os.path.join(folder, "results.csv"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(pictures, [True, True])
+        self.assertEqual(pictures, [True, True, True])
+        row = rows["accumulation", "area of the first loop", "8 spheres, μ = 0.1, David et al."]
+        self.assertEqual([row[name] for name in ("unit", "scree", "packings", "source")], ["Pa", "0.0375", "2", "runs"])
+        # Rows of the record that the campaign lacks stay.
+        self.assertEqual(rows["rates", "strain after 20 cycles", "seed 1, period 1 s, step 2e-05 s"]["source"], "recorded")
         first, second = done.stdout.splitlines()[1:3]
         # Ten cycles of 1e-4 and 2e-4; in the first, ∮σ dε = 100/2 1e-3 − 50/2 5e-4 Pa, and 100 Pa at a strain of 1e-3.
         self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± 0\) +100 \(± 0\)")
@@ -97,13 +128,13 @@ period = 1
             self.campaign(first, (1,))
             self.campaign(second, (2,))
             self.campaign(other, (3,), "period = 2")
-            call("david2005/figures.py", first, out)
-            merged = call("david2005/figures.py", second, out)
-            refused = call("david2005/figures.py", other, out)
+            call("david2005/figures.py", first, "--out", out)
+            merged = call("david2005/figures.py", second, "--out", out)
+            refused = call("david2005/figures.py", other, "--out", out)
         self.assertEqual(merged.returncode, 0, merged.stderr)
         self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± [^ ]+\) +100 \(± 0\)")
         self.assertEqual((refused.returncode, refused.stderr.count("\n")), (1, 1), refused.stderr)
-        self.assertIn("its runs have another period than those of", refused.stderr)
+        self.assertIn("its runs have another period than the runs of", refused.stderr)
 
     @DRAWS
     def test_that_several_periods_give_the_numbers_of_each_run(self):
@@ -113,8 +144,10 @@ period = 1
             # Loops of two rows a time unit: half as many.
             write(other, self.SCENARIO.replace("PLUGIN", "linear_spring_dashpot").replace("SEED", "1").replace("period = 1", "period = 2"))
             done = call("david2005/figures.py", folder)
-            written = [name for name in os.listdir(folder) if name.endswith((".png", "runs.csv"))]
-        self.assertEqual((done.returncode, written), (0, []), done.stderr)
+            written = sorted(name for name in os.listdir(folder) if name.endswith((".png", "runs.csv", "results.csv")))
+            rows = rows_of(os.path.join(folder, "results.csv"))
+        self.assertEqual((done.returncode, written), (0, ["claims.png", "results.csv"]), done.stderr)
+        self.assertEqual(rows["accumulation", "strain after 5 cycles", "seed 1, period 2 s, step 0.001 s"]["scree"], "0.001")
         self.assertRegex(done.stdout, r"8 +0\.1 David et al\. +1 +2 +0\.001 +5 +0\.001 ")
         self.assertRegex(done.stdout, r"8 +0\.1 painted points +1 +1 +0\.001 +10 +0\.002 ")
 
@@ -126,7 +159,19 @@ period = 1
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("not a run of cyclic loading", done.stderr)
 
-    def campaign(self, folder, seeds, period="period = 1"):
+    @DRAWS
+    def test_that_one_cycle_has_loops_and_no_accumulation(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.campaign(folder, (1, 2), cycles=1)
+            write(os.path.join(folder, "campaign.json"), '{"file": "first-cycle.toml"}')
+            done = call("david2005/figures.py", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            written = sorted(name for name in os.listdir(folder) if name.endswith((".png", ".csv")))
+            rows = rows_of(os.path.join(folder, "results.csv"))
+        self.assertEqual(written, ["claims.png", "first-cycle-loops.png", "results.csv", "table.csv"])
+        self.assertEqual(rows["first-cycle", "area of the first loop", "8 spheres, μ = 0.1, David et al."]["scree"], "0.0375")
+
+    def campaign(self, folder, seeds, period="period = 1", cycles=10):
         rows = ["run,status"]
         for plugin, factor in (("linear_spring_dashpot", 1), ("sphere_path_independent", 2)):
             for seed in seeds:
@@ -134,11 +179,12 @@ period = 1
                 rows.append(f"{name},finished")
                 scenario = self.SCENARIO.replace("PLUGIN", plugin).replace("SEED", str(seed)).replace("period = 1", period)
                 write(os.path.join(folder, name, "scenario.toml"), scenario)
-                write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed))
+                write(os.path.join(folder, name, "series", "box.csv"), self.loops(factor, seed, cycles))
         write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+        write(os.path.join(folder, "campaign.json"), '{"file": "accumulation.toml"}')
 
     @staticmethod
-    def loops(factor, seed, cycles=10):
+    def loops(factor, seed, cycles):
         lines, strain = ["time [s],deviatoric_strain,deviatoric_stress [Pa]"], 0.0
         for cycle in range(cycles):
             for quarter, (left, stress) in enumerate(((0, 0), (1e-3, 100), (1e-3, 50), (5e-4, 0))):
@@ -178,7 +224,10 @@ class Ratcheting(unittest.TestCase):
         done = call("mcnamara2008/figures.py", folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "")
-        return done.stdout, os.path.exists(os.path.join(folder, "steps.png"))
+        drawn = os.path.exists(os.path.join(folder, "steps.png"))
+        row = rows_of(os.path.join(folder, "results.csv"))["steps", "exponent of the step", "corrected, packing 1"]
+        self.assertEqual((row["scree"], row["source"]), ("1.000", "runs" if drawn else "recorded"))
+        return done.stdout, drawn
 
     @DRAWS
     def test_that_panels_with_data_are_drawn_and_others_named(self):

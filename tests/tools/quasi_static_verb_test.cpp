@@ -89,7 +89,7 @@ TEST_CASE("resume goes on with quasi-static loads that were interrupted, and nam
   refused("out", "state.h5: is not the state of a response; put back that of this directory");
   // Modes have none.
   std::filesystem::remove(w / "out/state.h5");
-  refused("out", "out: there is no state with which the response could go on; give --overwrite");
+  refused("out", "out: no saved state to resume the response from; give --overwrite");
 }
 
 TEST_CASE("where a packing has no equilibrium nearby, response --quasi-static goes on by dynamics",

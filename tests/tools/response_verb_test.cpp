@@ -111,7 +111,7 @@ TEST_CASE("what a plan cannot give is refused before a step is taken", "[tools]"
   refused("response scene.toml --density 5 --density-to 1e200", "scene.toml: 1e+200 Hz is above",
           "give a lower --density-to");
   refused("spectrum scene.toml --by linear --set \"spectrum.observe=['energy.kinetic_translation']\"",
-          "--set spectrum.observe=", "or leave the road linear out");
+          "--set spectrum.observe=", "or leave the method linear out");
   refused("spectrum scene.toml --by linear --set stage.falls.set.floor.control=fixed",
           "scene.toml:", "set the control that uses it");
   const std::string moved =
@@ -122,7 +122,7 @@ TEST_CASE("what a plan cannot give is refused before a step is taken", "[tools]"
 }
 
 // A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a load.
-TEST_CASE("response and the linear road warn of laws without a derivative at rest", "[tools]") {
+TEST_CASE("response and the linear method warn of laws without a derivative at rest", "[tools]") {
   const std::string inclined =
       "[time]\nstep = 1e-6\n[[material]]\nname = 'glass'\ndensity = 2500\n"
       "[[contact]]\nplugin = 'hertz_mindlin'\nyoungs_modulus = 1e9\npoissons_ratio = 0.25\nrestitution = 0.5\n"
@@ -132,7 +132,7 @@ TEST_CASE("response and the linear road warn of laws without a derivative at res
       "[[particle]]\nid = 1\nposition = [0, 0, 0.0019999]\nradius = 0.002\n[[stage]]\nduration = 2e-3\n"
       "[[probe]]\nplugin = 'particles'\nevery = 1\nids = [1]\n[spectrum]\ndrive = 'floor.displacement'\n"
       "amplitude = 1e-9\nobserve = ['particles.z_1']\nfrom_hz = 100\nto_hz = 200\nstep_hz = 50\n"
-      "fewest_contacts = 1\n";
+      "linear.fewest_contacts = 1\n";
   const Workspace w(inclined);
   for (const char* verb : {"response scene.toml --modes 1", "spectrum scene.toml --by linear"}) {
     CAPTURE(verb);

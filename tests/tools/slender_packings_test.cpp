@@ -32,10 +32,10 @@ std::filesystem::path prepared_state(const Workspace& w) {
   return {};
 }
 
-double amplitude_at(const std::string& table, const std::string& road, const std::string& hz) {
-  const std::size_t line = table.find(road + ',' + hz + ',');
+double amplitude_at(const std::string& table, const std::string& method, const std::string& hz) {
+  const std::size_t line = table.find(method + ',' + hz + ',');
   REQUIRE(line != std::string::npos);
-  return std::stod(table.substr(line + road.size() + hz.size() + 2));
+  return std::stod(table.substr(line + method.size() + hz.size() + 2));
 }
 
 }  // namespace
@@ -62,14 +62,14 @@ TEST_CASE("slender packings have the peaks and the exponent of Lemrich et al.", 
   }
   CHECK(std::abs(exponent - 1.0 / 6) < 0.03);
 
-  // The stepped sweep against the linear road at the peak. Of the transient, exp(-π 40/13) = 6e-5 is left; at ten times
+  // The stepped sweep against the linear method at the peak. Of the transient, exp(-π 40/13) = 6e-5 is left; at ten times
   // this drive, where rolling resistance reaches its largest torque in some contacts, both differ by 1 %.
   const std::string scene =
       "spectrum " + folder + "spectrum.toml --quiet --set particles.state=" + prepared_state(w).string() +
       " --set boundary.periodic.upper=[3.3333e-3,1,3.3333e-3] --set boundary.bottom.area=1.1111e-5"
       " --set time.step=1.2e-7 --set spectrum.from_hz=19e3 --set spectrum.to_hz=20e3"
-      " --set spectrum.step_hz=500 --set spectrum.amplitude=1e-11 --set spectrum.periods=60"
-      " --set spectrum.analysed_periods=20 ";
+      " --set spectrum.step_hz=500 --set spectrum.amplitude=1e-11 --set spectrum.sweep.periods=60"
+      " --set spectrum.sweep.analysed_periods=20 ";
   REQUIRE(w.scree(scene + "--by sweep --out sweep").status == 0);
   REQUIRE(w.scree(scene + "--by linear --out linear").status == 0);
   const std::string sweep = w.text("sweep/spectrum.csv"), linear = w.text("linear/spectrum.csv");

@@ -7,12 +7,12 @@ using namespace scree::test;
 namespace {
 
 const std::string peak =
-    "--set spectrum.from_hz=70 --set spectrum.to_hz=105 --set spectrum.periods=60 "
-    "--set spectrum.analysed_periods=30 ";
+    "--set spectrum.from_hz=70 --set spectrum.to_hz=105 --set spectrum.sweep.periods=60 "
+    "--set spectrum.sweep.analysed_periods=30 ";
 
 }  // namespace
 
-TEST_CASE("spectrum of a scenario takes all roads and prints what they found", "[tools]") {
+TEST_CASE("spectrum measures a scenario by all methods and prints what they found", "[tools]") {
   const Workspace w(chain);
   const Outcome outcome = w.scree("spectrum scene.toml --by all --out out " + peak);
   INFO(outcome.err << outcome.out);
@@ -24,7 +24,7 @@ TEST_CASE("spectrum of a scenario takes all roads and prints what they found", "
     CHECK(outcome.out.find(part) != std::string::npos);
   CHECK(w.text("out/spectrum.csv")
             .starts_with("road,frequency [Hz],particles.z_1.amplitude [1],particles.z_1.phase [rad],"));
-  // Three roads with two columns each; the header.
+  // Three methods with two columns each; the header.
   CHECK(lines_of(w.text("out/peaks.csv")).size() == 7);
   CHECK(lines_of(w.text("out/spectrum.csv")).size() == 1 + 3 * 71);
   CHECK(lines_of(w.text("out/sweep.csv")).size() == 1 + 71);
@@ -91,7 +91,7 @@ TEST_CASE("spectrum refuses what it cannot measure in one line and writes nothin
             "--set spectrum.amplitude=", "give an amplitude of 1e-100 m or more");
   refused(scene + "spectrum.to_hz=1e5", "--set spectrum.to_hz=", "a shorter time.step");
   refused(scene + "boundary.floor.control=\\'fixed\\'", "scene.toml:", "set the control that uses it");
-  refused(scene + "spectrum.fewest_contacts=9 --by linear", "no body is held",
+  refused(scene + "spectrum.linear.fewest_contacts=9 --by linear", "no body is held",
           "compress the packing, or give a fewest_contacts below 9");
   const Workspace without;
   check_refused(without, without.scree("spectrum scene.toml --out out"), "scene.toml: has no [spectrum]",
@@ -119,6 +119,21 @@ TEST_CASE("a scenario of a spectrum without stages is checked, but not run", "[t
                 "scene.toml: the scenario says nothing of how long", "or run scree spectrum with it");
 }
 
+TEST_CASE("run and check read the table of a study that they do not use", "[tools]") {
+  const Workspace w(
+      with(chain, "ids = [1, 8]", "ids = [1, 8]\nevery = 1e-3") +
+      "[[expect]]\nrequirement = 'r'\nquantity = 'peaks.linear.particles.z_8.peak_1.frequency'\n"
+      "at_least = 1\n");
+  for (const char* verb : {"run scene.toml --out out", "check scene.toml"})
+    check_refused(w, w.scree(std::string(verb) + " --set time.duration=0.01 --set spectrum.sweep.priods=9"),
+                  "--set spectrum.sweep.priods=9: unknown key 'priods' in [spectrum.sweep]",
+                  "did you mean 'periods'?");
+  REQUIRE(w.scree("run scene.toml --out out --quiet --set time.duration=0.01").status == 0);
+  const Outcome longer = w.scree("resume out --quiet --until 0.02");
+  INFO(longer.err);
+  CHECK(longer.status == 0);
+}
+
 TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
   const Workspace w(chain);
   REQUIRE(w.scree("spectrum scene.toml --by linear --out out --quiet").status == 0);
@@ -144,7 +159,7 @@ TEST_CASE("resume of a spectrum changes nothing about it", "[tools]") {
   CHECK(w.scree(over + staged).status == 0);
   CHECK(w.scree(over).status == 0);
   w.write("out/spectrum.json", "{\"status\": 5}");
-  refused("resume out", "out: there is no state with which the spectrum could go on; give --overwrite");
+  refused("resume out", "out: no saved state to resume the spectrum from; give --overwrite");
 }
 
 TEST_CASE("a spectrum that does not meet an expectation says so and fails", "[tools]") {

@@ -52,7 +52,7 @@ refused() {  # refused NAME PATTERN
   [ "$(wc -l < "$tree/err")" -eq "${lines:-1}" ] || fail "$1: not one line"
   grep -q "$2" "$tree/err" || fail "$1: another line"
 }
-path=$tree lines=2 refused "no ninja" "^scree: ninja: cannot be started (.*); install ninja-build$"
+path=$tree lines=2 refused "no ninja" "^scree: ninja: cannot be started (.*; install ninja-build$"
 library=$tree/lib/libscree_studies.so
 for bytes in 0 100 100000 $(($(stat -c %s "$build/lib/libscree_studies.so") - 1)); do
   head -c "$bytes" "$build/lib/libscree_studies.so" > "$library"

@@ -1,5 +1,6 @@
 #include "bench.hpp"
 #include "program_verbs.hpp"
+#include "support/study_tables.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -118,7 +119,7 @@ std::string csv_row(const std::string& scene, const std::string& precision, unsi
 
 ExitStatus bench(const BenchArguments& a) {
   PluginHost host = make_host(a.plugins);
-  const scenario::Plan plan = scenario::read_plan(scene_file(a.scene), a.overrides, host);
+  const scenario::Plan plan = scenario::read_plan(scene_file(a.scene), a.overrides, host, study_tables());
   Table csv;
   if (!a.csv.empty()) csv = table_at(a.csv);
   const std::string name = std::filesystem::path(a.scene).stem().string();

@@ -1,5 +1,6 @@
 #include "program_verbs.hpp"
 #include "support/progress_bar.hpp"
+#include "support/study_tables.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -45,6 +46,7 @@ ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, 
 
 campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& bar) {
   campaign::ExecutionOptions options;
+  options.studies = study_tables();
   options.jobs = a.jobs ? a.jobs : std::max(1u, std::thread::hardware_concurrency() / a.threads);
   options.threads = a.threads;
   options.again = a.overwrite;
@@ -155,7 +157,7 @@ void add_campaign_verb(CommandLine& line) {
       "  scenario = \"../fall.toml\"               # relative to this file\n"
       "  seeds = [1, 2, 3]                       # or { first = 1, count = 20 }\n"
       "  collect = [\"energy.work.last\"]          # quantities as in [[expect]], for the table\n"
-      "  spectrum = \"pulse\"                     # measures spectra by this road instead of running\n"
+      "  spectrum = \"pulse\"                     # measures spectra by this method instead of running\n"
       "  [set]                                   # keys as in scree run --set\n"
       "  \"contact.static_friction\" = [0.1, 0.3]  # a list of values; all combinations are run\n"
       "  \"particles.lattice.count\" = [[5, 5, 8]] # a value that is itself a list\n"

@@ -1,4 +1,5 @@
 #include "program_verbs.hpp"
+#include "support/study_tables.hpp"
 
 #include <cmath>
 #include <memory>
@@ -36,16 +37,6 @@ void print_stages(const scenario::Plan& plan) {
   fmt::print("  at least {:g} s of simulated time\n", least);
 }
 
-void print_spectrum(const scenario::Plan& plan) {
-  const std::vector<double> frequencies = plan.spectrum->frequencies();
-  double steps = 0;
-  for (const double f : frequencies) steps += plan.spectrum->periods / (f * plan.scene.step);
-  if (plan.spectrum->direction == scenario::SpectrumPlan::Direction::both) steps *= 2;
-  fmt::print("  spectrum: {} from {:g} to {:g} Hz, {:.3g} steps for a sweep with all periods\n",
-             counted(frequencies.size(), "frequency", "frequencies"), frequencies.front(), frequencies.back(),
-             steps);
-}
-
 void print_summary(const std::string& file, const scenario::Plan& plan, const Simulation& simulation,
                    const std::string& step) {
   fmt::print("{}: valid{}{}\n", files::escaped(file), plan.title.empty() ? "" : ", ",
@@ -59,12 +50,14 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
                largest.bodies);
   if (!plan.stages.empty()) print_stages(plan);
-  if (plan.spectrum) print_spectrum(plan);
+  for (const scenario::StudyTable& study : study_tables())
+    if (const std::string line = study.check(plan); !line.empty()) fmt::print("  {}\n", line);
 }
 
 ExitStatus check(const CheckArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
+  const scenario::Plan plan =
+      scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
   const auto simulation = run::set_up(plan);
   // What a plug-in states may be refused: nothing is printed before.
   const std::string step = run::describe_step(*simulation);

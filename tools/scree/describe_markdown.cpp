@@ -1,6 +1,7 @@
 #include "describe_markdown.hpp"
 
 #include "probe_columns.hpp"
+#include "support/study_tables.hpp"
 
 #include <vector>
 
@@ -65,7 +66,7 @@ std::string when_absent(const scree_parameter& p) {
 void print_markdown(PluginHost& host) {
   fmt::print(
       "# Keys of a scenario\n\nPrinted by `scree describe --all`, from the declarations that scenarios are checked with.\n\n## Tables\n");
-  for (const scenario::TableDescription& table : scenario::describe_tables()) {
+  for (const scenario::TableDescription& table : scenario::describe_tables(study_tables())) {
     fmt::print("\n### {}\n\n`{}`: {}\n", table.name, table.header, table.doc);
     print_header("key");
     for (const scenario::KeyDescription& key : table.keys)

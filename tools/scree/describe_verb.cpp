@@ -2,6 +2,7 @@
 #include "plugin_values.hpp"
 #include "probe_columns.hpp"
 #include "program_verbs.hpp"
+#include "support/study_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ struct DescribeArguments {
 
 void list_tables() {
   fmt::print("tables of a scenario\n");
-  for (const scenario::TableDescription& table : scenario::describe_tables())
+  for (const scenario::TableDescription& table : scenario::describe_tables(study_tables()))
     fmt::print("  {:<24} {}\n", table.name, table.doc);
 }
 
@@ -110,7 +111,7 @@ void print_closed_forms(const ConfiguredLaw& law, const DescribeArguments& a) {
 }
 
 std::optional<scenario::TableDescription> find_table(const std::string& name) {
-  for (const scenario::TableDescription& table : scenario::describe_tables())
+  for (const scenario::TableDescription& table : scenario::describe_tables(study_tables()))
     if (name == table.name || name == table.header) return table;
   return std::nullopt;
 }
@@ -127,7 +128,8 @@ std::vector<const scree_plugin*> find_plugins(PluginHost& host, const std::strin
 
 [[noreturn]] void refuse_name(const PluginHost& host, const std::string& name) {
   std::vector<std::string> all;
-  for (const scenario::TableDescription& table : scenario::describe_tables()) all.push_back(table.name);
+  for (const scenario::TableDescription& table : scenario::describe_tables(study_tables()))
+    all.push_back(table.name);
   for (const scree_kind kind : kinds)
     for (const std::string& known : host.names(kind)) all.push_back(known);
   throw Error(fmt::format("no plug-in or table '{}'; {}", name, document::name_cure(name, all)));

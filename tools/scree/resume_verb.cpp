@@ -1,11 +1,12 @@
 #include "program_verbs.hpp"
 #include "run_report.hpp"
 #include "support/resume_arguments.hpp"
+#include "support/study_tables.hpp"
 
 #include <fmt/format.h>
 
+#include <scree/run/result_kind.hpp>
 #include <scree/run/run.hpp>
-#include <scree/run/unfinished.hpp>
 
 namespace scree::tool {
 
@@ -23,7 +24,7 @@ ExitStatus resume(const ResumeArguments& arguments) {
   if (!arguments.checkpoint_every.empty())
     changes.checkpoint_every = wall_time_option("--checkpoint-every", arguments.checkpoint_every);
   const run::RunResult result = with_progress(arguments.quiet, [&](run::RunOptions options) {
-    return run::resume_run(in_place_of(arguments, options), changes, host);
+    return run::resume_run(in_place_of(arguments, options), changes, host, study_tables());
   });
   return report_run(result, arguments.quiet);
 }

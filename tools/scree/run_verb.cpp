@@ -1,5 +1,6 @@
 #include "program_verbs.hpp"
 #include "run_report.hpp"
+#include "support/study_tables.hpp"
 
 #include <memory>
 
@@ -19,7 +20,7 @@ struct RunArguments {
 
 ExitStatus run_scenario(const RunArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
+  scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
   if (!arguments.checkpoint_every.empty())
     plan.checkpoint.every = wall_time_option("--checkpoint-every", arguments.checkpoint_every);
   const run::RunResult result = with_progress(arguments.quiet, [&](run::RunOptions options) {

@@ -266,7 +266,7 @@ std::vector<std::string> PluginHost::slow_laws() const {
   const std::vector<std::string> levels = instruction_levels();
   std::vector<std::string> lines;
   if (std::getenv("SCREE_LEVEL") || levels.front() == ".") return lines;
-  const std::string level = levels[levels.size() - 2];  // the lowest above the baseline
+  const std::string& level = levels[levels.size() - 2];  // the lowest above the baseline
   for (const auto& [baseline, library] : libraries_)
     if (library && library->plugin->kind == SCREE_CONTACT_LAW && library->path == baseline)
       lines.push_back(fmt::format(

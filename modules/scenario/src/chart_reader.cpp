@@ -1,4 +1,3 @@
-#include "names.hpp"
 #include "output_keys.hpp"
 
 #include <algorithm>
@@ -6,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <scree/scenario/charts.hpp>
+#include <scree/scenario/names.hpp>
 
 namespace scree::scenario {
 

@@ -1,5 +1,3 @@
-#include "drive_sampling.hpp"
-
 #include <algorithm>
 #include <numbers>
 #include <span>
@@ -7,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <scree/plugin/program.hpp>
-#include <scree/scenario/spectrum_plan.hpp>
+#include <scree/scenario/drive_sampling.hpp>
 
 namespace scree::scenario {
 
@@ -54,6 +52,12 @@ void add(const std::string& name, const Parameters& parameters, double step,
 }
 
 }  // namespace
+
+std::optional<std::string> sampling_problem(double to_hz, double step) {
+  if (to_hz * step < 0.5) return std::nullopt;
+  return fmt::format("{:g} Hz is not below half the sampling rate of a sample per step, {:g} Hz", to_hz,
+                     0.5 / step);
+}
 
 std::vector<std::string> undersampled_drives(const Scene& scene, const std::vector<Stage>& stages) {
   std::vector<std::string> lines;

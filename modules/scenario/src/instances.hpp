@@ -1,12 +1,11 @@
 #pragma once
 
-#include "names.hpp"
-
 #include <string>
 #include <vector>
 
 #include <scree/document/table.hpp>
 #include <scree/plugin_host.hpp>
+#include <scree/scenario/names.hpp>
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "table_keys.hpp"
-
 #include <scree/document/table.hpp>
+#include <scree/scenario/table_keys.hpp>
 
 namespace scree::scenario {
 

@@ -1,12 +1,12 @@
 #include "material_reader.hpp"
 
-#include "names.hpp"
 #include "scene_keys.hpp"
 
 #include <fmt/format.h>
 
 #include <scree/files/text.hpp>
 #include <scree/packing/csv.hpp>
+#include <scree/scenario/names.hpp>
 
 namespace scree::scenario {
 

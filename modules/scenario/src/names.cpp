@@ -1,11 +1,10 @@
-#include "names.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
+#include <scree/scenario/names.hpp>
 
 namespace scree::scenario {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "table_keys.hpp"
-
 #include <scree/pictures/render_options.hpp>
+#include <scree/scenario/table_keys.hpp>
 
 namespace scree::scenario {
 
@@ -57,8 +56,10 @@ struct SnapshotKeys : TableKeys {
 
 struct CheckpointKeys : TableKeys {
   CheckpointKeys()
-      : TableKeys("checkpoint", "[checkpoint]",
-                  "states from which scree resume goes on; the two latest are kept in checkpoint/") {}
+      : TableKeys(
+            "checkpoint", "[checkpoint]",
+            "states from which scree resume goes on: the two latest of a run in checkpoint/, the latest of a "
+            "study in state.h5") {}
   StringKey every =
       string("every", "10 min", "wall time between them, as \"30 s\", \"10 min\", \"2 h\" or \"never\"",
              "default \"10 min\"");
@@ -75,7 +76,7 @@ struct ExpectKeys : TableKeys {
   StringKey quantity = string(
       "quantity",
       "a number of run.json, <probe>.<column>.<last, first, min, max or mean>, or of scree spectrum "
-      "peaks.<road>.<probe>.<column>.<peak_1, ... or 3lambda/4, ...>.<frequency, quality or amplitude>");
+      "peaks.<method>.<probe>.<column>.<peak_1, ... or 3lambda/4, ...>.<frequency, quality or amplitude>");
   NumberKey reference = number("reference", Range::any(), "expected value", "optional");
   NumberKey tolerance =
       number("tolerance", Range::non_negative(), "largest deviation from it", "required with reference");

@@ -13,7 +13,6 @@
 #include <scree/files/text.hpp>
 #include <scree/nearest.hpp>
 #include <scree/pictures/render_options.hpp>
-#include <scree/scenario/peak_quantity.hpp>
 #include <scree/scenario/quantities.hpp>
 
 namespace scree::scenario {
@@ -24,6 +23,7 @@ Expectation read_expectation(const document::Table& t) {
   Expectation e;
   e.requirement = read(t, expect_keys.requirement);
   e.quantity = read(t, expect_keys.quantity);
+  e.place = t.place(expect_keys.quantity);
   e.reference = read_optional(t, expect_keys.reference);
   e.tolerance = read_optional(t, expect_keys.tolerance);
   e.at_most = read_optional(t, expect_keys.at_most);
@@ -50,10 +50,8 @@ std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, in
   return known;
 }
 
-std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known,
-                                            const std::optional<SpectrumPlan>& spectrum) {
+std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
-  if (names_peak(name) && spectrum) return peak_quantity_problem(name, spectrum->observed);
   const auto near = nearest_word(name, known);
   const std::string cure =
       near ? fmt::format("did you mean '{}'?", *near)
@@ -84,14 +82,18 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   return plan;
 }
 
-void read_expectations(const document::Table& root, Plan& plan) {
+void read_expectations(const document::Table& root, const StudyTables* studies, Plan& plan) {
   const std::vector<std::string> known = quantity_names(plan.probes, plan.scene.dimension);
+  const auto is_of_study = [&](const std::string& quantity) {
+    return !studies || std::any_of(studies->begin(), studies->end(), [&](const StudyTable& study) {
+      return study.judges(quantity) && root.has(study.name);
+    });
+  };
   for (const document::Table& t : root.tables("expect")) {
     Expectation e = read_expectation(t);
-    if (const auto problem = quantity_problem(e.quantity, known, plan.spectrum))
-      throw Error(fmt::format("{}: {}", t.place("quantity"), *problem));
-    const bool of_peak = plan.spectrum && peak_quantity(e.quantity, plan.spectrum->observed);
-    (of_peak ? plan.peak_expectations : plan.expectations).push_back(std::move(e));
+    const auto problem = quantity_problem(e.quantity, known);
+    if (problem && !is_of_study(e.quantity)) throw Error(fmt::format("{}: {}", e.place, *problem));
+    (problem ? plan.study_expectations : plan.expectations).push_back(std::move(e));
   }
 }
 

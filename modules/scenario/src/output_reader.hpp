@@ -9,7 +9,7 @@ namespace scree::scenario {
 
 // step: the time step (s), minimum of all intervals.
 SnapshotPlan read_snapshot(const document::Table& root, double step);
-// Reads expectations of a run and of peaks; the plan has its probes and its spectrum already.
-void read_expectations(const document::Table& root, Plan& plan);
+// Sorts [[expect]] into those of the run and of studies; the plan has its probes already. studies: as for read_stages.
+void read_expectations(const document::Table& root, const StudyTables* studies, Plan& plan);
 
 }  // namespace scree::scenario

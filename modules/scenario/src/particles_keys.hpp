@@ -1,8 +1,7 @@
 #pragma once
 
-#include "table_keys.hpp"
-
 #include <scree/plugin/abi.h>
+#include <scree/scenario/table_keys.hpp>
 
 namespace scree::scenario {
 

@@ -2,7 +2,6 @@
 
 #include "body_memory.hpp"
 #include "lattice_reader.hpp"
-#include "names.hpp"
 #include "particles_keys.hpp"
 #include "plugin_parameters.hpp"
 #include "state_reader.hpp"
@@ -16,6 +15,7 @@
 
 #include <scree/packing/import.hpp>
 #include <scree/plugin/abi.h>
+#include <scree/scenario/names.hpp>
 #include <scree/spatial_order.hpp>
 
 namespace scree::scenario {

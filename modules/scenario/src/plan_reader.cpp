@@ -1,13 +1,11 @@
 #include "body_file.hpp"
 #include "checkpoint_reader.hpp"
 #include "contact_reader.hpp"
-#include "drive_sampling.hpp"
 #include "output_reader.hpp"
 #include "particles_reader.hpp"
 #include "plugin_parameters.hpp"
 #include "probe_reader.hpp"
 #include "scene_keys.hpp"
-#include "spectrum_reader.hpp"
 #include "stage_reader.hpp"
 #include "state_reader.hpp"
 
@@ -23,6 +21,7 @@
 #include <scree/files/text.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/probes.hpp>
+#include <scree/scenario/drive_sampling.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
@@ -211,15 +210,24 @@ std::string text_for_any_folder(const document::Document& document, const std::f
   }
 }
 
-// Reads all but the texts. `bodies`: those of a run that goes on; if empty, they are read too.
+// Notes which tables of studies there are, and has them checked.
+void read_studies(const document::Table& root, const StudyTables& studies, Plan& plan) {
+  for (const StudyTable& study : studies)
+    if (root.has(study.name)) plan.studies.push_back(study.name);
+  for (const StudyTable& study : studies) study.check(plan);
+}
+
+// Reads all but the texts. `bodies`: of a run that goes on; if empty, they are read too. `studies`: null if the scenario has
+// been checked before.
 Plan read(const document::Document& document, const std::filesystem::path& path, std::vector<Body> bodies,
-          PluginHost& host) {
+          PluginHost& host, const StudyTables* studies) {
   const document::Table root = document.root();
   if (root.has("campaign"))
     throw root.error("campaign", "the file is a campaign, not a scenario",
                      fmt::format("run it with scree campaign {}", path.string()));
   Plan plan;
   plan.source = path;
+  plan.document = document;
   read_header(root, plan);
   const bool goes_on = !bodies.empty();
   const Domain box = read_materials_and_bodies(root, std::move(bodies), plan);
@@ -230,7 +238,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   check_precision(root, plan.scene);
-  plan.stages = read_stages(root, plan.scene, instances, plan.warnings);
+  plan.stages = read_stages(root, plan.scene, instances, studies, plan.warnings);
   for (const std::string& line : undersampled_drives(plan.scene, plan.stages))
     plan.warnings.push_back(fmt::format("{}: {}", plan.source.string(), line));
   plan.scene.spin = any_law(plan, &exerts_torque);
@@ -240,22 +248,22 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   std::vector<ProbeColumns> columns;
   for (const ProbePlan& probe : plan.probes) columns.push_back(columns_of(probe, plan.scene.dimension));
   plan.charts = read_charts(root, columns);
-  plan.spectrum = read_spectrum(root, plan);
-  read_expectations(root, plan);
+  read_expectations(root, studies, plan);
   plan.scene.pair_forces = needs_pair_forces(plan);
   plan.scene.orientations =
       any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_law(plan, &reads_orientations);
   check_audit(root, plan);
   check_pictures(root, plan);
+  if (studies) read_studies(root, *studies, plan);
   return plan;
 }
 
 }  // namespace
 
-Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-               PluginHost& host) {
+Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host,
+               const StudyTables& studies) {
   const document::Document document = document::Document::load(path, overrides);
-  Plan plan = read(document, path, {}, host);
+  Plan plan = read(document, path, {}, host, &studies);
   document.refuse_unused();
   plan.resolved_text = document.resolved_text();
   plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
@@ -269,7 +277,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
 Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host) {
   const document::Document document = document::Document::parse(text, name, overrides);
-  Plan plan = read(document, name, std::move(bodies), host);
+  Plan plan = read(document, name, std::move(bodies), host, nullptr);
   // Elsewhere keys stay unread, as the bodies are known; overrides change lengths only.
   document.root().table("time").refuse_unused();
   for (const document::Table& stage : document.root().tables("stage")) stage.refuse_unused();
@@ -279,11 +287,11 @@ Plan read_plan_again(const std::string& text, const std::string& name,
 }
 
 void check_keys(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                std::vector<Body> bodies, PluginHost& host) {
+                std::vector<Body> bodies, PluginHost& host, const StudyTables& studies) {
   const document::Document document = document::Document::load(path, overrides);
   for (Body& body : bodies) body.material = 0;
   try {
-    read(document, path, std::move(bodies), host);
+    read(document, path, std::move(bodies), host, &studies);
   } catch (const Error&) {
     return;  // it may fit the bodies of the state
   }

@@ -1,7 +1,6 @@
 #include "probe_reader.hpp"
 
 #include "interval.hpp"
-#include "names.hpp"
 #include "output_keys.hpp"
 #include "plugin_parameters.hpp"
 
@@ -12,6 +11,7 @@
 
 #include <scree/files/text.hpp>
 #include <scree/probes.hpp>
+#include <scree/scenario/names.hpp>
 
 namespace scree::scenario {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "table_keys.hpp"
+#include <scree/scenario/table_keys.hpp>
 
 // The tables of a scenario and their keys: what the readers check and `scree describe` prints. Those of bodies are in
-// particles_keys.hpp, of outputs in output_keys.hpp, of spectra in spectrum_keys.hpp.
+// particles_keys.hpp, of outputs in output_keys.hpp; tables of studies are in the modules of the studies.
 namespace scree::scenario {
 
 std::vector<std::string> integrator_names();

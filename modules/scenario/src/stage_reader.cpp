@@ -3,6 +3,7 @@
 #include "plugin_parameters.hpp"
 #include "scene_keys.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <scree/plugin/program.hpp>
-#include <scree/scenario/keys.hpp>
+#include <scree/scenario/plan.hpp>
 #include <scree/scene_checks.hpp>
 #include <scree/told_apart.hpp>
 
@@ -148,8 +149,8 @@ void read_changes(const document::Table& t, const Scene& scene, std::vector<Stag
 }
 
 // A misspelt table, such as [[stages]] or [spectra], is named before the duration that would stand in its place.
-void refuse_unknown_tables(const document::Table& root) {
-  for (const TableDescription& table : describe_tables())
+void refuse_unknown_tables(const document::Table& root, const StudyTables& studies) {
+  for (const TableDescription& table : describe_tables(studies))
     if (table.name.find('.') == std::string::npos) root.accept(table.name);
   root.refuse_unused();
 }
@@ -163,7 +164,7 @@ double read_steps(const document::Table& table, const Key& key, double step) {
 }
 
 std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances,
-                               std::vector<std::string>& warnings) {
+                               const StudyTables* studies, std::vector<std::string>& warnings) {
   std::vector<Stage> stages;
   UniqueNames names("stage");
   const document::Table time = root.table("time");
@@ -180,9 +181,11 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
   if (!stages.empty() && time.optional(time_keys.duration))
     throw time.error("duration", "both stages and time.duration are given",
                      "keep [[stage]] or time.duration");
-  const bool needs_none = root.has("spectrum") && !time.has(time_keys.duration);
+  const auto has_table = [&](const StudyTable& study) { return root.has(study.name); };
+  const bool needs_none =
+      !time.has(time_keys.duration) && (!studies || std::any_of(studies->begin(), studies->end(), has_table));
   if (stages.empty() && !needs_none) {
-    if (!time.has(time_keys.duration)) refuse_unknown_tables(root);
+    if (!time.has(time_keys.duration)) refuse_unknown_tables(root, *studies);
     Stage stage;
     stage.name = "run";
     stage.duration = read_steps(time, time_keys.duration, scene.step);

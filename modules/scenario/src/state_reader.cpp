@@ -1,6 +1,5 @@
 #include "state_reader.hpp"
 
-#include "names.hpp"
 #include "particles_keys.hpp"
 #include "plugin_parameters.hpp"
 
@@ -10,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/scenario/names.hpp>
 #include <scree/state_file/state_file.hpp>
 
 namespace scree::scenario {

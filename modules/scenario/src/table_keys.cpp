@@ -1,7 +1,7 @@
-#include "table_keys.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <scree/scenario/table_keys.hpp>
 
 namespace scree::scenario {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <catch2/catch.hpp>
+
 #include <scree/plugin/boundary.hpp>
 
 // A boundary plug-in that goes wrong as a script says, in a scene of one body.

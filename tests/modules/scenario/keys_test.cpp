@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/parameters.hpp>
-#include <scree/scenario/keys.hpp>
+#include <scree/scenario/study_table.hpp>
 
 using namespace scree;
 using namespace scree::test;

@@ -1,5 +1,6 @@
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
+#include "support/study_tables.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
@@ -33,8 +34,10 @@ std::vector<std::string> integrator_names() {
   return names;
 }
 
-accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBar& bar) {
-  accuracy::StudyOptions options;
+accuracy::RecordedStudyOptions options_of(const AccuracyArguments& arguments, ProgressBar& bar) {
+  accuracy::RecordedStudyOptions options;
+  options.out = arguments.out;
+  options.overwrite = arguments.overwrite;
   options.tolerance = arguments.tolerance;
   options.coarsest = arguments.coarsest;
   options.count = arguments.count;
@@ -49,35 +52,39 @@ accuracy::StudyOptions options_of(const AccuracyArguments& arguments, ProgressBa
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     bar.show(share, wall, what);
   };
+  options.on_warning = [&bar](const std::string& line) {
+    bar.clear();
+    report_warning(line);
+  };
+  // Printed before the files are written, which may fail.
+  options.on_result = [&bar, quiet = arguments.quiet](const accuracy::Convergence& found) {
+    bar.clear();
+    if (quiet)
+      fmt::print("{}\n", files::escaped(accuracy::verdict(found)));
+    else
+      fmt::print("{}", files::escaped(accuracy::text_report(found), files::Escapes::lines));
+    std::fflush(stdout);
+  };
   return options;
 }
 
 ExitStatus study_scenario(const AccuracyArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  const scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host);
-  using run::RunDirectory;
-  RunDirectory directory = RunDirectory::of_results(arguments.out, arguments.overwrite, arguments.scenario,
-                                                    plan.inputs, RunDirectory::Kind::study);
-  directory.report_lock(report_warning);
+  const scenario::Plan plan =
+      scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
   // The table is worth having without them.
   if (!pictures::has_pictures())
     report(
         fmt::format("{}, so the study has no charts; {}", pictures::no_pictures, pictures::no_pictures_cure),
         ExitStatus::success);
-  const accuracy::Study study = [&] {
+  const auto [found, directory] = [&] {
     ProgressBar bar(arguments.quiet);
-    return accuracy::study(plan, options_of(arguments, bar));
+    return accuracy::recorded_study(plan, options_of(arguments, bar));
   }();
-  if (arguments.quiet)
-    fmt::print("{}\n", files::escaped(accuracy::verdict(study)));
-  else
-    fmt::print("{}", files::escaped(accuracy::text_report(study), files::Escapes::lines));
-  std::fflush(stdout);
-  accuracy::write_report(study, plan.heading(), directory);
-  fmt::print("results in {}\n", files::escaped(directory.path().string()));
-  const bool any = std::any_of(study.outcomes.begin(), study.outcomes.end(),
-                               [](const accuracy::Outcome& o) { return o.problem.empty(); });
-  if (study.interrupted) return ExitStatus::interrupted;
+  fmt::print("results in {}\n", files::escaped(directory.string()));
+  const bool any = std::any_of(found.outcomes.begin(), found.outcomes.end(),
+                               [](const accuracy::SettingResult& o) { return o.problem.empty(); });
+  if (found.interrupted) return ExitStatus::interrupted;
   return any ? ExitStatus::success : ExitStatus::failure;
 }
 

@@ -1,5 +1,6 @@
-#include "studies/course_report.hpp"
+#include "studies/load_report.hpp"
 #include "studies/studies.hpp"
+#include "support/study_tables.hpp"
 #include "support/verbs.hpp"
 #include "support/watched_work.hpp"
 
@@ -12,6 +13,7 @@
 #include <scree/files/text.hpp>
 #include <scree/modes/vibration.hpp>
 #include <scree/pictures/render_options.hpp>
+#include <scree/spectrum/spectrum_plan.hpp>
 
 namespace scree::tool {
 
@@ -67,8 +69,14 @@ modes::VibrationOptions options_of(const ResponseArguments& a) {
 modes::Vibration solve_with_progress(const ResponseArguments& arguments) {
   ProgressBar bar(arguments.quiet);
   PluginHost host = make_host(arguments.plugins);
-  return modes::vibrate(scenario::read_plan(arguments.scenario, arguments.overrides, host),
-                        watched(options_of(arguments), bar));
+  const scenario::Plan plan =
+      scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
+  modes::VibrationOptions options = options_of(arguments);
+  if (const auto spectrum = spectrum::read_spectrum(plan)) {
+    options.contacts_slide |= spectrum->linear.contacts_slide;
+    if (options.fewest_contacts == 0) options.fewest_contacts = spectrum->linear.fewest_contacts;
+  }
+  return modes::vibrate(plan, watched(std::move(options), bar));
 }
 
 ExitStatus respond(const ResponseArguments& arguments) {
@@ -105,13 +113,14 @@ void refuse_mixture(const ResponseArguments& a) {
 }
 
 ExitStatus follow(const ResponseArguments& arguments) {
-  return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {
+  return report_load(arguments.quiet, [&](quasi_static::FollowOptions options) {
     options.out = arguments.out;
     options.overwrite = arguments.overwrite;
     options.threads = arguments.threads;
     if (arguments.increments > 0) options.increments = arguments.increments;
     PluginHost host = make_host(arguments.plugins);
-    return quasi_static::follow(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+    return quasi_static::follow(
+        scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables()), options);
   });
 }
 

@@ -2,6 +2,7 @@
 #include "studies/spectrum_files.hpp"
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
+#include "support/study_tables.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
@@ -172,8 +173,8 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   return ExitStatus::success;
 }
 
-std::vector<spectrum::Road> roads_of(const std::string& by) {
-  using enum spectrum::Road;
+std::vector<spectrum::Method> methods_of(const std::string& by) {
+  using enum spectrum::Method;
   if (by == "all") return {linear, pulse, sweep};
   return {by == "linear" ? linear : by == "pulse" ? pulse : sweep};  // the default
 }
@@ -184,9 +185,10 @@ ExitStatus measure(const SpectrumArguments& arguments) {
     options.out = arguments.out;
     options.overwrite = arguments.overwrite;
     options.threads = arguments.threads;
-    options.roads = roads_of(arguments.by);
+    options.methods = methods_of(arguments.by);
     if (arguments.resume) return spectrum::resume_measurement(options, host);
-    return spectrum::measure(scenario::read_plan(arguments.scenario, arguments.overrides, host), options);
+    return spectrum::measure(
+        scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables()), options);
   });
 }
 
@@ -221,7 +223,7 @@ void add_spectrum_verb(CommandLine& line) {
   verb.option("scenario", a->scenario, "Scenario file (TOML) with [spectrum]");
   verb.option(
           "--by", a->by,
-          "Road: a sweep, a pulse, linear response of the contact network, or all of them (default sweep)")
+          "Method: a sweep, a pulse, linear response of the contact network, or all of them (default sweep)")
       .one_of({"sweep", "pulse", "linear", "all"});
   verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
   verb.option("--threads", a->threads,

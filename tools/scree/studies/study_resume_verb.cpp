@@ -1,9 +1,11 @@
-#include "studies/course_report.hpp"
+#include "studies/load_report.hpp"
 #include "studies/measurement_report.hpp"
 #include "studies/studies.hpp"
 #include "support/resume_arguments.hpp"
 
 #include <fmt/format.h>
+
+#include <scree/run/result_kind.hpp>
 
 namespace scree::tool {
 
@@ -19,14 +21,14 @@ void refuse_changes(const ResumeArguments& arguments, const char* results) {
 
 ExitStatus resume(const ResumeArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
-  if (spectrum::is_measurement(arguments.directory)) {
+  if (run::has_results(arguments.directory, run::spectrum_results)) {
     refuse_changes(arguments, "spectrum");
     return report_measurement(arguments.quiet, [&](spectrum::MeasurementOptions options) {
       return spectrum::resume_measurement(in_place_of(arguments, options), host);
     });
   }
   refuse_changes(arguments, "response");
-  return report_course(arguments.quiet, [&](quasi_static::FollowOptions options) {
+  return report_load(arguments.quiet, [&](quasi_static::FollowOptions options) {
     return quasi_static::resume_following(in_place_of(arguments, options), host);
   });
 }

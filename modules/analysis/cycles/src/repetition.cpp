@@ -17,8 +17,10 @@ constexpr std::size_t longest = 1000;  // the time to try all periods grows with
 std::vector<double> phase_means(const std::vector<double>& values, std::size_t period) {
   std::vector<double> means(period, 0.0);
   for (std::size_t k = 0; k < values.size(); ++k) means[k % period] += values[k];
-  for (std::size_t phase = 0; phase < period; ++phase)
-    means[phase] /= double((values.size() - phase + period - 1) / period);
+  for (std::size_t phase = 0; phase < period; ++phase) {
+    const std::size_t count = (values.size() - phase + period - 1) / period;
+    means[phase] /= double(count);
+  }
   return means;
 }
 

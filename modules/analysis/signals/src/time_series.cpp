@@ -90,8 +90,7 @@ std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
     if (!rows.is_whole()) cut_line = rows.line_number();
   }
   for (TimeSeries& column : series) {
-    const bool last = &column == &series.back();
-    column.times = last ? std::move(times) : times;
+    column.times = times;
     column.cut_line = cut_line;
     check(rows, column, least);
   }

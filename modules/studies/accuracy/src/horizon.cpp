@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <scree/run/run_in_memory.hpp>
 #include <scree/run/set_up.hpp>
-#include <scree/run/trial.hpp>
 
 namespace scree::accuracy {
 

@@ -20,13 +20,15 @@ bool same_method(const Setting& a, const Setting& b) {
   return a.integration == b.integration && a.precision == b.precision;
 }
 
-// The errors of a method from the coarsest step on: of a quantity, or the largest; `shown` of an outcome's error in a quantity.
+// The errors of a method from the coarsest step on: of a quantity, or the largest; `shown` of an outcome's
+// error in a quantity.
 template <class Shown>
-std::vector<double> errors_of(const Study& study, const Setting& method, std::optional<std::size_t> quantity,
-                              std::vector<double>& steps, const Shown& shown) {
+std::vector<double> errors_of(const Convergence& study, const Setting& method,
+                              std::optional<std::size_t> quantity, std::vector<double>& steps,
+                              const Shown& shown) {
   std::vector<double> errors;
   steps.clear();
-  for (const Outcome& o : study.outcomes) {
+  for (const SettingResult& o : study.outcomes) {
     if (!same_method(o.setting, method)) continue;
     const double error = shown(o, quantity.value_or(o.problem.empty() ? o.worst_quantity() : 0));
     if (std::isnan(error)) continue;
@@ -36,9 +38,9 @@ std::vector<double> errors_of(const Study& study, const Setting& method, std::op
   return errors;
 }
 
-Order order_of(const Study& study, const Setting& method) {
+Order order_of(const Convergence& study, const Setting& method) {
   // Errors below the floor count as 0.
-  const auto usable = [&](const Outcome& o, std::size_t k) {
+  const auto usable = [&](const SettingResult& o, std::size_t k) {
     if (!o.problem.empty()) return std::numeric_limits<double>::quiet_NaN();
     return o.errors[k] > floor_of(study.quantities[k], method.precision) ? o.errors[k] : 0;
   };
@@ -52,9 +54,9 @@ Order order_of(const Study& study, const Setting& method) {
   return order;
 }
 
-LongestStep longest_step_of(const Study& study, const Setting& method) {
+LongestStep longest_step_of(const Convergence& study, const Setting& method) {
   // A step without results is too long.
-  const auto error = [](const Outcome& o, std::size_t k) {
+  const auto error = [](const SettingResult& o, std::size_t k) {
     return o.problem.empty() ? o.errors[k] : std::numeric_limits<double>::infinity();
   };
   const auto of = [&](std::optional<std::size_t> quantity) {
@@ -112,8 +114,8 @@ std::optional<double> longest_step(const std::vector<double>& steps, const std::
   return steps[first] * std::pow(tolerance / errors[first], 1 / order);
 }
 
-void summarise_methods(Study& study) {
-  for (const Outcome& o : study.outcomes) {
+void summarise_methods(Convergence& study) {
+  for (const SettingResult& o : study.outcomes) {
     if (std::any_of(study.orders.begin(), study.orders.end(),
                     [&](const Order& order) { return same_method(order.method, o.setting); }))
       continue;

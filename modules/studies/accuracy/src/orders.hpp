@@ -9,12 +9,12 @@ namespace scree::accuracy {
 std::optional<double> fitted_order(const std::vector<double>& steps, const std::vector<double>& errors,
                                    double top);
 
-// The step, for decreasing steps, with which the error and those of all shorter ones are within the tolerance; between two steps as
-// their errors have it. Empty if there is none.
+// The step, for decreasing steps, with which the error and those of all shorter ones are within the
+// tolerance; between two steps as their errors have it. Empty if there is none.
 std::optional<double> longest_step(const std::vector<double>& steps, const std::vector<double>& errors,
                                    double tolerance);
 
 // Sets orders and longest steps, one per method in the order of the outcomes.
-void summarise_methods(Study& study);
+void summarise_methods(Convergence& study);
 
 }  // namespace scree::accuracy

@@ -17,29 +17,30 @@ double Quantity::scale() const {
   return reference != 0 ? std::abs(reference) : 1;
 }
 
-std::size_t Outcome::worst_quantity() const {
+std::size_t SettingResult::worst_quantity() const {
   return std::size_t(std::max_element(errors.begin(), errors.end()) - errors.begin());
 }
 
-double Outcome::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }
+double SettingResult::worst() const { return errors.empty() ? 0 : errors[worst_quantity()]; }
 
-const Outcome* cheapest(const Study& study) {
-  const Outcome* best = nullptr;
-  for (const Outcome& o : study.outcomes)
+const SettingResult* cheapest(const Convergence& study) {
+  const SettingResult* best = nullptr;
+  for (const SettingResult& o : study.outcomes)
     if (o.problem.empty() && o.worst() <= study.tolerance && (!best || o.wall < best->wall)) best = &o;
   return best;
 }
 
-std::vector<const Outcome*> pareto_front(const Study& study, std::optional<std::size_t> quantity) {
+std::vector<const SettingResult*> pareto_front(const Convergence& study,
+                                               std::optional<std::size_t> quantity) {
   constexpr double gain = 1.05;
-  std::vector<const Outcome*> front;
-  for (const Outcome& o : study.outcomes)
+  std::vector<const SettingResult*> front;
+  for (const SettingResult& o : study.outcomes)
     if (o.problem.empty()) front.push_back(&o);
-  std::sort(front.begin(), front.end(), [&](const Outcome* a, const Outcome* b) {
+  std::sort(front.begin(), front.end(), [&](const SettingResult* a, const SettingResult* b) {
     return a->wall != b->wall ? a->wall < b->wall : a->error(quantity) < b->error(quantity);
   });
   double best = std::numeric_limits<double>::infinity();
-  std::erase_if(front, [&](const Outcome* o) {
+  std::erase_if(front, [&](const SettingResult* o) {
     if (o->error(quantity) * gain >= best) return true;
     best = o->error(quantity);
     return false;

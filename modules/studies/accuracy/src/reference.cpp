@@ -20,7 +20,7 @@ Limit extrapolate(double at_h, double at_half, double at_quarter) {
 
 namespace {
 
-Quantity quantity_of(const scenario::Expectation& e, const std::vector<run::Trial>& trials, std::size_t k,
+Quantity quantity_of(const scenario::Expectation& e, const std::vector<run::InMemoryRun>& runs, std::size_t k,
                      bool cut) {
   const double scale = e.scale.value_or(0);
   // No relative error is possible for a reference of 0 without a scale.
@@ -29,14 +29,14 @@ Quantity quantity_of(const scenario::Expectation& e, const std::vector<run::Tria
   const bool bound = !e.reference && e.quantity == "energy_created";  // only rounding
   if (bound || e.quantity == "energy_residual" || e.quantity == "momentum_residual")
     return {e.quantity, 0, 0, 1, true};
-  const Limit limit = extrapolate(trials[0].quantities[k], trials[1].quantities[k], trials[2].quantities[k]);
+  const Limit limit = extrapolate(runs[0].quantities[k], runs[1].quantities[k], runs[2].quantities[k]);
   return {e.quantity, limit.value, limit.uncertainty, scale, false};
 }
 
 }  // namespace
 
 std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
-                                               const std::vector<run::Trial>& trials,
+                                               const std::vector<run::InMemoryRun>& runs,
                                                std::vector<std::string>& without) {
   static const std::vector<std::string> of_the_run = {"steps", "time", "neighbour_searches",
                                                       "min_steps_per_contact"};
@@ -44,8 +44,8 @@ std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
   for (std::size_t k = 0; k < plan.expectations.size(); ++k) {
     const std::string& name = plan.expectations[k].quantity;
     if (std::find(of_the_run.begin(), of_the_run.end(), name) != of_the_run.end()) continue;
-    const bool known = std::all_of(trials.begin(), trials.end(),
-                                   [k](const run::Trial& t) { return std::isfinite(t.quantities[k]); });
+    const bool known = std::all_of(runs.begin(), runs.end(),
+                                   [k](const run::InMemoryRun& t) { return std::isfinite(t.quantities[k]); });
     if (known)
       compared.push_back(k);
     else
@@ -54,21 +54,21 @@ std::vector<std::size_t> compared_expectations(const scenario::Plan& plan,
   return compared;
 }
 
-std::vector<Quantity> reference_quantities(const scenario::Plan& plan, const std::vector<run::Trial>& trials,
+std::vector<Quantity> reference_quantities(const scenario::Plan& plan,
+                                           const std::vector<run::InMemoryRun>& runs,
                                            const std::vector<std::size_t>& compared, bool cut) {
   std::vector<Quantity> quantities;
-  for (const std::size_t k : compared)
-    quantities.push_back(quantity_of(plan.expectations[k], trials, k, cut));
+  for (const std::size_t k : compared) quantities.push_back(quantity_of(plan.expectations[k], runs, k, cut));
   return quantities;
 }
 
-ReferencePositions reference_positions(const std::vector<run::Trial>& trials) {
-  ReferencePositions reference = {trials.back().positions, 0};
+ReferencePositions reference_positions(const std::vector<run::InMemoryRun>& runs) {
+  ReferencePositions reference = {runs.back().positions, 0};
   double square = 0;
   for (std::size_t i = 0; i < reference.positions.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const Limit limit =
-          extrapolate(trials[0].positions[i][k], trials[1].positions[i][k], trials[2].positions[i][k]);
+          extrapolate(runs[0].positions[i][k], runs[1].positions[i][k], runs[2].positions[i][k]);
       reference.positions[i][k] = limit.value;
       square += limit.uncertainty * limit.uncertainty;
     }

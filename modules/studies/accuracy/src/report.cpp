@@ -12,12 +12,12 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void write_settings(const Study& study, Out out) {
-  const Outcome* best = cheapest(study);
-  const std::vector<const Outcome*> front = pareto_front(study);
+void write_settings(const Convergence& study, Out out) {
+  const SettingResult* best = cheapest(study);
+  const std::vector<const SettingResult*> front = pareto_front(study);
   fmt::format_to(out, "{:<20} {:<7} {:>10} {:>10} {:>10} {:>11}  {}\n", "integrator", "numbers", "step (s)",
                  "steps", "wall (s)", "error", "of");
-  for (const Outcome& o : study.outcomes) {
+  for (const SettingResult& o : study.outcomes) {
     fmt::format_to(out, "{:<20} {:<7} {:>10.4g} ", traits_of(o.setting.integration).name,
                    precision_name(o.setting.precision), o.setting.step);
     if (!o.problem.empty()) {
@@ -38,11 +38,11 @@ std::string number_text(const std::optional<double>& number, const char* format)
 }
 
 // Frequency and quality are worth reading at each step, the columns of a run are in accuracy.csv.
-void write_peaks(const Study& study, Out out) {
+void write_peaks(const Convergence& study, Out out) {
   for (std::size_t k = 0; k < study.quantities.size(); ++k) {
     fmt::format_to(out, "\n{}\n{:<29} {:>10} {:>14} {:>11}\n", study.quantities[k].name, "", "step (s)",
                    "value", "error");
-    for (const Outcome& o : study.outcomes)
+    for (const SettingResult& o : study.outcomes)
       if (o.problem.empty())
         fmt::format_to(out, "{:<29} {:>10.4g} {:>14.9g} {:>11.3g}\n", method_name(o.setting), o.setting.step,
                        o.values[k], o.errors[k]);
@@ -61,7 +61,7 @@ bool write_method(const MethodRow& row, bool of_positions, Out out) {
   return row.order && (row.positions || !of_positions) && row.longest;
 }
 
-void write_methods(const Study& study, Out out) {
+void write_methods(const Convergence& study, Out out) {
   bool complete = true;
   const auto head = [&](const std::string& of, bool of_positions) {
     fmt::format_to(out, "\n{}: observed order{}, and longest step (s) within {:g}\n", of,
@@ -84,7 +84,7 @@ void write_methods(const Study& study, Out out) {
                    "-: fewer than three steps with decreasing errors; no step is within the tolerance\n");
 }
 
-void write_references(const Study& study, Out out) {
+void write_references(const Convergence& study, Out out) {
   if (study.of_peaks)
     fmt::format_to(out, "\nreferences\n");
   else
@@ -112,22 +112,22 @@ void append_csv(Out out, double number) { fmt::format_to(out, ",{}", number); }
 
 }  // namespace
 
-std::string verdict(const Study& study) {
-  const auto describe = [](const Outcome& o) {
+std::string verdict(const Convergence& study) {
+  const auto describe = [](const SettingResult& o) {
     return fmt::format("{} with a step of {:.4g} s ({:.3g} s of wall time, error {:.2g})",
                        method_name(o.setting), o.setting.step, o.wall, o.worst());
   };
-  if (const Outcome* best = cheapest(study))
+  if (const SettingResult* best = cheapest(study))
     return fmt::format("The cheapest setting within {:g} is {}.", study.tolerance, describe(*best));
-  const Outcome* nearest = nullptr;
-  for (const Outcome& o : study.outcomes)
+  const SettingResult* nearest = nullptr;
+  for (const SettingResult& o : study.outcomes)
     if (o.problem.empty() && (!nearest || o.worst() < nearest->worst())) nearest = &o;
   if (!nearest) return "No setting has a result.";
   return fmt::format("No setting is within {:g}; the most accurate is {}.", study.tolerance,
                      describe(*nearest));
 }
 
-std::string text_report(const Study& study) {
+std::string text_report(const Convergence& study) {
   std::string text;
   const Out out(text);
   write_settings(study, out);
@@ -146,12 +146,12 @@ std::string text_report(const Study& study) {
   return text;
 }
 
-std::string csv_report(const Study& study) {
+std::string csv_report(const Convergence& study) {
   std::string text = "integrator,precision,step_s,steps,wall_s,worst_error";
   const Out out(text);
   for (const Quantity& q : study.quantities) fmt::format_to(out, ",{0},{0}_error", q.name);
   fmt::format_to(out, ",problem\n");
-  for (const Outcome& o : study.outcomes) {
+  for (const SettingResult& o : study.outcomes) {
     fmt::format_to(out, "{},{},{},{},{}", traits_of(o.setting.integration).name,
                    precision_name(o.setting.precision), o.setting.step, o.steps, o.wall);
     append_csv(out, o.problem.empty() ? o.worst() : NAN);

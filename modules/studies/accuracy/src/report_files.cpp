@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 Json number_or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
-Json order_of(const Study& study, std::size_t method) {
+Json order_of(const Convergence& study, std::size_t method) {
   const Order& order = study.orders[method];
   const LongestStep& longest = study.longest_steps[method];
   Json json = {{"integrator", traits_of(order.method.integration).name},
@@ -30,30 +30,17 @@ Json order_of(const Study& study, std::size_t method) {
   return json;
 }
 
-std::string json_report(const Study& study) {
-  Json json = {{"verdict", verdict(study)},     {"tolerance", study.tolerance},
-               {"compared_at", study.duration}, {"trustworthy_until", number_or_null(study.horizon)},
-               {"notes", study.notes},          {"interrupted", study.interrupted}};
-  for (const Quantity& q : study.quantities)
-    json["quantities"].push_back({{"name", q.name},
-                                  {"reference", q.reference},
-                                  {"uncertainty", q.uncertainty},
-                                  {"closed_form", q.closed_form}});
-  for (std::size_t m = 0; m < study.orders.size(); ++m) json["orders"].push_back(order_of(study, m));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-void add_point(pictures::ChartSeries& series, const Outcome& o, std::optional<std::size_t> quantity) {
+void add_point(pictures::ChartSeries& series, const SettingResult& o, std::optional<std::size_t> quantity) {
   const double error = o.error(quantity);
   if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // not possible on a logarithmic axis
   series.x.push_back(o.wall);
   series.y.push_back(error);
 }
 
-pictures::ChartSeries front_of(const Study& study, std::optional<std::size_t> quantity) {
+pictures::ChartSeries front_of(const Convergence& study, std::optional<std::size_t> quantity) {
   pictures::ChartSeries front{
       "Pareto front", {}, {}, std::array<double, 3>{0, 0, 0}, pictures::LineStyle::dashed};
-  for (const Outcome* o : pareto_front(study, quantity)) add_point(front, *o, quantity);
+  for (const SettingResult* o : pareto_front(study, quantity)) add_point(front, *o, quantity);
   return front;
 }
 
@@ -64,7 +51,7 @@ std::array<double, 3> color_of(Integration integration) {
   return colors[std::size_t(integration) % std::size(colors)];
 }
 
-pictures::ChartSpec chart_of(const Study& study, const std::string& title, const std::string& label,
+pictures::ChartSpec chart_of(const Convergence& study, const std::string& title, const std::string& label,
                              std::optional<std::size_t> quantity) {
   pictures::ChartSpec chart;
   chart.title = title;
@@ -77,7 +64,7 @@ pictures::ChartSpec chart_of(const Study& study, const std::string& title, const
     series.markers = true;
     series.color = color_of(order.method.integration);
     if (order.method.precision == Precision::mixed) series.line = pictures::LineStyle::dotted;
-    for (const Outcome& o : study.outcomes)
+    for (const SettingResult& o : study.outcomes)
       if (o.problem.empty() && method_name(o.setting) == series.name) add_point(series, o, quantity);
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
@@ -93,18 +80,32 @@ void draw(const pictures::ChartSpec& chart, std::string name, const run::RunDire
 
 }  // namespace
 
-void write_report(const Study& study, const std::string& title, run::RunDirectory& files) {
-  files.create();
-  files.write_file("accuracy.json", json_report(study));
-  files.write_file("accuracy.csv", csv_report(study));
+Json record_of(const Convergence& study) {
+  Json json = {{"verdict", verdict(study)},     {"tolerance", study.tolerance},
+               {"compared_at", study.duration}, {"trustworthy_until", number_or_null(study.horizon)},
+               {"notes", study.notes},          {"interrupted", study.interrupted}};
+  for (const Quantity& q : study.quantities)
+    json["quantities"].push_back({{"name", q.name},
+                                  {"reference", q.reference},
+                                  {"uncertainty", q.uncertainty},
+                                  {"closed_form", q.closed_form}});
+  for (std::size_t m = 0; m < study.orders.size(); ++m) json["orders"].push_back(order_of(study, m));
+  return json;
+}
+
+void write_table(const Convergence& study, const run::RunDirectory& directory) {
+  directory.write_file("accuracy.csv", csv_report(study));
+}
+
+void draw_charts(const Convergence& study, const std::string& title, const run::RunDirectory& directory) {
   if (!pictures::has_pictures()) return;
   constexpr std::size_t max_charts = 6;
   draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt), "worst_error",
-       files);
+       directory);
   for (std::size_t k = 0; k < study.quantities.size(); ++k)
     if (k < max_charts || k + 1 == study.quantities.size())
       draw(chart_of(study, title, fmt::format("error of {}", study.quantities[k].name), k),
-           study.quantities[k].name, files);
+           study.quantities[k].name, directory);
 }
 
 }  // namespace scree::accuracy

@@ -8,17 +8,20 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <scree/accuracy/report.hpp>
 #include <scree/accuracy/study.hpp>
 #include <scree/error.hpp>
-#include <scree/run/trial.hpp>
+#include <scree/run/run_in_memory.hpp>
+#include <scree/run/session.hpp>
 #include <scree/told_apart.hpp>
 
 namespace scree::accuracy {
 
 namespace {
 
-using run::Trial;
+using run::InMemoryRun;
 using scenario::Plan;
 
 Plan with(Plan plan, const Setting& setting) {
@@ -44,21 +47,26 @@ class StudyRunner {
     all_work_ = 3 + 14 + 2 * evaluations_of_all();
   }
 
-  Study execute() {
-    study_.tolerance = options_.tolerance;
-    study_.of_peaks = comparison_.of_peaks();
+  // The reference, with which all settings are compared.
+  void make_reference() {
+    found_.tolerance = options_.tolerance;
+    found_.of_peaks = comparison_.of_peaks();
     check_length();
-    if (!study_.of_peaks) find_horizon();
-    make_reference();
+    if (!found_.of_peaks) find_horizon();
+    run_references();
     note_ends();
+  }
+
+  void run_settings() {
     for (const Integration integration : chosen())
       for (const Precision precision : {Precision::double_precision, Precision::mixed})
         for (int k = 0; k < options_.count && !stopped(); ++k)
           run_setting({integration, precision, std::ldexp(coarsest_, -k)});
-    summarise_methods(study_);
-    study_.interrupted = stopped();
-    return std::move(study_);
+    summarise_methods(found_);
+    found_.interrupted = stopped();
   }
+
+  const Convergence& found() const { return found_; }
 
  private:
   std::vector<Integration> chosen() const {
@@ -95,7 +103,7 @@ class StudyRunner {
           "steps of {:g} and {:g} s diverge before they can be compared; give a smaller --coarsest "
           "or a larger --count or --tolerance",
           finest_, 0.5 * finest_));
-    study_.horizon = until_ = *until;
+    found_.horizon = until_ = *until;
   }
 
   // Limit of the total work.
@@ -115,66 +123,66 @@ class StudyRunner {
     for (const Stage& stage : plan_.stages) by_condition |= !stage.duration;
     if (until_ < std::numeric_limits<double>::infinity()) return;
     if (by_condition)
-      study_.notes.push_back(
+      found_.notes.push_back(
           "Stages end by a condition at times that depend on the step; errors include this.");
     else if (!divides_durations(plan_, coarsest_))
-      study_.notes.push_back(
+      found_.notes.push_back(
           "No step divides all durations of the stages; errors include the rounding of their ends.");
   }
 
-  void make_reference() {
-    std::vector<Trial> trials;
+  void run_references() {
+    std::vector<InMemoryRun> runs;
     for (int k = 1; k <= 3 && !stopped(); ++k) {
       report_progress(0, "reference");
       const Setting setting = {Integration::velocity_verlet, Precision::double_precision,
                                std::ldexp(finest_, -k)};
-      trials.push_back(comparison_.run(with(plan_, setting), until_, options_.stop));
+      runs.push_back(comparison_.run(with(plan_, setting), until_, options_.stop));
       count(std::ldexp(1, k));
     }
-    if (trials.size() < 3 || trials.back().stopped)
+    if (runs.size() < 3 || runs.back().stopped)
       throw Error("interrupted before the reference was complete", ExitStatus::interrupted);
     std::vector<std::string> without;
-    compared_ = compared_expectations(plan_, trials, without);
+    compared_ = compared_expectations(plan_, runs, without);
     for (const std::string& name : without)
-      study_.notes.push_back(
-          fmt::format("{} has no value{} and is excluded.", name, study_.horizon ? " before that time" : ""));
-    study_.quantities = reference_quantities(plan_, trials, compared_, study_.horizon.has_value());
+      found_.notes.push_back(
+          fmt::format("{} has no value{} and is excluded.", name, found_.horizon ? " before that time" : ""));
+    found_.quantities = reference_quantities(plan_, runs, compared_, found_.horizon.has_value());
     exclude_uncertain();
-    if (!study_.of_peaks) add_positions(trials);
-    if (study_.quantities.empty())
+    if (!found_.of_peaks) add_positions(runs);
+    if (found_.quantities.empty())
       throw Error(fmt::format("nothing is left to compare ({}); choose other quantities",
-                              study_.notes.empty() ? "there are no quantities" : study_.notes.back()));
-    study_.duration = trials.back().time;
+                              found_.notes.empty() ? "there are no quantities" : found_.notes.back()));
+    found_.duration = runs.back().time;
   }
 
-  void add_positions(const std::vector<Trial>& trials) {
-    ReferencePositions reference = reference_positions(trials);
-    study_.quantities.push_back({"positions", 0, reference.uncertainty / mean_radius(plan_), 1, false});
+  void add_positions(const std::vector<InMemoryRun>& runs) {
+    ReferencePositions reference = reference_positions(runs);
+    found_.quantities.push_back({"positions", 0, reference.uncertainty / mean_radius(plan_), 1, false});
     reference_positions_ = std::move(reference.positions);
   }
 
   // Excludes quantities whose reference is less accurate than its scale.
   void exclude_uncertain() {
     for (std::size_t k = compared_.size(); k-- > 0;) {
-      const Quantity& q = study_.quantities[k];
+      const Quantity& q = found_.quantities[k];
       if (q.closed_form || !(q.uncertainty >= q.scale())) continue;
-      study_.notes.push_back(
+      found_.notes.push_back(
           fmt::format("{} is excluded: its reference {:.3g} has an uncertainty of {:.3g}; give its "
                       "[[expect]] a scale.",
                       q.name, q.reference, q.uncertainty));
-      study_.quantities.erase(study_.quantities.begin() + std::ptrdiff_t(k));
+      found_.quantities.erase(found_.quantities.begin() + std::ptrdiff_t(k));
       compared_.erase(compared_.begin() + std::ptrdiff_t(k));
     }
   }
 
   // Minimum wall time of a few runs, to reduce the influence of other load on the machine.
-  Trial timed(const Plan& plan) {
+  InMemoryRun timed(const Plan& plan) {
     constexpr int max_repeats = 5;
     constexpr double enough = 0.2;  // (s) of wall time
-    Trial best = comparison_.run(plan, until_, options_.stop);
+    InMemoryRun best = comparison_.run(plan, until_, options_.stop);
     double spent = best.wall;
     for (int n = 1; n < max_repeats && spent < enough && !stopped(); ++n) {
-      const Trial again = comparison_.run(plan, until_, options_.stop);
+      const InMemoryRun again = comparison_.run(plan, until_, options_.stop);
       if (again.stopped) break;
       spent += again.wall;
       best.wall = std::min(best.wall, again.wall);
@@ -184,36 +192,36 @@ class StudyRunner {
 
   void run_setting(const Setting& setting) {
     report_progress(0, fmt::format("{}, step {:.3g} s", method_name(setting), setting.step));
-    Outcome outcome;
+    SettingResult outcome;
     outcome.setting = setting;
     try {
-      const Trial trial = timed(with(plan_, setting));
-      if (trial.stopped) return;
-      outcome.wall = trial.wall;
-      outcome.steps = trial.steps;
-      compare(trial, outcome);
+      const InMemoryRun run = timed(with(plan_, setting));
+      if (run.stopped) return;
+      outcome.wall = run.wall;
+      outcome.steps = run.steps;
+      compare(run, outcome);
     } catch (const Error& error) {
       outcome.problem = problem_only(error.what());
     }
-    study_.outcomes.push_back(std::move(outcome));
+    found_.outcomes.push_back(std::move(outcome));
     count(traits_of(setting.integration).evaluations * finest_ / setting.step);
   }
 
-  void compare(const Trial& trial, Outcome& outcome) const {
-    for (const std::size_t k : compared_) outcome.values.push_back(trial.quantities[k]);
-    if (!study_.of_peaks)
-      outcome.values.push_back(distance_between(trial.positions, reference_positions_) / mean_radius(plan_));
-    for (std::size_t k = 0; k < study_.quantities.size(); ++k)
-      outcome.errors.push_back(std::abs(outcome.values[k] - study_.quantities[k].reference) /
-                               study_.quantities[k].scale());
-    for (std::size_t k = 0; k < study_.quantities.size(); ++k)
-      if (!std::isfinite(outcome.errors[k])) outcome.problem = study_.quantities[k].name + " is not a number";
+  void compare(const InMemoryRun& run, SettingResult& outcome) const {
+    for (const std::size_t k : compared_) outcome.values.push_back(run.quantities[k]);
+    if (!found_.of_peaks)
+      outcome.values.push_back(distance_between(run.positions, reference_positions_) / mean_radius(plan_));
+    for (std::size_t k = 0; k < found_.quantities.size(); ++k)
+      outcome.errors.push_back(std::abs(outcome.values[k] - found_.quantities[k].reference) /
+                               found_.quantities[k].scale());
+    for (std::size_t k = 0; k < found_.quantities.size(); ++k)
+      if (!std::isfinite(outcome.errors[k])) outcome.problem = found_.quantities[k].name + " is not a number";
   }
 
   const Comparison comparison_;
   const Plan& plan_;
   const StudyOptions& options_;
-  Study study_;
+  Convergence found_;
   std::vector<Vec3> reference_positions_;
   std::vector<std::size_t> compared_;  // expectations
   double coarsest_ = 0, finest_ = 0;
@@ -221,10 +229,54 @@ class StudyRunner {
   double done_ = 0, all_work_ = 1;
 };
 
+// A study with a directory.
+class RecordedStudy : public run::Study {
+ public:
+  RecordedStudy(const Plan& plan, const RecordedStudyOptions& options, run::Session& session)
+      : title_(plan.heading()), options_(options), session_(session), runner_(plan, options) {}
+
+  void prepare() override { runner_.make_reference(); }
+
+  bool work() override {
+    runner_.run_settings();
+    if (options_.on_result) options_.on_result(runner_.found());
+    write_table(runner_.found(), session_.directory());
+    try {
+      draw_charts(runner_.found(), title_, session_.directory());
+    } catch (const std::exception& error) {
+      session_.warn(fmt::format("the charts were not drawn: {}", error.what()));
+    }
+    return !runner_.found().interrupted;
+  }
+
+  void save_failed() override { write_table(runner_.found(), session_.directory()); }
+  nlohmann::ordered_json record() override { return record_of(runner_.found()); }
+
+  const Convergence& found() const { return runner_.found(); }
+
+ private:
+  std::string title_;
+  const RecordedStudyOptions& options_;
+  run::Session& session_;
+  StudyRunner runner_;
+};
+
 }  // namespace
 
-Study study(const scenario::Plan& plan, const StudyOptions& options) {
-  return StudyRunner(plan, options).execute();
+Convergence study(const scenario::Plan& plan, const StudyOptions& options) {
+  StudyRunner runner(plan, options);
+  runner.make_reference();
+  runner.run_settings();
+  return runner.found();
+}
+
+std::pair<Convergence, std::filesystem::path> recorded_study(const scenario::Plan& plan,
+                                                             const RecordedStudyOptions& options) {
+  run::Session session(run::accuracy_results, plan,
+                       {options.out, options.overwrite, {}, options.on_warning, options.stop});
+  RecordedStudy study(plan, options, session);
+  session.begin(study);
+  return {study.found(), session.directory().path()};
 }
 
 }  // namespace scree::accuracy

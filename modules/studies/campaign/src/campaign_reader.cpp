@@ -174,13 +174,13 @@ std::vector<std::size_t> preparations_of(const Campaign& c) {
   return all;
 }
 
-// Roads of spectra instead of runs.
-std::string read_roads(const Table& table) {
+// Methods of spectra instead of runs.
+std::string read_methods(const Table& table) {
   if (!table.optional("spectrum")) return "";
-  const std::string roads = table.string("spectrum");
+  const std::string methods = table.string("spectrum");
   for (const char* known : {"sweep", "pulse", "linear", "all"})
-    if (roads == known) return roads;
-  throw table.error("spectrum", fmt::format("there is no road '{}'", one_line(roads)),
+    if (methods == known) return methods;
+  throw table.error("spectrum", fmt::format("there is no method '{}'", one_line(methods)),
                     "give \"sweep\", \"pulse\", \"linear\" or \"all\", as for scree spectrum --by");
 }
 
@@ -208,10 +208,10 @@ Campaign read_campaign(const std::filesystem::path& path, const std::vector<std:
   c.scenario = path.parent_path() / table.string("scenario");
   c.scenario_place = table.place("scenario");
   check_scenario(c);
-  c.roads = read_roads(table);
+  c.methods = read_methods(table);
   if (table.optional("collect")) c.collect = read_collected(table);
   c.collect_place = table.place("collect");
-  if (!c.roads.empty() && !c.collect.empty())
+  if (!c.methods.empty() && !c.collect.empty())
     throw table.error("collect", "spectra have no series to collect from",
                       "remove it; their peaks are in the table");
   c.seeds = read_seeds(table);

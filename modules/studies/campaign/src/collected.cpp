@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <scree/error.hpp>
-#include <scree/run/series_column.hpp>
+#include <scree/run/series.hpp>
 #include <scree/scenario/quantities.hpp>
 
 namespace scree::campaign {

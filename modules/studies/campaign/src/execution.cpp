@@ -28,7 +28,7 @@ void check_directory(const fs::path& path, const Campaign& campaign) {
           "{}: is a symbolic link, which is not followed; remove it, or give another --out", one.string()));
   using run::RunDirectory;
   RunDirectory(path, RunDirectory::Existing::replace,
-               campaign.roads.empty() ? RunDirectory::Kind::run : RunDirectory::Kind::spectrum);
+               campaign.methods.empty() ? RunDirectory::Kind::run : RunDirectory::Kind::spectrum);
 }
 
 class Executor {
@@ -54,15 +54,15 @@ class Executor {
       if (stopped()) return;
       if (options_.on_check) options_.on_check(checked++, to_do_);
       if (prepares(*job))
-        bodies_ = check_preparation(job->campaign, job->point, host_);
+        bodies_ = check_preparation(job->campaign, job->point, host_, options_.studies);
       else if (job->preparation && !job->preparation->is_there())
-        check_keys(job->campaign, job->point, bodies_, host_);
+        check_keys(job->campaign, job->point, bodies_, host_, options_.studies);
       check_directory(directory_.run(job->point), job->campaign);
     }
     bodies_.clear();
     check_points();
     // `collect` may have changed even if all runs have finished.
-    if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host_);
+    if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host_, options_.studies);
   }
 
   Execution run() {
@@ -102,7 +102,7 @@ class Executor {
       if (stopped()) return;
       if (prepares(*job) || (job->preparation && !job->preparation->is_there())) continue;
       if (options_.on_check) options_.on_check(checked++, to_do_);
-      check_point(job->campaign, job->point, host_);
+      check_point(job->campaign, job->point, host_, options_.studies);
     }
     points_checked_ = !campaign_.preparation || std::any_of(jobs_.begin(), jobs_.end(), [&](const Job& job) {
       return prepares(job) && job.is_there();

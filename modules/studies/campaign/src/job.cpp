@@ -8,10 +8,10 @@ std::vector<std::string> run_words(const Job& job, const std::string& directory)
   // A name that begins with "-" must not be taken for an option.
   const std::filesystem::path& scenario = job.campaign.scenario;
   const bool like_option = scenario.string().starts_with('-');
-  std::vector<std::string> words = {job.campaign.roads.empty() ? "run" : "spectrum",
+  std::vector<std::string> words = {job.campaign.methods.empty() ? "run" : "spectrum",
                                     (like_option ? "." / scenario : scenario).string(), "--out", directory,
                                     "--overwrite"};
-  if (!job.campaign.roads.empty()) words.insert(words.end(), {"--by", job.campaign.roads});
+  if (!job.campaign.methods.empty()) words.insert(words.end(), {"--by", job.campaign.methods});
   for (const std::string& text : job.point.overrides()) words.insert(words.end(), {"--set", text});
   return words;
 }

@@ -53,9 +53,10 @@ Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost&
 
 namespace {
 
-scenario::Plan checked_plan(const Campaign& campaign, const Point& point, PluginHost& host) {
+scenario::Plan checked_plan(const Campaign& campaign, const Point& point, PluginHost& host,
+                            const scenario::StudyTables& studies) {
   return placed(campaign, point, [&] {
-    scenario::Plan read = scenario::read_plan(campaign.scenario, point.overrides(), host);
+    scenario::Plan read = scenario::read_plan(campaign.scenario, point.overrides(), host, studies);
     run::set_up(read);
     return read;
   });
@@ -63,9 +64,10 @@ scenario::Plan checked_plan(const Campaign& campaign, const Point& point, Plugin
 
 }  // namespace
 
-void check_point(const Campaign& campaign, const Point& point, PluginHost& host) {
-  const scenario::Plan plan = checked_plan(campaign, point, host);
-  if (!campaign.roads.empty() && !plan.spectrum)
+void check_point(const Campaign& campaign, const Point& point, PluginHost& host,
+                 const scenario::StudyTables& studies) {
+  const scenario::Plan plan = checked_plan(campaign, point, host, studies);
+  if (!campaign.methods.empty() && !plan.document->root().has("spectrum"))
     throw Error(
         fmt::format("{}: {} has no [spectrum] to measure; add one, or remove spectrum from [campaign]",
                     campaign.scenario_place, campaign.scenario.string()));
@@ -79,8 +81,9 @@ void check_point(const Campaign& campaign, const Point& point, PluginHost& host)
   }
 }
 
-std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host) {
-  const scenario::Plan plan = checked_plan(preparation, point, host);
+std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host,
+                                    const scenario::StudyTables& studies) {
+  const scenario::Plan plan = checked_plan(preparation, point, host, studies);
   if (!plan.checkpoint.final_state)
     throw Error(
         fmt::format("{}: {} writes no final state, from which runs could begin; remove "
@@ -90,8 +93,9 @@ std::vector<Body> check_preparation(const Campaign& preparation, const Point& po
 }
 
 void check_keys(const Campaign& campaign, const Point& point, const std::vector<Body>& bodies,
-                PluginHost& host) {
-  placed(campaign, point, [&] { scenario::check_keys(campaign.scenario, point.overrides(), bodies, host); });
+                PluginHost& host, const scenario::StudyTables& studies) {
+  placed(campaign, point,
+         [&] { scenario::check_keys(campaign.scenario, point.overrides(), bodies, host, studies); });
 }
 
 }  // namespace scree::campaign

@@ -18,8 +18,8 @@ constexpr double largest_hz = 1e100;  // its square, of which matrices are shift
 double frequency_of(double square) { return std::sqrt(square) / (2 * std::numbers::pi); }
 
 void check_memory(const response::UndampedSystem& system, unsigned modes) {
-  // The basis of the iteration has twice as many vectors as are wanted and some blocks more; it is turned into a copy, and modes
-  // are kept beside it.
+  // The basis of the iteration has twice as many vectors as are wanted and some blocks more; it is turned
+  // into a copy, and modes are kept beside it.
   constexpr double vectors_per_mode = 2, other_vectors = 150, copies = 3;
   const auto rows = double(system.modes());
   const double bytes = 8 * rows * copies * std::min(rows, vectors_per_mode * modes + other_vectors);

@@ -7,7 +7,6 @@
 
 #include <scree/files/csv_line.hpp>
 #include <scree/pictures/load_backend.hpp>
-#include <scree/run/input_hashes_json.hpp>
 
 namespace scree::modes {
 
@@ -169,11 +168,8 @@ const char* unit_of_moduli(const response::ElasticModuli& moduli) {
   return moduli.shear.size() == 1 ? "N/m" : "Pa";
 }
 
-void write_record(const std::string& status, const Vibration& v, const run::RunDirectory& directory) {
-  Json json = {{"version", SCREE_VERSION}, {"status", status}, {"title", v.title}};
-  if (!v.error.empty()) json["error"] = v.error;
-  json["bodies"] = v.bodies;
-  json["rattlers"] = v.rattlers;
+Json record_of(const Vibration& v) {
+  Json json = {{"title", v.title}, {"bodies", v.bodies}, {"rattlers", v.rattlers}};
   json["contacts"] = v.contacts;
   json["degrees_of_freedom"] = v.degrees_of_freedom;
   json["asymmetry"] = v.asymmetry;
@@ -184,11 +180,8 @@ void write_record(const std::string& status, const Vibration& v, const run::RunD
   if (v.elastic) json["elastic"] = json_of(*v.elastic);
   for (const auto& [what, wall] : v.seconds) json["wall"][what] = wall;
   json["pictures"] = v.pictures;
-  json["warnings"] = v.warnings;
   json["expect"] = Json::array();
-  json["inputs"] = run::json_of(v.inputs);
-  json["scenario"] = v.scenario;
-  directory.write_file(record_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json;
 }
 
 void write_tables(const Vibration& v, const run::RunDirectory& directory) {

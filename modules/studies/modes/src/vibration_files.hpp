@@ -1,16 +1,14 @@
 #pragma once
 
-#include <string>
+#include <nlohmann/json_fwd.hpp>
 
 #include <scree/modes/vibration.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::modes {
 
-inline constexpr const char* record_name = "response.json";
-
-// The record, by which the directory is known.
-void write_record(const std::string& status, const Vibration& vibration, const run::RunDirectory& directory);
+// The entries of response.json between its status and its warnings.
+nlohmann::ordered_json record_of(const Vibration& vibration);
 
 // modes.csv, floppy.csv, elastic.csv and density.csv, those that there are.
 void write_tables(const Vibration& vibration, const run::RunDirectory& directory);

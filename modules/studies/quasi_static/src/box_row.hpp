@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sample.hpp"
+#include "loaded_packing.hpp"
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace scree::quasi_static {
 
-// Columns of a series, with units: as of the probe `box`, along the axes that have walls at both ends, then contacts, sliding,
-// dynamic.
+// Columns of a series, with units: as of the probe `box`, along the axes that have walls at both ends, then
+// contacts, sliding, dynamic.
 class BoxRow {
  public:
   // at_start: as lengths().

@@ -48,12 +48,12 @@ LoadChange change_of_loads(const Simulation& simulation, double start, double en
 
 }  // namespace
 
-std::vector<std::string> load_warnings(const Simulation& simulation, const Course& course,
+std::vector<std::string> load_warnings(const Simulation& simulation, const FollowedLoad& load,
                                        unsigned increments) {
   constexpr double much = 0.05;  // a sine that eight straight lines replace is wrong by 0.04
-  const bool few = course.period > 0 && increments < FollowOptions::fewest_per_cycle;
-  const double increment = few ? course.period / FollowOptions::fewest_per_cycle : course.increment;
-  const LoadChange change = change_of_loads(simulation, course.start, course.end, increment);
+  const bool few = load.period > 0 && increments < FollowOptions::fewest_per_cycle;
+  const double increment = few ? load.period / FollowOptions::fewest_per_cycle : load.increment;
+  const LoadChange change = change_of_loads(simulation, load.start, load.end, increment);
   std::vector<std::string> warnings;
   if (!(change.range > 0))
     warnings.push_back(
@@ -73,9 +73,9 @@ std::vector<std::string> load_warnings(const Simulation& simulation, const Cours
   return warnings;
 }
 
-std::string dynamics_warning(const Course& course) {
+std::string dynamics_warning(const FollowedLoad& load) {
   constexpr double much = 0.05, most = 0.5;
-  const double share = course.dynamic_time() / (course.reached - course.start);
+  const double share = load.dynamic_time() / (load.reached - load.start);
   if (!(share > much)) return "";
   const char* cure =
       share > most

@@ -14,7 +14,7 @@
 #include <scree/pictures/load_backend.hpp>
 #include <scree/pictures/scaled_unit.hpp>
 #include <scree/run/charts.hpp>
-#include <scree/run/series_column.hpp>
+#include <scree/run/series.hpp>
 #include <scree/run/written_files.hpp>
 #include <scree/scenario/charts.hpp>
 

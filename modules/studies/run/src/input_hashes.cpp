@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <scree/files/content_hash.hpp>
 #include <scree/run/input_hashes.hpp>
@@ -39,6 +40,17 @@ InputHashes inputs_after(const InputHashes& before, const InputHashes& now,
           name));
   }
   return inputs;
+}
+
+nlohmann::ordered_json json_of(const InputHashes& hashes) {
+  auto json = nlohmann::ordered_json::object();
+  if (!hashes.bodies.empty()) json["bodies"] = hashes.bodies;
+  json["plugins"] = nlohmann::ordered_json(hashes.plugins);
+  return json;
+}
+
+InputHashes input_hashes_of(const nlohmann::ordered_json& json) {
+  return {json.value("bodies", ""), json.at("plugins")};
 }
 
 }  // namespace scree::run

@@ -1,10 +1,11 @@
 #include "results.hpp"
 
-#include "expectations.hpp"
-#include "run_record.hpp"
-
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <scree/files/text_file.hpp>
+#include <scree/run/record_json.hpp>
+#include <scree/run/verdict.hpp>
 #include <scree/scenario/quantities.hpp>
 
 namespace scree::run {
@@ -34,37 +35,69 @@ void transfer_stages(const StateTransfer& state, std::vector<StageResult>& stage
     stages[k] = {names[k], start[k], end[k], first[k], steps[k], ended[k]};
 }
 
+using Json = nlohmann::ordered_json;
+
+Json footprint_of(const Simulation& s) {
+  const Footprint f = s.footprint();
+  return {{"bodies", s.particles().size()},
+          {"degrees_of_freedom", f.degrees_of_freedom},
+          {"bytes_per_body", f.bytes_per_body},
+          {"bytes_per_pair", f.bytes_per_pair},
+          {"history_per_pair", f.history_width}};
+}
+
+Json stages_of(const RunResult& result) {
+  Json json = Json::array();
+  for (const StageResult& stage : result.stages)
+    json.push_back({{"name", stage.name},
+                    {"start", stage.start},
+                    {"end", stage.end},
+                    {"steps", stage.steps},
+                    {"ended", stage.ended}});
+  return json;
+}
+
+Json run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
+                const Simulation& s) {
+  Json json = {{"title", plan.title}, {"seed", plan.seed}, {"threads", options.threads}};
+  json["step"] = s.step_length();
+  json["wall_s"] = result.wall;
+  json["stepping_s"] = result.wall - result.output;
+  json["output_s"] = result.output;
+  json["states_s"] = result.state_output;
+  json["states"] = result.states;
+  json["particle_steps_per_second"] = result.particle_steps_per_second;
+  for (const auto& [name, value] : result.quantities) json[name] = value;
+  json["steps"] = s.steps();  // counts, as whole numbers
+  json["neighbour_searches"] = s.rebuilds();
+  json["state_hash"] = fmt::format("{:016x}", result.state_hash);
+  json["footprint"] = footprint_of(s);
+  json["stages"] = stages_of(result);
+  json["expect"] = json_of(result.verdicts);
+  return json;
+}
+
 }  // namespace
 
-Results::Results(const scenario::Plan& plan, const RunOptions& options, const RunDirectory& directory,
+Results::Results(const scenario::Plan& plan, const RunOptions& options, Session& session,
                  const Simulation& simulation)
-    : plan_(plan), options_(options), directory_(directory), simulation_(simulation) {
-  result_.directory = directory.path();
-  result_.inputs = hashes_of(plan.files);
-}
+    : plan_(plan), options_(options), session_(session), simulation_(simulation) {}
 
 void Results::transfer(const StateTransfer& state) {
   transfer_stages(state.below("stages"), result_.stages);
-  state.rows("warnings", "", result_.warnings);
-  const InputHashes inputs = transfer_inputs(state.below("inputs"), result_.inputs);
+  session_.transfer_notes(state);
   if (!state.restoring()) return;
   if (result_.stages.size() > plan_.stages.size())
     state.refuse("stages/names", "lists more stages than the scenario has");
-  go_on_from(inputs);
   if (!result_.stages.empty()) result_.stages.back().ended = "running";
 }
 
 void Results::go_on_with_times() {
-  const Recorded before = recorded_in(directory_.path());
+  const Recorded before = recorded_in(session_.directory().path());
   wall_before_ = before.wall;
   output_before_ = before.output;
   result_.state_output = before.state_output;
   result_.states = before.states;
-}
-
-void Results::go_on_from(const InputHashes& before) {
-  result_.inputs =
-      inputs_after(before, result_.inputs, [this](const std::string& warning) { warn(warning); });
 }
 
 void Results::begin_stage(const std::string& name) {
@@ -82,17 +115,7 @@ void Results::end_stage(const std::string& how) {
   stage.ended = !how.empty() ? how : timed ? "duration" : "condition";
 }
 
-void Results::warn(const std::string& line) {
-  result_.warnings.push_back(line);
-  if (options_.on_warning) options_.on_warning(line);
-}
-
-void Results::note(const std::vector<std::string>& lines) {
-  result_.warnings.insert(result_.warnings.end(), lines.begin(), lines.end());
-}
-
 void Results::judge(const Sampler& sampler) {
-  if (result_.interrupted) return;
   result_.quantities = scenario::run_quantities(simulation_);
   const auto column = [&](const std::string& probe, const std::string& name) {
     return sampler.series(probe).column(name);
@@ -101,21 +124,42 @@ void Results::judge(const Sampler& sampler) {
     result_.verdicts.push_back(judge_expectation(e, result_.quantities, column));
 }
 
-void Results::record(const std::string& status, const std::string& error, const Stopwatch& watch) {
+void Results::take_quantities() {
   result_.quantities = scenario::run_quantities(simulation_);
   result_.state_hash = simulation_.state_hash();
-  write(status, error, watch);
 }
 
-void Results::record_times(const Stopwatch& watch) { write("running", "", watch); }
-
-void Results::write(const std::string& status, const std::string& error, const Stopwatch& watch) {
-  result_.wall = wall_before_ + watch.total();
-  result_.output = output_before_ + watch.output();
+Json Results::record() {
+  result_.wall = wall_before_ + session_.watch().total();
+  result_.output = output_before_ + session_.watch().output();
   const double work = double(simulation_.steps()) * double(simulation_.particles().size());
   const double stepping = result_.wall - result_.output;
   result_.particle_steps_per_second = stepping > 0 ? work / stepping : 0;
-  directory_.write_file("run.json", run_record(plan_, options_, result_, simulation_, status, error));
+  return run_record(plan_, options_, result_, simulation_);
+}
+
+RunResult Results::result() const {
+  RunResult result = result_;
+  result.directory = session_.directory().path();
+  result.interrupted = session_.interrupted();
+  result.inputs = session_.inputs();
+  result.warnings = session_.warnings();
+  return result;
+}
+
+Recorded recorded_in(const std::filesystem::path& directory) {
+  try {
+    const Json json = parse_record(files::read_text(directory / "run.json"));
+    return {json.value("status", ""),
+            json.value("wall_s", 0.0),
+            json.value("output_s", 0.0),
+            json.value("states_s", 0.0),
+            json.value("states", std::uint64_t(0)),
+            json.value("warnings", std::vector<std::string>()),
+            json.value("scenario", "")};
+  } catch (const std::exception&) {
+    return {};
+  }
 }
 
 }  // namespace scree::run

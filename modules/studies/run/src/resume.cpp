@@ -1,6 +1,6 @@
 #include "checkpoints.hpp"
-#include "run_from.hpp"
-#include "run_record.hpp"
+#include "results.hpp"
+#include "run.hpp"
 #include "scenario_file.hpp"
 #include "stage_lengths.hpp"
 
@@ -59,16 +59,17 @@ scenario::Plan plan_of(const Checkpoints::Latest& latest, const std::vector<Body
   });
 }
 
-// Of a run that was killed before its first state: from its start. Its warnings are those of its first beginning, with their places in the
-// file with which it was begun.
-scenario::Plan plan_at_start(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+// Of a run that was killed before its first state: from its start. Its warnings are those of its first
+// beginning, with their places in the file with which it was begun.
+scenario::Plan plan_at_start(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
+                             const scenario::StudyTables& studies) {
   const fs::path& directory = options.out;
   const Recorded before = recorded_in(directory);
   if (!before.scenario.empty())
     if (const auto text = restored_scenario(directory, before.scenario, options.on_warning); !text.empty())
       files::write_atomically(directory / scenario_file, text);
   scenario::Plan plan = changed_plan(changes, nullptr, [&](const std::vector<std::string>& overrides) {
-    return scenario::read_plan(directory / scenario_file, overrides, host);
+    return scenario::read_plan(directory / scenario_file, overrides, host, studies);
   });
   if (changes.overrides.empty() && before.warnings.size() >= plan.warnings.size())
     std::copy_n(before.warnings.begin(), plan.warnings.size(), plan.warnings.begin());
@@ -122,7 +123,8 @@ std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const R
   }
 }
 
-RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
+RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
+                const scenario::StudyTables& studies) {
   check_overrides(changes.overrides);
   RunDirectory directory = directory_of(options.out, options.on_warning);
   const auto warn = [&](const std::string& line) {
@@ -133,22 +135,27 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
     return begin_from(state, options, changes, host, start);
   };
   const auto latest = Checkpoints(directory).latest(refusal, warn);
-  if (!latest) start.plan = plan_at_start(options, changes, host);
+  if (!latest) start.plan = plan_at_start(options, changes, host, studies);
   scenario::Plan& plan = start.plan;
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;
-  if (latest) check_unfinished(latest->state, plan, options.out);
-  if (!latest) {
+  if (latest) {
+    check_unfinished(latest->state, plan, options.out);
+  } else {
     warn(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
     directory.replace();
-    return run_from(std::nullopt, plan, options, directory, Place::same);
+    start.simulation = set_up(plan, options.threads);
   }
-  return run_from(Resumed{latest->state, std::move(start.simulation)}, plan, options, directory, Place::same);
+  Session session(run_results, plan, session_options_of(options), std::move(directory));
+  Run run(plan, options, session, std::move(start.simulation));
+  latest ? session.resume(run, latest->state) : session.begin(run);
+  return run.result();
 }
 
 }  // namespace
 
-RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
-  return files::in_place([&] { return go_on(options, changes, host); });
+RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
+                     const scenario::StudyTables& studies) {
+  return files::in_place([&] { return go_on(options, changes, host, studies); });
 }
 
 }  // namespace scree::run

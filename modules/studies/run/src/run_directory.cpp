@@ -25,15 +25,15 @@ struct Layout {
 };
 const Layout& layout_of(RunDirectory::Kind kind) {
   static const Layout run = {"run", "run.json", {"series", "snapshots", "images", "charts"}, {}};
-  static const Layout study = {"accuracy study", "accuracy.json", {"charts"}, {}};
+  static const Layout accuracy = {"accuracy study", "accuracy.json", {"charts"}, {}};
   static const Layout campaign = {"campaign", "campaign.json", {}, {"table.csv", "means.csv"}};
   static const Layout spectrum = {"spectrum", "spectrum.json", {"charts"}, {}};
   static const Layout response = {"response", "response.json", {"charts", "images"}, {}};
   switch (kind) {
     case RunDirectory::Kind::run:
       return run;
-    case RunDirectory::Kind::study:
-      return study;
+    case RunDirectory::Kind::accuracy:
+      return accuracy;
     case RunDirectory::Kind::campaign:
       return campaign;
     case RunDirectory::Kind::response:
@@ -105,7 +105,7 @@ bool has_state(const fs::path& path, RunDirectory::Kind kind) {
 
 // Whether scree resume goes on with what is there.
 bool goes_on(const fs::path& path, RunDirectory::Kind kind) {
-  if (kind == RunDirectory::Kind::study || kind == RunDirectory::Kind::campaign) return false;
+  if (kind == RunDirectory::Kind::accuracy || kind == RunDirectory::Kind::campaign) return false;
   if (kind != RunDirectory::Kind::run && !has_state(path, kind)) return false;
   try {
     const auto record = parse_record(files::read_text(path / layout_of(kind).record));
@@ -292,7 +292,7 @@ fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
   const fs::path name = named ? scenario.stem() : fs::path("scenario");
   if (kind == Kind::campaign) return "campaigns" / name;
   fs::path path = "runs" / name;
-  if (kind == Kind::study) path += "-accuracy";
+  if (kind == Kind::accuracy) path += "-accuracy";
   if (kind == Kind::spectrum) path += "-spectrum";
   if (kind == Kind::response) path += "-response";
   return path;

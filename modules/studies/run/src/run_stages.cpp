@@ -2,10 +2,10 @@
 
 namespace scree::run {
 
-bool run_stages(StageRunner& runner, const std::function<bool()>& proceed,
+bool run_stages(StageRunner& runner, std::size_t end, const std::function<bool()>& proceed,
                 const std::function<void(double share, const std::string& stage)>& on_progress) {
   constexpr std::uint64_t steps_between_reports = 1000;
-  while (!runner.finished()) {
+  while (runner.current() < end) {
     if (!proceed()) return false;
     runner.run(steps_between_reports, proceed);
     if (!runner.finished())

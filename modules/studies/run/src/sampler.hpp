@@ -1,13 +1,12 @@
 #pragma once
 
-#include "series.hpp"
-
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <scree/probes.hpp>
+#include <scree/run/series.hpp>
 #include <scree/scenario/plan.hpp>
 
 namespace scree::run {

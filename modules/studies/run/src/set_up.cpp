@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/error.hpp>
 #include <scree/probes.hpp>
@@ -147,9 +148,10 @@ std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& sta
 void require_stages(const scenario::Plan& plan) {
   if (plan.stages.empty())
     throw Error(fmt::format(
-        "{}: the scenario says nothing of how long it lasts; give time.duration or [[stage]], or run "
-        "scree spectrum with it",
-        plan.source.string()));
+        "{}: the scenario says nothing of how long it lasts; give time.duration or [[stage]]{}",
+        plan.source.string(),
+        plan.studies.empty() ? ""
+                             : fmt::format(", or run scree {} with it", fmt::join(plan.studies, " or "))));
 }
 
 namespace {

@@ -20,18 +20,18 @@ constexpr const char* no_memory =
 
 }  // namespace
 
-StateWriter::StateWriter(const scenario::CheckpointPlan& plan, const RunDirectory& directory,
-                         const Simulation& simulation, Results& results, const Stopwatch& watch,
-                         std::function<State()> save)
+StateWriter::StateWriter(const scenario::CheckpointPlan& plan, Session& session, const Simulation& simulation,
+                         Results& results, std::function<State()> save)
     : plan_(plan),
-      checkpoints_(directory),
+      checkpoints_(session.directory()),
       simulation_(simulation),
+      session_(session),
       results_(results),
-      watch_(watch),
       save_(std::move(save)),
+      cadence_(plan),
       last_step_(simulation.steps()) {}
 
-void StateWriter::look_at_clock() { waiting_ |= plan_.every && watch_.total() - last_ >= *plan_.every; }
+void StateWriter::look_at_clock() { waiting_ |= cadence_.is_due(session_.watch().total()); }
 
 std::uint64_t StateWriter::next(std::uint64_t steps) const {
   if (!plan_.every_time) return never;
@@ -65,16 +65,16 @@ void StateWriter::write_checkpoint() {
         },
         &has_thread);
     if (!has_thread && !std::exchange(without_thread_, true))
-      results_.warn(
+      session_.warn(
           "no thread can be started, and the run waits while a checkpoint is written; raise the limit of processes "
           "(ulimit -u), or end others");
-    results_.record_times(watch_);  // they are in no state
+    session_.record_running();  // they are in no state
   } catch (const Error& error) {
     report(error.what());
   } catch (const std::bad_alloc&) {
     report(no_memory);
   }
-  last_ = watch_.total();
+  cadence_.restart(session_.watch().total(), simulation_.time());
 }
 
 void StateWriter::finish() {
@@ -92,7 +92,7 @@ void StateWriter::finish() {
 void StateWriter::report(const std::string& problem) {
   // One warning until one succeeds again: on a full disk each would lengthen run.json.
   if (!std::exchange(failed_, true))
-    results_.warn(fmt::format("no checkpoint at t = {:g} s: {}",
+    session_.warn(fmt::format("no checkpoint at t = {:g} s: {}",
                               double(last_step_) * simulation_.step_length(), problem));
 }
 
@@ -106,9 +106,9 @@ void StateWriter::write_final() {
 }
 
 State StateWriter::take() {
-  const double start = watch_.total();
+  const double start = session_.watch().total();
   State state = save_();
-  results_.count_state(watch_.total() - start);
+  results_.count_state(session_.watch().total() - start);
   return state;
 }
 

@@ -2,12 +2,13 @@
 
 #include "checkpoints.hpp"
 #include "results.hpp"
-#include "stopwatch.hpp"
 
 #include <functional>
 #include <future>
 #include <string>
 
+#include <scree/run/cadence.hpp>
+#include <scree/run/session.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
@@ -18,9 +19,8 @@ namespace scree::run {
 class StateWriter {
  public:
   // save: the state of the run at the time of the call, after its file has been listed.
-  StateWriter(const scenario::CheckpointPlan& plan, const RunDirectory& directory,
-              const Simulation& simulation, Results& results, const Stopwatch& watch,
-              std::function<State()> save);
+  StateWriter(const scenario::CheckpointPlan& plan, Session& session, const Simulation& simulation,
+              Results& results, std::function<State()> save);
 
   // Compares the wall time with that of the last checkpoint.
   void look_at_clock();
@@ -48,11 +48,11 @@ class StateWriter {
   const scenario::CheckpointPlan& plan_;
   Checkpoints checkpoints_;
   const Simulation& simulation_;
+  Session& session_;
   Results& results_;
-  const Stopwatch& watch_;
   std::function<State()> save_;
   bool waiting_ = false, failed_ = false, without_thread_ = false;
-  double last_ = 0;  // (s) of wall time
+  Cadence cadence_;
   std::uint64_t last_step_;
   std::future<void> writing_;
 };

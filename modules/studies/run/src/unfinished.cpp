@@ -14,6 +14,7 @@ namespace scree::run {
 
 namespace {
 
+using OnWarning = std::function<void(const std::string&)>;
 namespace fs = std::filesystem;
 
 bool is_there(const fs::path& file) {
@@ -28,12 +29,6 @@ std::string text_of(const nlohmann::ordered_json& record, const char* name) {
              : "";
 }
 
-}  // namespace
-
-bool has_results(const fs::path& directory, const ResultKind& kind) {
-  return is_there(directory / kind.record);
-}
-
 RunDirectory directory_of(const fs::path& path, const ResultKind& kind, const OnWarning& on_warning) {
   if (!has_results(path, kind))
     throw Error(fmt::format("{}: contains no {}; give the directory of one", path.string(), kind.noun));
@@ -43,17 +38,24 @@ RunDirectory directory_of(const fs::path& path, const ResultKind& kind, const On
   return directory;
 }
 
-Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, PluginHost& host,
+}  // namespace
+
+bool has_results(const fs::path& directory, const ResultKind& kind) {
+  return is_there(directory / kind.record);
+}
+
+Unfinished unfinished_in(const fs::path& path, const ResultKind& kind, PluginHost& host,
                          const OnWarning& on_warning) {
-  const fs::path& directory = from.path();
+  RunDirectory taken = directory_of(path, kind, on_warning);
+  const fs::path& directory = taken.path();
   const auto record = parse_record(files::read_text(directory / kind.record));
   if (text_of(record, "status") == "finished")
-    throw Error(fmt::format("{}: the {} is finished; give --overwrite with the scenario to take it again",
+    throw Error(fmt::format("{}: the {} is finished; give --overwrite with the scenario to run it again",
                             directory.string(), kind.noun));
   const fs::path file = directory / kind.state;
   if (!is_there(file))
     throw Error(fmt::format(
-        "{}: there is no state with which the {} could go on; give --overwrite with the scenario to take it again",
+        "{}: no saved state to resume the {} from; give --overwrite with the scenario to run it again",
         directory.string(), kind.noun));
   State state = state_file::read_state(file);
   std::string text;
@@ -61,18 +63,18 @@ Unfinished unfinished_in(const RunDirectory& from, const ResultKind& kind, Plugi
   if (!of_kind.has("scenario"))
     throw Error(fmt::format(
         "{}: is not the state of a {}; put back that of this directory, or give --overwrite with the "
-        "scenario to take it again",
+        "scenario to run it again",
         file.string(), kind.noun));
   of_kind.value("scenario", "", text);
   if (const std::string own = text_of(record, "scenario"); !own.empty() && own != text)
     throw Error(fmt::format(
         "{}: is the state of another {} than that in {}; put back the one of this directory, or give --overwrite with the "
-        "scenario to take it again",
+        "scenario to run it again",
         file.string(), kind.noun, kind.record));
   scenario::Plan plan =
       scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
   plan.text_for_any_folder = restored_scenario(directory, text, on_warning);
-  return {std::move(state), std::move(plan)};
+  return {std::move(taken), std::move(state), std::move(plan)};
 }
 
 }  // namespace scree::run

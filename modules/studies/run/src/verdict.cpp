@@ -1,6 +1,9 @@
 #include <cmath>
 
-#include <scree/run/verdict_json.hpp>
+#include <nlohmann/json.hpp>
+
+#include <scree/run/verdict.hpp>
+#include <scree/scenario/quantities.hpp>
 
 namespace scree::run {
 
@@ -9,6 +12,24 @@ Verdict judged(const scenario::Expectation& e, double value) {
   const bool low = !e.at_most || value <= *e.at_most;
   const bool high = !e.at_least || value >= *e.at_least;
   return {e, value, near && low && high && !std::isnan(value)};
+}
+
+namespace {
+
+double value_of(const std::string& quantity, const std::vector<std::pair<std::string, double>>& quantities,
+                const SeriesColumn& column) {
+  for (const auto& [name, value] : quantities)
+    if (name == quantity) return value;
+  const scenario::SeriesQuantity of = scenario::series_quantity(quantity);
+  return scenario::series_statistic(column(of.probe, of.column), of.statistic);
+}
+
+}  // namespace
+
+Verdict judge_expectation(const scenario::Expectation& e,
+                          const std::vector<std::pair<std::string, double>>& quantities,
+                          const SeriesColumn& column) {
+  return judged(e, value_of(e.quantity, quantities, column));
 }
 
 nlohmann::ordered_json json_of(const std::vector<Verdict>& verdicts) {

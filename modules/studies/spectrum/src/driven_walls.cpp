@@ -19,7 +19,7 @@ namespace {
 Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
 
 // Velocity of each wall (m/s) at the start of a drive of this speed (m/s).
-std::vector<Vec3> velocities(Simulation& copy, const scenario::SpectrumPlan& plan, double speed) {
+std::vector<Vec3> velocities(Simulation& copy, const SpectrumPlan& plan, double speed) {
   start_wave(copy, plan, {Program::ramp, 0, speed, 1});
   std::vector<Vec3> all;
   for (const scree_plane& plane : copy.planes()) all.push_back(vector(plane.velocity));
@@ -30,7 +30,7 @@ std::vector<Vec3> velocities(Simulation& copy, const scenario::SpectrumPlan& pla
 
 DrivenWalls::DrivenWalls(const Start& start) {
   Simulation copy(start.scene, start.state);
-  const scenario::SpectrumPlan& plan = start.spectrum();
+  const SpectrumPlan& plan = start.spectrum;
   for (const scree_plane& plane : copy.planes()) at_rest_.push_back(vector(plane.point));
   // Slow compared with any motion of the scene, since limits of speed hold for walls too.
   const double speed = 2 * plan.from_hz * plan.amplitude;
@@ -61,7 +61,7 @@ double DrivenWalls::drive_of(const std::vector<scree_plane>& planes) const {
   return sum / square_;
 }
 
-void check_amplitude(const Start& start) {
+void check_amplitude(const Start& start, double amplitude) {
   // Displacements in a step are smaller than the amplitude by the steps in a radian.
   constexpr double least_share = 1000;
   const Simulation simulation(start.scene, start.state);
@@ -71,13 +71,12 @@ void check_amplitude(const Start& start) {
   const Particles& p = simulation.particles();
   for (int k = 0; k < simulation.dimension(); ++k)
     for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, std::abs(p.position()[k][i]));
-  const double rounding = std::numeric_limits<double>::epsilon() * largest,
-               amplitude = start.spectrum().amplitude;
+  const double rounding = std::numeric_limits<double>::epsilon() * largest;
   if (amplitude < least_share * rounding)
     throw Error(fmt::format(
         "{}: an amplitude of {:g} m is lost in the round-off of positions, {:.2g} m; give {:.2g} m or more, or "
-        "take the road linear",
-        start.spectrum().drive_place, amplitude, rounding, least_share * rounding));
+        "use the method linear",
+        start.spectrum.drive_place, amplitude, rounding, least_share * rounding));
 }
 
 void DrivenWalls::transfer(const StateTransfer& state) {

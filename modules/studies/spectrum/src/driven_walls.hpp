@@ -29,7 +29,7 @@ class DrivenWalls {
   bool prescribed_ = true;
 };
 
-// Throws Error if the amplitude of the wave is lost in the round-off of positions, so that a run cannot follow it.
-void check_amplitude(const Start& start);
+// Throws Error if an amplitude of the wave (m) is lost in the round-off of positions.
+void check_amplitude(const Start& start, double amplitude);
 
 }  // namespace scree::spectrum

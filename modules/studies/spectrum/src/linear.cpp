@@ -3,7 +3,6 @@
 #include "driven_walls.hpp"
 #include "harmonic_motion.hpp"
 #include "linear_columns.hpp"
-#include "linear_grid.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,36 +15,75 @@
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/response/rest.hpp>
+#include <scree/signals/peaks.hpp>
 
 namespace scree::spectrum {
 
 namespace {
 
 using Complex = std::complex<double>;
+using Values = std::vector<double>;
+
+constexpr double wanted_in_width = 8, enough_in_width = 6;
+constexpr double reach = 3;  // widths on each side, as in the fit of a mode
+
+bool is_maximum(const Values& size, std::size_t k) {
+  return k > 0 && k + 1 < size.size() && size[k] >= size[k - 1] && size[k] > size[k + 1];
+}
+
+// Divides the intervals of the grid within reach of a maximum.
+void divide(const Values& f, double top, double width, Values& further) {
+  for (std::size_t k = 0; k + 1 < f.size(); ++k) {
+    if (f[k + 1] < top - reach * width || f[k] > top + reach * width) continue;
+    const int parts = int(std::ceil((f[k + 1] - f[k]) / (width / wanted_in_width) - 0.5));
+    for (int p = 1; p < parts; ++p) further.push_back(f[k] + p * (f[k + 1] - f[k]) / parts);
+  }
+}
+
+// Frequencies about maxima that are too narrow for the grid to give their widths: with them, a width has eight. Of the
+// columns that respond; empty where all maxima are wide enough. Increasing, without the frequencies of the spectrum.
+std::vector<double> frequencies_about_maxima(const SpectrumPlan& plan, const MethodSpectrum& spectrum) {
+  const Values& f = spectrum.frequencies;
+  Values further;
+  for (std::size_t c = 0; c < responding(plan.observed); ++c) {
+    const std::vector<std::complex<double>>& response = spectrum.columns[c].response;
+    Values size;
+    for (const std::complex<double>& h : response) size.push_back(std::abs(h));
+    for (std::size_t k = 0; k < size.size(); ++k) {
+      if (!is_maximum(size, k)) continue;
+      const double width =
+          2 * std::min(signals::half_width(f, response, k, -1), signals::half_width(f, response, k, 1));
+      if (width < enough_in_width * 0.5 * (f[k + 1] - f[k - 1])) divide(f, f[k], width, further);
+    }
+  }
+  std::sort(further.begin(), further.end());
+  further.erase(std::unique(further.begin(), further.end()), further.end());
+  return further;
+}
 
 // Times that narrow maxima get more frequencies.
 constexpr int most_refinements = 4;
-// Change of a derivative with the size of the difference, over its largest value, from which a column is refused.
+// Change of a derivative at half the difference, over its largest value, above which a column is refused.
 constexpr double largest_change = 0.05;
 
-void check_column(const scenario::ObservedColumn& observed, const RoadSpectrum::Column& column,
+void check_column(const ObservedColumn& observed, const MethodSpectrum::Column& column,
                   const std::function<std::string()>& cure) {
   double largest = 0;
   for (const Complex& h : column.response) largest = std::max(largest, std::abs(h));
   if (largest == 0)
     throw Error(fmt::format(
         "{}: '{}' does not respond: small displacements and velocities of bodies and walls leave it "
-        "as it is; {}, or leave the road linear out",
+        "as it is; {}, or leave the method linear out",
         observed.place, observed.name, cure()));
   const double worst = *std::max_element(column.linearity.begin(), column.linearity.end());
   if (!(worst <= largest_change * largest))
     throw Error(fmt::format(
         "{}: '{}' is not linear in small displacements (its derivative changes by {:.2g} of its largest value); observe another "
-        "column, or leave the road linear out",
+        "column, or leave the method linear out",
         observed.place, observed.name, worst / largest));
 }
 
-// The frequencies of the plan that a road lacks.
+// The frequencies of the plan that a spectrum lacks.
 std::vector<double> missing(const std::vector<double>& all, const std::vector<double>& found) {
   std::vector<double> left;
   std::set_difference(all.begin(), all.end(), found.begin(), found.end(), std::back_inserter(left));
@@ -53,15 +91,16 @@ std::vector<double> missing(const std::vector<double>& all, const std::vector<do
 }
 
 // Inserts what the columns do at one frequency.
-void insert(const response::HarmonicResponse& response, LinearColumns& columns,
-            const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
+void insert(const response::HarmonicResponse& response, LinearColumns& columns, const SpectrumPlan& plan,
+            MethodSpectrum& spectrum) {
   const auto [derivatives, change] = columns.along(response);
-  const auto at = std::lower_bound(road.frequencies.begin(), road.frequencies.end(), response.frequency_hz) -
-                  road.frequencies.begin();
-  road.frequencies.insert(road.frequencies.begin() + at, response.frequency_hz);
+  const auto at =
+      std::lower_bound(spectrum.frequencies.begin(), spectrum.frequencies.end(), response.frequency_hz) -
+      spectrum.frequencies.begin();
+  spectrum.frequencies.insert(spectrum.frequencies.begin() + at, response.frequency_hz);
   for (std::size_t c = 0; c < derivatives.size(); ++c) {
     const double scale = plan.observed[c].relative ? 1 / std::abs(columns.at_rest()[c]) : 1;
-    RoadSpectrum::Column& column = road.columns[c];
+    MethodSpectrum::Column& column = spectrum.columns[c];
     const double error = scale * (change[c] + response.error * std::abs(derivatives[c]));
     column.response.insert(column.response.begin() + at, scale * derivatives[c]);
     column.error.insert(column.error.begin() + at, error);
@@ -71,95 +110,98 @@ void insert(const response::HarmonicResponse& response, LinearColumns& columns,
 
 // The frequency with the largest error, if that is above the tolerance.
 void note_uncertain(const std::vector<response::HarmonicResponse>& responses, double tolerance,
-                    RoadSpectrum& road) {
+                    MethodSpectrum& spectrum) {
   const auto worst = std::max_element(responses.begin(), responses.end(),
                                       [](const auto& a, const auto& b) { return a.error < b.error; });
   if (worst == responses.end() || worst->error <= tolerance) return;
-  road.notes.push_back(fmt::format(
-      "linear: at {:g} Hz the solution has an error of about {:.2g} of itself, above tolerance = {:g}, since a mode without "
-      "damping is near, or bodies with too few contacts move freely; add damping, or give a larger fewest_contacts",
+  spectrum.notes.push_back(fmt::format(
+      "linear: at {:g} Hz the solution has an error of about {:.2g} of itself, above linear.tolerance = {:g}, since a mode without "
+      "damping is near, or bodies with too few contacts move freely; add damping, or give a larger linear.fewest_contacts",
       worst->frequency_hz, worst->error, tolerance));
 }
 
-void note_sliding(const HarmonicMotion& motion, const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
-  if (motion.sliding_contacts == 0 || !road.frequencies.empty()) return;
-  road.notes.push_back(fmt::format(
+void note_sliding(const HarmonicMotion& motion, const SpectrumPlan& plan, MethodSpectrum& spectrum) {
+  if (motion.sliding_contacts == 0 || !spectrum.frequencies.empty()) return;
+  spectrum.notes.push_back(fmt::format(
       "linear: {} at the limit of friction; they {}",
       counted(motion.sliding_contacts, "contact is", "contacts are"),
-      plan.contacts_slide
-          ? "slide on, one way, which small oscillations do not; sliding_contacts = \"stick\" holds them"
+      plan.linear.contacts_slide
+          ? "slide on, one way, which small oscillations do not; linear.sliding_contacts = \"stick\" holds them"
           : "are taken to stick, as small oscillations make them within some periods; "
-            "sliding_contacts = \"slide\" lets them slide on"));
+            "linear.sliding_contacts = \"slide\" lets them slide on"));
 }
 
-void note_one_way(const HarmonicMotion& motion, RoadSpectrum& road) {
-  if (motion.one_way_contacts == 0 || !road.frequencies.empty()) return;
-  road.notes.push_back("linear: " + response::one_way_warning(motion.one_way_contacts));
+void note_one_way(const HarmonicMotion& motion, MethodSpectrum& spectrum) {
+  if (motion.one_way_contacts == 0 || !spectrum.frequencies.empty()) return;
+  spectrum.notes.push_back("linear: " + response::one_way_warning(motion.one_way_contacts));
 }
 
-response::AssemblyOptions assembly_of(const scenario::SpectrumPlan& plan) {
-  return {.fewest_contacts = plan.fewest_contacts,
-          .at_limit = plan.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick,
-          .time_step = plan.step_of_run ? response::TimeStep::of_run : response::TimeStep::limit};
+response::AssemblyOptions assembly_of(const SpectrumPlan& plan) {
+  return {.fewest_contacts = plan.linear.fewest_contacts,
+          .at_limit = plan.linear.contacts_slide ? response::AtLimit::slide : response::AtLimit::stick,
+          .time_step = plan.linear.step_of_run ? response::TimeStep::of_run : response::TimeStep::limit};
 }
 
-// The road at some of its frequencies.
-RoadSpectrum part_of(const RoadSpectrum& road, const std::vector<double>& frequencies) {
-  RoadSpectrum part{.road = road.road, .frequencies = frequencies, .columns = {}, .notes = {}};
-  part.columns.resize(road.columns.size());
+// The spectrum at some of its frequencies.
+MethodSpectrum part_of(const MethodSpectrum& spectrum, const std::vector<double>& frequencies) {
+  MethodSpectrum part{.method = spectrum.method, .frequencies = frequencies, .columns = {}, .notes = {}};
+  part.columns.resize(spectrum.columns.size());
   for (const double f : frequencies) {
-    const auto at =
-        std::lower_bound(road.frequencies.begin(), road.frequencies.end(), f) - road.frequencies.begin();
-    for (std::size_t c = 0; c < road.columns.size(); ++c)
-      part.columns[c].response.push_back(road.columns[c].response[std::size_t(at)]);
+    const auto at = std::lower_bound(spectrum.frequencies.begin(), spectrum.frequencies.end(), f) -
+                    spectrum.frequencies.begin();
+    for (std::size_t c = 0; c < spectrum.columns.size(); ++c)
+      part.columns[c].response.push_back(spectrum.columns[c].response[std::size_t(at)]);
   }
   return part;
 }
 
-// Adds a batch of `wanted` that the road lacks. Returns false after a stop.
+// Adds a batch of frequencies. Returns false after a stop.
 bool add_batch(const Start& start, Simulation& simulation, const DrivenWalls& walls,
                const std::vector<double>& batch, const std::function<void(double)>& on_progress,
-               RoadSpectrum& road) {
-  const scenario::SpectrumPlan& plan = start.spectrum();
+               MethodSpectrum& spectrum) {
+  const SpectrumPlan& plan = start.spectrum;
   const HarmonicMotion motion = harmonic_motion(simulation, walls.motion(), batch, assembly_of(plan),
-                                                {.tolerance = plan.tolerance,
+                                                {.tolerance = plan.linear.tolerance,
                                                  .threads = start.scene.threads,
                                                  .on_progress = on_progress,
                                                  .stop = start.stop});
-  LinearColumns columns(start.plan, simulation, walls.motion(), motion.freedom, motion.time_step);
-  note_sliding(motion, plan, road);
-  note_one_way(motion, road);
-  for (const response::HarmonicResponse& response : motion.responses) insert(response, columns, plan, road);
-  note_uncertain(motion.responses, plan.tolerance, road);
+  LinearColumns columns(start.plan, plan.observed, simulation, walls.motion(), motion.freedom,
+                        motion.time_step);
+  note_sliding(motion, plan, spectrum);
+  note_one_way(motion, spectrum);
+  for (const response::HarmonicResponse& response : motion.responses)
+    insert(response, columns, plan, spectrum);
+  note_uncertain(motion.responses, plan.linear.tolerance, spectrum);
   return motion.responses.size() == batch.size();
 }
 
-// Adds those of `wanted` that the road lacks. Returns false after a stop.
+// Adds the frequencies of `wanted` that the spectrum lacks. Returns false after a stop.
 bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
                      const std::vector<double>& wanted, const std::function<void()>& on_part,
-                     RoadSpectrum& road) {
+                     MethodSpectrum& spectrum) {
   while (true) {
-    const std::vector<double> left = missing(wanted, road.frequencies),
+    const std::vector<double> left = missing(wanted, spectrum.frequencies),
                               batch = first_batch(left, simulation.particles().size());
     const double all = double(wanted.size()), found = all - double(left.size());
     const auto on_progress = [&](double share) {
       start.on_progress((found + share * double(batch.size())) / all, "linear response");
     };
     on_progress(0);
-    if (!add_batch(start, simulation, walls, batch, on_progress, road)) return false;
+    if (!add_batch(start, simulation, walls, batch, on_progress, spectrum)) return false;
     on_part();
     if (batch.size() == left.size()) return true;
   }
 }
 
-// Narrow maxima get more frequencies from what is known at those before, so that a road that was stopped goes on with the same.
+// Narrow maxima get more frequencies, from what is known at the frequencies before, so that a solution that was
+// stopped continues with the same.
 bool add_all_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
-                         const std::function<void()>& on_part, RoadSpectrum& road) {
-  std::vector<double> wanted = start.spectrum().frequencies();
+                         const std::function<void()>& on_part, MethodSpectrum& spectrum) {
+  std::vector<double> wanted = start.spectrum.frequencies();
   for (int refinement = 0;; ++refinement) {
-    if (!add_frequencies(start, simulation, walls, wanted, on_part, road)) return false;
-    if (!start.spectrum().adaptive || refinement == most_refinements) return true;
-    const std::vector<double> further = frequencies_about_maxima(start.spectrum(), part_of(road, wanted));
+    if (!add_frequencies(start, simulation, walls, wanted, on_part, spectrum)) return false;
+    if (!start.spectrum.linear.adaptive || refinement == most_refinements) return true;
+    const std::vector<double> further = frequencies_about_maxima(start.spectrum, part_of(spectrum, wanted));
     if (further.empty()) return true;
     std::vector<double> more;
     std::set_union(wanted.begin(), wanted.end(), further.begin(), further.end(), std::back_inserter(more));
@@ -171,8 +213,8 @@ bool add_all_frequencies(const Start& start, Simulation& simulation, const Drive
 std::string observe_cure(const Start& start, Simulation& simulation, const DrivenWalls& walls,
                          double frequency_hz) {
   const HarmonicMotion motion =
-      harmonic_motion(simulation, walls.motion(), {frequency_hz}, assembly_of(start.spectrum()),
-                      {.tolerance = start.spectrum().tolerance, .stop = start.stop});
+      harmonic_motion(simulation, walls.motion(), {frequency_hz}, assembly_of(start.spectrum),
+                      {.tolerance = start.spectrum.linear.tolerance, .stop = start.stop});
   if (motion.responses.empty()) return "observe another column";
   constexpr std::size_t most_named = 8;
   std::vector<std::string> names =
@@ -185,47 +227,56 @@ std::string observe_cure(const Start& start, Simulation& simulation, const Drive
 }
 
 void check_columns(const Start& start, Simulation& simulation, const DrivenWalls& walls,
-                   const RoadSpectrum& road) {
-  const std::vector<scenario::ObservedColumn>& observed = start.spectrum().observed;
+                   const MethodSpectrum& spectrum) {
+  const std::vector<ObservedColumn>& observed = start.spectrum.observed;
   for (std::size_t c = 0; c < responding(observed); ++c)
-    check_column(observed[c], road.columns[c],
-                 [&] { return observe_cure(start, simulation, walls, road.frequencies.back()); });
+    check_column(observed[c], spectrum.columns[c],
+                 [&] { return observe_cure(start, simulation, walls, spectrum.frequencies.back()); });
 }
 
 }  // namespace
 
+std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies) {
+  // Translations and rotations are complex numbers.
+  constexpr double most_bytes = 2e9, bytes_per_body = 6 * 16;
+  constexpr std::size_t fewest = 48;  // which share a factorisation
+  const auto most = std::size_t(most_bytes / (bytes_per_body * double(std::max<std::size_t>(bodies, 1))));
+  frequencies.resize(std::min(frequencies.size(), std::max(most, fewest)));
+  return frequencies;
+}
+
 void check_response(const Start& start) {
   Simulation simulation(start.scene, start.state);
   const DrivenWalls walls(start);
-  RoadSpectrum road;
-  const double lowest = start.spectrum().from_hz;
-  road.columns.resize(start.spectrum().observed.size());
+  MethodSpectrum spectrum;
+  const double lowest = start.spectrum.from_hz;
+  spectrum.columns.resize(start.spectrum.observed.size());
   if (add_batch(
-          start, simulation, walls, {lowest}, [](double) {}, road))
-    check_columns(start, simulation, walls, road);
+          start, simulation, walls, {lowest}, [](double) {}, spectrum))
+    check_columns(start, simulation, walls, spectrum);
 }
 
 void check_linear(const Start& start) {
   const scenario::Plan& plan = start.plan;
-  for (const scenario::ObservedColumn& column : plan.spectrum->observed)
+  for (const ObservedColumn& column : start.spectrum.observed)
     if (!is_of_motion(plan.probes[column.probe], plan.scene.dimension))
       throw Error(fmt::format(
           "{}: '{}' is of a probe that reads contacts or energies, which has no linear response; observe positions, "
-          "such as a strain, or leave the road linear out",
+          "such as a strain, or leave the method linear out",
           column.place, column.name));
   response::check_laws(start.scene, response::LawsNeeded::any);
-  if (plan.spectrum->step_of_run) response::check_integration(start.scene);
+  if (start.spectrum.linear.step_of_run) response::check_integration(start.scene);
 }
 
-RoadSpectrum without_linearity(RoadSpectrum road) {
-  for (RoadSpectrum::Column& column : road.columns) column.linearity.clear();
-  return road;
+MethodSpectrum without_linearity(MethodSpectrum spectrum) {
+  for (MethodSpectrum::Column& column : spectrum.columns) column.linearity.clear();
+  return spectrum;
 }
 
-bool add_linear(const Start& start, RoadSpectrum& road, const std::function<void()>& on_part) {
+bool add_linear(const Start& start, MethodSpectrum& spectrum, const std::function<void()>& on_part) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
-  const scenario::SpectrumPlan& plan = start.spectrum();
+  const SpectrumPlan& plan = start.spectrum;
   check_linear(start);
   Simulation present(start.scene, start.state);
   const response::Rest rest =
@@ -233,22 +284,23 @@ bool add_linear(const Start& start, RoadSpectrum& road, const std::function<void
   if (!start.proceeds()) return false;
   Simulation& simulation = rest.equilibrium ? *rest.equilibrium : present;
   const DrivenWalls walls(start);
-  road.road = "linear";
-  road.columns.resize(plan.observed.size());
-  if (road.frequencies.empty() && !rest.warning.empty()) road.notes.push_back("linear: " + rest.warning);
-  const bool complete = add_all_frequencies(start, simulation, walls, on_part, road);
-  road.wall += std::chrono::duration<double>(Clock::now() - began).count();
+  spectrum.method = "linear";
+  spectrum.columns.resize(plan.observed.size());
+  if (spectrum.frequencies.empty() && !rest.warning.empty())
+    spectrum.notes.push_back("linear: " + rest.warning);
+  const bool complete = add_all_frequencies(start, simulation, walls, on_part, spectrum);
+  spectrum.wall += std::chrono::duration<double>(Clock::now() - began).count();
   if (!complete) return false;
-  check_columns(start, simulation, walls, road);
-  road = without_linearity(std::move(road));
+  check_columns(start, simulation, walls, spectrum);
+  spectrum = without_linearity(std::move(spectrum));
   return true;
 }
 
-RoadSpectrum linear_spectrum(const Start& start) {
-  RoadSpectrum road;
-  if (!add_linear(start, road))
+MethodSpectrum linear_spectrum(const Start& start) {
+  MethodSpectrum spectrum;
+  if (!add_linear(start, spectrum))
     throw Error("interrupted while the linear response was solved", ExitStatus::interrupted);
-  return road;
+  return spectrum;
 }
 
 }  // namespace scree::spectrum

@@ -3,29 +3,33 @@
 #include "start.hpp"
 
 #include <functional>
+#include <vector>
 
-#include <scree/spectrum/road_spectrum.hpp>
+#include <scree/spectrum/method_spectrum.hpp>
 
 namespace scree::spectrum {
 
 // Throws Error at a column that cannot have a linear response, before anything is solved.
 void check_linear(const Start& start);
 
-// The same by its solution at the lowest frequency, for results that would be lost. Throws Error as add_linear() does.
+// Solves at the lowest frequency, before results are replaced. Throws Error as add_linear() does.
 void check_response(const Start& start);
 
-// The linear response about the start: stiffness, damping and masses of the present contacts, solved at each frequency
-// that `road` lacks; columns are linearised by central differences along the motion. Returns false if it was stopped: then the road
-// has the frequencies found so far, in `linearity` the change of the columns with the size of the difference, and is to be given
-// again. Throws Error if nothing is held, a law has no derivatives, or a column does not depend on positions and velocities alone.
-// on_part: called after each part of the frequencies.
+// The linear response about the start: stiffness, damping and masses of the present contacts, solved at each
+// frequency that `spectrum` lacks; columns are linearised by central differences along the motion. Returns false after a
+// stop: then `spectrum` has the frequencies so far, and in `linearity` the change of the columns with the size of the
+// difference; give it again to continue. Throws Error if nothing is held, a law has no derivatives, or a column depends
+// on more than positions and velocities. on_part: called after each part of the frequencies.
 bool add_linear(
-    const Start& start, RoadSpectrum& road, const std::function<void()>& on_part = [] {});
+    const Start& start, MethodSpectrum& spectrum, const std::function<void()>& on_part = [] {});
 
-// The road as it is shown: `linearity` there is of pulses.
-RoadSpectrum without_linearity(RoadSpectrum road);
+// The first of these frequencies, as many as can be solved at once for so many bodies within 2 GB of motions.
+std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies);
 
-// The whole road. Throws Error (interrupted) if it was stopped.
-RoadSpectrum linear_spectrum(const Start& start);
+// The spectrum as it is shown: `linearity` there belongs to pulses.
+MethodSpectrum without_linearity(MethodSpectrum spectrum);
+
+// The spectrum at all frequencies. Throws Error (interrupted) if it was stopped.
+MethodSpectrum linear_spectrum(const Start& start);
 
 }  // namespace scree::spectrum

@@ -13,28 +13,29 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Largest displacement of a difference over the smallest radius: far above round-off of positions, far below contact sizes.
+// Largest displacement of a difference over the smallest radius: far above round-off of positions, far below the
+// sizes of contacts.
 constexpr double largest_share = 1e-3;
 
-// The plan with all columns of one probe observed.
-scenario::Plan observing(scenario::Plan plan, std::size_t probe) {
+// All columns of one probe.
+std::vector<ObservedColumn> all_of(const scenario::Plan& plan, std::size_t probe) {
   const std::vector<std::string> names = Probe(plan.probes[probe].parameters, plan.scene.dimension).names();
-  plan.spectrum->observed.clear();
+  std::vector<ObservedColumn> all;
   for (std::size_t c = 0; c < names.size(); ++c) {
-    scenario::ObservedColumn column;
+    ObservedColumn column;
     column.probe = probe, column.column = c;
     column.name = fmt::format("{}.{}", plan.probes[probe].name, names[c]);
-    plan.spectrum->observed.push_back(std::move(column));
+    all.push_back(std::move(column));
   }
-  return plan;
+  return all;
 }
 
 }  // namespace
 
-LinearColumns::LinearColumns(const scenario::Plan& plan, const Simulation& simulation,
-                             const std::vector<Vec3>& walls, const response::DegreesOfFreedom& freedom,
-                             double time_step)
-    : observer_(plan), view_(simulation, walls, freedom, time_step) {
+LinearColumns::LinearColumns(const scenario::Plan& plan, std::vector<ObservedColumn> observed,
+                             const Simulation& simulation, const std::vector<Vec3>& walls,
+                             const response::DegreesOfFreedom& freedom, double time_step)
+    : observer_(plan, std::move(observed)), view_(simulation, walls, freedom, time_step) {
   rest_ = observer_.values(view_.at_rest());
   for (std::size_t i = 0; i < simulation.particles().size(); ++i)
     smallest_ =
@@ -82,11 +83,12 @@ std::vector<std::string> responding_columns(const scenario::Plan& plan, const Si
   std::vector<std::string> names;
   for (std::size_t p = 0; p < plan.probes.size(); ++p) {
     if (!is_of_motion(plan.probes[p], plan.scene.dimension)) continue;
-    const scenario::Plan all = observing(plan, p);
+    const std::vector<ObservedColumn> all = all_of(plan, p);
     try {
-      const auto [derivatives, change] = LinearColumns(all, simulation, walls, freedom, 0).along(motion);
+      const auto [derivatives, change] =
+          LinearColumns(plan, all, simulation, walls, freedom, 0).along(motion);
       for (std::size_t c = 0; c < derivatives.size(); ++c)
-        if (std::abs(derivatives[c]) > 0) names.push_back(all.spectrum->observed[c].name);
+        if (std::abs(derivatives[c]) > 0) names.push_back(all[c].name);
     } catch (const Error&) {
       // A probe of what the scene lacks has no columns.
     }

@@ -16,7 +16,8 @@ namespace scree::spectrum {
 class LinearColumns {
  public:
   // walls: displacement of each wall (m). time_step: (s) by which velocities are output; 0: continuous time.
-  LinearColumns(const scenario::Plan& plan, const Simulation& simulation, const std::vector<Vec3>& walls,
+  LinearColumns(const scenario::Plan& plan, std::vector<ObservedColumn> observed,
+                const Simulation& simulation, const std::vector<Vec3>& walls,
                 const response::DegreesOfFreedom& freedom, double time_step);
 
   const std::vector<double>& at_rest() const { return rest_; }

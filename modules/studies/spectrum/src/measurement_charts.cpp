@@ -16,18 +16,19 @@ namespace {
 
 constexpr std::size_t most_peaks = 6;  // of a chart
 
-bool is_sweep(const RoadSpectrum& road) { return road.road.starts_with("sweep"); }
+bool is_sweep(const MethodSpectrum& spectrum) { return spectrum.method.starts_with("sweep"); }
 
-// In a chart with other roads, pulses are dashed lines over those below them.
-pictures::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double scale, bool beside_others) {
+// In a chart with other methods, pulses are dashed lines over those below them.
+pictures::ChartSeries curve_of(const MethodSpectrum& spectrum, std::size_t c, double scale,
+                               bool beside_others) {
   pictures::ChartSeries curve;
-  curve.name = road.road == "sweep_down" ? "sweep down" : road.road;
-  if (road.road == "pulse" && beside_others) curve.line = pictures::LineStyle::dashed;
-  if (is_sweep(road)) curve.line = pictures::LineStyle::none, curve.markers = true;
-  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
-    const double amplitude = std::abs(road.columns[c].response[k]);
+  curve.name = spectrum.method == "sweep_down" ? "sweep down" : spectrum.method;
+  if (spectrum.method == "pulse" && beside_others) curve.line = pictures::LineStyle::dashed;
+  if (is_sweep(spectrum)) curve.line = pictures::LineStyle::none, curve.markers = true;
+  for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k) {
+    const double amplitude = std::abs(spectrum.columns[c].response[k]);
     if (!(amplitude > 0 && std::isfinite(amplitude))) continue;  // not possible on a logarithmic axis
-    curve.x.push_back(scale * road.frequencies[k]);
+    curve.x.push_back(scale * spectrum.frequencies[k]);
     curve.y.push_back(amplitude);
   }
   return curve;
@@ -35,7 +36,7 @@ pictures::ChartSeries curve_of(const RoadSpectrum& road, std::size_t c, double s
 
 bool is_named(const Resonance& r) { return !name_of(r).empty(); }
 
-// Shapes of the peaks of the first road and column that have any with a name.
+// Shapes of the peaks of the first method and column that have any with a name.
 void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   pictures::ChartSpec chart;
   chart.title = m.title + ": shapes of the peaks";
@@ -43,7 +44,7 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   chart.y_label = "displacement over the largest";
   const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(), is_named);
   for (const Resonance& r : m.resonances) {
-    if (r.road != first.road || r.column != first.column || !is_named(r)) continue;
+    if (r.spectrum != first.spectrum || r.column != first.column || !is_named(r)) continue;
     if (chart.series.size() == most_peaks) break;
     pictures::ChartSeries curve;
     curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
@@ -55,29 +56,29 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   pictures::load_backend()->chart(chart, directory.add("charts/shapes.png"));
 }
 
-// The named peaks of a column, by the first road that has any, as points of its curve.
+// The named peaks of a column, by the first method that has any, as points of its curve.
 void add_peaks(const Measurement& m, std::size_t c, double scale, pictures::ChartSpec& chart) {
   const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
                                   [&](const Resonance& r) { return r.column == c && is_named(r); });
   const std::size_t most = chart.series.size() + most_peaks;
   for (auto r = first; r != m.resonances.end() && chart.series.size() < most; ++r) {
-    if (r->column != c || r->road != first->road || !is_largest_of_name(m, *r)) continue;
-    const RoadSpectrum& road = m.roads[r->road];
+    if (r->column != c || r->spectrum != first->spectrum || !is_largest_of_name(m, *r)) continue;
+    const MethodSpectrum& spectrum = m.spectra[r->spectrum];
     const double frequency = r->mode.frequency;
     pictures::ChartSeries point;
     point.name = fmt::format("{}, {:.5g} {}", name_of(*r), scale * frequency, scale < 1 ? "kHz" : "Hz");
-    point.x = {scale * road.frequencies[*r->maximum]};
-    point.y = {std::abs(road.columns[c].response[*r->maximum])};
+    point.x = {scale * spectrum.frequencies[*r->maximum]};
+    point.y = {std::abs(spectrum.columns[c].response[*r->maximum])};
     point.line = pictures::LineStyle::none, point.markers = true;
     chart.series.push_back(std::move(point));
   }
 }
 
-// The curves of all roads of a column.
+// The curves of all methods of a column.
 void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& directory) {
   double highest = 0;
-  for (const RoadSpectrum& road : m.roads)
-    if (!road.frequencies.empty()) highest = std::max(highest, road.frequencies.back());
+  for (const MethodSpectrum& spectrum : m.spectra)
+    if (!spectrum.frequencies.empty()) highest = std::max(highest, spectrum.frequencies.back());
   const bool in_khz = highest >= 1e4;
   pictures::ChartSpec chart;
   chart.title = m.title;
@@ -88,9 +89,9 @@ void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& d
   chart.log_y = true;
   // The marks of sweeps are below the lines.
   for (const bool sweeps : {true, false})
-    for (const RoadSpectrum& road : m.roads)
-      if (pictures::ChartSeries curve = curve_of(road, c, in_khz ? 1e-3 : 1, m.roads.size() > 1);
-          is_sweep(road) == sweeps && !curve.x.empty())
+    for (const MethodSpectrum& spectrum : m.spectra)
+      if (pictures::ChartSeries curve = curve_of(spectrum, c, in_khz ? 1e-3 : 1, m.spectra.size() > 1);
+          is_sweep(spectrum) == sweeps && !curve.x.empty())
         chart.series.push_back(std::move(curve));
   if (chart.series.empty()) return;
   add_peaks(m, c, in_khz ? 1e-3 : 1, chart);

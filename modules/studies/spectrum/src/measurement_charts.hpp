@@ -8,8 +8,8 @@
 
 namespace scree::spectrum {
 
-// Charts of a measurement, if pictures are built: the curves of all roads of each column with their named peaks, and the shapes of the
-// peaks. Those that cannot be drawn are reported, in one line each.
+// Charts of a measurement, if pictures are built: of each column the curves of all methods with their named peaks,
+// and the shapes of the peaks. Charts that cannot be drawn are reported, in one line each.
 void draw_charts(const Measurement& measurement, const run::RunDirectory& directory,
                  const std::function<void(const std::string&)>& report);
 

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/csv_line.hpp>
-#include <scree/run/input_hashes_json.hpp>
-#include <scree/run/verdict_json.hpp>
+#include <scree/run/verdict.hpp>
 
 namespace scree::spectrum {
 
@@ -32,11 +31,11 @@ std::string spectrum_table(const Measurement& m) {
       head.push_back(fmt::format("{}.{} [{}]", m.observed[c].name, what,
                                  what == std::string("phase") ? "rad" : unit_of_response(m.observed[c])));
   std::string text = csv_line(head);
-  for (const RoadSpectrum& road : m.roads)
-    for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
-      Cells cells = {road.road, csv_number(road.frequencies[k])};
+  for (const MethodSpectrum& spectrum : m.spectra)
+    for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k) {
+      Cells cells = {spectrum.method, csv_number(spectrum.frequencies[k])};
       for (std::size_t c = 0; c < columns; ++c) {
-        const RoadSpectrum::Column& column = road.columns[c];
+        const MethodSpectrum::Column& column = spectrum.columns[c];
         add_numbers(cells, {std::abs(column.response[k]), std::arg(column.response[k]), column.error[k],
                             column.linearity.empty() ? NAN : column.linearity[k]});
       }
@@ -51,7 +50,7 @@ std::string peak_table(const Measurement& m) {
                                "amplitude_unit", "phase [rad]", "difference [Hz]", "wavelengths"});
   for (const Resonance& r : m.resonances) {
     const signals::FittedMode& mode = r.mode;
-    Cells cells = {m.roads[r.road].road, m.observed[r.column].name};
+    Cells cells = {m.spectra[r.spectrum].method, m.observed[r.column].name};
     add_numbers(cells, {mode.frequency, mode.frequency_error, mode.width, mode.width_error, mode.quality,
                         mode.quality_error, mode.amplitude, mode.amplitude_error});
     cells.push_back(unit_of_response(m.observed[r.column]));
@@ -61,16 +60,16 @@ std::string peak_table(const Measurement& m) {
   return text;
 }
 
-// By road, column and name, so that those of several packings can be compared: peaks.linear.strain.strain.3λ/4.frequency. Peaks
-// without a name have their number: peaks.pulse.strain.strain.peak_1.frequency.
+// By method, column and name, so that several packings can be compared: peaks.linear.strain.strain.3λ/4.frequency.
+// A peak without a name has its number: peaks.pulse.strain.strain.peak_1.frequency.
 Json peaks_of(const Measurement& m) {
   Json peaks = Json::object();
   for (const Resonance& r : m.resonances) {
-    Json& of_column = peaks[m.roads[r.road].road][m.observed[r.column].name];
+    Json& of_column = peaks[m.spectra[r.spectrum].method][m.observed[r.column].name];
     Json& peak =
         of_column[is_largest_of_name(m, r) ? name_of(r) : fmt::format("peak_{}", of_column.size() + 1)];
-    for (std::size_t k = 0; k < scenario::peak_numbers.size(); ++k)
-      if (const double x = number_of(r, k); !std::isnan(x)) peak[scenario::peak_numbers[k]] = x;
+    for (std::size_t k = 0; k < peak_numbers.size(); ++k)
+      if (const double x = number_of(r, k); !std::isnan(x)) peak[peak_numbers[k]] = x;
     if (const std::string name = name_of(r); !name.empty()) peak["name"] = name;
   }
   return peaks;
@@ -81,7 +80,7 @@ std::string shape_table(const Measurement& m) {
                                "amplitude [m/m]", "phase [rad]"});
   for (const Resonance& r : m.resonances)
     for (std::size_t k = 0; k < r.shape.size(); ++k)
-      text += csv_line({m.roads[r.road].road, m.observed[r.column].name, csv_number(r.mode.frequency),
+      text += csv_line({m.spectra[r.spectrum].method, m.observed[r.column].name, csv_number(r.mode.frequency),
                         csv_number(r.wavelengths), fmt::format("{}", k + 1), csv_number(r.shape[k]),
                         csv_number(std::abs(r.layers[k])), csv_number(std::arg(r.layers[k]))});
   return text;
@@ -92,55 +91,49 @@ bool has_shapes(const Measurement& m) {
                      [](const Resonance& r) { return !r.shape.empty(); });
 }
 
-std::string road_table(const Measurement& m) {
+std::string method_table(const Measurement& m) {
   std::string text = csv_line({"road", "frequencies", "steps", "wall [s]"});
-  for (const RoadSpectrum& road : m.roads)
-    text += csv_line({road.road, fmt::format("{}", road.frequencies.size()), fmt::format("{}", road.steps),
-                      csv_number(road.wall)});
+  for (const MethodSpectrum& spectrum : m.spectra)
+    text += csv_line({spectrum.method, fmt::format("{}", spectrum.frequencies.size()),
+                      fmt::format("{}", spectrum.steps), csv_number(spectrum.wall)});
   return text;
 }
 
 }  // namespace
 
-// Whether a peak has a name that no larger one of the same road and column has.
+// Whether a peak has a name that no larger one of the same method and column has.
 bool is_largest_of_name(const Measurement& m, const Resonance& peak) {
   return !name_of(peak).empty() &&
          std::none_of(m.resonances.begin(), m.resonances.end(), [&](const Resonance& r) {
-           return r.road == peak.road && r.column == peak.column && name_of(r) == name_of(peak) &&
+           return r.spectrum == peak.spectrum && r.column == peak.column && name_of(r) == name_of(peak) &&
                   r.mode.amplitude > peak.mode.amplitude;
          });
 }
 
-std::string unit_of_response(const scenario::ObservedColumn& column) {
+std::string unit_of_response(const ObservedColumn& column) {
   if (column.relative || column.unit.empty()) return "1/m";
   return column.unit == "m" ? "1" : column.unit + "/m";
 }
 
-void write_record(const std::string& status, const Measurement& m, const run::RunDirectory& directory) {
-  Json json = {{"version", SCREE_VERSION}, {"status", status}};
-  if (!m.error.empty()) json["error"] = m.error;
-  json["title"] = m.title;
-  for (const scenario::ObservedColumn& column : m.observed) json["observed"].push_back(column.name);
-  for (const RoadSpectrum& road : m.roads)
-    json["roads"].push_back({{"road", road.road},
-                             {"frequencies", road.frequencies.size()},
-                             {"steps", road.steps},
-                             {"wall", road.wall},
-                             {"notes", road.notes}});
+Json record_of(const Measurement& m) {
+  Json json = {{"title", m.title}};
+  for (const ObservedColumn& column : m.observed) json["observed"].push_back(column.name);
+  for (const MethodSpectrum& spectrum : m.spectra)
+    json["roads"].push_back({{"road", spectrum.method},
+                             {"frequencies", spectrum.frequencies.size()},
+                             {"steps", spectrum.steps},
+                             {"wall", spectrum.wall},
+                             {"notes", spectrum.notes}});
   json["peaks"] = peaks_of(m);
-  json["warnings"] = m.warnings;
   json["expect"] = run::json_of(m.verdicts);
-  json["inputs"] = run::json_of(m.inputs);
-  json["scenario"] = m.scenario;
-  directory.write_file("spectrum.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json;
 }
 
-std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
-                        const std::vector<SweepPoint>& points) {
+std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::vector<SweepPoint>& points) {
   Cells head = {"frequency [Hz]", "start [s]", "steps", "periods", "steady", "drive [m]"};
   const std::size_t columns = responding(observed);
   for (std::size_t c = 0; c < columns; ++c) {
-    const scenario::ObservedColumn& column = observed[c];
+    const ObservedColumn& column = observed[c];
     const std::string unit = unit_of_response(column);
     head.push_back(fmt::format("{}.amplitude [{}]", column.name, unit));
     head.push_back(fmt::format("{}.phase [rad]", column.name));
@@ -164,7 +157,7 @@ std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
 void write_tables(const Measurement& m, const run::RunDirectory& directory) {
   directory.write_file("spectrum.csv", spectrum_table(m));
   directory.write_file("peaks.csv", peak_table(m));
-  directory.write_file("roads.csv", road_table(m));
+  directory.write_file("roads.csv", method_table(m));
   if (has_shapes(m)) directory.write_file("shapes.csv", shape_table(m));
 }
 

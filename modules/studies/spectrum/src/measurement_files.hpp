@@ -1,30 +1,30 @@
 #pragma once
 
-#include "sweep_point.hpp"
+#include "sweep_points.hpp"
 
 #include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <scree/run/run_directory.hpp>
 #include <scree/spectrum/measurement.hpp>
 
 namespace scree::spectrum {
 
-// The record of a measurement by which its directory is known.
-void write_record(const std::string& status, const Measurement& measurement,
-                  const run::RunDirectory& directory);
+// The entries of spectrum.json between its status and its warnings.
+nlohmann::ordered_json record_of(const Measurement& measurement);
 
 // sweep.csv: one row per frequency, in the order of the sweep.
-std::string sweep_table(const std::vector<scenario::ObservedColumn>& observed,
-                        const std::vector<SweepPoint>& points);
+std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::vector<SweepPoint>& points);
 
 // spectrum.csv, peaks.csv, roads.csv and, if there are any, shapes.csv.
 void write_tables(const Measurement& measurement, const run::RunDirectory& directory);
 
-// Whether a peak has a name that no larger one of the same road and column has.
+// Whether a peak has a name that no larger one of the same method and column has.
 bool is_largest_of_name(const Measurement& measurement, const Resonance& peak);
 
 // Unit of a column per drive: "1/m" of a strain.
-std::string unit_of_response(const scenario::ObservedColumn& column);
+std::string unit_of_response(const ObservedColumn& column);
 
 }  // namespace scree::spectrum

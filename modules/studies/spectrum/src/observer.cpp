@@ -9,8 +9,9 @@
 
 namespace scree::spectrum {
 
-Observer::Observer(const scenario::Plan& plan) : plan_(plan), values_(plan.spectrum->observed.size()) {
-  for (const scenario::ObservedColumn& column : plan.spectrum->observed)
+Observer::Observer(const scenario::Plan& plan, std::vector<ObservedColumn> observed)
+    : plan_(plan), observed_(std::move(observed)), values_(observed_.size()) {
+  for (const ObservedColumn& column : observed_)
     if (std::none_of(probes_.begin(), probes_.end(),
                      [&](const Watched& w) { return w.number == column.probe; }))
       probes_.push_back({column.probe, Probe(plan.probes[column.probe].parameters, plan.scene.dimension)});
@@ -32,8 +33,7 @@ const std::vector<double>& Observer::values(const scree_view& view) {
       }
     }();
     for (std::size_t c = 0; c < values_.size(); ++c)
-      if (const scenario::ObservedColumn& column = plan_.spectrum->observed[c];
-          column.probe == watched.number)
+      if (const ObservedColumn& column = observed_[c]; column.probe == watched.number)
         values_[c] = row[column.column];
   }
   return values_;
@@ -43,11 +43,12 @@ const std::vector<double>& Observer::values(const Simulation& simulation) {
   return values(SimulationView(simulation, needs()).get());
 }
 
-void check_observed(const scenario::Plan& plan, const Simulation& simulation) {
-  Observer observer(plan);
+void check_observed(const scenario::Plan& plan, const std::vector<ObservedColumn>& observed,
+                    const Simulation& simulation) {
+  Observer observer(plan, observed);
   const std::vector<double>& values = observer.values(simulation);
   for (std::size_t c = 0; c < values.size(); ++c) {
-    const scenario::ObservedColumn& column = plan.spectrum->observed[c];
+    const ObservedColumn& column = observed[c];
     if (!std::isfinite(values[c]))
       throw Error(fmt::format("{}: '{}' has no value at the start; observe a column that has one",
                               column.place, column.name));

@@ -4,19 +4,19 @@
 #include <vector>
 
 #include <scree/probes.hpp>
-#include <scree/scenario/plan.hpp>
+#include <scree/spectrum/spectrum_plan.hpp>
 
 namespace scree::spectrum {
 
 // The observed columns of a simulation.
 class Observer {
  public:
-  explicit Observer(const scenario::Plan& plan);
+  Observer(const scenario::Plan& plan, std::vector<ObservedColumn> observed);
 
   // What views must contain.
   std::uint32_t needs() const;
-  // The value of each observed column; the first call starts the probes. Throws Error if the scene lacks what a
-  // probe reads.
+  // The value of each observed column; the first call starts the probes. Throws Error if the scene lacks what a probe
+  // reads.
   const std::vector<double>& values(const scree_view& view);
   const std::vector<double>& values(const Simulation& simulation);
   void transfer(const StateTransfer& state);
@@ -29,11 +29,13 @@ class Observer {
     Probe probe;
   };
   const scenario::Plan& plan_;
+  std::vector<ObservedColumn> observed_;
   std::vector<Watched> probes_;
   std::vector<double> values_;
 };
 
-// Throws Error at a column that has no finite value in the present state, and where a probe lacks what it reads.
-void check_observed(const scenario::Plan& plan, const Simulation& simulation);
+// Throws Error at a column without a finite value in the present state, and where a probe lacks what it reads.
+void check_observed(const scenario::Plan& plan, const std::vector<ObservedColumn>& observed,
+                    const Simulation& simulation);
 
 }  // namespace scree::spectrum

@@ -1,6 +1,5 @@
 #include "pulse.hpp"
 
-#include "noise_response.hpp"
 #include "pulse_record.hpp"
 
 #include <algorithm>
@@ -10,16 +9,30 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/signals/transfer_function.hpp>
 
 namespace scree::spectrum {
 
 namespace {
 
+using signals::TransferFunction;
+
+TransferFunction transfer_of(const PulseRecord& record, std::size_t column, double step_hz) {
+  std::vector<double> times(record.samples());
+  for (std::size_t k = 0; k < times.size(); ++k) times[k] = double(k) * record.interval();
+  const auto segment = std::size_t(std::round(2 / (step_hz * record.interval())));
+  return signals::transfer_function(times, record.drive(), record.column(column), segment);
+}
+
 constexpr double tolerated_change = 0.05;  // of the largest response, at half the amplitude
 
-RoadSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& half, std::size_t c,
-                               const std::vector<double>& frequencies, double scale, const Start& start) {
-  RoadSpectrum::Column column;
+const char* amplitude_key(const SpectrumPlan& plan) {
+  return plan.pulse.form == PulseSettings::Form::noise ? "spectrum.pulse.noise_rms" : "spectrum.amplitude";
+}
+
+MethodSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& half, std::size_t c,
+                                 const std::vector<double>& frequencies, double scale, const Start& start) {
+  MethodSpectrum::Column column;
   const double beyond = full.beyond(c);
   for (const double f : frequencies) {
     if (!start.proceeds())
@@ -32,83 +45,106 @@ RoadSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& half,
   return column;
 }
 
-void note_tail(const PulseRecord& record, std::size_t c, const scenario::SpectrumPlan& plan,
-               RoadSpectrum& road) {
-  if (record.tail(c) < plan.decay) return;
-  road.notes.push_back(fmt::format(
-      "pulse: after {:.3g} s {} has not decayed: what follows changes the response by {}; give a longer longest_pulse",
+void note_tail(const PulseRecord& record, std::size_t c, const SpectrumPlan& plan, MethodSpectrum& spectrum) {
+  if (record.tail(c) < plan.pulse.decay) return;
+  spectrum.notes.push_back(fmt::format(
+      "pulse: after {:.3g} s {} has not decayed: what follows changes the response by {}; give a longer pulse.longest",
       record.length(), plan.observed[c].name,
       std::isfinite(record.tail(c)) ? fmt::format("about {:.2g} of its largest value", record.tail(c))
                                     : "an unknown amount"));
 }
 
-void note_change(std::size_t c, const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
-  const RoadSpectrum::Column& column = road.columns[c];
+void note_change(std::size_t c, const SpectrumPlan& plan, MethodSpectrum& spectrum) {
+  const MethodSpectrum::Column& column = spectrum.columns[c];
   const double change = *std::max_element(column.linearity.begin(), column.linearity.end());
   double largest = 0;
   for (const std::complex<double>& h : column.response) largest = std::max(largest, std::abs(h));
   if (!(change > tolerated_change * largest)) return;
-  road.notes.push_back(fmt::format(
+  spectrum.notes.push_back(fmt::format(
       "pulse: at half the amplitude of {:g} m the response of {} changes by {:.2g} of its largest value, so that it is not linear; "
-      "give a lower spectrum.amplitude",
-      plan.amplitude, plan.observed[c].name, change / largest));
+      "give a lower {}",
+      plan.pulse_amplitude(), plan.observed[c].name, change / largest, amplitude_key(plan)));
 }
 
 // The response of a packing that moves on its own is that of many states.
 void note_motion(const PulseRecord& undriven, const PulseRecord& full, std::size_t c,
-                 const scenario::SpectrumPlan& plan, RoadSpectrum& road) {
+                 const SpectrumPlan& plan, MethodSpectrum& spectrum) {
   if (!(undriven.largest(c) > full.largest(c))) return;
-  road.notes.push_back(fmt::format(
+  spectrum.notes.push_back(fmt::format(
       "pulse: without the pulse {} changes by {:.2g}, with it by {:.2g} more: the packing is not at rest; let it come to rest in a stage "
-      "before (until), or give a larger spectrum.amplitude",
-      plan.observed[c].name, undriven.largest(c), full.largest(c)));
+      "before (until), or give a larger {}",
+      plan.observed[c].name, undriven.largest(c), full.largest(c), amplitude_key(plan)));
 }
 
 // A record that ends before its pulse has no spectrum.
-void check_length(const PulseRecord& record, const scenario::SpectrumPlan& plan) {
-  if (plan.longest_pulse >= record.end_of_pulse()) return;
+void check_length(const PulseRecord& record, const SpectrumPlan& plan) {
+  if (plan.pulse.longest_record() >= record.end_of_pulse()) return;
   throw Error(fmt::format(
-      "{}: the record of {:g} s ends before the pulse of {:g} s; give a longer longest_pulse, or a smaller step_hz",
-      plan.drive_place, plan.longest_pulse, record.end_of_pulse()));
+      "{}: the record of {:g} s ends before the pulse of {:g} s; give a longer pulse.longest, or a smaller step_hz",
+      plan.drive_place, plan.pulse.longest_record(), record.end_of_pulse()));
 }
 
 void add_pulse_response(const PulseRecord& full, const PulseRecord& half, const Start& start,
-                        RoadSpectrum& road) {
-  const scenario::SpectrumPlan& plan = start.spectrum();
+                        MethodSpectrum& spectrum) {
+  const SpectrumPlan& plan = start.spectrum;
   for (std::size_t c = 0; c < plan.observed.size(); ++c) {
     const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
-    road.columns.push_back(column_of(full, half, c, road.frequencies, scale, start));
-    if (!plan.observed[c].of_shape) note_tail(full, c, plan, road);
+    spectrum.columns.push_back(column_of(full, half, c, spectrum.frequencies, scale, start));
+    if (!plan.observed[c].of_shape) note_tail(full, c, plan, spectrum);
+  }
+}
+
+// Frequencies and columns from records of noise, at full and at half the amplitude: Welch segments of 2 / step_hz and
+// every second of their frequencies, which hardly correlate. Errors: of the coherence, and the leakage of the window,
+// H'' / (6 T²) (transfer_function.hpp), from differences of neighbours.
+void add_noise_response(const PulseRecord& full, const PulseRecord& half, const SpectrumPlan& plan,
+                        MethodSpectrum& spectrum) {
+  spectrum.columns.resize(plan.observed.size());
+  spectrum.frequencies.clear();
+  for (std::size_t c = 0; c < plan.observed.size(); ++c) {
+    const TransferFunction h = transfer_of(full, c, plan.step_hz), weak = transfer_of(half, c, plan.step_hz);
+    const double scale = plan.observed[c].relative ? 1 / std::abs(full.at_start(c)) : 1;
+    const double slack = 1e-6 * plan.step_hz;
+    for (std::size_t k = 2; k + 2 < h.h1.size(); k += 2) {
+      const double f = h.frequency(k);
+      if (f < plan.from_hz - slack || f > plan.to_hz + slack) continue;
+      if (c == 0) spectrum.frequencies.push_back(f);
+      const double leakage = std::abs(h.h1[k + 2] - 2.0 * h.h1[k] + h.h1[k - 2]) / 24;
+      spectrum.columns[c].response.push_back(scale * h.h1[k]);
+      spectrum.columns[c].error.push_back(scale * std::hypot(std::abs(h.h1[k]) * h.error[k], leakage));
+      spectrum.columns[c].linearity.push_back(scale * std::abs(h.h1[k] - weak.h1[k]));
+    }
   }
 }
 
 }  // namespace
 
-RoadSpectrum pulse_spectrum(const Start& start) {
+MethodSpectrum pulse_spectrum(const Start& start) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
-  const scenario::SpectrumPlan& plan = start.spectrum();
-  check_amplitude(start);
+  const SpectrumPlan& plan = start.spectrum;
+  const double amplitude = plan.pulse_amplitude();
+  check_amplitude(start, amplitude);
   const DrivenWalls walls(start);
-  PulseRecord undriven(start, walls, 0, nullptr), full(start, walls, plan.amplitude, &undriven),
-      half(start, walls, 0.5 * plan.amplitude, &undriven);
+  PulseRecord undriven(start, walls, 0, nullptr), full(start, walls, amplitude, &undriven),
+      half(start, walls, 0.5 * amplitude, &undriven);
   check_length(full, plan);
   if (!full.until_decay() || !half.until_samples(full.samples()))
     throw Error("interrupted while the response to the pulse was recorded", ExitStatus::interrupted);
-  RoadSpectrum road{.road = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
-  road.steps = undriven.steps() + full.steps() + half.steps();
-  if (plan.pulse == scenario::SpectrumPlan::Pulse::noise)
-    add_noise_response(full, half, plan, road);
+  MethodSpectrum spectrum{.method = "pulse", .frequencies = plan.frequencies(), .columns = {}, .notes = {}};
+  spectrum.steps = undriven.steps() + full.steps() + half.steps();
+  if (plan.pulse.form == PulseSettings::Form::noise)
+    add_noise_response(full, half, plan, spectrum);
   else
-    add_pulse_response(full, half, start, road);
+    add_pulse_response(full, half, start, spectrum);
   for (std::size_t c = 0; c < plan.observed.size(); ++c)
     if (!plan.observed[c].of_shape) {
-      note_motion(undriven, full, c, plan, road);
-      note_change(c, plan, road);
+      note_motion(undriven, full, c, plan, spectrum);
+      note_change(c, plan, spectrum);
     }
-  road.note_silent(plan.observed);
-  road.wall = std::chrono::duration<double>(Clock::now() - began).count();
-  return road;
+  spectrum.note_silent(plan.observed);
+  spectrum.wall = std::chrono::duration<double>(Clock::now() - began).count();
+  return spectrum;
 }
 
 }  // namespace scree::spectrum

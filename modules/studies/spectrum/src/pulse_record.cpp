@@ -13,7 +13,7 @@ namespace scree::spectrum {
 
 namespace {
 
-using scenario::SpectrumPlan;
+using Form = PulseSettings::Form;
 
 // The pulse begins with less than 1e-13 of its amplitude.
 constexpr double gaussian_lead = 8;  // widths
@@ -25,10 +25,10 @@ double gaussian_width(const SpectrumPlan& plan) { return 0.25 / plan.to_hz; }
 double ricker_frequency(const SpectrumPlan& plan) { return 0.5 * (plan.from_hz + plan.to_hz); }
 
 Wave chirp(const SpectrumPlan& plan, double amplitude) {
-  const double margin = SpectrumPlan::band_margin * plan.from_hz, low = plan.from_hz - margin,
+  const double margin = PulseSettings::band_margin * plan.from_hz, low = plan.from_hz - margin,
                high = plan.to_hz + margin;
-  const double rise = margin / (high - low) * plan.chirp_duration;
-  return {Program::chirp, 0, amplitude, rise, low, high, plan.chirp_duration, 0};
+  const double rise = margin / (high - low) * plan.pulse.chirp_duration;
+  return {Program::chirp, 0, amplitude, rise, low, high, plan.pulse.chirp_duration, 0};
 }
 
 }  // namespace
@@ -38,13 +38,13 @@ PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double am
     : start_(start),
       walls_(walls),
       undriven_(undriven),
-      observer_(start.plan),
+      observer_(start.plan, start.spectrum.observed),
       simulation_(std::make_unique<Simulation>(start.scene, start.state)),
       first_(simulation_->steps()),
       wave_(wave(amplitude)) {
-  const SpectrumPlan& plan = start.spectrum();
+  const SpectrumPlan& plan = start.spectrum;
   stride_ = std::max<std::uint64_t>(
-      1, std::uint64_t(1 / (plan.to_hz * plan.samples_per_period * start.scene.step)));
+      1, std::uint64_t(1 / (plan.to_hz * plan.pulse.samples_per_period * start.scene.step)));
   at_start_ = observer_.values(*simulation_);
   columns_.assign(at_start_.size(), {0.0});
   drive_ = {0.0};
@@ -52,19 +52,20 @@ PulseRecord::PulseRecord(const Start& start, const DrivenWalls& walls, double am
 }
 
 Wave PulseRecord::wave(double amplitude) const {
-  const SpectrumPlan& plan = start_.spectrum();
-  if (plan.pulse == SpectrumPlan::Pulse::chirp) return chirp(plan, amplitude);
-  if (plan.pulse == SpectrumPlan::Pulse::noise) return noise(amplitude);
-  if (plan.pulse == SpectrumPlan::Pulse::gaussian)
+  const SpectrumPlan& plan = start_.spectrum;
+  if (plan.pulse.form == Form::chirp) return chirp(plan, amplitude);
+  if (plan.pulse.form == Form::noise) return noise(amplitude);
+  if (plan.pulse.form == Form::gaussian)
     return {Program::gaussian, 0, amplitude, gaussian_lead * gaussian_width(plan), gaussian_width(plan)};
   return {Program::ricker, 0, amplitude, ricker_lead / ricker_frequency(plan), ricker_frequency(plan)};
 }
 
 // Straight lines between the middles of steps: at a step, their slope is the central difference.
 Wave PulseRecord::noise(double amplitude) const {
-  const SpectrumPlan& plan = start_.spectrum();
-  const double step = start_.scene.step, rise = 1 / plan.from_hz, duration = plan.longest_pulse + 2 * rise;
-  const double margin = SpectrumPlan::band_margin * plan.from_hz;
+  const SpectrumPlan& plan = start_.spectrum;
+  const double step = start_.scene.step, rise = 1 / plan.from_hz,
+               duration = plan.pulse.noise_duration + 2 * rise;
+  const double margin = PulseSettings::band_margin * plan.from_hz;
   if (amplitude == 0) return {Program::constant, 0};
   packing::Random random(start_.plan.seed);
   const std::vector<double> values = signals::band_noise(
@@ -79,9 +80,9 @@ Wave PulseRecord::noise(double amplitude) const {
 }
 
 double PulseRecord::end_of_pulse() const {
-  const SpectrumPlan& plan = start_.spectrum();
-  if (plan.pulse == SpectrumPlan::Pulse::noise) return plan.longest_pulse;
-  return plan.pulse == SpectrumPlan::Pulse::chirp ? plan.chirp_duration : 2 * wave_[3];
+  const SpectrumPlan& plan = start_.spectrum;
+  if (plan.pulse.form == Form::noise) return plan.pulse.noise_duration;
+  return plan.pulse.form == Form::chirp ? plan.pulse.chirp_duration : 2 * wave_[3];
 }
 
 double PulseRecord::interval() const { return double(stride_) * start_.scene.step; }
@@ -105,18 +106,19 @@ bool PulseRecord::sample_next() {
 
 // Samples of one period of the lowest frequency, or of the longest record.
 std::size_t PulseRecord::block() const {
-  const double seconds = std::min(1 / start_.spectrum().from_hz, start_.spectrum().longest_pulse);
+  const double seconds = std::min(1 / start_.spectrum.from_hz, start_.spectrum.pulse.longest_record());
   return std::size_t(seconds / interval()) + 1;
 }
 
 bool PulseRecord::until_decay() {
-  const SpectrumPlan& plan = start_.spectrum();
-  while (length() < plan.longest_pulse) {
+  const SpectrumPlan& plan = start_.spectrum;
+  while (length() < plan.pulse.longest_record()) {
     for (std::size_t k = 0; k < block(); ++k)
       if (!sample_next()) return false;
-    start_.on_progress(std::min(share_of_driven, share_of_driven * length() / plan.longest_pulse), "pulse");
+    start_.on_progress(std::min(share_of_driven, share_of_driven * length() / plan.pulse.longest_record()),
+                       "pulse");
     bool decayed = length() > end_of_pulse() + 1 / plan.from_hz;
-    for (std::size_t c = 0; c < responding(plan.observed); ++c) decayed &= tail(c) < plan.decay;
+    for (std::size_t c = 0; c < responding(plan.observed); ++c) decayed &= tail(c) < plan.pulse.decay;
     if (decayed) return true;
   }
   return true;

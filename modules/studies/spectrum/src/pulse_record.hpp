@@ -12,14 +12,13 @@
 
 namespace scree::spectrum {
 
-// A run in which a wall makes one pulse, recorded at equal steps as deviations from a run without: what the packing does by itself
-// is left out.
+// A run in which a wall makes one pulse, recorded at equal steps as deviations from a run without the pulse.
 class PulseRecord {
  public:
   // undriven: that with amplitude 0, which is recorded as far as needed; null for itself.
   PulseRecord(const Start& start, const DrivenWalls& walls, double amplitude, PulseRecord* undriven);
 
-  // Records until the response has decayed, at most for longest_pulse; that to noise, which does not end, so long. False if it was stopped.
+  // Records until the response has decayed, at most for longest_record(). False if it was stopped.
   bool until_decay();
   // Records so many samples. False if it was stopped.
   bool until_samples(std::size_t samples);
@@ -40,8 +39,8 @@ class PulseRecord {
   double at_start(std::size_t column) const { return at_start_[column]; }
   // Largest deviation of a column: of the undriven run from the start, else from the undriven run.
   double largest(std::size_t column) const { return largest(column, 0, samples()); }
-  // Estimate of the integral of |column| behind the record if it goes on to decay as in its last half; infinite if it
-  // did not.
+  // Estimate of the integral of |column| after the record if it goes on to decay as in the second half of the record;
+  // infinite if it did not decay.
   double beyond(std::size_t column) const;
   // The same over the integral of |column| in the record.
   double tail(std::size_t column) const;

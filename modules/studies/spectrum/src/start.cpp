@@ -7,12 +7,14 @@
 
 namespace scree::spectrum {
 
-void check_before_stages(const scenario::Plan& plan, const std::vector<Road>& roads) {
+void check_before_stages(const scenario::Plan& plan, const SpectrumPlan& spectrum,
+                         const std::vector<Method>& methods) {
   const auto simulation = run::set_up_with_last_stage(plan);
   if (!simulation) return;
-  const Start start{plan, scene_in_stage(plan.scene, plan.stages, plan.stages.size()), simulation->state()};
+  const Start start{plan, spectrum, scene_in_stage(plan.scene, plan.stages, plan.stages.size()),
+                    simulation->state()};
   const DrivenWalls checked(start);
-  if (roads.size() == 1 && roads[0] == Road::linear) check_linear(start);
+  if (methods.size() == 1 && methods[0] == Method::linear) check_linear(start);
 }
 
 }  // namespace scree::spectrum

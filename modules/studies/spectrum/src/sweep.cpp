@@ -1,8 +1,6 @@
 #include "sweep.hpp"
 
 #include "steady_state.hpp"
-#include "sweep_grid.hpp"
-#include "tone_halves.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +17,6 @@ namespace scree::spectrum {
 
 namespace {
 
-using scenario::SpectrumPlan;
 using Clock = std::chrono::steady_clock;
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -33,20 +30,21 @@ double seconds_now() { return std::chrono::duration<double>(Clock::now().time_si
 
 Sweep::Sweep(const Start& start)
     : start_(start),
-      frequencies_(first_frequencies(start.spectrum())),
+      frequencies_(first_frequencies(start.spectrum)),
       walls_(start),
-      observer_(start.plan),
+      observer_(start.plan, start.spectrum.observed),
       simulation_(std::make_unique<Simulation>(start.scene, start.state)) {
-  check_amplitude(start);
+  check_amplitude(start, start.spectrum.amplitude);
   observer_.values(*simulation_);
 }
 
-Sweep::Sweep(const Start& start, const State& state) : start_(start), observer_(start.plan) {
+Sweep::Sweep(const Start& start, const State& state)
+    : start_(start), observer_(start.plan, start.spectrum.observed) {
   const StateTransfer from = StateTransfer::restoring_from(state).below("spectrum/sweep");
   transfer(from);
   check_restored(from);
   Scene scene = start.scene;
-  if (!points_.empty()) set_wave(scene, start.spectrum(), wave());
+  if (!points_.empty()) set_wave(scene, start.spectrum, wave());
   simulation_ = std::make_unique<Simulation>(scene, state);
   walls_.check_restored(from.below("walls"), simulation_->planes().size());
   observer_.check_restored(*simulation_);
@@ -69,12 +67,12 @@ void Sweep::transfer(const StateTransfer& state) {
   state.value("points", "1", count, stored::at_most(frequencies_.size()));
   points_.resize(count);
   for (std::size_t k = 0; k < points_.size(); ++k)
-    points_[k].transfer(state.below(std::to_string(k)), start_.spectrum().observed.size());
+    points_[k].transfer(state.below(std::to_string(k)), start_.spectrum.observed.size());
 }
 
 void Sweep::check_restored(const StateTransfer& state) const {
-  const std::vector<double> planned = start_.spectrum().frequencies(),
-                            first = first_frequencies(start_.spectrum());
+  const std::vector<double> planned = start_.spectrum.frequencies(),
+                            first = first_frequencies(start_.spectrum);
   const bool begins =
       frequencies_.size() >= first.size() && std::equal(first.begin(), first.end(), frequencies_.begin());
   if (!begins || !std::all_of(frequencies_.begin(), frequencies_.end(), [&](double f) {
@@ -93,14 +91,14 @@ std::uint64_t Sweep::steps_at(double frequency, double periods) const {
 // The first one rises; each later one begins with the phase at which the last one ended.
 Wave Sweep::wave_at(double frequency) const {
   const bool first = points_.size() <= 1 && frequency == frequencies_.front();
-  const double rise = first ? start_.spectrum().rise_periods / frequency : 0;
-  return {Program::drive, 0, start_.spectrum().amplitude, rise, frequency, began_phase_};
+  const double rise = first ? start_.spectrum.sweep.rise_periods / frequency : 0;
+  return {Program::drive, 0, start_.spectrum.amplitude, rise, frequency, began_phase_};
 }
 
 void Sweep::run(const std::function<void()>& measured) {
   while (true) {
     if (points_.size() == frequencies_.size()) {
-      const std::vector<double> further = further_frequencies(start_.spectrum(), points_);
+      const std::vector<double> further = further_frequencies(start_.spectrum, points_);
       if (further.empty()) return;
       frequencies_.insert(frequencies_.end(), further.begin(), further.end());
     }
@@ -117,8 +115,8 @@ std::optional<SweepPoint> Sweep::measure(double frequency) {
   SweepPoint point{.frequency = frequency, .start = simulation_->time(), .columns = {}};
   began_phase_ = phase_;
   tone_first_ = simulation_->steps();
-  start_wave(*simulation_, start_.spectrum(), wave_at(frequency));
-  if (!(start_.spectrum().adaptive ? measure_until_steady(point) : measure_last_periods(point)))
+  start_wave(*simulation_, start_.spectrum, wave_at(frequency));
+  if (!(start_.spectrum.sweep.adaptive ? measure_until_steady(point) : measure_last_periods(point)))
     return std::nullopt;
   point.steps = simulation_->steps() - tone_first_;
   const double cycles = frequency * double(point.steps) * start_.scene.step;
@@ -127,27 +125,28 @@ std::optional<SweepPoint> Sweep::measure(double frequency) {
 }
 
 bool Sweep::measure_last_periods(SweepPoint& point) {
-  const SpectrumPlan& plan = start_.spectrum();
-  const bool averaged = plan.detrending == SpectrumPlan::Detrending::period_average;
-  Tone tone(plan, point.frequency, plan.analysed_periods, averaged);
-  ToneHalves halves(plan, point.frequency, (plan.periods - 0.5 * plan.analysed_periods) / point.frequency);
-  const std::uint64_t first = steps_at(point.frequency, plan.periods - plan.analysed_periods);
+  const SpectrumPlan& plan = start_.spectrum;
+  const bool averaged = plan.sweep.detrending == SweepSettings::Detrending::period_average;
+  Tone tone(plan, point.frequency, plan.sweep.analysed_periods, averaged);
+  ToneHalves halves(plan, point.frequency,
+                    (plan.sweep.periods - 0.5 * plan.sweep.analysed_periods) / point.frequency);
+  const std::uint64_t first = steps_at(point.frequency, plan.sweep.periods - plan.sweep.analysed_periods);
   const auto add = [&](double time, double drive, const std::vector<double>& values) {
     tone.add(time, drive, values);
     halves.add(time, drive, values);
   };
-  if (!record(add, point.frequency, first, steps_at(point.frequency, plan.periods))) return false;
+  if (!record(add, point.frequency, first, steps_at(point.frequency, plan.sweep.periods))) return false;
   point.drive = tone.amplitude();
   point.columns = tone.columns();
-  point.periods = plan.periods;
+  point.periods = plan.sweep.periods;
   point.is_steady = !halves.differ(scales());
   return true;
 }
 
 bool Sweep::measure_until_steady(SweepPoint& point) {
-  const SpectrumPlan& plan = start_.spectrum();
-  SteadyState steady(plan.tolerance, scales());
-  point.periods = points_.empty() ? plan.rise_periods : 0;
+  const SpectrumPlan& plan = start_.spectrum;
+  SteadyState steady(plan.sweep.tolerance, scales());
+  point.periods = points_.empty() ? plan.sweep.rise_periods : 0;
   do {
     // The mean over a period would take one of few.
     Tone tone(plan, point.frequency, block_periods, false);
@@ -159,14 +158,14 @@ bool Sweep::measure_until_steady(SweepPoint& point) {
     if (!record(add, point.frequency, first, steps_at(point.frequency, point.periods))) return false;
     point.drive = tone.amplitude();
     steady.add(tone.columns());
-  } while (!steady.is_reached() && point.periods + block_periods <= longest * plan.periods);
+  } while (!steady.is_reached() && point.periods + block_periods <= longest * plan.sweep.periods);
   point.is_steady = steady.is_reached();
   point.columns = steady.limits();
   return true;
 }
 
 std::vector<double> Sweep::scales() const {
-  std::vector<double> largest(responding(start_.spectrum().observed), 0.0);
+  std::vector<double> largest(responding(start_.spectrum.observed), 0.0);
   for (const SweepPoint& point : points_)
     for (std::size_t c = 0; c < largest.size(); ++c)
       largest[c] = std::max(largest[c], least_scale * std::abs(point.columns[c].response));
@@ -175,7 +174,7 @@ std::vector<double> Sweep::scales() const {
 
 bool Sweep::record(const AddSample& add, double frequency, std::uint64_t first, std::uint64_t last) {
   const double step = start_.scene.step,
-               interval = 1 / (frequency * start_.spectrum().samples_per_period * step);
+               interval = 1 / (frequency * start_.spectrum.sweep.samples_per_period * step);
   std::uint64_t latest = last + 1;
   for (double k = std::ceil((double(first) - 0.5) / interval);; ++k) {
     const auto at = std::uint64_t(std::round(k * interval));
@@ -192,7 +191,7 @@ bool Sweep::record(const AddSample& add, double frequency, std::uint64_t first, 
 double Sweep::drive_at(double frequency, double time) const {
   return walls_.are_prescribed()
              ? walls_.drive_of(simulation_->planes())
-             : start_.spectrum().amplitude * std::sin(two_pi * frequency * time + began_phase_);
+             : start_.spectrum.amplitude * std::sin(two_pi * frequency * time + began_phase_);
 }
 
 bool Sweep::advance_to(std::uint64_t step) {
@@ -210,8 +209,8 @@ void Sweep::report_progress() {
   last_report_ = now;
   double done = double(simulation_->steps() - tone_first_), all = 0;
   for (std::size_t k = 0; k < frequencies_.size(); ++k) {
-    const double steps =
-        double(k < points_.size() ? points_[k].steps : steps_at(frequencies_[k], start_.spectrum().periods));
+    const double steps = double(
+        k < points_.size() ? points_[k].steps : steps_at(frequencies_[k], start_.spectrum.sweep.periods));
     all += steps;
     if (k < points_.size()) done += steps;
   }
@@ -219,47 +218,47 @@ void Sweep::report_progress() {
                      fmt::format("sweep, frequency {} of {}", points_.size() + 1, frequencies_.size()));
 }
 
-std::vector<RoadSpectrum> Sweep::spectra() const {
-  using Direction = SpectrumPlan::Direction;
-  const SpectrumPlan& plan = start_.spectrum();
-  if (plan.direction != Direction::both)
-    return {spectrum_of(plan.direction == Direction::down ? "sweep_down" : "sweep", 0, points_.size())};
+std::vector<MethodSpectrum> Sweep::spectra() const {
+  using Direction = SweepSettings::Direction;
+  const SpectrumPlan& plan = start_.spectrum;
+  if (plan.sweep.direction != Direction::both)
+    return {spectrum_of(plan.sweep.direction == Direction::down ? "sweep_down" : "sweep", 0, points_.size())};
   const std::size_t half = frequencies_.size() / 2;
-  std::vector<RoadSpectrum> all = {spectrum_of("sweep", 0, half)};
+  std::vector<MethodSpectrum> all = {spectrum_of("sweep", 0, half)};
   if (points_.size() > half) all.push_back(spectrum_of("sweep_down", half, points_.size()));
   return all;
 }
 
-RoadSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size_t last) const {
-  RoadSpectrum road{.road = name, .frequencies = {}, .columns = {}, .notes = {}};
+MethodSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size_t last) const {
+  MethodSpectrum spectrum{.method = name, .frequencies = {}, .columns = {}, .notes = {}};
   std::vector<SweepPoint> points(points_.begin() + std::ptrdiff_t(std::min(first, points_.size())),
                                  points_.begin() + std::ptrdiff_t(std::min(last, points_.size())));
   std::sort(points.begin(), points.end(),
             [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
-  road.columns.resize(start_.spectrum().observed.size());
+  spectrum.columns.resize(start_.spectrum.observed.size());
   std::size_t unsteady = 0;
   for (const SweepPoint& point : points) {
-    road.frequencies.push_back(point.frequency);
-    road.steps += point.steps;
+    spectrum.frequencies.push_back(point.frequency);
+    spectrum.steps += point.steps;
     unsteady += !point.is_steady;
     for (std::size_t c = 0; c < point.columns.size(); ++c) {
-      road.columns[c].response.push_back(point.columns[c].response);
-      road.columns[c].error.push_back(point.columns[c].error);
+      spectrum.columns[c].response.push_back(point.columns[c].response);
+      spectrum.columns[c].error.push_back(point.columns[c].error);
     }
   }
-  const SpectrumPlan& plan = start_.spectrum();
+  const SpectrumPlan& plan = start_.spectrum;
   if (unsteady)
-    road.notes.push_back(fmt::format(
+    spectrum.notes.push_back(fmt::format(
         "{}: at {} of {} the response was not steady after {:g} periods{}; give a larger "
-        "tolerance or more periods",
+        "sweep.tolerance or more sweep.periods",
         name, unsteady, counted(points.size(), "frequency", "frequencies"),
-        (plan.adaptive ? longest : 1) * plan.periods,
-        plan.adaptive ? "" : ", since that of the second half of the analysed periods is another one"));
-  road.note_silent(start_.spectrum().observed);
+        (plan.sweep.adaptive ? longest : 1) * plan.sweep.periods,
+        plan.sweep.adaptive ? "" : ", since that of the second half of the analysed periods is another one"));
+  spectrum.note_silent(start_.spectrum.observed);
   double all_steps = 0;
   for (const SweepPoint& point : points_) all_steps += double(point.steps);
-  road.wall = road.steps ? wall_ * double(road.steps) / all_steps : 0;
-  return road;
+  spectrum.wall = spectrum.steps ? wall_ * double(spectrum.steps) / all_steps : 0;
+  return spectrum;
 }
 
 }  // namespace scree::spectrum

@@ -3,7 +3,7 @@
 #include "driven_walls.hpp"
 #include "observer.hpp"
 #include "start.hpp"
-#include "sweep_point.hpp"
+#include "sweep_points.hpp"
 #include "tone.hpp"
 #include "wave.hpp"
 
@@ -12,35 +12,35 @@
 #include <optional>
 #include <vector>
 
-#include <scree/spectrum/road_spectrum.hpp>
+#include <scree/spectrum/method_spectrum.hpp>
 
 namespace scree::spectrum {
 
-// A simulation that goes on through the frequencies, driven at each for some periods by a sine that continues the last one in
-// displacement; its velocity changes by the ratio of the frequencies. The response of the last periods is analysed; an
-// adaptive sweep goes on until it is steady, for at most `longest` times as many periods.
+// One simulation through all frequencies, driven at each for some periods by a sine that continues the last one in
+// displacement; its velocity changes by the ratio of the frequencies. The response in the last periods is analysed. An
+// adaptive sweep stays until the response is steady, for at most `longest` times as many periods.
 class Sweep {
  public:
   static constexpr double longest = 4;
 
   explicit Sweep(const Start& start);
-  // Goes on from a state that save() wrote.
+  // Continues from a state that save() wrote.
   Sweep(const Start& start, const State& state);
 
   // Measures until all frequencies are done or `Start::stop` is true; calls `measured` after each frequency, when the
-  // simulation can be saved. What is incomplete is dropped.
+  // simulation can be saved. An incomplete frequency is dropped.
   void run(const std::function<void()>& measured);
   // The simulation and the points so far. Only after a frequency.
   State save();
   const std::vector<SweepPoint>& points() const { return points_; }
-  // That of the present tone, once there is one: the scene of a saved simulation has it.
+  // The drive of the current frequency, with which the scene of a saved sweep is made again. Only after a frequency.
   Wave wave() const { return wave_at(points_.back().frequency); }
   // A spectrum for each direction.
-  std::vector<RoadSpectrum> spectra() const;
+  std::vector<MethodSpectrum> spectra() const;
 
  private:
   void transfer(const StateTransfer& state);
-  // Throws Error unless the frequencies of a state are those of the plan, and the points are measured at them.
+  // Throws Error unless the frequencies of a state are those of the plan, and its points are at them.
   void check_restored(const StateTransfer& state) const;
   Wave wave_at(double frequency) const;
   // Nothing if it was stopped.
@@ -56,7 +56,7 @@ class Sweep {
   std::vector<double> scales() const;
   void report_progress();
   std::uint64_t steps_at(double frequency, double periods) const;
-  RoadSpectrum spectrum_of(const char* name, std::size_t first, std::size_t last) const;
+  MethodSpectrum spectrum_of(const char* name, std::size_t first, std::size_t last) const;
 
   const Start& start_;
   std::vector<double> frequencies_;  // in the order of the sweep, as far as it is known

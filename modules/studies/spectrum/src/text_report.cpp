@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t most_lines = 25;
 
-// A peak of the first road that has any, and the nearest of each other road.
+// A peak of the first method that has any, and the nearest of each other method.
 std::string peak_line(const Measurement& m, const Resonance& first) {
   std::string line = fmt::format("{:>12.6g} ± {:<8.2g} {:>10.4g}", first.mode.frequency,
                                  first.mode.frequency_error, first.mode.quality);
-  for (std::size_t r = first.road + 1; r < m.roads.size(); ++r) {
+  for (std::size_t r = first.spectrum + 1; r < m.spectra.size(); ++r) {
     const Resonance* nearest = nullptr;
     for (const Resonance& other : m.resonances)
-      if (other.road == r && other.column == first.column &&
+      if (other.spectrum == r && other.column == first.column &&
           (!nearest || std::abs(other.mode.frequency - first.mode.frequency) <
                            std::abs(nearest->mode.frequency - first.mode.frequency)))
         nearest = &other;
@@ -38,8 +38,8 @@ void add_peaks(const Measurement& m, std::size_t column, std::vector<std::string
   const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
                                   [&](const Resonance& r) { return r.column == column; });
   if (first == m.resonances.end()) {
-    const bool sought = std::any_of(m.roads.begin(), m.roads.end(), [](const RoadSpectrum& road) {
-      return road.frequencies.size() >= fewest_frequencies_of_peaks;
+    const bool sought = std::any_of(m.spectra.begin(), m.spectra.end(), [](const MethodSpectrum& spectrum) {
+      return spectrum.frequencies.size() >= fewest_frequencies_of_peaks;
     });
     const std::string why = sought || m.interrupted
                                 ? ""
@@ -50,11 +50,11 @@ void add_peaks(const Measurement& m, std::size_t column, std::vector<std::string
     return;
   }
   std::string head = fmt::format("{}, {}: {:>6} {:>10}", files::one_line(m.observed[column].name),
-                                 m.roads[first->road].road, "f0 [Hz]", "Q");
-  for (std::size_t r = first->road + 1; r < m.roads.size(); ++r)
-    head += fmt::format("  {:>21}", m.roads[r].road + " − [Hz]");
+                                 m.spectra[first->spectrum].method, "f0 [Hz]", "Q");
+  for (std::size_t r = first->spectrum + 1; r < m.spectra.size(); ++r)
+    head += fmt::format("  {:>21}", m.spectra[r].method + " − [Hz]");
   lines.push_back(head);
-  for (auto r = first; r != m.resonances.end() && r->column == column && r->road == first->road; ++r)
+  for (auto r = first; r != m.resonances.end() && r->column == column && r->spectrum == first->spectrum; ++r)
     lines.push_back(peak_line(m, *r));
 }
 
@@ -62,10 +62,10 @@ void add_peaks(const Measurement& m, std::size_t column, std::vector<std::string
 
 std::string text_report(const Measurement& m) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12}", "road", "frequencies", "steps", "wall [s]"));
-  for (const RoadSpectrum& road : m.roads)
-    lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12.4g}", road.road, road.frequencies.size(),
-                                road.steps, road.wall));
+  lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12}", "method", "frequencies", "steps", "wall [s]"));
+  for (const MethodSpectrum& spectrum : m.spectra)
+    lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12.4g}", spectrum.method,
+                                spectrum.frequencies.size(), spectrum.steps, spectrum.wall));
   for (std::size_t c = 0; c < responding(m.observed); ++c) add_peaks(m, c, lines);
   std::string text;
   const bool all = lines.size() <= most_lines;

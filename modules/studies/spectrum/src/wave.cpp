@@ -10,7 +10,7 @@ namespace scree::spectrum {
 
 namespace {
 
-Parameters with_wave(const Scene& scene, const scenario::SpectrumPlan& plan, const Wave& wave) {
+Parameters with_wave(const Scene& scene, const SpectrumPlan& plan, const Wave& wave) {
   Parameters parameters = std::find_if(scene.boundaries.begin(), scene.boundaries.end(), [&](const auto& b) {
                             return b.name == plan.boundary;
                           })->parameters;
@@ -20,12 +20,12 @@ Parameters with_wave(const Scene& scene, const scenario::SpectrumPlan& plan, con
 
 }  // namespace
 
-void set_wave(Scene& scene, const scenario::SpectrumPlan& plan, const Wave& wave) {
+void set_wave(Scene& scene, const SpectrumPlan& plan, const Wave& wave) {
   for (Scene::Boundary& boundary : scene.boundaries)
     if (boundary.name == plan.boundary) boundary.parameters = with_wave(scene, plan, wave);
 }
 
-void start_wave(Simulation& simulation, const scenario::SpectrumPlan& plan, const Wave& wave) {
+void start_wave(Simulation& simulation, const SpectrumPlan& plan, const Wave& wave) {
   try {
     simulation.reconfigure_boundary(plan.boundary, with_wave(simulation.scene(), plan, wave));
   } catch (const Error& error) {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <scree/scenario/spectrum_plan.hpp>
 #include <scree/scene.hpp>
 #include <scree/simulation.hpp>
+#include <scree/spectrum/spectrum_plan.hpp>
 
 namespace scree::spectrum {
 
@@ -12,9 +12,9 @@ namespace scree::spectrum {
 using Wave = std::vector<double>;
 
 // The parameters of a scene with the wave for its driven wall.
-void set_wave(Scene& scene, const scenario::SpectrumPlan& plan, const Wave& wave);
+void set_wave(Scene& scene, const SpectrumPlan& plan, const Wave& wave);
 
 // The same for a simulation between two steps; the wave begins now.
-void start_wave(Simulation& simulation, const scenario::SpectrumPlan& plan, const Wave& wave);
+void start_wave(Simulation& simulation, const SpectrumPlan& plan, const Wave& wave);
 
 }  // namespace scree::spectrum

@@ -28,12 +28,13 @@ StudyOptions of_peak(const std::string& quantity) {
 double shift(double hz, double step) { return std::pow(2 * std::numbers::pi * hz * step, 2) / 24; }
 
 constexpr const char* grid =
-    "from_hz = 70\nto_hz = 105\nstep_hz = 0.5\ndecay = 1e-7\nfewest_contacts = 1\nsamples_per_period = 20\n";
+    "from_hz = 70\nto_hz = 105\nstep_hz = 0.5\npulse.decay = 1e-7\nlinear.fewest_contacts = 1\npulse.samples_per_period = 20\n";
 
 }  // namespace
 
 TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[accuracy]") {
-  const Study result = study(plan_of(Chain().text(grid)), of_peak("peaks.pulse.particles.z_8.peak_1"));
+  const Convergence result =
+      study(test::driven_plan_of(Chain().text(grid)), of_peak("peaks.pulse.particles.z_8.peak_1"));
   REQUIRE(result.of_peaks);
   REQUIRE(result.quantities.size() == 2);  // no positions
   CHECK(result.quantities[0].name == "peaks.pulse.particles.z_8.peak_1.frequency");
@@ -42,7 +43,7 @@ TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[ac
   // The fit leaves 1e-5 of the other modes.
   CHECK(result.quantities[0].reference == Approx(mode).epsilon(1e-4));
   int compared = 0;
-  for (const Outcome& o : result.outcomes) {
+  for (const SettingResult& o : result.outcomes) {
     if (o.setting.precision == Precision::mixed) continue;
     CAPTURE(o.setting.step, o.errors[0], o.problem);
     // The next term is smaller by (ωh)² = 0.012 at most; damping, Q = 20, shifts the mode by 1/(8 Q²) = 3e-4 of itself.
@@ -62,17 +63,18 @@ TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[ac
                     "0.0001\n") != std::string::npos);
 }
 
-TEST_CASE("a study of a peak of the linear road finds no error of the step", "[accuracy]") {
+TEST_CASE("a study of a peak of the linear method finds no error of the step", "[accuracy]") {
   StudyOptions options = of_peak("peaks.linear.particles.z_8.3lambda/4.frequency");
   options.count = 2;
-  const Study result =
-      study(plan_of(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nfewest_contacts = 1\n"
-                                 "shape_from = 'profile'\n") +
-                    Chain::layers),
+  const Convergence result =
+      study(test::driven_plan_of(
+                Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 0.5\nlinear.fewest_contacts = 1\n"
+                             "shape_from = 'profile'\n") +
+                Chain::layers),
             options);
   REQUIRE(result.quantities.size() == 1);
   CHECK(result.quantities[0].reference == Approx(Chain::mode_hz(2)).epsilon(1e-4));
-  for (const Outcome& o : result.outcomes)
+  for (const SettingResult& o : result.outcomes)
     if (o.setting.precision == Precision::double_precision) CHECK(o.errors[0] < 1e-10);
   CHECK(*result.longest_steps[0].of_worst == 4 * Chain::step);
 }
@@ -85,10 +87,10 @@ TEST_CASE("a study compares peaks that [[expect]] names, and refuses to mix them
   StudyOptions options = of_peak("");
   options.count = 2;
   options.quantities.clear();
-  CHECK(study(plan_of(text + expect), options).quantities.size() == 1);
+  CHECK(study(test::driven_plan_of(text + expect), options).quantities.size() == 1);
   const auto refused = [&](const std::vector<std::string>& quantities) {
     options.quantities = quantities;
-    return test::message([&] { study(plan_of(text), options); });
+    return test::message([&] { study(test::driven_plan_of(text), options); });
   };
   CHECK(refused({"peaks.pulse.particles.z_8.peak_1.frequncy"}).find("did you mean") != std::string::npos);
   CHECK(refused({"particles.z_1.last", "peaks.pulse.particles.z_8.peak_1"})

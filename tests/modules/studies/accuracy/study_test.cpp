@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <scree/accuracy/report.hpp>
 #include <scree/accuracy/study.hpp>
@@ -43,7 +44,7 @@ StudyOptions quick() {
   return options;
 }
 
-const Order& order_of(const Study& study, Integration integration) {
+const Order& order_of(const Convergence& study, Integration integration) {
   for (const Order& order : study.orders)
     if (order.method.integration == integration && order.method.precision == Precision::double_precision)
       return order;
@@ -54,12 +55,12 @@ const Order& order_of(const Study& study, Integration integration) {
 
 TEST_CASE("a study finds the orders of the integrators from the closed form, and from extrapolation",
           "[accuracy]") {
-  const Study by_form = study(closed_form_plan(), quick());
+  const Convergence by_form = study(closed_form_plan(), quick());
   REQUIRE(by_form.quantities.size() == 2);
   CHECK(by_form.quantities[0].closed_form);
   CHECK(*order_of(by_form, Integration::velocity_verlet).of_worst == Approx(2).margin(0.1));
 
-  const Study by_limit = study(plan_of(oscillator + "0\nof_step = true\n"), quick());
+  const Convergence by_limit = study(plan_of(oscillator + "0\nof_step = true\n"), quick());
   CHECK_FALSE(by_limit.quantities[0].closed_form);
   // Extrapolation leaves an error of the fourth order in steps of at most ω h/2 = 0.004.
   CHECK(by_limit.quantities[0].reference == Approx(exact).margin(0.002 * std::pow(0.004, 4) + 1e-13));
@@ -80,12 +81,12 @@ TEST_CASE("a study compares the amplitude that a lock-in measures", "[accuracy]"
           std::sqrt(1000.0) / (2 * std::numbers::pi));
   StudyOptions options = quick();
   options.integrations = {Integration::velocity_verlet};
-  const Study result = study(plan_of(measured), options);
+  const Convergence result = study(plan_of(measured), options);
   REQUIRE(result.quantities.size() == 3);
   CHECK(result.quantities[1].name == "lock_in.amplitude.last");
   CHECK(result.quantities[1].closed_form);
   std::vector<double> errors;
-  for (const Outcome& o : result.outcomes)
+  for (const SettingResult& o : result.outcomes)
     if (o.setting.precision == Precision::double_precision) errors.push_back(o.errors.at(1));
   REQUIRE(errors.size() == 4);
   // Of second order: eight times smaller steps, 64 times smaller errors, but for where samples lie in a period.
@@ -94,11 +95,11 @@ TEST_CASE("a study compares the amplitude that a lock-in measures", "[accuracy]"
 }
 
 TEST_CASE("the cheapest setting meets the tolerance and no cheaper one does", "[accuracy]") {
-  const Study result = study(closed_form_plan(), quick());
-  const Outcome* best = cheapest(result);
+  const Convergence result = study(closed_form_plan(), quick());
+  const SettingResult* best = cheapest(result);
   REQUIRE(best);
   CHECK(best->worst() <= result.tolerance);
-  for (const Outcome& o : result.outcomes)
+  for (const SettingResult& o : result.outcomes)
     if (o.problem.empty() && o.wall < best->wall) CHECK(o.worst() > result.tolerance);
   const auto front = pareto_front(result);
   for (std::size_t k = 1; k < front.size(); ++k) {
@@ -119,7 +120,7 @@ TEST_CASE("a step refused by the step guard is a row with the reason, and the st
   options.coarsest = 64;  // ω h = 2.02
   options.count = 3;
   options.integrations = {Integration::velocity_verlet};
-  const Study result = study(closed_form_plan(), options);
+  const Convergence result = study(closed_form_plan(), options);
   REQUIRE(result.outcomes.size() == 6);
   CHECK(result.outcomes[0].problem.find("is too long: the contacts of law") != std::string::npos);
   CHECK(result.outcomes[0].problem.find(';') == std::string::npos);
@@ -133,7 +134,7 @@ TEST_CASE("a chaotic scene is compared at the time until which its reference is 
   options.coarsest = 20;
   options.count = 2;
   options.integrations = {Integration::velocity_verlet};
-  const Study result = study(plan_of(test::with(chaos, "every = 2e-5", "every = 0.1")), options);
+  const Convergence result = study(plan_of(test::with(chaos, "every = 2e-5", "every = 0.1")), options);
   REQUIRE(result.horizon.has_value());
   CHECK(*result.horizon < 10);
   CHECK(result.duration == Approx(*result.horizon));
@@ -142,12 +143,11 @@ TEST_CASE("a chaotic scene is compared at the time until which its reference is 
 
 TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as charts", "[accuracy]") {
   const TemporaryFolder folder;
-  StudyOptions options = quick();
+  RecordedStudyOptions options;
+  static_cast<StudyOptions&>(options) = quick();
   options.integrations = {Integration::velocity_verlet};
-  const Study result = study(closed_form_plan(), options);
-  using run::RunDirectory;
-  RunDirectory directory(folder.path() / "out", RunDirectory::Existing::refuse, RunDirectory::Kind::study);
-  write_report(result, "Oscillator", directory);
+  options.out = folder / "out";
+  CHECK(recorded_study(closed_form_plan(), options).second == options.out);
   std::ifstream csv(folder.path() / "out/accuracy.csv");
   std::string header, row;
   std::getline(csv, header);
@@ -157,7 +157,9 @@ TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as 
   int rows = 0;
   while (std::getline(csv, row)) ++rows;
   CHECK(rows == 8);  // 4 steps in two precisions
-  CHECK(std::filesystem::exists(folder.path() / "out/accuracy.json"));
+  const auto record = nlohmann::json::parse(test::text_of(folder / "out/accuracy.json"));
+  CHECK(record["status"] == "finished");
+  CHECK(record["orders"].size() == 2);
 #if SCREE_TEST_PICTURES
   CHECK(std::filesystem::file_size(folder.path() / "out/charts/worst_error.png") > 10000);
   CHECK(std::filesystem::exists(folder.path() / "out/charts/positions.png"));
@@ -169,4 +171,23 @@ TEST_CASE("a study that is stopped before its reference is complete is an error"
   StudyOptions options = quick();
   options.stop = &stop;
   CHECK_THROWS_WITH(study(closed_form_plan(), options), Catch::Contains("before the reference was complete"));
+}
+
+TEST_CASE("a study with a directory writes nothing before its reference is complete, and then what it has",
+          "[accuracy]") {
+  const TemporaryFolder folder;
+  std::atomic<bool> stop = true;
+  RecordedStudyOptions options;
+  static_cast<StudyOptions&>(options) = quick();
+  options.out = folder / "out";
+  options.stop = &stop;
+  CHECK_THROWS_WITH(recorded_study(closed_form_plan(), options),
+                    Catch::Contains("before the reference was complete"));
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+  stop = false;
+  options.on_progress = [&](double, const std::string& what) {
+    stop = what.starts_with("velocity_verlet, mixed");
+  };
+  CHECK(recorded_study(closed_form_plan(), options).first.interrupted);
+  CHECK(nlohmann::json::parse(test::text_of(folder / "out/accuracy.json"))["status"] == "interrupted");
 }

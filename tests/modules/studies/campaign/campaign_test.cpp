@@ -191,10 +191,10 @@ TEST_CASE("a run that would be refused is reported at the value that causes it",
          "campaign.toml:3:41: 'energy.work.last' appears twice in the list; remove one");
 }
 
-TEST_CASE("a campaign of spectra names a road, needs a scene with a spectrum and collects no series",
+TEST_CASE("a campaign of spectra names a method, needs a scene with a spectrum and collects no series",
           "[campaign]") {
   CHECK_THAT(CampaignFolder("spectrum = 'sweeep'\n").refusal(),
-             Catch::StartsWith("campaign.toml:3:12: there is no road 'sweeep'; give \"sweep\", "));
+             Catch::StartsWith("campaign.toml:3:12: there is no method 'sweeep'; give \"sweep\", "));
   CHECK_THAT(CampaignFolder("spectrum = 'pulse'\ncollect = ['energy.work.last']\n").refusal(),
              Catch::StartsWith("campaign.toml:4:11: spectra have no series to collect from; "));
   CHECK_THAT(CampaignFolder("spectrum = 'pulse'\n").refusal(),

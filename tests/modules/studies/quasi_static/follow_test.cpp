@@ -14,6 +14,7 @@
 #include <scree/run/set_up.hpp>
 #include <scree/stage.hpp>
 #include <scree/state_file/state_file.hpp>
+#include <scree/state_transfer.hpp>
 
 // What is written of a load that is followed through states of equilibrium.
 
@@ -52,11 +53,11 @@ TEST_CASE("a load that changes is seen to change, however many cycles there are"
         scenario::read_plan(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml",
                             {fmt::format("stage.cycles.cycles={}", cycles), "time.step=1e-3"}, host());
     std::atomic<bool> stop = false;
-    const quasi_static::Course course = quasi_static::follow(
+    const quasi_static::FollowedLoad load = quasi_static::follow(
         plan, {.out = folder / std::to_string(cycles),
                .on_progress = [&](double, double, const std::string& what) { stop = what == "quasi-static"; },
                .stop = &stop});
-    CHECK(course.warnings.empty());
+    CHECK(load.warnings.empty());
   }
 }
 
@@ -71,13 +72,13 @@ TEST_CASE("a load that changes between the ends of increments is warned of") {
                              std::string("stage.cycles.set.box.stress_y_high.period=") + period},
                             host());
     std::atomic<bool> stop = false;
-    const quasi_static::Course course = quasi_static::follow(
+    const quasi_static::FollowedLoad load = quasi_static::follow(
         plan, {.out = folder / period,
                .on_progress = [&](double, double, const std::string& what) { stop = what == "quasi-static"; },
                .stop = &stop});
-    REQUIRE(course.warnings.size() == std::size_t(warned));
+    REQUIRE(load.warnings.size() == std::size_t(warned));
     if (warned)
-      CHECK_THAT(course.warnings[0],
+      CHECK_THAT(load.warnings[0],
                  Catch::StartsWith("a load changes within an increment of 0.25 s by ") &&
                      Catch::EndsWith("of the range of the loads, which is left out; give more --increments"));
   }
@@ -88,10 +89,11 @@ TEST_CASE("a law that integrates spins is warned of") {
   const scenario::Plan plan = scenario::read_plan(
       SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml",
       {"stage.cycles.cycles=1", "time.step=1e-3", "contact.discs.plugin=disc_corrected"}, host());
-  const quasi_static::Course course = quasi_static::follow(plan, {.out = folder / "out", .increments = 8});
-  REQUIRE(course.warnings.size() == 1);
-  CHECK_THAT(course.warnings[0], Catch::Contains("contact law 'discs' integrates spins") &&
-                                     Catch::Contains("; compare several --increments"));
+  const quasi_static::FollowedLoad load =
+      quasi_static::follow(plan, {.out = folder / "out", .increments = 8});
+  REQUIRE(load.warnings.size() == 1);
+  CHECK_THAT(load.warnings[0], Catch::Contains("contact law 'discs' integrates spins") &&
+                                   Catch::Contains("; compare several --increments"));
 }
 
 // Packing 5: a load that jumps, which sets it in motion. What is left of the motion is not dropped before it is at rest.
@@ -102,8 +104,8 @@ TEST_CASE("a packing that moves goes on by dynamics until it is at rest") {
   const TemporaryFolder folder;
   const scenario::Plan plan =
       scenario::read_plan(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml", jump, host());
-  const quasi_static::Course course = quasi_static::follow(plan, {.out = folder / "out"});
-  CHECK(std::any_of(course.warnings.begin(), course.warnings.end(), [](const std::string& warning) {
+  const quasi_static::FollowedLoad load = quasi_static::follow(plan, {.out = folder / "out"});
+  CHECK(std::any_of(load.warnings.begin(), load.warnings.end(), [](const std::string& warning) {
     return warning.find("dynamics followed the load for ") != std::string::npos;
   }));
   const auto rows = rows_of(folder / "out/series/quasi_static.csv");
@@ -117,25 +119,25 @@ TEST_CASE("a packing that moves goes on by dynamics until it is at rest") {
   CHECK(rows.back()[strain_xx] == Approx(1 - moved / length_x).margin(1e-5));
 }
 
-TEST_CASE("a quasi-static course that is interrupted says how far it came") {
+TEST_CASE("a quasi-static load that is interrupted says how far it came") {
   const TemporaryFolder folder;
   std::atomic<bool> stop = false;
-  const quasi_static::Course course = quasi_static::follow(
+  const quasi_static::FollowedLoad load = quasi_static::follow(
       box_of_discs("12"),
       {.out = folder / "out",
        .increments = 20,
        .on_progress = [&](double share, double, const std::string&) { stop = share > 0.3; },
        .stop = &stop});
-  CHECK(course.interrupted);
-  CHECK(course.reached > course.start);
-  CHECK(course.reached < course.end);
+  CHECK(load.interrupted);
+  CHECK(load.reached > load.start);
+  CHECK(load.reached < load.end);
   const auto rows = rows_of(folder / "out/series/quasi_static.csv");
   REQUIRE(rows.size() > 5);
-  CHECK(rows.back()[time_column] == course.reached);
+  CHECK(rows.back()[time_column] == load.reached);
   const auto record = nlohmann::json::parse(text_of(folder / "out/response.json"));
   CHECK(record["status"] == "interrupted");
-  CHECK(record["end"] == course.reached);
-  CHECK(record["planned_end"] == course.end);
+  CHECK(record["end"] == load.reached);
+  CHECK(record["planned_end"] == load.end);
   CHECK_THAT(message([&] { quasi_static::follow(box_of_discs("12"), {.out = folder / "out"}); }),
              Catch::Contains("already contains a response; go on with it: scree resume " +
                              (folder / "out").string() + ", or give another --out"));
@@ -143,12 +145,13 @@ TEST_CASE("a quasi-static course that is interrupted says how far it came") {
   CHECK(record["increments"] >= rows.size() + 1);
 }
 
-TEST_CASE("a quasi-static course that is interrupted goes on to the same bits") {
+TEST_CASE("a quasi-static load that is interrupted goes on to the same bits") {
   // Packing 13 has no equilibrium nearby in a part of its cycles.
   const std::string seed = GENERATE("12", "13");
   const TemporaryFolder folder;
   const scenario::Plan plan = box_of_discs(seed);
-  const quasi_static::Course whole = quasi_static::follow(plan, {.out = folder / "whole", .increments = 20});
+  const quasi_static::FollowedLoad whole =
+      quasi_static::follow(plan, {.out = folder / "whole", .increments = 20});
   const double stop_at = GENERATE(0.1, 0.4, 0.7, 0.97);
   CAPTURE(seed, stop_at);
   std::atomic<bool> stop = false;
@@ -160,7 +163,7 @@ TEST_CASE("a quasi-static course that is interrupted goes on to the same bits") 
   REQUIRE(quasi_static::follow(plan, options).interrupted);
   stop = false;
   options.on_progress = {};
-  const quasi_static::Course second = quasi_static::resume_following(options, host());
+  const quasi_static::FollowedLoad second = quasi_static::resume_following(options, host());
   CHECK_FALSE(second.interrupted);
   CHECK(second.hand_overs.size() == whole.hand_overs.size());
   CHECK(second.dynamic_steps == whole.dynamic_steps);
@@ -177,7 +180,7 @@ TEST_CASE("a quasi-static course that is interrupted goes on to the same bits") 
 }
 
 TEST_CASE(
-    "a quasi-static course that goes on restores its scenario, and changes nothing if its state does not fit") {
+    "a quasi-static load that goes on restores its scenario, and changes nothing if its state does not fit") {
   const TemporaryFolder folder;
   std::atomic<bool> stop = false;
   std::vector<std::string> warnings;
@@ -238,6 +241,52 @@ TEST_CASE("a quasi-static load without period is kept in parts too") {
         text_of(folder / "whole/series/quasi_static.csv"));
 }
 
+TEST_CASE("a quasi-static load keeps states as [checkpoint] says") {
+  // Of intervals 1 to 16 those after 8 and 16 end a part; at 16 all is done.
+  const auto [every, kept] =
+      GENERATE(table<std::string, std::int64_t>({{"'1e-9 s'", 8}, {"'10 min'", 0}, {"'never'", -1}}));
+  CAPTURE(every);
+  const TemporaryFolder folder;
+  const scenario::Plan plan =
+      scenario::read_plan(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/biaxial.toml",
+                          {"scene.seed=12", "stage.cycles.cycles=2", "time.step=1e-3",
+                           "checkpoint.every=" + every, "checkpoint.final_state=false"},
+                          host());
+  std::int64_t found = -1;
+  quasi_static::follow(
+      plan,
+      {.out = folder / "out", .increments = 8, .on_progress = [&](double, double, const std::string&) {
+         if (!std::filesystem::exists(folder / "out/state.h5")) return;
+         const State state = state_file::read_state(folder / "out/state.h5");
+         std::uint64_t intervals = 0;
+         StateTransfer::restoring_from(state).below("quasi_static").value("intervals_done", "1", intervals);
+         found = std::int64_t(intervals);
+       }});
+  CHECK(found == kept);
+  CHECK_FALSE(std::filesystem::exists(folder / "out/final_state.h5"));
+}
+
+TEST_CASE("a quasi-static load that goes on and fails records the cure for its place") {
+  const TemporaryFolder folder;
+  std::atomic<bool> stop = false;
+  quasi_static::FollowOptions options = {
+      .out = folder / "out",
+      .increments = 8,
+      .on_progress = [&](double share, double, const std::string&) { stop = share > 0.3; },
+      .stop = &stop};
+  REQUIRE(quasi_static::follow(box_of_discs("12"), options).interrupted);
+  stop = false;
+  options.on_progress = {};
+  folder.write("out/final_state.h5", "of another");
+  CHECK_THAT(message([&] { quasi_static::resume_following(options, host()); }),
+             Catch::EndsWith("final_state.h5: is there and was not written by a run; move it elsewhere"));
+  const auto record = nlohmann::json::parse(text_of(folder / "out/response.json"));
+  CHECK(record["status"] == "failed");
+  CHECK_THAT(std::string(record["error"]), Catch::EndsWith("written by a run; move it elsewhere"));
+  std::filesystem::remove(folder / "out/final_state.h5");
+  CHECK_FALSE(quasi_static::resume_following(options, host()).interrupted);
+}
+
 TEST_CASE("quasi-static strains count from the balance at the start") {
   const TemporaryFolder folder;
   quasi_static::follow(box_of_discs("12"), {.out = folder / "out", .increments = 8});
@@ -247,7 +296,7 @@ TEST_CASE("quasi-static strains count from the balance at the start") {
   CHECK(nlohmann::json::parse(text_of(folder / "out/response.json")).contains("planned_end") == false);
 }
 
-TEST_CASE("a quasi-static course that is interrupted before the load writes nothing and says so") {
+TEST_CASE("a quasi-static load that is interrupted before the load writes nothing and says so") {
   const TemporaryFolder folder;
   const std::atomic<bool> stop = true;
   try {
@@ -256,8 +305,8 @@ TEST_CASE("a quasi-static course that is interrupted before the load writes noth
   } catch (const Error& error) {
     CHECK(error.status() == ExitStatus::interrupted);
     CHECK_THAT(error.what(),
-               Catch::Contains("biaxial.toml: interrupted before the stages had ended; nothing was "
-                               "written, give the same call again"));
+               Catch::Contains("biaxial.toml: interrupted before the stages had ended, and nothing "
+                               "was written; run the same command again"));
   }
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <scree/run/trial.hpp>
+#include <scree/run/run_in_memory.hpp>
 
 using namespace scree;
 using namespace scree::run;
@@ -117,7 +117,7 @@ TEST_CASE("a probe sees others after these have observed, also through a third",
       scenario::read_plan(folder.write("s.toml", text + expected), {}, host_with_outside());
   double sum = 0, sums = 0;
   for (const double energy : read.energy.at("potential [J]")) sums += (sum += energy);
-  CHECK(run_trial(plan, {}).quantities[0] == sums);
+  CHECK(run_in_memory(plan, {}).quantities[0] == sums);
 }
 
 TEST_CASE("a lock-in measures the response of a driven oscillator", "[run]") {
@@ -126,7 +126,7 @@ TEST_CASE("a lock-in measures the response of a driven oscillator", "[run]") {
   // m x" = k (u − x) − k x + γ (u' − x') − γ x'
   const std::complex<double> response = drive * std::exp(i * drive_phase) * (stiffness + i * w * damping) /
                                         (2 * stiffness - w * w + 2.0 * i * w * damping);
-  const std::vector<double> found = run_trial(plan_of(oscillator), {}).quantities;
+  const std::vector<double> found = run_in_memory(plan_of(oscillator), {}).quantities;
   // (ω_0 h)² = 8e-4 is the step error of second order; the motion at the start has decayed by exp(−25).
   CHECK(found[0] == Approx(std::abs(response)).epsilon(8e-4));
   CHECK(found[1] == Approx(std::arg(response)).epsilon(0).margin(8e-4));
@@ -164,7 +164,7 @@ TEST_CASE("a run that is resumed in the middle of a record measures the same bit
 TEST_CASE("a record beyond the end of the run is refused where its probe stands", "[run]") {
   const TemporaryFolder folder;
   const scenario::Plan plan = plan_of(oscillator, {"probe.response.from=4"});
-  const std::string line = message([&] { run_trial(plan, {}); });
+  const std::string line = message([&] { run_in_memory(plan, {}); });
   INFO(line);
   CHECK(line.find("scene.toml:") != std::string::npos);
   CHECK(line.find("probe lock_in: from = 4 s is not before 3.5 s, when the run") != std::string::npos);

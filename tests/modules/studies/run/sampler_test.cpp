@@ -4,7 +4,7 @@
 
 #include <scree/integration.hpp>
 #include <scree/run/run.hpp>
-#include <scree/run/trial.hpp>
+#include <scree/run/run_in_memory.hpp>
 
 using namespace scree;
 using namespace scree::scenario;
@@ -88,7 +88,7 @@ TEST_CASE("what a probe observes does not depend on its samples, pictures or the
     INFO(other);
     CHECK(observed(text, {other}).last == reference.last);
   }
-  CHECK(run_trial(plan_of(text), {}).quantities[0] == reference.last);
+  CHECK(run_in_memory(plan_of(text), {}).quantities[0] == reference.last);
 }
 
 TEST_CASE("observing does not change a run by a bit", "[run]") {

@@ -1,5 +1,3 @@
-#include "series.hpp"
-
 #include "temporary_folder.hpp"
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
+#include <scree/run/series.hpp>
 
 using namespace scree;
 using namespace scree::run;

@@ -10,7 +10,15 @@
 
 #include <fmt/format.h>
 
+#include <scree/spectrum/spectrum_plan.hpp>
+
 namespace scree::test {
+
+// A plan whose scenario has [spectrum].
+inline scenario::Plan driven_plan_of(const std::string& text,
+                                     const std::vector<std::string>& overrides = {}) {
+  return plan_of(text, overrides, {spectrum::spectrum_table()});
+}
 
 // A column of beads on a plane that moves up and down; gravity keeps linear contacts closed.
 struct Chain {
@@ -19,7 +27,7 @@ struct Chain {
   double damping = 0.05;  // (kg/s) of a contact
   double drag = 0.01;     // (kg/s) on each bead
 
-  // Scene with the keys of [spectrum] behind those of every test.
+  // Scene with the keys of [spectrum] after those of every test.
   std::string text(const std::string& spectrum) const {
     std::string text = fmt::format(
         "[time]\nstep = {}\n[[material]]\nname = 'sphere'\ndensity = 2000\n"

@@ -10,10 +10,10 @@ using namespace scree;
 using namespace scree::spectrum;
 using namespace scree::test;
 
-TEST_CASE("a state of a measurement that does not fit is refused, and nothing is changed", "[sound]") {
+TEST_CASE("a state of a measurement that does not fit is refused, and nothing is changed", "[spectrum]") {
   Bench bench(Chain().text(
-      "from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 400\nanalysed_periods = 6\nfewest_contacts = 1\n"));
-  bench.options.roads = {Road::linear, Road::sweep};
+      "from_hz = 100\nto_hz = 110\nstep_hz = 2\nsweep.periods = 400\nsweep.analysed_periods = 6\nlinear.fewest_contacts = 1\n"));
+  bench.options.methods = {Method::linear, Method::sweep};
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
   bench.options.on_progress = [&](double share, double, const std::string& what) {

@@ -1,7 +1,6 @@
 #include "linear.hpp"
 
 #include "chain.hpp"
-#include "linear_grid.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,32 +11,32 @@ using namespace scree;
 using namespace scree::spectrum;
 using namespace scree::test;
 
-TEST_CASE("the linear road gives the response of the discrete chain", "[sound]") {
+TEST_CASE("the linear method gives the response of the discrete chain", "[spectrum]") {
   const Chain chain;
   const scenario::Plan plan =
-      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nfewest_contacts = 1\n"));
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
-  const RoadSpectrum road = linear_spectrum(start);
-  REQUIRE(road.frequencies.size() == 141);
-  for (std::size_t k = 0; k < road.frequencies.size(); ++k)
+      driven_plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nlinear.fewest_contacts = 1\n"));
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+  const MethodSpectrum spectrum = linear_spectrum(start);
+  REQUIRE(spectrum.frequencies.size() == 141);
+  for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k)
     for (const std::size_t c : {0u, 1u}) {
-      CAPTURE(road.frequencies[k], c);
-      const std::complex<double> exact = chain.response(c == 0 ? 1 : Chain::beads, road.frequencies[k]);
+      CAPTURE(spectrum.frequencies[k], c);
+      const std::complex<double> exact = chain.response(c == 0 ? 1 : Chain::beads, spectrum.frequencies[k]);
       // Round-off of a height of 0.08 m in a difference of up to 5e-6 m: 1.4e-17/5e-6 = 3e-12.
-      CHECK(std::abs(road.columns[c].response[k] - exact) < 1e-10 * std::abs(exact) + 1e-11);
+      CHECK(std::abs(spectrum.columns[c].response[k] - exact) < 1e-10 * std::abs(exact) + 1e-11);
     }
 }
 
-TEST_CASE("the linear road does not depend on the time step", "[sound]") {
+TEST_CASE("the linear method does not depend on the time step", "[spectrum]") {
   // Restitution makes dampers with the weight that makes up for predicted velocities: (ωh)²/2 of the damping.
-  const auto road_with = [](const std::string& step) {
-    const scenario::Plan plan =
-        plan_of(with(with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nfewest_contacts = 1\n"),
-                          "normal_damping = 0.05", "restitution = 0.9"),
-                     fmt::format("step = {}\n", Chain::step), "step = " + step + "\n"));
-    return linear_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+  const auto spectrum_with = [](const std::string& step) {
+    const scenario::Plan plan = driven_plan_of(
+        with(with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nlinear.fewest_contacts = 1\n"),
+                  "normal_damping = 0.05", "restitution = 0.9"),
+             fmt::format("step = {}\n", Chain::step), "step = " + step + "\n"));
+    return linear_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
   };
-  const RoadSpectrum coarse = road_with("1e-4"), fine = road_with("1e-6");
+  const MethodSpectrum coarse = spectrum_with("1e-4"), fine = spectrum_with("1e-6");
   for (std::size_t k = 0; k < fine.frequencies.size(); ++k)
     for (const std::size_t c : {0u, 1u}) {
       CAPTURE(fine.frequencies[k], c);
@@ -47,10 +46,11 @@ TEST_CASE("the linear road does not depend on the time step", "[sound]") {
     }
 }
 
-TEST_CASE("the linear road of a packing that is not at rest is that of the equilibrium nearby", "[sound]") {
+TEST_CASE("the linear method of a packing that is not at rest is that of the equilibrium nearby",
+          "[spectrum]") {
   // Hertzian contacts, whose overlaps are off by 1 % of the total, one way or the other: their stiffness is off by 0.5 %.
-  const auto road_with = [](double share) {
-    std::string text = Chain{}.text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nfewest_contacts = 1\n");
+  const auto spectrum_with = [](double share) {
+    std::string text = Chain{}.text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nlinear.fewest_contacts = 1\n");
     text = with(text, "plugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n",
                 "plugin = 'hertz_mindlin'\nyoungs_modulus = 2e6\npoissons_ratio = 0.25\nrestitution = 0.9\n");
     // f = (4/3) E* sqrt(R*) overlap^(3/2), E* = E/(2 (1 - nu^2)); R* is R at the wall and R/2 between beads.
@@ -65,10 +65,10 @@ TEST_CASE("the linear road of a packing that is not at rest is that of the equil
       top += (i == 1 ? 1 : 2) * Chain::radius - overlap * (1 + share);
       text.replace(at, text.find(']', at) - at, fmt::format("{:.17g}", top));
     }
-    const scenario::Plan plan = plan_of(text);
-    return linear_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+    const scenario::Plan plan = driven_plan_of(text);
+    return linear_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
   };
-  const RoadSpectrum rest = road_with(0), more = road_with(0.01), less = road_with(-0.01);
+  const MethodSpectrum rest = spectrum_with(0), more = spectrum_with(0.01), less = spectrum_with(-0.01);
   CHECK(rest.notes.empty());
   REQUIRE(more.notes.size() == 1);
   CHECK_THAT(more.notes[0],
@@ -83,46 +83,46 @@ TEST_CASE("the linear road of a packing that is not at rest is that of the equil
   }
 }
 
-TEST_CASE("a linear road that was stopped goes on with the frequencies that it lacks", "[sound]") {
+TEST_CASE("a linear method that was stopped goes on with the frequencies that it lacks", "[spectrum]") {
   const Chain chain;
   const scenario::Plan plan =
-      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nfewest_contacts = 1\n"));
+      driven_plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nlinear.fewest_contacts = 1\n"));
   std::atomic<bool> stop = true;
-  const Start start{plan, plan.scene, run::set_up(plan)->state(), &stop};
-  RoadSpectrum road;
-  CHECK(!add_linear(start, road));
-  CHECK(road.frequencies.empty());
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state(), &stop};
+  MethodSpectrum spectrum;
+  CHECK(!add_linear(start, spectrum));
+  CHECK(spectrum.frequencies.empty());
   stop = false;
-  const RoadSpectrum whole = linear_spectrum(start);
+  const MethodSpectrum whole = linear_spectrum(start);
   // As if it had been stopped behind the frequencies in the middle.
-  road = whole;
-  road.frequencies.erase(road.frequencies.begin() + 40, road.frequencies.begin() + 99);
-  for (RoadSpectrum::Column& column : road.columns) {
+  spectrum = whole;
+  spectrum.frequencies.erase(spectrum.frequencies.begin() + 40, spectrum.frequencies.begin() + 99);
+  for (MethodSpectrum::Column& column : spectrum.columns) {
     column.response.erase(column.response.begin() + 40, column.response.begin() + 99);
     column.error.erase(column.error.begin() + 40, column.error.begin() + 99);
     column.linearity.assign(column.response.size(), 0);
   }
-  CHECK(add_linear(start, road));
-  CHECK(road.frequencies == whole.frequencies);
+  CHECK(add_linear(start, spectrum));
+  CHECK(spectrum.frequencies == whole.frequencies);
   for (const std::size_t c : {0u, 1u}) {
-    CHECK(road.columns[c].response == whole.columns[c].response);
-    CHECK(road.columns[c].error == whole.columns[c].error);
-    CHECK(road.columns[c].linearity.empty());
+    CHECK(spectrum.columns[c].response == whole.columns[c].response);
+    CHECK(spectrum.columns[c].error == whole.columns[c].error);
+    CHECK(spectrum.columns[c].linearity.empty());
   }
 }
 
-TEST_CASE("an adaptive linear road resolves maxima that are narrower than its grid", "[sound]") {
+TEST_CASE("an adaptive linear method resolves maxima that are narrower than its grid", "[spectrum]") {
   const auto modes_with = [](const char* grid) {
-    const scenario::Plan plan =
-        plan_of(Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nfewest_contacts = 1\n{}\n", grid)));
-    const Start start{plan, plan.scene, run::set_up(plan)->state()};
+    const scenario::Plan plan = driven_plan_of(
+        Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nlinear.fewest_contacts = 1\n{}\n", grid)));
+    const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
     std::vector<signals::FittedMode> modes;
-    for (const Resonance& r : resonances_of({linear_spectrum(start)}, plan.spectrum->observed))
-      if (plan.spectrum->observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
+    for (const Resonance& r : resonances_of({linear_spectrum(start)}, read_spectrum(plan)->observed))
+      if (read_spectrum(plan)->observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
     return modes;
   };
   const std::vector<signals::FittedMode> fine = modes_with("step_hz = 0.25");
-  const std::vector<signals::FittedMode> refined = modes_with("step_hz = 7\nadaptive = true");
+  const std::vector<signals::FittedMode> refined = modes_with("step_hz = 7\nlinear.adaptive = true");
   CHECK(modes_with("step_hz = 7").size() < fine.size());
   REQUIRE(refined.size() == fine.size());
   // The same modes through fewer points; of what is no sum of modes, the fit leaves 1e-3 of a width.
@@ -130,13 +130,13 @@ TEST_CASE("an adaptive linear road resolves maxima that are narrower than its gr
     CHECK(std::abs(refined[k].frequency - fine[k].frequency) < 1e-2 * fine[k].width);
 }
 
-TEST_CASE("peaks of velocities are those of displacements", "[sound]") {
+TEST_CASE("peaks of velocities are those of displacements", "[spectrum]") {
   const Chain chain = {.drag = 0.04};  // Q of the first mode: 4.5
   const scenario::Plan plan =
-      plan_of(with(chain.text("from_hz = 8\nto_hz = 60\nstep_hz = 0.5\nfewest_contacts = 1\n"),
-                   "'particles.z_1'", "'particles.vz_8'"));
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
-  const auto resonances = resonances_of({linear_spectrum(start)}, plan.spectrum->observed);
+      driven_plan_of(with(chain.text("from_hz = 8\nto_hz = 60\nstep_hz = 0.5\nlinear.fewest_contacts = 1\n"),
+                          "'particles.z_1'", "'particles.vz_8'"));
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+  const auto resonances = resonances_of({linear_spectrum(start)}, read_spectrum(plan)->observed);
   REQUIRE(resonances.size() == 2);
   const signals::FittedMode velocity = resonances[0].mode, displacement = resonances[1].mode;
   // Both fits take the flanks of the other modes for a line, with weights that differ by f.
@@ -146,52 +146,54 @@ TEST_CASE("peaks of velocities are those of displacements", "[sound]") {
         Approx(2 * std::numbers::pi * displacement.frequency * displacement.amplitude).epsilon(1e-3));
 }
 
-TEST_CASE("a linear road at an undamped mode says at which frequency and what to do", "[sound]") {
+TEST_CASE("a linear method at an undamped mode says at which frequency and what to do", "[spectrum]") {
   const Chain chain = {.damping = 0, .drag = 0};
   // Within round-off of the second mode.
-  const scenario::Plan plan = plan_of(chain.text(
-      fmt::format("from_hz = {:.17g}\nto_hz = 160\nstep_hz = 7\nfewest_contacts = 1\n", Chain::mode_hz(2))));
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  const scenario::Plan plan = driven_plan_of(chain.text(fmt::format(
+      "from_hz = {:.17g}\nto_hz = 160\nstep_hz = 7\nlinear.fewest_contacts = 1\n", Chain::mode_hz(2))));
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
   CHECK_THROWS_WITH(linear_spectrum(start), Catch::Contains("the response at 87.1096 Hz is infinite") &&
                                                 Catch::Contains("; add damping"));
 }
 
-TEST_CASE("a column that does not respond is refused with those that do", "[sound]") {
+TEST_CASE("a column that does not respond is refused with those that do", "[spectrum]") {
   const auto refused = [](const char* observed) {
-    std::string text = Chain().text("from_hz = 20\nto_hz = 60\nstep_hz = 20\nfewest_contacts = 1\n");
+    std::string text = Chain().text("from_hz = 20\nto_hz = 60\nstep_hz = 20\nlinear.fewest_contacts = 1\n");
     text = with(text, "observe = ['particles.z_1', 'particles.z_8']",
                 fmt::format("observe = ['particles.z_1', '{}']", observed));
-    const scenario::Plan plan = plan_of(text + "[[probe]]\nplugin = 'energy'\nevery = 1\n");
-    return message([&] { linear_spectrum({plan, plan.scene, run::set_up(plan)->state()}); });
+    const scenario::Plan plan = driven_plan_of(text + "[[probe]]\nplugin = 'energy'\nevery = 1\n");
+    return message([&] {
+      linear_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
+    });
   };
   // A chain along z; spins do not follow, as no contact turns bodies.
   for (const char* column : {"particles.x_8", "particles.spin_x_8"})
     CHECK_THAT(refused(column),
                Catch::Contains(fmt::format("'{}' does not respond", column)) &&
                    Catch::EndsWith("; observe one that does: particles.z_1, particles.vz_1, particles.z_8, "
-                                   "particles.vz_8, or leave the road linear out"));
+                                   "particles.vz_8, or leave the method linear out"));
   CHECK_THAT(refused("energy.kinetic_translation"),
              Catch::Contains("'energy.kinetic_translation' is of a probe that reads contacts or energies"));
 }
 
-TEST_CASE("a law from outside without derivatives is named with what to do", "[sound]") {
+TEST_CASE("a law from outside without derivatives is named with what to do", "[spectrum]") {
   PluginHost both({SCREE_TEST_PLUGINS, SCREE_TEST_OUTSIDE});
   const TemporaryFolder folder;
   const std::string text =
-      with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nfewest_contacts = 1\n"),
+      with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 1\nlinear.fewest_contacts = 1\n"),
            "plugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n",
            "plugin = 'hand_written'\nstiffness = 1000\n");
-  const scenario::Plan plan =
-      scenario::read_plan(folder.write("s.toml", text), {"time.step_guard=false"}, both);
+  const scenario::Plan plan = scenario::read_plan(folder.write("s.toml", text), {"time.step_guard=false"},
+                                                  both, {spectrum::spectrum_table()});
   CHECK(
       message([&] {
-        linear_spectrum({plan, plan.scene, run::set_up(plan)->state()});
+        linear_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
       }) ==
       "contact law 'hand_written' has no derivatives, from which a linear response follows; measure with a pulse or a "
       "sweep, or build the law with SCREE_CONTACT_LAW_PLUGIN");
 }
 
-TEST_CASE("frequencies are solved in batches that fit into memory", "[sound]") {
+TEST_CASE("frequencies are solved in batches that fit into memory", "[spectrum]") {
   std::vector<double> all(100000);
   for (std::size_t k = 0; k < all.size(); ++k) all[k] = double(k);
   CHECK(first_batch(all, 8) == all);

@@ -16,20 +16,20 @@ using namespace scree::test;
 namespace {
 
 constexpr const char* grid =
-    "from_hz = 70\nto_hz = 105\nstep_hz = 0.5\nperiods = 100\nfewest_contacts = 1\ndecay = 1e-6\n";
+    "from_hz = 70\nto_hz = 105\nstep_hz = 0.5\nsweep.periods = 100\nlinear.fewest_contacts = 1\npulse.decay = 1e-6\n";
 
 }  // namespace
 
-TEST_CASE("three roads find the same peak of a chain", "[sound]") {
+TEST_CASE("three methods find the same peak of a chain", "[spectrum]") {
   const Bench bench(Chain().text(grid));
   const Measurement m = measure(bench.plan, bench.options);
-  REQUIRE(m.roads.size() == 3);
+  REQUIRE(m.spectra.size() == 3);
   REQUIRE(m.resonances.size() == 6);
   for (const Resonance& r : m.resonances) {
     // The fit of three widths leaves a background of the other modes: 1e-5 of f0. Runs are shifted by the step.
-    const bool runs = m.roads[r.road].road != "linear";
+    const bool runs = m.spectra[r.spectrum].method != "linear";
     const double exact = runs ? Chain::with_step(Chain::mode_hz(2)) : Chain::mode_hz(2);
-    CAPTURE(m.roads[r.road].road, r.column, r.mode.frequency, exact, r.mode.frequency_error);
+    CAPTURE(m.spectra[r.spectrum].method, r.column, r.mode.frequency, exact, r.mode.frequency_error);
     CHECK(std::abs(r.mode.frequency / exact - 1) < 1e-4);
   }
   for (const char* file :
@@ -41,41 +41,41 @@ TEST_CASE("three roads find the same peak of a chain", "[sound]") {
   CHECK(report.find("particles.z_8") != std::string::npos);
 }
 
-TEST_CASE("a column relative to its mean is divided by it on every road", "[sound]") {
+TEST_CASE("a column relative to its mean is divided by it on every method", "[spectrum]") {
   const std::string few =
-      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n";
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\nlinear.fewest_contacts = 1\n";
   Bench plain(Chain().text(few)), relative(Chain().text(few + "relative_to_mean = ['particles.z_8']\n"));
   const Measurement a = measure(plain.plan, plain.options), b = measure(relative.plan, relative.options);
-  REQUIRE(a.roads.size() == 3);
+  REQUIRE(a.spectra.size() == 3);
   // The bead at the top is at 0.07464 m; it moves by 1e-8 m about that.
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t k = 0; k < 3; ++k) {
-      CAPTURE(a.roads[r].road, k);
-      const std::complex<double> whole = a.roads[r].columns[1].response[k];
-      CHECK(std::abs(0.07464 * b.roads[r].columns[1].response[k] / whole - 1.0) < 1e-6);
-      CHECK(b.roads[r].columns[0].response[k] == a.roads[r].columns[0].response[k]);
+      CAPTURE(a.spectra[r].method, k);
+      const std::complex<double> whole = a.spectra[r].columns[1].response[k];
+      CHECK(std::abs(0.07464 * b.spectra[r].columns[1].response[k] / whole - 1.0) < 1e-6);
+      CHECK(b.spectra[r].columns[0].response[k] == a.spectra[r].columns[0].response[k]);
     }
 }
 
-TEST_CASE("stages run before the roads are taken", "[sound]") {
+TEST_CASE("stages run before anything is measured", "[spectrum]") {
   // A floor that stays where its stage has brought it.
   const std::string text =
-      with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nfewest_contacts = 1\n"), "displacement = 0",
-           "displacement = {from = 0, to = 0.001, duration = 0.05}") +
+      with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nlinear.fewest_contacts = 1\n"),
+           "displacement = 0", "displacement = {from = 0, to = 0.001, duration = 0.05}") +
       "[[stage]]\nduration = 0.2\n";
   Bench bench(text);
-  bench.options.roads = {Road::linear};
+  bench.options.methods = {Method::linear};
   std::set<std::string> seen;
   bench.options.on_progress = [&](double, double, const std::string& what) { seen.insert(what); };
   const Measurement m = measure(bench.plan, bench.options);
   CHECK(seen.contains("stage 1"));
-  CHECK(std::abs(m.roads.at(0).columns[1].response[0] - Chain().response(Chain::beads, 80)) < 1e-6);
+  CHECK(std::abs(m.spectra.at(0).columns[1].response[0] - Chain().response(Chain::beads, 80)) < 1e-6);
 }
 
-TEST_CASE("a chart that cannot be written leaves the spectrum whole", "[sound]") {
+TEST_CASE("a chart that cannot be written leaves the spectrum whole", "[spectrum]") {
   if (!SCREE_TEST_PICTURES) return;
   Bench bench(Chain().text(grid));
-  bench.options.roads = {Road::linear};
+  bench.options.methods = {Method::linear};
   bench.options.on_progress = [&](double, double, const std::string&) {
     std::filesystem::create_directories(bench.options.out / "charts/particles_z_8.png/in_the_way");
   };
@@ -89,43 +89,44 @@ TEST_CASE("a chart that cannot be written leaves the spectrum whole", "[sound]")
   CHECK(text_of(bench.options.out / "spectrum.json").find("\"finished\"") != std::string::npos);
 }
 
-TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[sound]") {
-  Bench bench(Chain().text(grid));
-  SECTION("no [spectrum]") {
-    bench.plan.spectrum.reset();
-    CHECK(message([&] { measure(bench.plan, bench.options); }).find("has no [spectrum]; add one") !=
-          std::string::npos);
-  }
-  SECTION("a packing that nothing holds") {
-    bench.plan.spectrum->fewest_contacts = 9;
-    bench.options.roads = {Road::linear};
-    CHECK(message([&] { measure(bench.plan, bench.options); }).find("no body is held") != std::string::npos);
-  }
-  CHECK(!std::filesystem::exists(bench.options.out));
+TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[spectrum]") {
+  const auto refused = [](const std::string& text, const std::vector<std::string>& overrides) {
+    Bench bench(text, overrides);
+    bench.options.methods = {Method::linear};
+    const std::string line = message([&] { measure(bench.plan, bench.options); });
+    CHECK(!std::filesystem::exists(bench.options.out));
+    return line;
+  };
+  std::string without = Chain().text(grid);
+  without = with(without.erase(without.find("[spectrum]")), "[time]\n", "[time]\nduration = 1\n");
+  CHECK_THAT(refused(without, {}), Catch::Contains("has no [spectrum]; add one"));
+  CHECK_THAT(refused(Chain().text(grid), {"spectrum.linear.fewest_contacts=9"}),
+             Catch::Contains("no body is held"));
 }
 
-TEST_CASE("one road that cannot be taken does not hinder the others", "[sound]") {
+TEST_CASE("one method that fails does not hinder the others", "[spectrum]") {
   Bench bench(
       Chain().text(
-          "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nlongest_pulse = 0.1\n") +
-      "[[expect]]\nrequirement = 'r'\nquantity = 'peaks.linear.particles.z_8.peak_1.frequency'\nat_most = 1e9\n");
-  bench.plan.spectrum->fewest_contacts = 9;
+          "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\npulse.longest = 0.1\n") +
+          "[[expect]]\nrequirement = 'r'\nquantity = 'peaks.linear.particles.z_8.peak_1.frequency'\nat_most = 1e9\n",
+      {"spectrum.linear.fewest_contacts=9"});
   std::vector<std::string> warnings;
   bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
   const Measurement m = measure(bench.plan, bench.options);
-  CHECK(m.roads.size() == 2);
+  CHECK(m.spectra.size() == 2);
   REQUIRE(!warnings.empty());
-  CHECK(warnings[0].find("the road linear is left out") != std::string::npos);
+  CHECK(warnings[0].find("method 'linear' skipped") != std::string::npos);
   // What was asked for and is not there is not met.
   REQUIRE(m.verdicts.size() == 1);
   CHECK(!m.verdicts[0].met);
 }
 
-TEST_CASE("a sweep that becomes unstable keeps what it has and says that it failed", "[sound]") {
+TEST_CASE("a sweep that becomes unstable keeps what it has and says that it failed", "[spectrum]") {
   // Beads move faster than the limit where the frequency is that of the chain.
-  Bench bench(Chain().text("from_hz = 60\nto_hz = 87\nstep_hz = 9\nperiods = 40\nanalysed_periods = 20\n"));
+  Bench bench(Chain().text(
+      "from_hz = 60\nto_hz = 87\nstep_hz = 9\nsweep.periods = 40\nsweep.analysed_periods = 20\n"));
   bench.plan.scene.limits.speed = 2e-5;  // reached at 87 Hz alone
-  bench.options.roads = {Road::sweep};
+  bench.options.methods = {Method::sweep};
   CHECK_THROWS_AS(measure(bench.plan, bench.options), Error);
   CHECK(bench.text("spectrum.json").find("\"status\": \"failed\"") != std::string::npos);
   const std::string table = bench.text("sweep.csv");
@@ -134,7 +135,7 @@ TEST_CASE("a sweep that becomes unstable keeps what it has and says that it fail
 }
 
 TEST_CASE("columns without a value and layers without beads are refused before anything is written",
-          "[sound]") {
+          "[spectrum]") {
   std::string line;
   SECTION("a layer without beads") {
     Bench bench(with(Chain().text(grid), "'particles.z_1'", "'layer.position'") +
@@ -155,7 +156,7 @@ TEST_CASE("columns without a value and layers without beads are refused before a
   CHECK(line.find("; ") != std::string::npos);
 }
 
-TEST_CASE("a drive that moves no wall is refused", "[sound]") {
+TEST_CASE("a drive that moves no wall is refused", "[spectrum]") {
   const std::string text = with(Chain().text(grid), "displacement = 0\n", "control = 'fixed'\n");
   Bench bench(text);
   CHECK(message([&] { measure(bench.plan, bench.options); }).find("moves no wall with its present control") !=
@@ -163,12 +164,12 @@ TEST_CASE("a drive that moves no wall is refused", "[sound]") {
   CHECK(!std::filesystem::exists(bench.options.out));
 }
 
-TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
+TEST_CASE("peaks are named from the shape of the motion", "[spectrum]") {
   Bench bench(
       Chain().text(
-          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nfewest_contacts = 1\nshape_from = 'profile'\n") +
+          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nlinear.fewest_contacts = 1\nshape_from = 'profile'\n") +
       Chain::layers);
-  bench.options.roads = {Road::linear};
+  bench.options.methods = {Method::linear};
   const Measurement m = measure(bench.plan, bench.options);
   std::vector<std::string> names;
   for (const Resonance& r : m.resonances)
@@ -189,26 +190,26 @@ TEST_CASE("peaks are named from the shape of the motion", "[sound]") {
   const std::size_t nearest = std::size_t(std::lround((peak.mode.frequency - 20) / 0.25));
   const auto is_bead = [](const auto& c) { return c.name == "particles.z_8"; };
   const auto column = std::find_if(m.observed.begin(), m.observed.end(), is_bead) - m.observed.begin();
-  const std::complex<double> bead = m.roads[0].columns[std::size_t(column)].response[nearest];
+  const std::complex<double> bead = m.spectra[0].columns[std::size_t(column)].response[nearest];
   CHECK(std::abs(peak.layers[7] - bead) < 1e-8 * std::abs(bead));
   // Layers are in the shapes, not in the tables.
   CHECK(bench.text("spectrum.csv").find("displacement") == std::string::npos);
 }
 
-TEST_CASE("expectations of peaks are judged on the roads that are taken", "[sound]") {
+TEST_CASE("expectations of peaks are judged by the methods that measured", "[spectrum]") {
   const auto expect = [](const char* quantity, const char* bounds) {
     return fmt::format("[[expect]]\nrequirement = 'r'\nquantity = '{}'\n{}\n", quantity, bounds);
   };
   // The second mode, 87.11 Hz; the fit of a peak leaves 1e-5 of the other modes.
   Bench bench(
       Chain().text(
-          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nfewest_contacts = 1\nshape_from = 'profile'\n") +
+          "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\nlinear.fewest_contacts = 1\nshape_from = 'profile'\n") +
       Chain::layers +
       expect("peaks.linear.particles.z_8.3lambda/4.frequency", "reference = 87.11\ntolerance = 0.01") +
       expect("peaks.linear.particles.z_1.peak_1.frequency", "at_least = 30") +
       expect("peaks.linear.particles.z_8.peak_9.frequency", "at_most = 1e9") +
       expect("peaks.pulse.particles.z_8.peak_1.frequency", "at_most = 1"));
-  bench.options.roads = {Road::linear};
+  bench.options.methods = {Method::linear};
   const Measurement m = measure(bench.plan, bench.options);
   REQUIRE(m.verdicts.size() == 3);  // there is no pulse
   CHECK(m.verdicts[0].met);
@@ -221,32 +222,32 @@ TEST_CASE("expectations of peaks are judged on the roads that are taken", "[soun
   CHECK(record.find("\"met\": true") != std::string::npos);
 }
 
-TEST_CASE("a spectrum that would be noise or empty is refused before anything is written", "[sound]") {
-  const auto refused = [](const std::string& keys, Road road, const std::string& from = "",
+TEST_CASE("a spectrum that would be noise or empty is refused before anything is written", "[spectrum]") {
+  const auto refused = [](const std::string& keys, Method method, const std::string& from = "",
                           const std::string& to = "") {
     const std::string text = Chain().text(
-        "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\n"
-        "analysed_periods = 6\nfewest_contacts = 1\n" +
+        "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\n"
+        "sweep.analysed_periods = 6\nlinear.fewest_contacts = 1\n" +
         keys);
     Bench bench(from.empty() ? text : with(text, from, to));
-    bench.options.roads = {road};
+    bench.options.methods = {method};
     const std::string line = message([&] { measure(bench.plan, bench.options); });
     CHECK(!bench.has("spectrum.json"));
     return line;
   };
   // Positions of up to 0.08 m are rounded to 1e-17 m.
-  for (const Road road : {Road::pulse, Road::sweep})
-    CHECK_THAT(refused("", road, "amplitude = 1e-8", "amplitude = 1e-16"),
+  for (const Method method : {Method::pulse, Method::sweep})
+    CHECK_THAT(refused("", method, "amplitude = 1e-8", "amplitude = 1e-16"),
                Catch::Contains("an amplitude of 1e-16 m is lost in the round-off of positions"));
-  CHECK_THAT(refused("longest_pulse = 0.01\n", Road::pulse),
+  CHECK_THAT(refused("pulse.longest = 0.01\n", Method::pulse),
              Catch::Contains("the record of 0.01 s ends before the pulse of 0.0363636 s; give a longer"));
-  CHECK_THAT(refused("relative_to_mean = ['particles.x_1']\n", Road::sweep, "observe = ['particles.z_1'",
+  CHECK_THAT(refused("relative_to_mean = ['particles.x_1']\n", Method::sweep, "observe = ['particles.z_1'",
                      "observe = ['particles.x_1'"),
              Catch::Contains("'particles.x_1' is 0 at the start"));
 }
 
-TEST_CASE("a wall that keeps its load cannot be driven", "[sound]") {
-  std::string text = Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nfewest_contacts = 1\n");
+TEST_CASE("a wall that keeps its load cannot be driven", "[spectrum]") {
+  std::string text = Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nlinear.fewest_contacts = 1\n");
   text = with(text, "displacement = 0", "control = 'massless'\nforce = 0.08\nspeed_limit = 1");
   Bench bench(with(text, "drive = 'floor.displacement'", "drive = 'floor.superposed'"));
   CHECK_THAT(message([&] { measure(bench.plan, bench.options); }),
@@ -254,20 +255,18 @@ TEST_CASE("a wall that keeps its load cannot be driven", "[sound]") {
                  "a servo or massless wall keeps its load, so that 'superposed' of 'floor' drives nothing"));
 }
 
-TEST_CASE("an overriding empty text or list leaves the shapes out", "[sound]") {
+TEST_CASE("an overriding empty text or list leaves the shapes out", "[spectrum]") {
   const std::string text =
       with(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nshape_from = 'profile'\n"), "[spectrum]",
            Chain::layers + std::string("[spectrum]"));
-  const TemporaryFolder folder;
-  const auto path = folder.write("s.toml", text);
-  CHECK(scenario::read_plan(path, {}, host()).spectrum->observed.size() == 2 + 8);
+  CHECK(read_spectrum(driven_plan_of(text))->observed.size() == 2 + 8);
   for (const char* empty : {"spectrum.shape_from=[]", "spectrum.shape_from=\"\""}) {
     CAPTURE(empty);
-    CHECK(scenario::read_plan(path, {empty}, host()).spectrum->observed.size() == 2);
+    CHECK(read_spectrum(driven_plan_of(text, {empty}))->observed.size() == 2);
   }
 }
 
-TEST_CASE("a peak whose amplitude is below twice its error has no name", "[sound]") {
+TEST_CASE("a peak whose amplitude is below twice its error has no name", "[spectrum]") {
   Resonance resonance;
   resonance.wavelengths = 1.75;
   resonance.mode.amplitude = 36;
@@ -278,11 +277,11 @@ TEST_CASE("a peak whose amplitude is below twice its error has no name", "[sound
   }
 }
 
-TEST_CASE("outstanding maxima that no peak fits are named", "[sound]") {
+TEST_CASE("outstanding maxima that no peak fits are named", "[spectrum]") {
   const Chain chain = {.damping = 0.02};
   const auto warned = [&](const std::string& frequencies) {
-    Bench bench(chain.text(frequencies + "fewest_contacts = 1\n"));
-    bench.options.roads = {Road::linear};
+    Bench bench(chain.text(frequencies + "linear.fewest_contacts = 1\n"));
+    bench.options.methods = {Method::linear};
     const std::vector<std::string> lines = measure(bench.plan, bench.options).warnings;
     return std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
       return line.starts_with("linear: the maximum of particles.z_8 at ");

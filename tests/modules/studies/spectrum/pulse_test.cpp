@@ -8,42 +8,43 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
-#include <scree/spectrum/trial.hpp>
+#include <scree/spectrum/spectrum_in_memory.hpp>
 
 using namespace scree;
 using namespace scree::spectrum;
 using namespace scree::test;
 
-TEST_CASE("a pulse measures the response of the discrete chain", "[sound]") {
+TEST_CASE("a pulse measures the response of the discrete chain", "[spectrum]") {
   const Chain chain;
   const auto pulse = GENERATE("gaussian", "ricker", "chirp");
-  const scenario::Plan plan = plan_of(chain.text(
-      "from_hz = 20\nto_hz = 160\nstep_hz = 2\ndecay = 1e-6\npulse = '" + std::string(pulse) + "'\n"));
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
-  const RoadSpectrum road = pulse_spectrum(start);
-  CHECK(road.notes.empty());
+  const scenario::Plan plan =
+      driven_plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 2\npulse.decay = 1e-6\npulse.wave = '" +
+                                std::string(pulse) + "'\n"));
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+  const MethodSpectrum spectrum = pulse_spectrum(start);
+  CHECK(spectrum.notes.empty());
   double largest = 0;
-  for (const std::complex<double>& h : road.columns[1].response) largest = std::max(largest, std::abs(h));
-  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
-    CAPTURE(road.frequencies[k], pulse);
+  for (const std::complex<double>& h : spectrum.columns[1].response) largest = std::max(largest, std::abs(h));
+  for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k) {
+    CAPTURE(spectrum.frequencies[k], pulse);
     const double hz =
-        std::sin(std::numbers::pi * road.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
+        std::sin(std::numbers::pi * spectrum.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
     const std::complex<double> exact = chain.response(Chain::beads, hz);
     // As of a sweep; behind the record are 1e-6 of the response at most, against a drive that is 3.4 times weaker at to_hz.
-    CHECK(std::abs(road.columns[1].response[k] - exact) < 1e-3 * std::abs(exact) + 1e-5 * largest);
+    CHECK(std::abs(spectrum.columns[1].response[k] - exact) < 1e-3 * std::abs(exact) + 1e-5 * largest);
     // A linear chain: what is left is round-off of a height of 0.07 m.
-    CHECK(road.columns[1].linearity[k] < 1e-4 * largest);
+    CHECK(spectrum.columns[1].linearity[k] < 1e-4 * largest);
   }
 }
 
-TEST_CASE("a chirp finds the modes of the discrete chain", "[sound]") {
+TEST_CASE("a chirp finds the modes of the discrete chain", "[spectrum]") {
   const Chain chain = {.damping = 0.02};
-  const scenario::Plan plan = plan_of(chain.text(
-      "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\ndecay = 1e-6\npulse = 'chirp'\nchirp_duration = 0.5\n"));
-  const SpectrumTrial trial = try_roads(plan, {Road::pulse}, nullptr);
-  CHECK(trial.roads[0].notes.empty());
+  const scenario::Plan plan = driven_plan_of(chain.text(
+      "from_hz = 20\nto_hz = 160\nstep_hz = 0.25\npulse.decay = 1e-6\npulse.wave = 'chirp'\npulse.chirp_duration = 0.5\n"));
+  const InMemorySpectrum measured = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
+  CHECK(measured.spectra[0].notes.empty());
   std::vector<double> found;
-  for (const Resonance& r : trial.resonances)
+  for (const Resonance& r : measured.resonances)
     if (r.column == 1) found.push_back(r.mode.frequency);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {
@@ -53,37 +54,37 @@ TEST_CASE("a chirp finds the modes of the discrete chain", "[sound]") {
     CHECK(std::abs(found[std::size_t(j - 1)] / exact - 1) < 1e-4);
   }
   // Stationary phase: the sum of a linear chirp is A sqrt(T/(4 (f1 - f0))) within its band, with ripples of the edges.
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
   const DrivenWalls walls(start);
   PulseRecord undriven(start, walls, 0, nullptr), driven(start, walls, 1e-8, &undriven);
   REQUIRE(driven.until_samples(std::size_t(0.6 * 160 * 50)));
   CHECK(std::abs(driven.drive_at(90)) / 1e-8 == Approx(std::sqrt(0.5 / (4 * 160))).epsilon(0.2));
 }
 
-TEST_CASE("noise measures the response and the modes of the discrete chain within its errors", "[sound]") {
+TEST_CASE("noise measures the response and the modes of the discrete chain within its errors", "[spectrum]") {
   const Chain chain = {.damping = 0.05, .drag = 0.03};
-  const scenario::Plan plan =
-      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 1\npulse = 'noise'\nlongest_pulse = 30\n"));
-  const SpectrumTrial trial = try_roads(plan, {Road::pulse}, nullptr);
-  const RoadSpectrum& road = trial.roads[0];
-  REQUIRE(road.frequencies.size() == 141);
+  const scenario::Plan plan = driven_plan_of(chain.text(
+      "from_hz = 20\nto_hz = 160\nstep_hz = 1\npulse.wave = 'noise'\npulse.noise_rms = 1e-8\npulse.noise_duration = 30\n"));
+  const InMemorySpectrum measured = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
+  const MethodSpectrum& spectrum = measured.spectra[0];
+  REQUIRE(spectrum.frequencies.size() == 141);
   int covered = 0, cases = 0;
   double largest = 0;
-  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
+  for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k) {
     const double hz =
-        std::sin(std::numbers::pi * road.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
-    const std::complex<double> exact = chain.response(Chain::beads, hz), h = road.columns[1].response[k];
-    const double error = road.columns[1].error[k];
+        std::sin(std::numbers::pi * spectrum.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
+    const std::complex<double> exact = chain.response(Chain::beads, hz), h = spectrum.columns[1].response[k];
+    const double error = spectrum.columns[1].error[k];
     CHECK(std::abs(h - exact) < 5 * error);
     covered += std::abs(std::abs(h) - std::abs(exact)) < error, ++cases;
     largest = std::max(largest, error / std::abs(exact));
-    CHECK(road.columns[1].linearity[k] <
+    CHECK(spectrum.columns[1].linearity[k] <
           1e-4 * std::abs(exact));  // a linear chain: round-off of a height of 0.07 m
   }
   CHECK(double(covered) / cases == Approx(0.68).margin(0.05 + 0.04));  // the share of 141 is known to 0.04
   CHECK(largest < 0.03);
   std::vector<signals::FittedMode> found;
-  for (const Resonance& r : trial.resonances)
+  for (const Resonance& r : measured.resonances)
     if (r.column == 1) found.push_back(r.mode);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {
@@ -95,72 +96,74 @@ TEST_CASE("noise measures the response and the modes of the discrete chain withi
   }
 }
 
-TEST_CASE("a packing that is not at rest answers a pulse as one at rest", "[sound]") {
+TEST_CASE("a packing that is not at rest answers a pulse as one at rest", "[spectrum]") {
   const Chain chain;
-  const std::string text = chain.text("from_hz = 80\nto_hz = 100\nstep_hz = 5\ndecay = 1e-6\n");
-  std::vector<RoadSpectrum> roads;
+  const std::string text = chain.text("from_hz = 80\nto_hz = 100\nstep_hz = 5\npulse.decay = 1e-6\n");
+  std::vector<MethodSpectrum> spectra;
   // A bead that begins with 1e-4 m/s swings by up to 1e-4 m/s/(2 pi 29 Hz) = 5e-7 m, fifty times the pulse.
   for (const char* start : {"id = 3\n", "id = 3\nvelocity = [0, 0, 1e-4]\n"}) {
-    const scenario::Plan plan = plan_of(with(text, "id = 3\n", start));
-    roads.push_back(pulse_spectrum({plan, plan.scene, run::set_up(plan)->state()}));
+    const scenario::Plan plan = driven_plan_of(with(text, "id = 3\n", start));
+    spectra.push_back(pulse_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()}));
   }
-  for (std::size_t k = 0; k < roads[0].frequencies.size(); ++k)
+  for (std::size_t k = 0; k < spectra[0].frequencies.size(); ++k)
     // Both decay to 1e-6; round-off of heights is 1e-17/1e-8 of the response.
-    CHECK(std::abs(roads[0].columns[1].response[k] - roads[1].columns[1].response[k]) <
-          1e-5 * std::abs(roads[0].columns[1].response[k]));
+    CHECK(std::abs(spectra[0].columns[1].response[k] - spectra[1].columns[1].response[k]) <
+          1e-5 * std::abs(spectra[0].columns[1].response[k]));
 }
 
-TEST_CASE("a pulse that has not decayed is noted with its bound", "[sound]") {
+TEST_CASE("a pulse that has not decayed is noted with its bound", "[spectrum]") {
   const Chain chain;
   const scenario::Plan plan =
-      plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 2\nlongest_pulse = 0.5\n"));
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
-  const RoadSpectrum road = pulse_spectrum(start);
-  REQUIRE(road.notes.size() == 2);
-  CHECK(road.notes[1].find("particles.z_8 has not decayed") != std::string::npos);
-  CHECK(road.notes[1].find("give a longer longest_pulse") != std::string::npos);
+      driven_plan_of(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 2\npulse.longest = 0.5\n"));
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+  const MethodSpectrum spectrum = pulse_spectrum(start);
+  REQUIRE(spectrum.notes.size() == 2);
+  CHECK(spectrum.notes[1].find("particles.z_8 has not decayed") != std::string::npos);
+  CHECK(spectrum.notes[1].find("give a longer pulse.longest") != std::string::npos);
   // The error that it states holds.
-  for (std::size_t k = 0; k < road.frequencies.size(); ++k) {
+  for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k) {
     const double hz =
-        std::sin(std::numbers::pi * road.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
-    CAPTURE(road.frequencies[k]);
-    CHECK(std::abs(road.columns[1].response[k] - chain.response(Chain::beads, hz)) <
-          road.columns[1].error[k]);
+        std::sin(std::numbers::pi * spectrum.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
+    CAPTURE(spectrum.frequencies[k]);
+    CHECK(std::abs(spectrum.columns[1].response[k] - chain.response(Chain::beads, hz)) <
+          spectrum.columns[1].error[k]);
   }
 }
 
 TEST_CASE("a pulse too high for a linear response is noted with the change at half its amplitude",
-          "[sound]") {
+          "[spectrum]") {
   const Chain chain;
   // The top bead is pressed by 1e-5 m: a pulse of 1e-3 m opens contacts, one of 1e-8 m does not.
   const char* amplitude = GENERATE("1e-8", "1e-3");
-  const scenario::Plan plan = plan_of(with(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 2\n"),
-                                           "amplitude = 1e-8", "amplitude = " + std::string(amplitude)));
-  const RoadSpectrum road = pulse_spectrum({plan, plan.scene, run::set_up(plan)->state()});
-  CAPTURE(amplitude, road.notes);
+  const scenario::Plan plan =
+      driven_plan_of(with(chain.text("from_hz = 20\nto_hz = 160\nstep_hz = 2\n"), "amplitude = 1e-8",
+                          "amplitude = " + std::string(amplitude)));
+  const MethodSpectrum spectrum =
+      pulse_spectrum({plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()});
+  CAPTURE(amplitude, spectrum.notes);
   if (std::string(amplitude) == "1e-8") {
-    CHECK(road.notes.empty());
+    CHECK(spectrum.notes.empty());
     return;
   }
-  REQUIRE(road.notes.size() == 2);  // of z_1 and z_8
-  CHECK(road.notes[1].starts_with(
+  REQUIRE(spectrum.notes.size() == 2);  // of z_1 and z_8
+  CHECK(spectrum.notes[1].starts_with(
       "pulse: at half the amplitude of 0.001 m the response of particles.z_8 changes by"));
-  CHECK(road.notes[1].ends_with("; give a lower spectrum.amplitude"));
+  CHECK(spectrum.notes[1].ends_with("; give a lower spectrum.amplitude"));
 }
 
-TEST_CASE("a pulse into a packing that is not at rest is warned of", "[sound]") {
+TEST_CASE("a pulse into a packing that is not at rest is warned of", "[spectrum]") {
   std::string text =
-      Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 10\ndecay = 1e-2\nlongest_pulse = 0.2\n");
+      Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 10\npulse.decay = 1e-2\npulse.longest = 0.2\n");
   // A fifth more than the contacts bear.
   const std::string gravity = "[0, 0, -10]";
   text.replace(text.find(gravity), gravity.size(), "[0, 0, -12]");
-  const scenario::Plan plan = plan_of(text);
-  const Start start{plan, plan.scene, run::set_up(plan)->state()};
-  const RoadSpectrum road = pulse_spectrum(start);
-  REQUIRE_FALSE(road.notes.empty());
-  const auto note = std::find_if(road.notes.begin(), road.notes.end(), [](const std::string& line) {
+  const scenario::Plan plan = driven_plan_of(text);
+  const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+  const MethodSpectrum spectrum = pulse_spectrum(start);
+  REQUIRE_FALSE(spectrum.notes.empty());
+  const auto note = std::find_if(spectrum.notes.begin(), spectrum.notes.end(), [](const std::string& line) {
     return line.starts_with("pulse: without the pulse particles.z_8 changes by ");
   });
-  REQUIRE(note != road.notes.end());
+  REQUIRE(note != spectrum.notes.end());
   CHECK_THAT(*note, Catch::Contains("the packing is not at rest; let it come to rest in a stage before"));
 }

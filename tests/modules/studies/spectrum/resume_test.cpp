@@ -11,11 +11,11 @@ using namespace scree;
 using namespace scree::spectrum;
 using namespace scree::test;
 
-TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
-  const std::string text =
-      Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n");
+TEST_CASE("an interrupted sweep goes on to the same table", "[spectrum]") {
+  const std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 2\nsweep.periods = 12\nsweep.analysed_periods = 6\n");
   Bench whole(text), parted(text);
-  whole.options.roads = parted.options.roads = {Road::sweep};
+  whole.options.methods = parted.options.methods = {Method::sweep};
   measure(whole.plan, whole.options);
 
   std::atomic<bool> stop = false;
@@ -26,7 +26,7 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
   };
   const Measurement first = measure(parted.plan, parted.options);
   REQUIRE(first.interrupted);
-  REQUIRE(first.roads.at(0).frequencies.size() < 6);
+  REQUIRE(first.spectra.at(0).frequencies.size() < 6);
   stop = false;
   parted.options.on_progress = {};
   const Measurement second = resume_measurement(parted.options, host());
@@ -37,9 +37,11 @@ TEST_CASE("an interrupted sweep goes on to the same table", "[sound]") {
         std::string::npos);
 }
 
-TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported, and restored", "[sound]") {
-  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\n"));
-  bench.options.roads = {Road::sweep};
+TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported, and restored",
+          "[spectrum]") {
+  Bench bench(Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\n"));
+  bench.options.methods = {Method::sweep};
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
   bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
@@ -58,13 +60,14 @@ TEST_CASE("a scenario that is edited beside a spectrum that goes on is reported,
   CHECK(bench.text("scenario.toml") == began);
 }
 
-TEST_CASE("a measurement that is interrupted in its stages goes on within them", "[sound]") {
+TEST_CASE("a measurement that is interrupted in its stages goes on within them", "[spectrum]") {
   // A floor that rises, in 4000 steps, after 4000 others.
-  const std::string text = with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nfewest_contacts = 1\n"),
-                                "displacement = 0", "displacement = {from = 0, to = 0.001, duration = 0.2}") +
-                           "[[stage]]\nduration = 0.2\n[[stage]]\nname = 'second'\nduration = 0.2\n";
+  const std::string text =
+      with(Chain().text("from_hz = 80\nto_hz = 100\nstep_hz = 5\nlinear.fewest_contacts = 1\n"),
+           "displacement = 0", "displacement = {from = 0, to = 0.001, duration = 0.2}") +
+      "[[stage]]\nduration = 0.2\n[[stage]]\nname = 'second'\nduration = 0.2\n";
   Bench whole(text), parted(text);
-  whole.options.roads = parted.options.roads = {Road::linear};
+  whole.options.methods = parted.options.methods = {Method::linear};
   measure(whole.plan, whole.options);
 
   std::atomic<bool> stop = false;
@@ -76,7 +79,7 @@ TEST_CASE("a measurement that is interrupted in its stages goes on within them",
     const Measurement part =
         in == "stage 1" ? measure(parted.plan, parted.options) : resume_measurement(parted.options, host());
     CHECK(part.interrupted);
-    CHECK(part.roads.empty());
+    CHECK(part.spectra.empty());
     CHECK(parted.text("spectrum.json").find("\"interrupted\"") != std::string::npos);
   }
   stop = false;
@@ -85,13 +88,13 @@ TEST_CASE("a measurement that is interrupted in its stages goes on within them",
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }
 
-TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "[sound]") {
+TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "[spectrum]") {
   const TemporaryFolder folder;
   folder.write("bead.csv", "id,material,x,y,z,radius\n9,sphere,0.1,0,0.1,0.005\n");
-  std::string text =
-      Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n");
+  std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 2\nsweep.periods = 12\nsweep.analysed_periods = 6\n");
   Bench bench(text + "[particles]\nfile = '" + (folder / "bead.csv").string() + "'\n");
-  bench.options.roads = {Road::sweep};
+  bench.options.methods = {Method::sweep};
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
   bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
@@ -103,9 +106,9 @@ TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "
   CHECK(resume_measurement(bench.options, host()).inputs == first.inputs);
 }
 
-TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[sound]") {
+TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[spectrum]") {
   const std::string text = Chain().text(
-      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\nlinear.fewest_contacts = 1\n");
   Bench whole(text), parted(text);
   measure(whole.plan, whole.options);
 
@@ -116,17 +119,17 @@ TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[soun
   };
   const Measurement first = measure(parted.plan, parted.options);
   REQUIRE(first.interrupted);
-  REQUIRE(first.roads.size() == 1);
+  REQUIRE(first.spectra.size() == 1);
   stop = false;
   parted.options.on_progress = {};
-  parted.options.roads = {Road::sweep};
-  CHECK(resume_measurement(parted.options, host()).roads.size() == 3);
+  parted.options.methods = {Method::sweep};
+  CHECK(resume_measurement(parted.options, host()).spectra.size() == 3);
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }
 
-TEST_CASE("a spectrum that goes on in its directory is not told to take another", "[sound]") {
-  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nfewest_contacts = 1\n"));
-  bench.options.roads = {Road::linear};
+TEST_CASE("a spectrum that goes on in its directory is not told to take another", "[spectrum]") {
+  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 5\nlinear.fewest_contacts = 1\n"));
+  bench.options.methods = {Method::linear};
   measure(bench.plan, bench.options);
   const auto lock = files::DirectoryLock::take(bench.options.out);
   CHECK(message([&] {
@@ -139,21 +142,22 @@ TEST_CASE("a spectrum that goes on in its directory is not told to take another"
         }).ends_with("another spectrum is running there; wait for it, or give another --out"));
 }
 
-TEST_CASE("a linear road that is interrupted keeps what it has and goes on to the same table", "[sound]") {
-  // Beads on a cubic lattice, whose 384 motions take the road of large packings.
+TEST_CASE("a linear method that is interrupted keeps what it has and goes on to the same table",
+          "[spectrum]") {
+  // Beads on a cubic lattice, whose 384 motions are solved as in large packings.
   std::string text =
       "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"
       "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n"
       "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
       "[[probe]]\nplugin = 'particles'\nids = [128]\n"
       "[spectrum]\ndrive = 'floor.displacement'\namplitude = 1e-8\nobserve = ['particles.z_128']\n"
-      "from_hz = 20\nto_hz = 160\nstep_hz = 2\nfewest_contacts = 1\n";
+      "from_hz = 20\nto_hz = 160\nstep_hz = 2\nlinear.fewest_contacts = 1\n";
   for (int n = 0; n < 128; ++n)
     text += fmt::format("[[particle]]\nid = {}\nradius = 0.005\nposition = [{}, {}, {}]\n", n + 1,
                         0.00995 * (n % 4), 0.00995 * (n / 4 % 4), 0.00495 + 0.00995 * (n / 16));
   Bench whole(text), parted(text);
-  whole.options.roads = parted.options.roads = {Road::linear};
-  CHECK(measure(whole.plan, whole.options).roads.at(0).frequencies.size() == 71);
+  whole.options.methods = parted.options.methods = {Method::linear};
+  CHECK(measure(whole.plan, whole.options).spectra.at(0).frequencies.size() == 71);
 
   std::atomic<bool> stop = false;
   parted.options.stop = &stop;
@@ -165,7 +169,7 @@ TEST_CASE("a linear road that is interrupted keeps what it has and goes on to th
   };
   const Measurement first = measure(parted.plan, parted.options);
   REQUIRE(first.interrupted);
-  CHECK(first.roads.at(0).frequencies.size() == 24);  // one window; the second was stopped
+  CHECK(first.spectra.at(0).frequencies.size() == 24);  // one window; the second was stopped
   const std::string part = parted.text("spectrum.csv");
   CHECK(std::count(part.begin(), part.end(), '\n') == 25);
   stop = false;
@@ -177,9 +181,10 @@ TEST_CASE("a linear road that is interrupted keeps what it has and goes on to th
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }
 
-TEST_CASE("a measurement that goes on and cannot write records the cure for its place", "[sound]") {
-  Bench bench(Chain().text("from_hz = 100\nto_hz = 110\nstep_hz = 2\nperiods = 12\nanalysed_periods = 6\n"));
-  bench.options.roads = {Road::sweep};
+TEST_CASE("a measurement that goes on and cannot write records the cure for its place", "[spectrum]") {
+  Bench bench(Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 2\nsweep.periods = 12\nsweep.analysed_periods = 6\n"));
+  bench.options.methods = {Method::sweep};
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
   bench.options.on_progress = [&](double share, double, const std::string&) { stop = share > 0; };
@@ -207,16 +212,16 @@ TEST_CASE("a measurement that goes on and cannot write records the cure for its 
   CHECK(!resume_measurement(bench.options, host()).interrupted);
 }
 
-TEST_CASE("a measurement that goes on keeps the warnings of the roads before", "[sound]") {
+TEST_CASE("a measurement that goes on keeps the warnings of the methods before", "[spectrum]") {
   std::string text = Chain().text(
-      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nfewest_contacts = 1\n");
+      "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\nlinear.fewest_contacts = 1\n");
   // Observes a column that has no linear response.
   const std::string observed = "observe = ['particles.z_1', 'particles.z_8']";
   text.replace(text.find(observed), observed.size(),
                "observe = ['particles.z_1', 'energy.kinetic_translation']");
   text.insert(text.find("[spectrum]"), "[[probe]]\nplugin = 'energy'\nevery = 1e-3\n");
   Bench bench(text);
-  bench.options.roads = {Road::linear, Road::sweep};
+  bench.options.methods = {Method::linear, Method::sweep};
   std::atomic<bool> stop = false;
   bench.options.stop = &stop;
   bench.options.on_progress = [&](double, double, const std::string& what) {
@@ -226,27 +231,28 @@ TEST_CASE("a measurement that goes on keeps the warnings of the roads before", "
   REQUIRE(first.interrupted);
   const auto left_out = [](const Measurement& m) {
     return std::count_if(m.warnings.begin(), m.warnings.end(), [](const std::string& line) {
-      return line.find("(the road linear is left out)") != std::string::npos;
+      return line.find("(method 'linear' skipped)") != std::string::npos;
     });
   };
   CHECK(left_out(first) == 1);
-  CHECK(std::none_of(first.roads.begin(), first.roads.end(),
-                     [](const RoadSpectrum& road) { return road.road == "linear"; }));
+  CHECK(std::none_of(first.spectra.begin(), first.spectra.end(),
+                     [](const MethodSpectrum& spectrum) { return spectrum.method == "linear"; }));
   stop = false;
   bench.options.on_progress = {};
   CHECK(left_out(resume_measurement(bench.options, host())) == 1);
 }
 
-TEST_CASE("the state of another spectrum is refused", "[sound]") {
+TEST_CASE("the state of another spectrum is refused", "[spectrum]") {
   const auto interrupted = [](Bench& bench, std::atomic<bool>& stop) {
-    bench.options.roads = {Road::sweep};
+    bench.options.methods = {Method::sweep};
     bench.options.stop = &stop;
     bench.options.on_progress = [&](double, double, const std::string&) { stop = true; };
     measure(bench.plan, bench.options);
     bench.options.on_progress = {};
     stop = false;
   };
-  const std::string text = "from_hz = 100\nstep_hz = 5\nperiods = 12\nanalysed_periods = 6\nto_hz = ";
+  const std::string text =
+      "from_hz = 100\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\nto_hz = ";
   Bench one(Chain().text(text + "110\n")), other(Chain().text(text + "120\n"));
   std::atomic<bool> stop = false;
   interrupted(one, stop);
@@ -256,5 +262,28 @@ TEST_CASE("the state of another spectrum is refused", "[sound]") {
   CHECK_THAT(
       message([&] { resume_measurement(one.options, host()); }),
       Catch::Contains("state.h5: is the state of another spectrum than that in spectrum.json; put back"));
-  CHECK(resume_measurement(other.options, host()).roads.size() == 1);
+  CHECK(resume_measurement(other.options, host()).spectra.size() == 1);
+}
+
+TEST_CASE("a spectrum writes states as [checkpoint] says, and where it is interrupted", "[spectrum]") {
+  const std::string every = GENERATE("'never'", "'10 min'");
+  CAPTURE(every);
+  Bench bench(
+      Chain().text(
+          "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\n"),
+      {"checkpoint.every=" + every});
+  bench.options.methods = {Method::sweep};
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bool written = false;
+  bench.options.on_progress = [&](double, double, const std::string&) {
+    written = bench.has("state.h5");
+    stop = true;
+  };
+  REQUIRE(measure(bench.plan, bench.options).interrupted);
+  CHECK(written == (every != "'never'"));
+  CHECK(bench.has("state.h5"));
+  stop = false;
+  bench.options.on_progress = {};
+  CHECK_FALSE(resume_measurement(bench.options, host()).interrupted);
 }

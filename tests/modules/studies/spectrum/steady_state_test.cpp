@@ -21,7 +21,7 @@ int blocks_until_steady(SteadyState& steady, Complex limit, Complex transient, C
 
 }  // namespace
 
-TEST_CASE("the transient of one mode is told from the steady response by four blocks", "[sound]") {
+TEST_CASE("the transient of one mode is told from the steady response by four blocks", "[spectrum]") {
   const Complex limit(3, -4), ratio = std::polar(0.97, 0.4);
   SteadyState steady(1e-3, {0});
   CHECK(blocks_until_steady(steady, limit, Complex(2, 1), ratio, 10) == 4);
@@ -30,12 +30,12 @@ TEST_CASE("the transient of one mode is told from the steady response by four bl
   CHECK(steady.limits()[0].error < 1e-13);
 }
 
-TEST_CASE("a response that grows is not steady", "[sound]") {
+TEST_CASE("a response that grows is not steady", "[spectrum]") {
   SteadyState steady(1e-3, {0});
   CHECK(blocks_until_steady(steady, 1, 1, 1.5, 20) == 0);
 }
 
-TEST_CASE("what is small beside the scale need not be steady", "[sound]") {
+TEST_CASE("what is small beside the scale need not be steady", "[spectrum]") {
   SteadyState steady(1e-3, {1e6});
   CHECK(blocks_until_steady(steady, 1, 1, 1.5, 6) == 4);
 }

@@ -5,8 +5,7 @@
 
 namespace scree::response {
 
-StaticContacts::StaticContacts(const Simulation& simulation, int spins)
-    : simulation_(simulation), spins_(spins) {
+StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simulation_(simulation) {
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
     laws_.push_back(std::make_unique<PairsOfLaw>(simulation, law, spins));
   find_pairs(StaticConfiguration(simulation), 0);

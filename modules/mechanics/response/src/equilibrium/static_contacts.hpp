@@ -38,7 +38,6 @@ class StaticContacts {
   std::vector<PairState> states(const std::vector<PairState>& (PairsOfLaw::*of_law)() const) const;
 
   const Simulation& simulation_;
-  int spins_;
   std::vector<std::unique_ptr<PairsOfLaw>> laws_;
 };
 

@@ -29,7 +29,7 @@ class StiffnessFactors::Sparse {
   bool factorise(Eigen::SparseMatrix<double> matrix) {
     matrix.makeCompressed();
     const bool same = numeric_ && same_entries(matrix);
-    matrix_ = std::move(matrix);
+    matrix_.swap(matrix);
     return (same && factorise_again()) || factorise_anew();
   }
 

@@ -20,7 +20,4 @@ struct TableDescription {
   std::vector<KeyDescription> keys;
 };
 
-// All tables of a scenario. Parameters of plug-ins stand beside the keys of their tables.
-std::vector<TableDescription> describe_tables();
-
 }  // namespace scree::scenario

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include <scree/branching.hpp>
+#include <scree/document/document.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/scenario/input_files.hpp>
-#include <scree/scenario/spectrum_plan.hpp>
+#include <scree/scenario/study_table.hpp>
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
@@ -71,16 +72,20 @@ struct ChartPlan {
   bool log_x = false, log_y = false;
 };
 
-// A required result of a run or a spectrum.
+// A required result of a run or a study.
 struct Expectation {
   std::string requirement;  // text for people
-  std::string
-      quantity;  // "energy_residual", "<probe>.<column>.<last|first|min|max|mean>", or as in peak_quantity.hpp
+  std::string quantity;     // "energy_residual", "<probe>.<column>.<last|first|min|max|mean>", or of a study
   std::optional<double> reference, tolerance;
   std::optional<double> at_most, at_least;
   bool of_step = false;         // the reference is valid only for the time step in the file
   std::optional<double> scale;  // divisor for relative errors; |reference| if absent
+  std::string place = {};       // file:line:column, for messages
 };
+
+// Largest number of steps of a stage, or of one frequency of a sweep. At one microsecond per step, faster than almost any
+// scene, this takes twelve days.
+inline constexpr double most_steps = 1e12;
 
 // A scenario file, read and checked. The PluginHost it was read with must outlive it.
 struct Plan {
@@ -97,10 +102,11 @@ struct Plan {
   SnapshotPlan snapshot;
   CheckpointPlan checkpoint;
   std::vector<ChartPlan> charts;
-  std::vector<Expectation> expectations;       // of a run
-  std::vector<Expectation> peak_expectations;  // of a spectrum
-  std::optional<SpectrumPlan> spectrum;        // for scree spectrum; then there may be no stages
-  std::string resolved_text;                   // TOML with overrides
+  std::vector<Expectation> expectations;        // of a run
+  std::vector<Expectation> study_expectations;  // of the studies whose tables the scenario has
+  std::vector<std::string> studies;             // names of these tables; with one there may be no stages
+  std::optional<document::Document> document;   // from which studies read their tables; set by read_plan
+  std::string resolved_text;                    // TOML with overrides
   std::string
       text_for_any_folder;   // the same with the path of a packing made absolute; empty if not to be written
   std::string bodies_place;  // file:line:column, for messages
@@ -115,23 +121,23 @@ struct Plan {
 
 // Names of all quantities for expectations: the numbers of run.json, and "<probe>.<column>.<statistic>".
 std::vector<std::string> quantity_names(const std::vector<ProbePlan>& probes, int dimension);
-// Returns "no quantity '<name>'; <cure>" unless the name is among `known` or, with a spectrum, that of a number of a peak.
-std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known,
-                                            const std::optional<SpectrumPlan>& spectrum = std::nullopt);
+// Returns "no quantity '<name>'; <cure>" unless the name is among `known`.
+std::optional<std::string> quantity_problem(const std::string& name, const std::vector<std::string>& known);
 
-// Reads a scenario file. Throws Error "file:line:column: what is wrong; what to do" for any error in it.
-Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-               PluginHost& host);
+// Reads a scenario file; `studies` check their tables. Throws Error "file:line:column: what is wrong; what to do" for any
+// error in it, and for keys that nothing reads.
+Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host,
+               const StudyTables& studies = {});
 
 // Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start, so
-// that no packing is read again. name: of the text in messages.
+// that no packing is read again. name: of the text in messages. Tables of studies are not checked again.
 Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host);
 
 // Refuses the keys of a scenario that nothing reads, while the state from which it begins is not there: `bodies` stand for
 // those of the state, and keys of [particles] are not looked at. What else is wrong is left to read_plan.
 void check_keys(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                std::vector<Body> bodies, PluginHost& host);
+                std::vector<Body> bodies, PluginHost& host, const StudyTables& studies = {});
 
 // The override "stage[1].duration=2", with which the last stage of a scenario, which ends by its duration or after
 // cycles, takes so many seconds.

@@ -2,22 +2,27 @@
 
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <scree/accuracy/study.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::accuracy {
 
 // One sentence: the cheapest setting within the tolerance, or, if there is none, the most accurate setting.
-std::string verdict(const Study& study);
+std::string verdict(const Convergence& study);
 // Report for a terminal: table of settings, orders, references, horizon and verdict.
-std::string text_report(const Study& study);
+std::string text_report(const Convergence& study);
 // One row per setting: integrator, precision, step_s, steps, wall_s, worst_error, then value and error of
 // each quantity; problem.
-std::string csv_report(const Study& study);
+std::string csv_report(const Convergence& study);
 
-// Writes accuracy.csv, accuracy.json and charts/<quantity>.png (error against wall time with the Pareto
-// front), of the worst error and of up to six quantities, to the directory of a study; no charts if the
-// program was built without pictures. Throws Error (failure) if a file cannot be written.
-void write_report(const Study& study, const std::string& title, run::RunDirectory& directory);
+// The entries of accuracy.json between its status and its warnings.
+nlohmann::ordered_json record_of(const Convergence& study);
+// accuracy.csv: csv_report(). Throws Error (failure) if it cannot be written.
+void write_table(const Convergence& study, const run::RunDirectory& directory);
+// charts/<quantity>.png: error against wall time with the Pareto front, of the worst error and of up to six
+// quantities; none if the program was built without pictures.
+void draw_charts(const Convergence& study, const std::string& title, const run::RunDirectory& directory);
 
 }  // namespace scree::accuracy

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <scree/scenario/plan.hpp>
@@ -19,8 +21,8 @@ struct Setting {
 // "velocity_verlet, double".
 std::string method_name(const Setting& setting);
 
-// A compared quantity. The last one of a study of a run, "positions", is the root mean square distance of the bodies
-// from their positions in the reference, in mean radii.
+// A compared quantity. The last one of a study of a run, "positions", is the root mean square distance of the
+// bodies from their positions in the reference, in mean radii.
 struct Quantity {
   std::string name;
   double reference = 0;
@@ -32,10 +34,10 @@ struct Quantity {
 };
 
 // Result of a setting.
-struct Outcome {
+struct SettingResult {
   Setting setting;
   std::string problem;  // why there are no results; empty if there are
-  double wall = 0;      // (s) of the time loop, and of the roads to a peak; minimum over repeats
+  double wall = 0;      // (s) of the time loop, and of the methods to a peak; minimum over repeats
   std::uint64_t steps = 0;
   std::vector<double> values, errors;  // of each quantity; errors are relative
   // The largest error of all quantities.
@@ -53,21 +55,22 @@ struct Order {
   std::vector<std::optional<double>> of_quantities;
 };
 
-// The longest step (s) with which an error stays within the tolerance, between two tried ones from their errors; no longer than
-// the longest tried one, and absent if the error of the shortest is larger.
+// The longest step (s) with which an error stays within the tolerance, between two tried ones from their
+// errors; no longer than the longest tried one, and absent if the error of the shortest is larger.
 struct LongestStep {
   Setting method;                  // with step 0
   std::optional<double> of_worst;  // for all quantities
   std::vector<std::optional<double>> of_quantities;
 };
 
-struct Study {
+// What a study has found.
+struct Convergence {
   double duration = 0;  // (s) simulated time of the comparison
   std::optional<double>
       horizon;  // (s) until which the reference is trustworthy; absent: to the end of the scene
   std::vector<Quantity> quantities;
   std::vector<std::string> notes;  // remarks: excluded quantities, ends of stages that depend on the step
-  std::vector<Outcome> outcomes;
+  std::vector<SettingResult> outcomes;
   std::vector<Order> orders;
   std::vector<LongestStep> longest_steps;
   bool of_peaks = false;
@@ -80,26 +83,40 @@ struct StudyOptions {
   int count = 6;        // number of steps, each half of the previous; at least 2
   double tolerance = 1e-3;
   std::vector<Integration> integrations;  // all if empty
-  // Compared ones; those of [[expect]] if empty. A peak, "peaks.pulse.strain.strain.peak_2", stands for its frequency and quality.
+  // Compared ones; those of [[expect]] if empty. A peak, "peaks.pulse.strain.strain.peak_2", stands for its
+  // frequency and quality.
   std::vector<std::string> quantities;
   std::function<void(double share, const std::string& what)> on_progress;
   const std::atomic<bool>* stop = nullptr;
+};
+
+// The same with a directory.
+struct RecordedStudyOptions : StudyOptions {
+  std::filesystem::path out;  // empty: runs/<stem of the scenario>-accuracy, numbered if it exists
+  bool overwrite = false;
+  std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
+  std::function<void(const Convergence&)> on_result;   // called before the tables are written
 };
 
 // Runs a plan with all steps, integrators and precisions, and compares with a reference: the closed form of
 // [[expect]] if there is one, 0 for residuals, else the Richardson extrapolation of velocity Verlet in double
 // precision with 1/2, 1/4 and 1/8 of the finest step. Steps divide the durations of the stages. If runs
 // diverge under refinement, as in chaotic scenes, all are compared at the time until which they agree to a
-// tenth of the tolerance (at least 1e-5) in mean radii. Quantities of peaks are compared if `quantities` names some, or if the
-// plan has no stages or no [[expect]] of a run; then a setting takes the roads of these peaks. Throws Error if the scenario cannot
-// run, or if quantities are unknown or of both kinds.
-Study study(const scenario::Plan& plan, const StudyOptions& options);
+// tenth of the tolerance (at least 1e-5) in mean radii. Quantities of peaks are compared if `quantities`
+// names some, or if the plan has no stages or no [[expect]] of a run; then each setting
+// measures these peaks by their methods. Throws Error if the scenario cannot run, or if quantities are unknown or of both kinds.
+Convergence study(const scenario::Plan& plan, const StudyOptions& options);
+
+// The same, and writes accuracy.csv, accuracy.json and charts/ (see report.hpp). Nothing is written before
+// the reference is complete. Returns the directory too.
+std::pair<Convergence, std::filesystem::path> recorded_study(const scenario::Plan& plan,
+                                                             const RecordedStudyOptions& options);
 
 // The cheapest outcome whose worst error is within the tolerance; null if none is.
-const Outcome* cheapest(const Study& study);
+const SettingResult* cheapest(const Convergence& study);
 // Pareto-optimal outcomes in wall time and the error of a quantity (or the largest error), sorted by wall
 // time; a slower outcome must reduce the error by more than 5 %, as less is timing noise.
-std::vector<const Outcome*> pareto_front(const Study& study,
-                                         std::optional<std::size_t> quantity = std::nullopt);
+std::vector<const SettingResult*> pareto_front(const Convergence& study,
+                                               std::optional<std::size_t> quantity = std::nullopt);
 
 }  // namespace scree::accuracy

@@ -10,6 +10,7 @@
 #include <scree/particles.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/run/input_hashes.hpp>
+#include <scree/scenario/study_table.hpp>
 
 namespace scree::campaign {
 
@@ -50,7 +51,7 @@ struct Campaign {
   std::string title;
   std::filesystem::path source, scenario;
   std::string scenario_place;        // file:line:column, for messages
-  std::string roads;                 // by which scree spectrum measures the scenario; empty: it is run
+  std::string methods;               // by which scree spectrum measures the scenario; empty: it is run
   std::vector<std::string> collect;  // quantities of the runs' series, "<probe>.<column>.<statistic>"
   std::string collect_place;
   std::vector<Setting> fixed;
@@ -66,7 +67,7 @@ struct Campaign {
   std::vector<std::string> varying_keys() const;
   std::vector<std::size_t> preparation_of;  // of each point: index in preparation->points
   // File in the directory of a point that states its status and inputs.
-  const char* record() const { return roads.empty() ? "run.json" : "spectrum.json"; }
+  const char* record() const { return methods.empty() ? "run.json" : "spectrum.json"; }
 };
 
 // Reads a campaign file. Throws Error "file:line:column: what is wrong; what to do" for any error in it, and
@@ -90,12 +91,14 @@ Campaign branched(Campaign campaign, const PluginHost& host);
 
 // Throws Error, like scree check, unless the point can be run and has all collected quantities. The position
 // is that of the setting that causes the error, if there is one.
-void check_point(const Campaign& campaign, const Point& point, PluginHost& host);
+void check_point(const Campaign& campaign, const Point& point, PluginHost& host,
+                 const scenario::StudyTables& studies = {});
 // The same for a point of a preparation, which must write its final state. Returns the bodies at its start.
-std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host);
+std::vector<Body> check_preparation(const Campaign& preparation, const Point& point, PluginHost& host,
+                                    const scenario::StudyTables& studies = {});
 // Throws Error at a setting, or in the scenario, of a key that nothing reads, as far as that is known before the preparation
 // of the point, which begins with these bodies, has been run.
 void check_keys(const Campaign& campaign, const Point& point, const std::vector<Body>& bodies,
-                PluginHost& host);
+                PluginHost& host, const scenario::StudyTables& studies = {});
 
 }  // namespace scree::campaign

@@ -22,6 +22,7 @@ struct ExecutionOptions {
   unsigned threads = 1;  // of each run
   bool again = false;    // all runs begin anew, also finished ones
   std::vector<std::string> plugin_directories;
+  scenario::StudyTables studies;                           // whose tables the scenario may have
   std::filesystem::path program = "/proc/self/exe";        // called as `scree run` and `scree resume`
   const std::atomic<bool>* stop = nullptr;                 // set by Ctrl-C: runs save their results and end
   std::function<void(const Tally&)> on_progress;           // called a few times per second

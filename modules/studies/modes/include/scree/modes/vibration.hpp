@@ -11,7 +11,6 @@
 #include <scree/modes/mode.hpp>
 #include <scree/response/elastic_moduli.hpp>
 #include <scree/response/load_response.hpp>
-#include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 
 namespace scree::modes {
@@ -28,8 +27,8 @@ struct VibrationOptions {
   double density_to_hz = 0;        // up to here; 0: all modes
   std::string view;                // of pictures, one of pictures::view_names; empty: iso
   std::vector<unsigned> pictures;  // numbers of modes that vibrate, from 1
-  bool contacts_slide = false;     // those at the limit of friction; or as [spectrum] says
-  int fewest_contacts = 0;         // response::AssemblyOptions; 0: as [spectrum] says, if there is one
+  bool contacts_slide = false;     // at the limit of friction; else they stick
+  int fewest_contacts = 0;         // of a body that is held; see response::AssemblyOptions
   double residual_limit = 0.01;    // above which modes are named
   std::function<void(double share, double wall, const std::string& what)> on_progress;
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
@@ -57,17 +56,14 @@ struct Vibration {
   std::vector<std::int64_t> names;    // of bodies, by number
   std::vector<std::string> walls;     // names
   bool interrupted = false;
-  std::string scenario;  // as resolved
-  run::InputHashes inputs;
   std::vector<std::string> warnings;                    // "<what>; <cure>"
-  std::string error;                                    // one line, if it failed
   std::vector<std::pair<std::string, double>> seconds;  // wall time of each part
 };
 
-// Runs the stages of a plan, if it has any, takes the packing at their end as at rest, and writes the directory: modes.csv,
-// floppy.csv, density.csv, elastic.csv, loads.csv, load_bodies.csv,
-// load_contacts.csv, charts/, images/, response.json. Throws Error (bad_input) before anything is written if
-// the packing has no contacts, a law no derivative, or, for elastic constants, other walls; or as a run does.
+// Runs the stages of a plan, if it has any, takes the packing at their end as at rest, and writes the
+// directory: modes.csv, floppy.csv, density.csv, elastic.csv, loads.csv, load_bodies.csv, load_contacts.csv,
+// charts/, images/, response.json. Throws Error (bad_input) before anything is written if the packing has no
+// contacts, a law no derivative, or, for elastic constants, other walls; or as a run does.
 Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options);
 
 // The result for people.

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <scree/run/input_hashes.hpp>
 #include <scree/scenario/plan.hpp>
 
 namespace scree::quasi_static {
@@ -25,13 +24,14 @@ struct FollowOptions {
   const std::atomic<bool>* stop = nullptr;                  // set by Ctrl-C: what is complete is saved
 };
 
-// A part of the stage that was left to dynamics, since the packing had no equilibrium next to the present one.
+// A part of the stage that was left to dynamics, since the packing had no equilibrium next to the present
+// one.
 struct HandOver {
   double from = 0, to = 0;  // (s)
 };
 
 // The last stage of a plan without dynamics.
-struct Course {
+struct FollowedLoad {
   std::filesystem::path directory;
   std::string title;
   std::size_t bodies = 0, degrees_of_freedom = 0;
@@ -44,10 +44,7 @@ struct Course {
   std::size_t dynamic_steps = 0;
   double wall = 0, dynamic_wall = 0;  // (s) of all the stage, and of its dynamics
   bool interrupted = false;
-  std::string scenario;  // as resolved
-  run::InputHashes inputs;
   std::vector<std::string> warnings;  // "<what>; <cure>"
-  std::string error;                  // one line, if it failed
 
   double dynamic_time() const {  // (s) of all hand-overs
     double sum = 0;
@@ -56,20 +53,19 @@ struct Course {
   }
 };
 
-// Runs the stages of a plan but the last, follows the last one through states of equilibrium (response::QuasiStatic), and
-// writes the directory: series/quasi_static.csv, a chart, final_state.h5, response.json. Where there is no equilibrium next to the
-// present one, dynamics go on until there is. Also at its start. Throws Error (bad_input) before anything is written if the last stage
-// has no duration, a law no derivative, or walls are moved otherwise than by stresses and forces; or as a run does.
-Course follow(const scenario::Plan& plan, const FollowOptions& options);
+// Runs the stages of a plan but the last, follows the last one through states of equilibrium
+// (response::QuasiStatic), and writes the directory: series/quasi_static.csv, a chart, final_state.h5,
+// response.json. Where there is no equilibrium next to the present one, also at the start, dynamics go on
+// until there is. Throws Error (bad_input) before anything is written if the last stage has no duration, a
+// law no derivative, or walls are moved otherwise than by stresses and forces; or as a run does.
+FollowedLoad follow(const scenario::Plan& plan, const FollowOptions& options);
 
-// Whether a directory has the record of a response, quasi-static or other.
-bool is_response(const std::filesystem::path& directory);
-
-// Goes on with the course in options.out that was interrupted, from the end of its last complete cycle (of 40 increments of a load without period), to the same bits.
-// options: out, threads, callbacks and stop count. Throws Error (bad_input) if it is finished, or if there is no state.
-Course resume_following(const FollowOptions& options, PluginHost& host);
+// Goes on with the interrupted load in options.out, from the end of its last complete cycle (of 40 increments
+// of a load without period), to the same bits. options: out, threads, callbacks and stop count. Throws Error
+// (bad_input) if it is finished, or if there is no state.
+FollowedLoad resume_following(const FollowOptions& options, PluginHost& host);
 
 // The result for people.
-std::string text_report(const Course& course);
+std::string text_report(const FollowedLoad& load);
 
 }  // namespace scree::quasi_static

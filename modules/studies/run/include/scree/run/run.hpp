@@ -72,6 +72,7 @@ struct ResumeChanges {
 
 // Goes on with the run in the directory options.out, from the latest of its states that can be read, to the same
 // bits as if it had never stopped. Throws Error as run_plan() does; nothing is changed if the status is bad_input.
-RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host);
+RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
+                     const scenario::StudyTables& studies = {});
 
 }  // namespace scree::run

@@ -1,5 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
 #include <scree/scenario/plan.hpp>
 
 namespace scree::run {
@@ -11,7 +18,18 @@ struct Verdict {
   bool met = false;
 };
 
-// Compares an expectation with the value of its quantity. NaN does not meet any.
+// Compares an expectation with the value of its quantity. NaN, as from an empty series, does not meet any.
 Verdict judged(const scenario::Expectation& expectation, double value);
+
+using SeriesColumn = std::function<std::vector<double>(const std::string& probe, const std::string& column)>;
+
+// Compares an expectation with the results of a run: with one of its quantities, or with the statistic of a
+// series.
+Verdict judge_expectation(const scenario::Expectation& expectation,
+                          const std::vector<std::pair<std::string, double>>& quantities,
+                          const SeriesColumn& column);
+
+// "expect" of a record.
+nlohmann::ordered_json json_of(const std::vector<Verdict>& verdicts);
 
 }  // namespace scree::run

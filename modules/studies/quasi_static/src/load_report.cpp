@@ -1,0 +1,89 @@
+#include "load_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scree/counted.hpp>
+#include <scree/pictures/load_backend.hpp>
+
+namespace scree::quasi_static {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double most_whole_cycles = 4;  // drawn one after the other; of more, the first and the last
+
+Json record_of(const FollowedLoad& load) {
+  Json json = {{"title", load.title}, {"bodies", load.bodies}};
+  json["degrees_of_freedom"] = load.degrees_of_freedom;
+  json["start"] = load.start;
+  json["end"] = load.reached;
+  if (load.reached < load.end) json["planned_end"] = load.end;
+  json["increment"] = load.increment;
+  json["period"] = load.period;
+  json["increments"] = load.increments;
+  json["iterations"] = load.iterations;
+  json["events"] = load.events;
+  json["dynamic_steps"] = load.dynamic_steps;
+  json["hand_overs"] = Json::array();
+  for (const HandOver& h : load.hand_overs) json["hand_overs"].push_back({{"from", h.from}, {"to", h.to}});
+  json["wall"] = {{"all", load.wall}, {"dynamic", load.dynamic_wall}};
+  return json;
+}
+
+namespace {
+
+// The part of a load between two times (s), over the time since `zero`.
+pictures::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains,
+                              double from, double to, double zero) {
+  pictures::ChartSeries curve;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (times[k] >= from && times[k] <= to) curve.x.push_back(times[k] - zero), curve.y.push_back(strains[k]);
+  return curve;
+}
+
+}  // namespace
+
+void draw_chart(const FollowedLoad& load, const std::vector<double>& times,
+                const std::vector<double>& strains, const run::RunDirectory& directory) {
+  const bool drawn = strains.size() > 1 &&
+                     std::all_of(strains.begin(), strains.end(), [](double s) { return std::isfinite(s); });
+  if (!drawn || !pictures::has_pictures()) return;
+  pictures::ChartSpec chart;
+  chart.title = load.title + ", quasi-static";
+  chart.y_label = "strain L_y/L_y0 - L_x/L_x0";
+  const double end = times.back(), slack = 1e-9 * load.period;
+  if (load.period > 0 && end - load.start >= most_whole_cycles * load.period) {
+    const double cycles = std::floor((end - load.start) / load.period + 1e-9);
+    chart.x_label = "time in the cycle (s)";
+    for (const double cycle : {1.0, cycles}) {
+      const double from = load.start + (cycle - 1) * load.period;
+      chart.series.push_back(part_of(times, strains, from - slack, from + load.period + slack, from));
+      chart.series.back().name = fmt::format("cycle {:g}", cycle);
+    }
+  } else {
+    chart.x_label = "time (s)";
+    chart.series.push_back(part_of(times, strains, load.start, end, 0));
+  }
+  pictures::load_backend()->chart(chart, directory.add("charts/strain.png"));
+}
+
+std::string text_report(const FollowedLoad& c) {
+  std::string text = fmt::format(
+      "{}, {} degrees of freedom; {:g} to {:g} s in {} of at most {:g} s\n"
+      "{} of Newton's method; contacts opened, closed, began or ended to slide {}\n",
+      counted(c.bodies, "body", "bodies"), c.degrees_of_freedom, c.start, c.reached,
+      counted(c.increments, "increment"), c.increment, counted(c.iterations, "iteration"),
+      counted(c.events, "time"));
+  if (!c.hand_overs.empty())
+    text += fmt::format("{:g} s of {:g} s by dynamics, in {}, where there was no equilibrium nearby\n",
+                        c.dynamic_time(), c.reached - c.start, counted(c.hand_overs.size(), "part"));
+  text += fmt::format("{:.3g} s of wall time", c.wall);
+  if (c.period > 0 && c.reached > c.start)
+    text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.reached - c.start));
+  return text + "\n";
+}
+
+}  // namespace scree::quasi_static

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <scree/error.hpp>
+#include <scree/run/cadence.hpp>
+#include <scree/run/input_hashes.hpp>
+#include <scree/run/result_kind.hpp>
+#include <scree/run/run_directory.hpp>
+#include <scree/run/spare_room.hpp>
+#include <scree/run/stopwatch.hpp>
+#include <scree/scenario/plan.hpp>
+#include <scree/stage.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree::run {
+
+// What every study takes from its caller.
+struct SessionOptions {
+  std::filesystem::path out;  // empty: RunDirectory::default_for() the scenario, numbered if it exists
+  bool overwrite = false;
+  std::function<void(double share, double wall, const std::string& what)> on_progress;
+  std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
+  const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: what is complete is saved
+};
+
+// The part of the options of a study that its session takes.
+template <class Options>
+SessionOptions session_options(const Options& o) {
+  return {o.out, o.overwrite, o.on_progress, o.on_warning, o.stop};
+}
+
+// What a session asks of a study: its physics. session.cpp begins with the order of these calls.
+class Study {
+ public:
+  virtual ~Study() = default;
+
+  // Everything before the first file of a new study. Throws Error (bad_input) at what it cannot do.
+  virtual void prepare() = 0;
+  // The same for a study that goes on. Throws Error (bad_input) if the state does not fit; changes no file.
+  virtual void restore(const State&) {}
+  // Creates its files besides the record and the scenario. If it throws, all files are removed again.
+  virtual void open() {}
+  // Cuts its files to the lengths that they had at the time of the state.
+  virtual void reopen() {}
+  // Works to its end and writes its results. Returns false if it was stopped before its end.
+  virtual bool work() = 0;
+
+  // Whether bad input that is found in work() leaves results that are worth keeping.
+  virtual bool has_results() const { return true; }
+  // After an error: completes what the record tells, and then, after the record, saves what there is.
+  virtual void end_failed() {}
+  virtual void save_failed() {}
+
+  // Saves or restores what the study keeps in states besides what Session::transfer() does.
+  virtual void transfer(const StateTransfer&) {}
+  // The entries of the record between "status" and "warnings".
+  virtual nlohmann::ordered_json record() = 0;
+};
+
+// What a study does not care about: directory, lock, room for the last record on a full disk, record and
+// status, warnings, progress, stop, states, failure, and going on. Functions that write throw Error
+// (failure).
+class Session {
+ public:
+  // Of new results: takes their directory. Throws Error as RunDirectory::of_results().
+  Session(const ResultKind& kind, const scenario::Plan& plan, SessionOptions options);
+  // Of results that go on, or begin anew, in the directory where they are.
+  Session(const ResultKind& kind, const scenario::Plan& plan, SessionOptions options, RunDirectory directory);
+
+  // Carries out a study from its start, or from a state. Throws its errors; those after the first file are
+  // recorded.
+  void begin(Study& study);
+  void resume(Study& study, const State& state);
+
+  const RunDirectory& directory() const { return directory_; }
+  const InputHashes& inputs() const { return inputs_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  bool interrupted() const { return interrupted_; }
+
+  // For the study while it works.
+  bool proceeds() const { return !options_.stop || !*options_.stop; }
+  void report(double share, const std::string& what) const;
+  void warn(const std::string& line);
+  // Keeps warnings that are reported later.
+  void note(const std::vector<std::string>& lines);
+  // Runs stages [present, end) without probes; false after a stop.
+  bool run_stages(StageRunner& stages, std::size_t end) const;
+  // The error of a stop before the first file.
+  Error stopped_before(const std::string& what) const;
+  Stopwatch& watch() { return watch_; }
+  double wall() const { return wall_before_ + watch_.total(); }  // (s), also before it was interrupted
+  void restart_watch() { watch_ = {}; }
+  // Writes the record of a study that goes on.
+  void record_running() { write_record("running"); }
+
+  // Whether a state at a simulated time (s) is to be written now.
+  bool is_state_due(double time) const { return cadence_.is_due(wall(), time); }
+  // Adds what the study keeps to a state of its simulation, and writes it: now if it is the first or due,
+  // else when the study ends early. One that is due but cannot be written is a warning.
+  void keep(State state, double time);
+
+  // Of states: scenario, warnings, inputs and wall time. For studies with other states: warnings and inputs
+  // alone.
+  void transfer(const StateTransfer& state);
+  void transfer_notes(const StateTransfer& state);
+
+ private:
+  void carry_out(const std::function<void()>& start);
+  void end(bool complete);
+  void fail(const std::string& reason);
+  void write_record(const char* status);
+  void write_kept_state();
+
+  const ResultKind& kind_;
+  const scenario::Plan& plan_;
+  SessionOptions options_;
+  RunDirectory directory_;
+  bool in_place_;  // whether it cannot take another directory
+  Study* study_ = nullptr;
+  InputHashes inputs_;
+  std::vector<std::string> warnings_;  // "<what>; <cure>"
+  std::string error_;                  // one line, if it failed
+  bool interrupted_ = false, first_state_ = true, state_failed_ = false;
+  std::optional<State> kept_;  // the latest state that is not in the file
+  Cadence cadence_;
+  SpareRoom room_;
+  Stopwatch watch_;
+  double wall_before_ = 0;  // (s)
+};
+
+}  // namespace scree::run

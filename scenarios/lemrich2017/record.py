@@ -1,0 +1,55 @@
+"""Numbers of spectra, sweeps and drives as rows of results.csv."""
+import math
+
+from exponent import NAMES, mean_and_error
+
+
+def put_peaks(results, packings, campaign):
+    for (stress, seed), peaks in packings.items():
+        for wavelengths, name in NAMES.items():
+            frequency, error, _ = peaks[wavelengths]
+            key = "spectra", f"frequency of {name}", f"{stress / 1e3:g} kPa, seed {seed}"
+            results.put(key, "kHz", f"{frequency / 1e3:.4f}", f"{error / 1e3:.1g}", 1, campaign)
+
+
+def put_exponents(results, exponents, campaign):
+    for name, slopes in exponents.items():
+        mean, error = mean_and_error(slopes)
+        results.put(
+            ("spectra", f"exponent of {name} in the stress", "prepare.toml"),
+            "1",
+            f"{mean:.4f}",
+            "" if math.isnan(error) else f"{error:.4f}",
+            len(slopes),
+            campaign,
+        )
+
+
+def put_drives(results, study, sweeps, campaign):
+    """The highest maximum of each sweep."""
+    for sweep in sweeps:
+        case = f"{sweep.stress / 1e3:g} kPa, A = {sweep.amplitude:g} m"
+        results.put((study, "frequency of the maximum", case), "kHz", f"{sweep.top()[0] / 1e3:.2f}", "", 1, campaign)
+        results.put((study, "local strain at the maximum", case), "1", f"{sweep.local_strain():.2g}", "", 1, campaign)
+        if sweep.peak:
+            error = sweep.peak.get("quality_error", "")
+            results.put(
+                (study, "Q of the nearest mode", case),
+                "1",
+                f"{sweep.quality():.1f}",
+                f"{float(error):.1f}" if error else "",
+                1,
+                campaign,
+            )
+
+
+def put_collapse(results, apart, campaign):
+    for name, strain, count, share in apart:
+        results.put(
+            ("drives", "range of the frequencies over their mean", f"{name} = {strain:g}"),
+            "%",
+            f"{100 * share:.1f}",
+            "",
+            count,
+            campaign,
+        )

@@ -1,0 +1,197 @@
+"""Numbers of the campaigns of this folder, printed and as rows of results.csv."""
+import math
+
+from series import DROPPED, Paths, cycles_of, line_through, slope_of, strains
+from tables import runs_of, scenario_of  # of the folder above, which series.py adds
+
+LOAD = 0.15  # Δσ/p
+FRICTION = 0.2
+PHASE = "stage.cycles.set.box.stress_x_high.phase_deg"
+LAWS = {"disc_cundall_strack": "Cundall and Strack", "disc_corrected": "corrected", "disc_angular": "painted points"}
+WALLS = {"wall1": "left wall", "wall2": "right wall", "wall3": "lower wall", "wall4": "upper wall"}
+
+
+def long_runs(campaign, *columns):
+    """Runs of a campaign of at least 30 cycles of 10 τ; none if there is no campaign or its table lacks one of
+    the columns."""
+    runs = runs_of(campaign) if campaign else []
+    return [run for run in runs if all(c in run for c in columns) and cycles_of(run["path"]) > DROPPED]
+
+
+def bodies_of(contact):
+    """A contact "3_7" or "3_wall1" in words."""
+    return " and ".join(WALLS.get(part, f"disc {part}") for part in contact.split("_"))
+
+
+class Biaxial:
+    """The run of paths.toml under a load on one pair of walls."""
+
+    def __init__(self, run):
+        self.paths = Paths(run["path"])
+        self.name = f"{LAWS[scenario_of(run['path'])['contact'][0]['plugin']]}, packing {run['seed']}"
+        self.gamma, self.per = strains(run["path"], 0), self.paths.per_cycle
+
+    def slides(self):
+        return any(sum(sliding) for _, _, sliding in self.paths.contacts.values())
+
+
+def contact_that_slides(paths):
+    """Name, and F_n, F_t and slip over the last cycle."""
+    return max(paths.contacts.items(), key=lambda contact: sum(contact[1][2]))
+
+
+def ellipses_of(runs):
+    """Paths of contacts by the phase of the load, in degrees."""
+    return {run["case"].split()[1]: Paths(run["path"]) for run in runs}
+
+
+def widest_of(ellipses):
+    """The contact with the largest area at a phase of 90 degrees."""
+    return max(ellipses["90"].contacts, key=lambda contact: abs(ellipses["90"].area(contact)))
+
+
+def put_paths(results, campaign):
+    runs = long_runs(campaign, "case")
+    for run in (run for run in runs if run["case"] == "biaxial"):
+        biaxial = Biaxial(run)
+        largest = max(abs(g) for g in biaxial.gamma[: biaxial.per])
+        slope = line_through(biaxial.gamma[DROPPED * biaxial.per :: biaxial.per])[0]
+        slides = {c: int(sum(v[2])) for c, v in biaxial.paths.contacts.items() if sum(v[2])}
+        samples = ", ".join(f"{contact} in {count} of {biaxial.per + 1} samples" for contact, count in slides.items())
+        print(f"contacts that slide in the last cycle: {samples}")
+        print(f"largest |γ| of the first cycle {largest:.4f}, slope {slope:.3e} per cycle")
+        case = f"packing {run['seed']}"
+        results.put(("paths", "contacts that slide", case), "1", f"{len(slides)}", "", 1, campaign)
+        results.put(("paths", "largest |γ| of the first cycle", case), "1", f"{largest:.2g}", "", 1, campaign)
+        results.put(("paths", "Δγ", case), "per cycle", f"{slope:.3g}", "", 1, campaign)
+    ellipses = ellipses_of([run for run in runs if run["case"].startswith("phase ")])
+    if "90" not in ellipses:
+        return
+    widest = widest_of(ellipses)
+    for phase, paths in ellipses.items():
+        share = paths.area(widest) / ellipses["90"].area(widest)
+        print(f"contact {widest}, phase {phase}: area {paths.area(widest):.4e} N², over that at 90: {share:.4f}")
+        results.put(
+            ("paths", "area of the ellipse", f"{bodies_of(widest)}, φ = {phase}°"),
+            "N²",
+            f"{paths.area(widest):.5g}",
+            "",
+            1,
+            campaign,
+        )
+
+
+def sine_fit(slopes):
+    """A and R² of Δγ = A sin φ. slopes: Δγ by φ in degrees."""
+    sines = {p: math.sin(math.radians(p)) for p in slopes}
+    amplitude = sum(slopes[p] * sines[p] for p in slopes) / sum(s * s for s in sines.values())
+    mean = sum(slopes.values()) / len(slopes)
+    rest, spread = (
+        sum((slopes[p] - fit(p)) ** 2 for p in slopes) for fit in (lambda p: amplitude * sines[p], lambda p: mean)
+    )
+    return amplitude, 1 - rest / spread if spread > 0 else math.nan
+
+
+def phases_of(campaign):
+    """Δγ by φ in degrees, of each case and packing that has three phases or more."""
+    by_packing = {}
+    for run in long_runs(campaign, "case", PHASE):
+        by_packing.setdefault((run["case"], int(run["seed"])), {})[float(run[PHASE]) + 90] = slope_of(run["path"])[0]
+    return {key: slopes for key, slopes in by_packing.items() if len(slopes) > 2}
+
+
+def put_elliptic(results, campaign):
+    for (case, seed), slopes in phases_of(campaign).items():
+        amplitude, quality = sine_fit(slopes)
+        largest = max(abs(s) for s in slopes.values())
+        print(
+            f"{case}, packing {seed}: A = {amplitude:.4e}, R² = {quality:.6f}, largest |Δγ| {largest:.2e},"
+            f" {len(slopes)} phases"
+        )
+        for name, unit, value in (
+            ("A of Δγ = A sin φ", "per cycle", f"{amplitude:.5g}"),
+            ("R² of Δγ = A sin φ", "1", f"{quality:.6f}"),
+            ("largest |Δγ|", "per cycle", f"{largest:.2g}"),
+        ):
+            results.put(("elliptic", name, f"{case}, packing {seed}"), unit, value, "", 1, campaign)
+
+
+def put_verdicts(results, study, campaign):
+    """Packings of each case that ratchet by the criterion of the paper, and their slopes."""
+    by_case = {}
+    for run in runs_of(campaign):
+        gamma = strains(run["path"], 0)
+        if len(gamma) > DROPPED + 1:
+            by_case.setdefault(run.get("case", "all packings"), []).append(
+                line_through(strains(run["path"], DROPPED)[DROPPED:])
+            )
+    for case, lines in by_case.items():
+        slopes = sorted((slope for slope, deviation in lines if deviation < abs(slope)), key=abs)
+        numbers = [
+            ("packings that ratchet", "1", f"{len(slopes)}"),
+            ("packings that ratchet, γ rises", "1", f"{sum(s > 0 for s in slopes)}"),
+        ]
+        if slopes:
+            mean = math.exp(sum(math.log(abs(s)) for s in slopes) / len(slopes))
+            numbers += [
+                ("geometric mean of |Δγ|", "per cycle", f"{mean:.2g}"),
+                ("least |Δγ|", "per cycle", f"{abs(slopes[0]):.2g}"),
+                ("largest |Δγ|", "per cycle", f"{abs(slopes[-1]):.2g}"),
+            ]
+        print(f"{case}, {len(lines)} packings: {', '.join(f'{name} {value}' for name, _, value in numbers)}")
+        for name, unit, value in numbers:
+            results.put((study, name, case), unit, value, "", len(lines), campaign)
+
+
+def lines_of(campaign):
+    """Δγ by step, of each law and packing that has two steps or more."""
+    lines = {}
+    for run in long_runs(campaign, "contact.discs.plugin", "time.step"):
+        lines.setdefault((run["contact.discs.plugin"], int(run["seed"])), {})[float(run["time.step"])] = slope_of(
+            run["path"]
+        )[0]
+    return {key: slopes for key, slopes in lines.items() if len(slopes) > 1}
+
+
+def put_steps(results, campaign):
+    for (law, seed), slopes in lines_of(campaign).items():
+        sizes = sorted(slopes)
+        exponent = math.log(abs(slopes[sizes[-1]] / slopes[sizes[0]])) / math.log(sizes[-1] / sizes[0])
+        print(
+            f"{LAWS[law]}, packing {seed}: "
+            + ", ".join(f"{slopes[h]:.3e} at {h:g}" for h in sizes)
+            + f"; exponent {exponent:.3f}"
+        )
+        for h in sizes:
+            results.put(
+                ("steps", "Δγ", f"{LAWS[law]}, packing {seed}, step {h:g} τ"),
+                "per cycle",
+                f"{slopes[h]:.4g}",
+                "",
+                1,
+                campaign,
+            )
+        results.put(
+            ("steps", "exponent of the step", f"{LAWS[law]}, packing {seed}"), "1", f"{exponent:.3f}", "", 1, campaign
+        )
+
+
+def put_ranges(results, study, campaign):
+    for run in long_runs(campaign):
+        gamma = strains(run["path"], DROPPED)[DROPPED:]
+        case = ", ".join(([run["case"]] if "case" in run else []) + [f"packing {run['seed']}"])
+        print(f"{case}: range of γ over {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
+        results.put((study, "range of γ", case), "1", f"{max(gamma) - min(gamma):.2g}", "", 1, campaign)
+
+
+def put_all(results, study, campaign):
+    """Records a campaign; false if there is none with finished runs."""
+    if not (campaign and runs_of(campaign)):
+        return False
+    if study in ("laws", "choices", "fine", "large"):
+        put_verdicts(results, study, campaign)
+    elif study in ("rattlers", "long"):
+        put_ranges(results, study, campaign)
+    else:
+        {"paths": put_paths, "elliptic": put_elliptic, "steps": put_steps}[study](results, campaign)
+    return True
