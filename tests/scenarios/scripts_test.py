@@ -277,12 +277,52 @@ class Page(unittest.TestCase):
                     self.assertEqual((done.returncode, done.stderr.count("\n")), (status, status), done.stderr)
 
 
+class Gallery(unittest.TestCase):
+    FOLDER = os.path.join(SCENARIOS, "gallery")
+
+    def test_that_the_page_shows_every_scene_with_its_picture(self):
+        with open(os.path.join(self.FOLDER, "README.md"), encoding="utf-8") as file:
+            page = file.read()
+        scenes = [name[:-5] for name in os.listdir(self.FOLDER) if name.endswith(".toml")]
+        self.assertEqual(len(scenes), 8)
+        for scene in scenes:
+            picture = os.path.join(self.FOLDER, scene + ".png")
+            with self.subTest(scene=scene):
+                self.assertIn(f"]({scene}.toml)", page)
+                self.assertIn(f"]({scene}.png)", page)
+                self.assertLess(os.path.getsize(picture), 150e3)
+
+    @DRAWS
+    def test_that_every_scene_is_drawn_and_others_are_refused(self):
+        for scene, line in (("none", "none: no scene of the gallery; give one of"), ("silo", "silo.toml: exit status 1")):
+            with self.subTest(scene=scene), tempfile.TemporaryDirectory() as folder:
+                done = call("gallery/draw.py", "false", folder, scene)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+                self.assertIn(line, done.stderr)
+        with open(os.path.join(self.FOLDER, "draw.py"), encoding="utf-8") as file:
+            drawn = re.findall(r'^    "([a-z-]+)": \(', file.read(), re.MULTILINE)
+        self.assertEqual(sorted(drawn), sorted(name[:-5] for name in os.listdir(self.FOLDER) if name.endswith(".toml")))
+
+    @DRAWS
+    def test_the_closed_forms_of_the_charts(self):
+        words = ["import sys", f"sys.path[:0] = [{SCENARIOS!r}, {self.FOLDER!r}]", "import curves, grains",
+                 "print(curves.bessel(0, 80), curves.bessel(80, 80), curves.adiabat(0.02, 0.01), curves.hard_sphere_factor(0.1))",
+                 "print(grains.fitted_line([(0, 1), (1, 3), (2, 5)]), grains.janssen(2, 1))"]
+        done = subprocess.run([sys.executable, "-B", "-c", "\n".join(words)], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        numbers = [float(n) for n in re.findall(r"-?\d+\.\d+", done.stdout)]
+        # Tables of Bessel functions: J_0(80), J_80(80); 2^(2/3) exp((2/3)(a − a_0)); 1.109/0.729; a line; 1 − e⁻².
+        for found, known in zip(numbers, (-0.06974216551, 0.10380680911, 1.631979, 1.521262, 2, 1, 0.864665)):
+            self.assertAlmostEqual(found, known, places=4)
+
+
 class WithoutMatplotlib(unittest.TestCase):
     def test_that_scripts_name_the_package(self):
         with tempfile.TemporaryDirectory() as folder:
             write(os.path.join(folder, "matplotlib.py"), "raise ImportError\n")
             environment = os.environ | {"PYTHONPATH": folder}
-            for script in ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py"):
+            for script in ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py",
+                           "gallery/draw.py"):
                 words = [sys.executable, "-B", os.path.join(SCENARIOS, script), "campaigns"]
                 done = subprocess.run(words, capture_output=True, text=True, check=False, env=environment)
                 with self.subTest(script=script):
@@ -294,7 +334,7 @@ class Help(unittest.TestCase):
     @DRAWS
     def test_of_every_script(self):
         for script in ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py",
-                       "mcnamara2008/quasi_static.py"):
+                       "mcnamara2008/quasi_static.py", "gallery/draw.py"):
             for arguments, status in ((["--help"], 0), ([], 2)):
                 done = call(script, *arguments)
                 with self.subTest(script=script, arguments=arguments):

@@ -119,6 +119,12 @@ TEST_CASE("a scenario of a spectrum without stages is checked, but not run", "[t
                 "scene.toml: the scenario says nothing of how long", "or run scree spectrum with it");
 }
 
+TEST_CASE("a misspelt table of a study is named, not the duration that it replaces", "[tools]") {
+  const Workspace w("[spectrm]\ndrive = 'x'\n" + chain.substr(0, chain.find("[spectrum]")));
+  check_refused(w, w.run(), "scene.toml:1:2: unknown key 'spectrm' in the file; did you mean 'spectrum'?",
+                "");
+}
+
 TEST_CASE("run and check read the table of a study that they do not use", "[tools]") {
   const Workspace w(
       with(chain, "ids = [1, 8]", "ids = [1, 8]\nevery = 1e-3") +
@@ -127,7 +133,8 @@ TEST_CASE("run and check read the table of a study that they do not use", "[tool
   for (const char* verb : {"run scene.toml --out out", "check scene.toml"})
     check_refused(w, w.scree(std::string(verb) + " --set time.duration=0.01 --set spectrum.sweep.priods=9"),
                   "--set spectrum.sweep.priods=9: unknown key 'priods' in [spectrum.sweep]",
-                  "did you mean 'periods'?");
+                  "did you mean 'periods'? known keys: direction, periods, analysed_periods, "
+                  "samples_per_period, rise_periods, detrend, adaptive, tolerance");
   REQUIRE(w.scree("run scene.toml --out out --quiet --set time.duration=0.01").status == 0);
   const Outcome longer = w.scree("resume out --quiet --until 0.02");
   INFO(longer.err);

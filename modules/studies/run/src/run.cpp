@@ -35,10 +35,10 @@ Progress progress_of(const Simulation& simulation, const StageRunner& runner, do
 // Stages with samples, pictures and checkpoints; the last state; the last picture, the final packing and
 // charts; verdicts. A final state that cannot be written fails the run after all else has been saved.
 bool Run::work() {
-  announce();
-  session_.restart_watch();
   // Its scenario is that of the state from which the run goes on should it be killed.
   if (prolonged_) states_.write_checkpoint(), states_.finish();
+  announce();
+  session_.restart_watch();
   const std::string last = run_stages();
   const bool complete = runner_->finished();
   results_.end_stage(complete ? "" : "interrupted");

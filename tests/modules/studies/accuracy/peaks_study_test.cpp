@@ -11,7 +11,7 @@
 using namespace scree;
 using namespace scree::accuracy;
 using test::Chain;
-using test::plan_of;
+using test::driven_plan_of;
 
 namespace {
 
