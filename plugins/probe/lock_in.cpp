@@ -7,13 +7,14 @@
 #include <vector>
 
 #include <scree/error.hpp>
+#include <scree/plugin/formatted.hpp>
+#include <scree/plugin/lock_in.hpp>
+#include <scree/plugin/period_average.hpp>
 #include <scree/plugin/probe.hpp>
-#include <scree/signals/lock_in.hpp>
-#include <scree/signals/period_average.hpp>
 
 namespace {
 
-using namespace scree::signals;
+using scree::formatted, scree::LockIn, scree::LockInOptions, scree::PeriodAverage;
 
 struct LockInProbe {
   scree::InputColumn of;
@@ -25,7 +26,7 @@ struct LockInProbe {
       "x(t) = drift + Σ_h A_h sin(2π h f (t − t_0) + φ_h), h = 1, 2, 3, by least squares;\n"
       "amplitude, phase: A_1, φ_1; amplitude_2, phase_2, ...: of the harmonics; mean: of the drift, after detrending by period_average of what is left;\n"
       "..._error: standard errors by the noise near h f; residual: root mean square of x minus the fit",
-      "modules/analysis/signals"};
+      "framework/include/scree/plugin/lock_in.hpp"};
 
   void declare(scree::Declaration& d) {
     d.input("of", of, "the column x").required();
@@ -70,7 +71,7 @@ struct LockInProbe {
             h > 1 && k == 0 ? "of a harmonic, at a multiple of the frequency" : meanings[k]};
   }
 
-  // State: time of the last sample, the lock-in, and with detrend = "period_average" what that keeps.
+  // State: time of the last sample, the lock-in, and with detrend = "period_average" the samples of a period.
   std::uint64_t state_size(const scree_view&) const {
     return 1 + LockIn::state_size(options()) + (averages() ? PeriodAverage::state_size(most_in_period()) : 0);
   }
@@ -78,29 +79,29 @@ struct LockInProbe {
   std::string start(const scree_view& view, double* state) const {
     state[0] = -std::numeric_limits<double>::infinity();
     if (2 * harmonics * frequency * view.step_length >= 1)
-      return problem(
+      return formatted(
           "%d times the frequency of %g Hz is above half of the sampling rate, one sample in each step of "
           "%g s; give a shorter time.step, a lower frequency or fewer harmonics",
           harmonics, frequency, view.step_length);
     const double samples = periods * std::min(samples_per_period, 1 / (frequency * view.step_length));
     if (const int unknowns = drift_degree + 1 + 2 * harmonics; samples < unknowns)
-      return problem(
+      return formatted(
           "%g periods have %.3g samples for %d unknowns of drift and harmonics; give more periods or "
           "samples_per_period, or fewer harmonics",
           periods, samples, unknowns);
     if (from >= view.end_time)
-      return problem(
+      return formatted(
           "from = %.12g s is not before %.12g s, when the run or the stages of the probe end, so that there are no "
           "samples; give an earlier time, or a longer run",
           from, view.end_time);
     if (end() > view.end_time + 0.5 * view.step_length)
-      return problem(
+      return formatted(
           "the record from %.12g to %.12g s lasts beyond %.12g s, when the run or the stages of the probe end; give "
           "fewer periods, an earlier from, or a longer run",
           from, end(), view.end_time);
     // Where the end is not known, this may be found in the middle of a run, which then goes on.
     if (std::isfinite(view.end_time) && from < view.time - 0.5 * view.step_length)
-      return problem(
+      return formatted(
           "the record begins at from = %g s, and the probe at %g s with its stages; give a later from, or other stages",
           from, view.time);
     return "";
@@ -129,14 +130,14 @@ struct LockInProbe {
     std::vector<double> copy(state + 1, state + 1 + LockIn::state_size(options()));
     const LockIn lock_in(options(), copy);
     row[columns - 1] = double(lock_in.samples());
-    LockInResult result;
+    scree::LockInResult result;
     try {
       result = lock_in.result();
     } catch (const scree::Error&) {
-      return;  // too few samples as yet
+      return;  // too few samples so far
     }
     for (int h = 0; h < harmonics; ++h) {
-      const Line& line = result.lines[std::size_t(h)];
+      const scree::SpectralLine& line = result.lines[std::size_t(h)];
       for (const double value : {line.amplitude, line.phase, line.amplitude_error, line.phase_error})
         *row++ = value;
     }
@@ -153,13 +154,6 @@ struct LockInProbe {
   std::span<double> lock_in_state(double* state) const { return {state + 1, LockIn::state_size(options())}; }
   // Samples are at least half of their nominal distance apart.
   std::size_t most_in_period() const { return 2 * std::size_t(std::ceil(samples_per_period)) + 2; }
-
-  template <class... Values>
-  static std::string problem(const char* format, Values... values) {
-    char text[300];
-    std::snprintf(text, sizeof(text), format, values...);
-    return text;
-  }
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <scree/signals/amplitude_spectrum.hpp>
+#include <scree/signals/lock_in.hpp>
 #include <scree/signals/time_series.hpp>
 
 // A time series as `scree spectrum` reads it, and its lines. The column is x.
@@ -13,6 +14,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       std::filesystem::temp_directory_path() / ("scree_fuzz_series_" + std::to_string(getpid()) + ".csv");
   std::ofstream(file, std::ios::binary) << scree::fuzz::text_of(data, size);
   return scree::fuzz::accept_or_refuse([&] {
+    using namespace scree;
     using namespace scree::signals;
     const TimeSeries series = read_time_series(file, "x", 8);
     const AmplitudeSpectrum spectrum =

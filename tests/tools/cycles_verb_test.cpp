@@ -39,7 +39,8 @@ TEST_CASE("cycles of a file takes a column, a period and a load", "[tools]") {
       w.scree("cycles --csv box.csv --strain strain --load stress --period 2 --drop 40 --out out");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  // The polygon of 8 points on an ellipse of 1e-3 and 1; the strain leads, so that the area is negative. The drift of 1e-6 skews it by as little.
+  // The polygon of 8 points on an ellipse of 1e-3 and 1; the strain leads, so that the area is negative. The
+  // drift of 1e-6 skews it by as little.
   const double polygon = std::numbers::pi * 1e-3 * std::sin(std::numbers::pi / 4) / (std::numbers::pi / 4);
   CHECK(outcome.out.find(fmt::format("mean area {:.3g}", -polygon).substr(0, 15)) != std::string::npos);
   CHECK(w.record("out", "cycles.json")["load"] == "stress [Pa]");
@@ -65,8 +66,8 @@ TEST_CASE("cycles with the touches of bodies names rattlers and their touches be
   std::string
       lengths = "time,length_x,length_y\n",
       touching = "time,observations,touched_12,last_touch_12,touched_3,last_touch_3,touched_4,last_touch_4\n";
-  // In each cycle of a hundred observations body 3 always touches, body 4 once, 9 s before the minimum; body 12 once in every tenth cycle, 8 s before
-  // the minimum, or 0.5 s before that at 500 s, whose strain is off.
+  // In each cycle of a hundred observations body 3 always touches, body 4 once, 9 s before the minimum; body
+  // 12 once in every tenth cycle, 8 s before the minimum, or 0.5 s before that at 500 s, whose strain is off.
   double touched = 0, last = 0;
   for (int k = 0; k <= 60; ++k) {
     const int t = 10 * k;

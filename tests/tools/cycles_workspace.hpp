@@ -12,7 +12,8 @@
 
 namespace scree::test {
 
-// A series of a probe `box`: a load of period 2 s from 1.5 s on, 8 samples in each of 60 cycles, and lengths that ratchet by 1e-6 per cycle.
+// A series of a probe `box`: a load of period 2 s from 1.5 s on, 8 samples in each of 60 cycles, and lengths
+// that ratchet by 1e-6 per cycle.
 inline std::string series_of_cycles() {
   std::string text = "time [s],length_x [m],length_y [m],strain,stress [Pa],none\n";
   for (int k = 0; k <= 480; ++k) {
@@ -23,7 +24,7 @@ inline std::string series_of_cycles() {
   return text;
 }
 
-// A directory as of a run whose second stage has the period.
+// The directory of a run whose second stage has the period.
 inline void write_run(const Workspace& w, const std::string& name) {
   std::filesystem::create_directories(w / (name + "/series"));
   w.write(name + "/series/box.csv", series_of_cycles());

@@ -27,6 +27,16 @@ done
 installed/bin/scree describe probe/my_probe --plugins my_probe/build/plugins > describe.log
 grep -q "mean_squared_displacement \[m^2\]  over all bodies and windows" describe.log || { cat describe.log; exit 1; }
 
+# The lock-in is in the installed headers: a probe with it builds and loads.
+installed/bin/scree new-plugin probe height_amplitude > new.log
+cp "$tests/outside/lock_in_probe.cpp" height_amplitude/height_amplitude.cpp
+{ cmake -B height_amplitude/build height_amplitude && cmake --build height_amplitude/build; } > build.log 2>&1 || {
+  cat build.log
+  exit 1
+}
+installed/bin/scree describe probe/height_amplitude --plugins height_amplitude/build/plugins > describe.log
+grep -q "height_amplitude \[m\]  at 1 Hz" describe.log || { cat describe.log; exit 1; }
+
 # A law that makes energy does not pass.
 sed -i 's/const T dashpot = /const T dashpot = -/' my_contact/my_contact.cpp
 if cmake --build my_contact/build --target check > build.log 2>&1; then

@@ -1,12 +1,11 @@
 #include "studies/analysis_folder.hpp"
 
-#include "studies/result_paths.hpp"
-
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/files/paths.hpp>
 #include <scree/run/written_files.hpp>
 
 namespace scree::tool {
@@ -32,7 +31,7 @@ AnalysisFolder::AnalysisFolder(fs::path folder, fs::path source, std::string wha
 }
 
 void AnalysisFolder::refuse_others(const fs::path& recorded) const {
-  if (recorded == resolved(source_)) return;
+  if (recorded == files::resolved(source_)) return;
   std::error_code failed;
   for (const std::string& name : names_)
     if (fs::exists(folder_ / name, failed))
@@ -46,7 +45,7 @@ fs::path AnalysisFolder::path_of(const std::string& name) const {
   const fs::path path = folder_ / name;
   std::error_code failed;
   const bool is_of_run = fs::exists(folder_ / run::WrittenFiles::file_name, failed);
-  // A file of this name that is not listed is replaced; WrittenFiles would refuse it.
+  // WrittenFiles refuses a file that is there and not listed; here it is replaced.
   return is_of_run && !fs::exists(path, failed) ? run::WrittenFiles(folder_).add(name) : path;
 }
 

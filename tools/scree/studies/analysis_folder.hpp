@@ -6,25 +6,26 @@
 
 namespace scree::tool {
 
-// Throws Error if it cannot be created.
+// Creates a folder and those above it. Throws Error if it cannot.
 void create_folder(const std::filesystem::path& folder);
 
-// Where the analysis of a file writes: beside it, or where --out says. Earlier files of the same names are replaced
-// if they are of the same file.
+// The folder of the results of an analysis: that of the analysed file, or --out. Files of the same names are
+// replaced if they are results of the same file.
 class AnalysisFolder {
  public:
-  // what: is written, such as "the cycles"; names: of all files. Throws Error if one of them is the file that is
-  // analysed.
+  // source: the analysed file; what: in a message, such as "the cycles"; names: of all results. Throws Error
+  // if a result would replace the source.
   AnalysisFolder(std::filesystem::path folder, std::filesystem::path source, std::string what,
                  std::vector<std::string> names);
 
-  // Throws Error if one of the files is there already and not of this source, but of the one recorded, or of none.
+  // recorded: the file that the present results are of; empty: none. Throws Error if there are results of
+  // another file.
   void refuse_others(const std::filesystem::path& recorded) const;
 
   void create() const { create_folder(folder_); }
 
   const std::filesystem::path& path() const { return folder_; }
-  // Where a file is written. In the directory of a run, it is listed with the files of the run, and removed with them.
+  // The path of a result. In the directory of a run it is listed in written.txt, and removed with the run.
   std::filesystem::path path_of(const std::string& name) const;
 
  private:

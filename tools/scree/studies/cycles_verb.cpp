@@ -1,27 +1,27 @@
-#include "studies/cycles_files.hpp"
-#include "studies/cycles_warnings.hpp"
-#include "studies/result_paths.hpp"
+#include "studies/analysis_folder.hpp"
+#include "studies/cycles_report.hpp"
 #include "studies/studies.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <scree/counted.hpp>
-#include <scree/files/text.hpp>
+#include <scree/cycles/result_files.hpp>
+#include <scree/cycles/warnings.hpp>
+#include <scree/files/paths.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/pictures/load_backend.hpp>
+#include <scree/run/recorded_load.hpp>
 
 namespace scree::tool {
 
 namespace {
 
 namespace fs = std::filesystem;
-using cycles::Class;
+using cycles::CyclesRequest, cycles::CyclesResult;
 
 struct CyclesArguments {
   std::vector<std::string> directories;
@@ -33,123 +33,75 @@ struct CyclesArguments {
   bool overwrite = false;
 };
 
-CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
-  request.drop = arguments.drop;
-  CyclesResult result{
-      request.csv.empty() ? request.directory : request.csv, read_cycles(request), {}, arguments.drop, {}};
-  for (const std::string& warning : warnings_of_source(result.source))
-    report_warning(fmt::format("{}: {}", result.source.file.string(), warning));
+// The load of the run, for what the request leaves open. The record may be missing if nothing is.
+std::optional<run::RecordedLoad> load_of(const CyclesRequest& request) {
+  std::optional<run::RecordedLoad> load;
+  try {
+    load = run::recorded_load(request.directory);
+  } catch (const Error&) {
+    if (!(request.period > 0 && request.first_minimum)) throw;
+  }
+  if (load && !(request.period > 0) && !(load->period > 0))
+    throw Error(fmt::format(
+        "{}: the last stage, which was followed, has no period; give that of its load with --period",
+        request.directory));
+  return load;
+}
+
+cycles::CyclesSource read_source(const CyclesRequest& request) {
+  const fs::path file = cycles::series_file(request);
+  if (!request.csv.empty()) return cycles::read_cycles(file, request, std::nullopt);
+  const std::optional<run::RecordedLoad> load = load_of(request);
+  std::optional<cycles::LoadTimes> times;
+  if (load) times = cycles::LoadTimes{{load->period, load->start}, load->end};
+  cycles::CyclesSource source = cycles::read_cycles(file, request, times);
+  source.status = load ? load->status : run::unfinished_status(request.directory);
+  return source;
+}
+
+cycles::Classification classify(const CyclesArguments& arguments, const cycles::CyclesSource& source) {
   cycles::ClassOptions options;
   options.drop = arguments.drop;
   options.round_off = arguments.round_off;
   try {
-    result.found = cycles::classify(result.source.series.strain, options);
+    return cycles::classify(source.series.strain, options);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", result.source.file.string(), error.what()), error.status());
+    throw Error(fmt::format("{}: {}", source.file.string(), error.what()), error.status());
   }
-  if (const std::string warning = warning_of_loads(result.source, result.found, result.drop);
-      !warning.empty())
+}
+
+CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
+  request.drop = arguments.drop;
+  CyclesResult result{
+      request.csv.empty() ? request.directory : request.csv, read_source(request), {}, arguments.drop, {}};
+  const auto warn = [&](const std::string& warning) {
     report_warning(fmt::format("{}: {}", result.source.file.string(), warning));
+  };
+  for (const std::string& warning : cycles::warnings_of_source(result.source)) warn(warning);
+  result.found = classify(arguments, result.source);
+  if (const std::string warning = cycles::warning_of_loads(result.source, result.found, result.drop);
+      !warning.empty())
+    warn(warning);
   if (!arguments.touching.empty())
-    result.rattlers = read_rattlers(result.source.file.parent_path() / (arguments.touching + ".csv"),
-                                    result.source.minimum_times, arguments.drop);
+    result.rattlers = cycles::read_rattlers(result.source.file.parent_path() / (arguments.touching + ".csv"),
+                                            result.source.minimum_times, arguments.drop);
   return result;
 }
 
-std::string outliers_of(const cycles::Classification& c) {
-  constexpr std::size_t most = 12;
-  if (c.outliers.empty()) return "none";
-  const auto end = c.outliers.begin() + std::ptrdiff_t(std::min(most, c.outliers.size()));
-  return fmt::format("cycles {}{}", fmt::join(c.outliers.begin(), end, ", "),
-                     c.outliers.size() > most ? fmt::format(", ... ({})", c.outliers.size()) : "");
-}
-
-// Of the cycles that count.
-void print_loops(const CyclesResult& r) {
-  const auto& loops = r.source.series.loops;
-  if (loops.empty()) return;
-  double area = 0, stiffness = 0;
-  for (std::size_t n = r.drop; n < loops.size(); ++n) {
-    area += loops[n].area / double(loops.size() - r.drop);
-    stiffness += loops[n].stiffness / double(loops.size() - r.drop);
+// Writes the table, the record and, with pictures, the chart, and prints their names.
+void write_files(const AnalysisFolder& folder, const CyclesResult& result) {
+  const fs::path table = folder.path_of(cycles::table_name), record = folder.path_of(cycles::record_name);
+  files::write_atomically(table, cycles::cycles_table(result));
+  files::write_atomically(record, cycles::cycles_record(result, folder.path()));
+  fmt::print("{}\n{}\n", table.string(), record.string());
+  if (!pictures::has_pictures()) {
+    report(fmt::format("{}, so there is no chart; {}", pictures::no_pictures, pictures::no_pictures_cure),
+           ExitStatus::success);
+    return;
   }
-  if (std::isnan(area))
-    fmt::print("{:<14}no area: fewer than three samples in a cycle\n", "loops");
-  else
-    fmt::print("{:<14}mean area {:.6g}, stiffness {:.6g}; of the first cycle {:.6g}, {:.6g}\n", "loops", area,
-               stiffness, loops[0].area, loops[0].stiffness);
-}
-
-// The times before the minima of outliers, or of the other cycles that count, at which a rattler last touched.
-std::string touches_of(const CyclesResult& r, bool of_outliers) {
-  std::vector<double> before;
-  for (std::size_t n = r.drop; n < r.rattlers->touches.size(); ++n)
-    if (std::binary_search(r.found.outliers.begin(), r.found.outliers.end(), n) == of_outliers)
-      before.push_back(r.rattlers->touches[n].before);
-  if (before.empty()) return "none";
-  std::sort(before.begin(), before.end());
-  return fmt::format("{:.3g} s before the minimum (median of {}; {:.3g} to {:.3g} s)",
-                     before[before.size() / 2], before.size(), before.front(), before.back());
-}
-
-void print_rattlers(const CyclesResult& r) {
-  constexpr std::size_t most = 12;
-  std::string names;
-  for (const Rattlers::Body& body : r.rattlers->bodies)
-    names += fmt::format("{}body {} (touches in {:.2g} % of the observations)", names.empty() ? "" : ", ",
-                         body.id, 100 * body.share);
-  fmt::print("{:<14}{}\n", "rattlers", names.empty() ? "none" : names);
-  if (r.rattlers->touches.empty()) return;
-  fmt::print("{:<14}outliers: {}\n", "last touch", touches_of(r, true));
-  fmt::print("{:<14}other cycles: {}\n", "", touches_of(r, false));
-  for (std::size_t k = 0; k < std::min(most, r.found.outliers.size()); ++k) {
-    const LatestTouch& touch = r.rattlers->touches[r.found.outliers[k]];
-    fmt::print("{:<14}cycle {}: body {} {:.3g} s before its minimum\n", "", r.found.outliers[k], touch.body,
-               touch.before);
-  }
-}
-
-void print_summary(const CyclesResult& r) {
-  const cycles::Classification& c = r.found;
-  const std::string period = r.source.period > 0 ? fmt::format("of {:.10g} s ", r.source.period) : "";
-  fmt::print("{}: {}, {} {}from {:.10g} s, {} dropped\n", files::escaped(r.source.file.string()),
-             files::one_line(r.source.strain), counted(r.source.series.strain.size() - 1, "cycle"), period,
-             r.source.minimum_times.front(), r.drop);
-  fmt::print("{:<14}{:.4e} ± {:.1e} per cycle; of the median {:.4e}\n", "slope", c.line.slope,
-             c.line.slope_error, c.robust.slope);
-  fmt::print("{:<14}{:.3e} rms from the straight line, {} the slope per cycle\n", "deviation", c.line.rms,
-             c.line.ratchets() ? "below" : "not below");
-  fmt::print("{:<14}{:.3e}\n", "range", c.range);
-  fmt::print("{:<14}{}\n", "outliers", outliers_of(c));
-  print_loops(r);
-  if (r.rattlers) print_rattlers(r);
-  fmt::print("{:<14}{}: {}\n", "class", cycles::class_name(c.kind), c.reason);
-}
-
-void print_line(const CyclesResult& r, std::size_t width) {
-  fmt::print("{:<{}}  {:<15}  slope {:>11.3e}  rms {:>9.2e}  range {:>9.2e}  outliers {}\n",
-             files::escaped(r.name), width, cycles::class_name(r.found.kind), r.found.line.slope,
-             r.found.line.rms, r.found.range, r.found.outliers.size());
-}
-
-void print_counts(const std::vector<CyclesResult>& results) {
-  std::array<std::size_t, cycles::classes> counts{};
-  std::size_t up = 0;
-  double logarithms = 0;
-  for (const CyclesResult& r : results) {
-    ++counts[std::size_t(r.found.kind)];
-    if (r.found.kind != Class::ratcheting) continue;
-    up += r.found.line.slope > 0;
-    logarithms += std::log(std::abs(r.found.line.slope));
-  }
-  std::string text;
-  for (std::size_t k = 0; k < counts.size(); ++k)
-    text += fmt::format("{}{} {}", k > 0 ? ", " : "", counts[k], cycles::class_name(Class(k)));
-  fmt::print("{}: {}\n", counted(results.size(), "run"), text);
-  const std::size_t ratcheting = counts[std::size_t(Class::ratcheting)];
-  if (ratcheting > 0)
-    fmt::print("ratcheting: geometric mean of |slope| {:.4e} per cycle; {} with slopes above 0, {} below\n",
-               std::exp(logarithms / double(ratcheting)), up, ratcheting - up);
+  const fs::path chart = folder.path_of(cycles::chart_name);
+  pictures::load_backend()->chart(cycles::cycles_chart(result), chart);
+  fmt::print("{}\n", chart.string());
 }
 
 ExitStatus analyse_one(const CyclesArguments& a, const CyclesRequest& request) {
@@ -157,9 +109,12 @@ ExitStatus analyse_one(const CyclesArguments& a, const CyclesRequest& request) {
   const fs::path folder = !a.out.empty()        ? fs::path(a.out)
                           : request.csv.empty() ? fs::path(request.directory)
                                                 : fs::path(request.csv).parent_path();
-  const CyclesFiles files(folder, result.source.file, a.overwrite);
+  const AnalysisFolder results(folder, result.source.file, "the cycles",
+                               {cycles::table_name, cycles::record_name, cycles::chart_name});
+  results.create();
+  if (!a.overwrite) results.refuse_others(cycles::series_of_record(folder / cycles::record_name));
   print_summary(result);
-  files.write(result);
+  write_files(results, result);
   return ExitStatus::success;
 }
 
@@ -175,15 +130,19 @@ ExitStatus analyse_all(const CyclesArguments& a) {
   for (const std::string& directory : a.directories) {
     CyclesRequest request = a.request;
     request.directory = without_slash(directory);
-    if (!directories.insert(resolved(request.directory)).second)
+    if (!directories.insert(files::resolved(request.directory)).second)
       throw Error(fmt::format("{} is given twice; give each run once", directory));
     results.push_back(analyse(a, request));
     width = std::max(width, results.back().name.size());
   }
-  const VerdictsFile file(a.out, results, a.overwrite);
+  create_folder(a.out);
+  const fs::path file = fs::path(a.out) / cycles::verdicts_name;
+  std::error_code failed;
+  if (!a.overwrite && fs::exists(file, failed)) cycles::check_verdicts(file, results);
   for (const CyclesResult& r : results) print_line(r, width);
   print_counts(results);
-  file.write(results);
+  files::write_atomically(file, cycles::verdicts_table(results, a.out));
+  fmt::print("{}\n", file.string());
   return ExitStatus::success;
 }
 

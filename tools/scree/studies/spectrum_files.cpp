@@ -1,7 +1,5 @@
 #include "studies/spectrum_files.hpp"
 
-#include "studies/result_paths.hpp"
-#include "studies/series_text.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <scree/files/csv_line.hpp>
+#include <scree/files/paths.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/pictures/load_backend.hpp>
@@ -24,21 +23,21 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view of_series = "# series: ";
 
-// The series that a table of lines names, which is relative to its folder; empty if there is no such table.
+// The series that a table of lines names, relative to its folder; empty if there is no such table.
 fs::path series_of_lines(const fs::path& file) {
   std::ifstream in(file);
   std::string line;
   if (!std::getline(in, line) || !line.starts_with(of_series)) return {};
-  return resolved(file.parent_path() / line.substr(of_series.size()));
+  return files::resolved(file.parent_path() / line.substr(of_series.size()));
 }
 
-// Numbers that a line does not have are empty.
+// Numbers that a line does not have are left empty.
 std::string lines_of(const std::vector<signals::FoundLine>& lines, const std::string& unit,
                      const std::string& series) {
   std::string text = fmt::format("{}{}\n", of_series, series);
-  text += files::csv_line({"frequency [Hz]", "frequency_error [Hz]", with_unit("amplitude", unit),
-                           with_unit("amplitude_error", unit), "phase [rad]", "phase_error [rad]", "quality",
-                           "quality_error"});
+  text += files::csv_line({"frequency [Hz]", "frequency_error [Hz]", signals::with_unit("amplitude", unit),
+                           signals::with_unit("amplitude_error", unit), "phase [rad]", "phase_error [rad]",
+                           "quality", "quality_error"});
   const auto unless_zero = [](double number) { return number == 0 ? "" : files::csv_number(number); };
   for (const signals::FoundLine& line : lines)
     text += files::csv_line({files::csv_number(line.frequency), unless_zero(line.frequency_error),
@@ -49,14 +48,14 @@ std::string lines_of(const std::vector<signals::FoundLine>& lines, const std::st
 }
 
 std::string table_of(const signals::AmplitudeSpectrum& amplitudes, const std::string& unit) {
-  std::string text = files::csv_line({"frequency [Hz]", with_unit("amplitude", unit)});
+  std::string text = files::csv_line({"frequency [Hz]", signals::with_unit("amplitude", unit)});
   for (std::size_t k = 0; k < amplitudes.amplitude.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{}\n", files::csv_number(amplitudes.frequency(k)),
                    files::csv_number(amplitudes.amplitude[k]));
   return text;
 }
 
-// The largest amplitude in each of some thousand steps of the logarithmic axis, about one per pixel.
+// The largest amplitude in each step of the logarithmic axis, about one step per pixel.
 pictures::ChartSeries curve_of(const signals::AmplitudeSpectrum& amplitudes) {
   constexpr double steps_per_decade = 400;
   pictures::ChartSeries curve{"amplitude", {}, {}};
@@ -89,7 +88,8 @@ void SpectrumFiles::write(const signals::AmplitudeSpectrum& amplitudes, const si
                           const std::vector<signals::FoundLine>& lines) const {
   folder_.create();
   const fs::path table = folder_.path_of(table_name), of_lines = folder_.path_of(lines_name);
-  files::write_atomically(of_lines, lines_of(lines, series.unit, relative_to(folder_.path(), source_)));
+  files::write_atomically(of_lines,
+                          lines_of(lines, series.unit, files::relative_to(folder_.path(), source_)));
   files::write_atomically(table, table_of(amplitudes, series.unit));
   fmt::print("{}\n{}\n", table.string(), of_lines.string());
   if (!pictures::has_pictures()) {

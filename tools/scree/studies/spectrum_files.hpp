@@ -11,20 +11,20 @@
 
 namespace scree::tool {
 
-// What `scree spectrum --csv` writes: amplitudes over frequency, a table of lines, and with pictures a chart. The
-// table of lines begins with a comment that names the series; earlier files of this series are replaced.
+// The results of `scree spectrum --csv`: amplitudes over frequency, a table of lines and, with pictures, a
+// chart. The table of lines names its series in a comment; results of the same series are replaced.
 class SpectrumFiles {
  public:
   static constexpr const char* table_name = "spectrum.csv";
   static constexpr const char* lines_name = "lines.csv";
   static constexpr const char* chart_name = "spectrum.png";
 
-  // Throws Error if a table would replace the file that is analysed, and, unless they may be overwritten, for files
-  // of these names that are not of it.
+  // Throws Error if a table would replace the analysed file and, unless overwriting, for results of another
+  // file.
   SpectrumFiles(std::filesystem::path folder, const std::filesystem::path& source, bool overwrite);
 
-  // Creates the folder and prints the names of the files. Lines that were looked for at given frequencies have no
-  // errors of these. Throws Error.
+  // Creates the folder, writes and prints the names of the files. Lines at given frequencies have no
+  // frequency errors. Throws Error.
   void write(const signals::AmplitudeSpectrum& amplitudes, const signals::TimeSeries& series,
              const std::vector<signals::FoundLine>& lines) const;
 

@@ -1,5 +1,4 @@
 #include "studies/measurement_report.hpp"
-#include "studies/series_text.hpp"
 #include "studies/spectrum_files.hpp"
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
@@ -40,10 +39,10 @@ const std::vector<std::string> detrendings = {"constant", "linear", "quadratic",
 constexpr std::size_t least_samples = 8, most_lines = 5;
 constexpr double tolerated_unevenness = 1e-3;
 
-signals::LockInOptions options_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
+LockInOptions options_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
   const auto degree =
       std::find(detrendings.begin(), detrendings.end(), arguments.detrend) - detrendings.begin();
-  signals::LockInOptions options;
+  LockInOptions options;
   options.frequency = arguments.frequency;
   options.duration = series.duration();
   options.drift_degree = degree > 3 ? 0 : int(degree);
@@ -84,7 +83,7 @@ bool decay(const std::vector<signals::FoundLine>& lines) {
 void print_head(const SpectrumArguments& arguments, const signals::TimeSeries& series, double unevenness,
                 bool with_quality) {
   fmt::print("{}: {}, {:.10g} s to {:.10g} s, {}step {:.10g} s, drift: {}\n",
-             with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
+             signals::with_unit(series.name, series.unit), counted(series.times.size(), "sample"),
              series.times.front(), series.times.back(), unevenness > tolerated_unevenness ? "mean " : "",
              series.mean_step(), arguments.frequency > 0 ? arguments.detrend : "cubic and relaxation");
   const std::string unit = series.unit.empty() ? "" : fmt::format(" [{}]", files::one_line(series.unit));
@@ -104,7 +103,7 @@ void print_line(const signals::FoundLine& line) {
   fmt::print("\n");
 }
 
-signals::LockInResult harmonics_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
+LockInResult harmonics_of(const SpectrumArguments& arguments, const signals::TimeSeries& series) {
   using signals::Detrending;
   const auto detrending =
       arguments.detrend == "period-average" ? Detrending::period_average : Detrending::polynomial;
@@ -139,7 +138,7 @@ std::vector<signals::FoundLine> report_lines(const SpectrumArguments& arguments,
     if (lines.empty()) fmt::print("no line of three or more periods stands out of the noise\n");
     return lines;
   }
-  const signals::LockInResult result = harmonics_of(arguments, series);
+  const LockInResult result = harmonics_of(arguments, series);
   print_head(arguments, series, unevenness, false);
   for (std::size_t k = 0; k < result.harmonics; ++k)
     print_line(lines.emplace_back(signals::FoundLine{result.lines[k]}));
@@ -156,7 +155,7 @@ ExitStatus analyse(const SpectrumArguments& arguments) {
   const signals::TimeSeries series =
       signals::read_time_series(arguments.csv, arguments.column, least_samples);
   if (series.cut_line > 0)
-    report_warning(fmt::format("{}: {}", arguments.csv, warning_of_cut_line(series.cut_line)));
+    report_warning(fmt::format("{}: {}", arguments.csv, signals::cut_line_warning(series.cut_line)));
   check_frequency(arguments, series);
   const double unevenness = signals::unevenness(series.times);
   const signals::AmplitudeSpectrum amplitudes =

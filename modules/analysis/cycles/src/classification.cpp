@@ -35,7 +35,7 @@ void check(std::span<const double> strain, const ClassOptions& options) {
                     options.round_off, options.significance, options.outlier_factor, options.preference));
 }
 
-// What the classes are decided by.
+// What decides the class.
 struct Statistics {
   std::span<const double> kept;
   Classification& c;
@@ -77,7 +77,7 @@ std::string irregular_reason(const Statistics& s) {
   return reason;
 }
 
-// The laws of a strain per cycle that falls.
+// Names the laws that were compared.
 std::string laws_text(const SlowingDown& d, Class kind, const ClassOptions& options) {
   if (kind == Class::settling && d.straight)
     return "behind a settling part it goes on along a straight line whose slope is below the deviations";
@@ -143,7 +143,7 @@ std::vector<double> deviations(std::span<const double> values, const StraightLin
   return rest;
 }
 
-// How the strain slows down, where it may.
+// Fits the laws, if the strain per cycle may fall.
 void find_slowing(Statistics& s) {
   Classification& c = s.c;
   if (c.range <= c.round_off || c.line.ratchets() || !(s.falls() || second_half(s.kept).ratchets())) return;

@@ -14,12 +14,12 @@ namespace scree::cycles {
 
 namespace {
 
-constexpr double least_load_change = 1e-12;  // of the load: some thousand roundings
-constexpr double near_minimum = 0.25;        // of the range of the load
-constexpr double same_load = 0.05;  // of its range: a sine that eight straight lines replace is wrong by 0.04
-constexpr std::size_t most_periods = 100;     // of the load in a cycle, that are looked for
-constexpr double least_change_in_part = 0.5;  // of its range, in one of these periods
-constexpr double longest_gap = 0.5;  // of a period, between the samples about a minimum, and within a loop
+constexpr double least_load_change = 1e-12;  // over the load: some thousand roundings
+constexpr double near_minimum = 0.25;        // over the range of the load
+constexpr double same_load = 0.05;         // over its range; eight straight lines differ from a sine by 0.04
+constexpr std::size_t most_periods = 100;  // of the load in a cycle
+constexpr double least_change_in_part = 0.5;  // of the load in one of these periods, over its range
+constexpr double longest_gap = 0.5;           // over the period, about a minimum and within a loop
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void check(std::span<const double> times, std::span<const double> strain, std::span<const double> load,
@@ -51,7 +51,7 @@ double range_of(const Path& path) {
   return *high - *low;
 }
 
-// The samples of a cycle with both of its ends.
+// The samples within a cycle, and the values at both of its ends.
 Path path_of(const Samples& strain, const Samples& load, double begin, double end) {
   Path path{{strain.at(begin)}, {load.at(begin)}};
   const std::size_t last = strain.after(end - 2 * strain.slack());
@@ -84,7 +84,7 @@ Loop loop_of(const Path& path) {
   return loop;
 }
 
-// A period or a beginning that is not the load's would give strains from anywhere in the cycle.
+// Refuses a period or a start that is not the load's: the strains would be from anywhere in the cycle.
 void check_load(const Path& path, double begin, double end) {
   const auto [low, high] = std::minmax_element(path.load.begin(), path.load.end());
   const double range = *high - *low, largest = std::max(std::abs(*low), std::abs(*high));
@@ -100,7 +100,8 @@ void check_load(const Path& path, double begin, double end) {
         path.load[0], begin, *low, *high));
 }
 
-// Whether the load changes by much in a part of the cycle, at as many times in the cycle as there are samples.
+// Whether the load changes by much in the first part (s) of the cycle, at as many times as the cycle has
+// samples.
 bool changes_within(double part, const Samples& load, const Path& path, double begin, double period) {
   const std::size_t samples = path.load.size() - 1;
   double least = path.load[0], most = path.load[0];
@@ -113,7 +114,7 @@ bool changes_within(double part, const Samples& load, const Path& path, double b
   return most - least >= least_change_in_part * range_of(path);
 }
 
-// Whether the load from `begin` on is the same after a part of the cycle, at as many times as there are samples.
+// Whether the load is the same a part (s) of the cycle later, at as many times as the cycle has samples.
 bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
   const std::size_t samples = path.load.size() - 1;
   const double allowed = same_load * range_of(path);
@@ -125,7 +126,7 @@ bool repeats_after(double part, const Samples& load, const Path& path, double be
   return true;
 }
 
-// Three samples or more in each.
+// Number of periods of the load in a cycle, each with three samples or more.
 std::size_t periods_in(const Samples& load, const Path& path, double begin, double period) {
   const std::size_t most = std::min(most_periods, (path.load.size() - 1) / 3);
   for (std::size_t count = most; count > 1; --count)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <scree/signals/median.hpp>
+#include <scree/median.hpp>
 
 namespace scree::cycles {
 
@@ -20,16 +20,17 @@ double robust_deviation(std::vector<double> deviations) {
 }
 
 struct Deviation {
-  double of_pairs = 0, smaller = 0, mean = 0;  // mean: what the pairs say
+  double of_pairs = 0, smaller = 0, mean = 0;  // mean: expected by the pairs
 };
 
-// Of the first value and the last, which have values on one side only. What exceeds thrice the range of the next values counts: the first of a slope is 3/4 of
-// it from their median, of a decay by a factor of e per cycle 2.6 times.
+// The deviation of the first or last value, which has neighbours on one side only: what exceeds three times
+// their range. The first value of a slope is 3/4 of the range from their median, of a decay by a factor of e
+// per cycle 2.6 times it.
 Deviation deviation_at_end(const std::vector<double>& values, std::size_t place) {
   const std::size_t count = std::min(reach, values.size() - 1);
   const auto begin = place == 0 ? values.begin() + 1 : values.end() - 1 - std::ptrdiff_t(count);
   const auto [low, high] = std::minmax_element(begin, begin + std::ptrdiff_t(count));
-  const double median = signals::median({begin, begin + std::ptrdiff_t(count)});
+  const double median = upper_median({begin, begin + std::ptrdiff_t(count)});
   const double beyond = std::abs(values[place] - median) - 3 * (*high - *low);
   return {std::max(0.0, beyond), std::max(0.0, beyond), median};
 }
@@ -43,8 +44,8 @@ Deviation deviation_at(const std::vector<double>& values, std::size_t place) {
     around.insert(around.end(), {before, after});
     means.push_back(std::midpoint(before, after));
   }
-  const double mean = signals::median(means), of_pairs = std::abs(values[place] - mean);
-  return {of_pairs, std::min(of_pairs, std::abs(values[place] - signals::median(around))), mean};
+  const double mean = upper_median(means), of_pairs = std::abs(values[place] - mean);
+  return {of_pairs, std::min(of_pairs, std::abs(values[place] - upper_median(around))), mean};
 }
 
 bool is_smaller(const Deviation& a, const Deviation& b) { return a.smaller < b.smaller; }

@@ -37,7 +37,7 @@ double memory_of(const std::vector<double>& values, std::size_t period) {
   return squares > 0 ? products / squares : 0;
 }
 
-// What is new in each value but the first.
+// Each value but the first, less a share of the one before.
 std::vector<double> without_memory(const std::vector<double>& values, double memory) {
   std::vector<double> fresh;
   for (std::size_t k = 1; k < values.size(); ++k) fresh.push_back(values[k] - memory * values[k - 1]);
@@ -54,7 +54,7 @@ double folded_f(const std::vector<double>& values, std::size_t period) {
     between += (mean - sum / n) * (mean - sum / n);
     within += rest * rest;
   }
-  // Below the round-off of the sums the repetition is exact.
+  // Within the round-off of the sums the repetition is exact.
   if (within <= 1e-12 * (between + within)) return between > 0 ? std::numeric_limits<double>::infinity() : 0;
   return (between / degrees) / (within / (n - degrees - 1));
 }
@@ -69,7 +69,7 @@ Repetition best_repetition(std::span<const double> values) {
     const double f = std::min(folded_f(ranks, period), folded_f(fresh, period));
     const double probability = tail_of_f(f, double(period - 1), double(fresh.size() - period - 1));
     ++best.periods;
-    // A multiple of the period repeats too; of equal ones the shortest is meant.
+    // Multiples of the period repeat too; of equal probabilities the shortest period counts.
     if (probability < best.probability) {
       best.period = period;
       best.f = f;

@@ -8,15 +8,15 @@ namespace scree::cycles {
 // The period with which values repeat best.
 struct Repetition {
   std::size_t period = 0;   // (cycles)
-  double f = 0;             // variance of the means of the phases over that within phases
-  double probability = 1;   // of this or a larger F in values in random order, for any of the periods
-  std::size_t periods = 0;  // that were tried: 2 to a third of the values, at most 1000
+  double f = 0;             // variance between the means of the phases over the variance within phases
+  double probability = 1;   // of this or a larger F for values in random order, for any of the periods
+  std::size_t periods = 0;  // number tried: 2 to a third of the values, at most 1000
 };
 
-// The values are folded at each period and their ranks compared between phases. Unlike an autocorrelation, this is small for smooth curves, and ranks
-// keep two large values from passing for a repetition. Values that remember the one before, as in a random walk, differ between phases more than independent
-// ones; F is therefore the smaller of that of the ranks and that of what is new in each: its rank less a part of the one before. This part is the correlation of neighbours
-// among deviations from the phases, so that of a repetition under independent noise there is none. Noise with a frequency of its own is not told from a repetition.
+// Folds ranks at each period and compares phases with an F test. Ranks resist single large values, and smooth
+// curves give a small F, unlike an autocorrelation. For autocorrelated noise the test is repeated on
+// prewhitened ranks (each rank less a share of the one before: the correlation of neighbours among deviations
+// from the phases), and the smaller F counts. Does not separate repetition from narrow-band noise.
 Repetition best_repetition(std::span<const double> values);
 
 }  // namespace scree::cycles

@@ -11,16 +11,16 @@
 
 namespace scree::cycles {
 
-// Times that differ by less are the same, over a period.
+// Times that differ by less than this share of a period are the same.
 inline constexpr double same_time = 1e-6;
 
-// Values at increasing times (s), taken as straight between them.
+// Values at increasing times (s), interpolated linearly.
 class Samples {
  public:
   Samples(std::span<const double> times, std::span<const double> values, double period)
       : times_(times), values_(values), slack_(same_time * period) {}
 
-  // Number of the first sample that is later than the time by more than the slack.
+  // Index of the first sample that is later than the time by more than the slack.
   std::size_t after(double time) const {
     return std::size_t(std::upper_bound(times_.begin(), times_.end(), time + slack_) - times_.begin());
   }
@@ -31,7 +31,7 @@ class Samples {
     const double share = (time - times_[next - 1]) / (times_[next] - times_[next - 1]);
     return std::lerp(values_[next - 1], values_[next], share);
   }
-  // Both throw Error for a longer gap (s): about a time that has no sample close by, and from one time to another.
+  // Both throw Error for a longer gap (s): about a time without a sample nearby, and between two times.
   void check_gap_about(double time, double longest) const {
     const std::size_t next = after(time);
     if (next == 0 || next == times_.size()) return;
@@ -46,14 +46,14 @@ class Samples {
   double slack() const { return slack_; }
 
  private:
-  // Of the longest gap: the value between is then nearly that of the sample.
+  // A sample within this share of the longest gap is nearby: the interpolated value is nearly its own.
   static constexpr double near_sample = 0.04;
 
   void check_gap_before(std::size_t sample, double longest) const {
     if (times_[sample] - times_[sample - 1] <= longest) return;
     throw Error(fmt::format(
-        "there is no sample from {:.10g} s to {:.10g} s, more than half a period; give a series without gaps, or one with samples at the "
-        "minima of the load",
+        "there is no sample from {:.10g} s to {:.10g} s, more than half a period; give a series without gaps, or one "
+        "with samples at the minima of the load",
         times_[sample - 1], times_[sample]));
   }
 

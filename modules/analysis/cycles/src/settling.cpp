@@ -11,8 +11,9 @@ namespace scree::cycles {
 namespace {
 
 constexpr std::size_t fewest_blocks = 8;
-// Variance of a sum of |increments| weighted by a slowly varying function of the cycle over that of independent ones: increments of independent values
-// have a correlation of -1/2 with the next, their absolute values one of 0.224 (of bivariate normal values), and that counts twice.
+// Variance of a sum of |increments|, weighted by a slow function of the cycle, over that of independent ones.
+// Increments of independent values have a correlation of -1/2 with the next, their absolute values (bivariate
+// normal) one of 0.224, which counts twice.
 constexpr double variance_of_neighbours = 1.45;
 
 // |increments| between the means of consecutive blocks.
@@ -20,7 +21,7 @@ std::vector<double> increments_of(std::span<const double> values, std::size_t bl
   std::vector<double> means, increments;
   for (std::size_t begin = 0; begin + block <= values.size(); begin += block) {
     double sum = 0;
-    // Relative to the first value, so that a small change of a large value keeps its digits.
+    // Relative to the first value, so that small changes of large values keep their digits.
     for (std::size_t k = begin; k < begin + block; ++k) sum += values[k] - values[0];
     means.push_back(sum / double(block));
   }
@@ -28,7 +29,7 @@ std::vector<double> increments_of(std::span<const double> values, std::size_t bl
   return increments;
 }
 
-// Rank correlation of values with their place; 0 if all are equal.
+// Rank correlation of values with their index; 0 if all are equal.
 double correlation_with_place(const std::vector<double>& values) {
   const std::vector<double> ranks = ranks_of(values);
   const double m = double(ranks.size()), mean = 0.5 * (m + 1);

@@ -5,14 +5,14 @@
 
 namespace scree::cycles {
 
-// Whether the strain per cycle falls with the cycle: increments between means of consecutive blocks of cycles. Those of single cycles are hidden by a noise above the
-// strain per cycle, from which means over longer blocks stand out.
+// Whether the strain per cycle falls with the cycle: the increments between means of consecutive blocks of
+// cycles. Noise above the strain per cycle hides the increments of single cycles, not those of longer blocks.
 struct Settling {
   double correlation = 0;      // rank correlation of |increment| with its place
-  double probability = 1;      // of this or a lower one in noise, for any of the lengths of blocks
-  std::size_t block = 0;       // (cycles) with the lowest probability
+  double probability = 1;      // of this or a lower correlation in noise, for any of the lengths tried
+  std::size_t block = 0;       // (cycles) length with the lowest probability
   std::size_t increments = 0;  // between blocks of this length
-  std::size_t lengths = 0;     // that were tried: 1, 2, 4, ... while there are eight blocks or more
+  std::size_t lengths = 0;     // number tried: 1, 2, 4, ... cycles while there are eight blocks or more
 };
 
 Settling settling_of(std::span<const double> values);

@@ -9,8 +9,8 @@ namespace scree::cycles {
 
 namespace {
 
-// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), by the method of Lentz; converges for
-// x < (a + 1)/(a + b + 2).
+// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8) by the method of
+// Lentz. Converges for x < (a + 1)/(a + b + 2).
 double beta_fraction(double x, double a, double b) {
   constexpr double tiny = 1e-300, precision = 1e-14;
   constexpr int most_terms = 10000;

@@ -5,7 +5,7 @@
 
 namespace scree::cycles {
 
-// Probability that F of independent normal values, with these degrees of freedom above and below, is at least this large.
+// Probability that F of independent normal values is at least this large. above, below: degrees of freedom.
 double tail_of_f(double f, double above, double below);
 
 // Probability that t of independent normal values is at least this large.

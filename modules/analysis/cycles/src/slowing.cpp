@@ -14,22 +14,23 @@ namespace {
 
 using Law = Slowing::Law;
 
-// Longer series are fitted by the means of so many blocks.
+// Longer series are averaged in at most so many blocks.
 constexpr std::size_t most_points = 300;
-// Ranges of scales: the shortest in cycles, the longest over the number of cycles; and of exponents. A power between is a logarithm.
+// Ranges of scales (the shortest in cycles, the longest over the number of cycles) and of exponents. A power
+// with an exponent nearer to 0 is a logarithm.
 constexpr double shortest_scale = 0.3, longest_scale = 100, least_exponent = 0.03, most_exponent = 0.95,
                  steepest = 6;
-// Correlation of neighbours up to which noise is told from a curve that the law misses.
+// Largest correlation of neighbours; above it noise is not told from a curve that the law misses.
 constexpr double most_memory = 0.9;
-// Of the square of a column, what must be left beside the columns before it.
+// Share of the square of a column that must be orthogonal to the columns before it.
 constexpr double least_left = 1e-24;
 
-// Points of a series, and of functions, each less a part of the point before.
+// The points of a series, and of functions, prewhitened: each less a share of the point before.
 class Points {
  public:
   explicit Points(std::span<const double> values)
       : block_((values.size() + most_points - 1) / most_points), values_(values.size() / block_) {
-    // Relative to the first value, so that a small change of a large value keeps its digits.
+    // Relative to the first value, so that small changes of large values keep their digits.
     for (std::size_t j = 0; j < values_.size(); ++j)
       for (std::size_t k = 0; k < block_; ++k)
         values_[j] += (values[j * block_ + k] - values[0]) / double(block_);
@@ -49,7 +50,7 @@ class Points {
  private:
   std::vector<double> fresh(std::vector<double> all) const {
     for (std::size_t j = all.size(); j-- > 1;) all[j] -= memory_ * all[j - 1];
-    // The first has none before it, and the variance of all.
+    // The first has no point before it, and the variance of all.
     all[0] *= std::sqrt(1 - memory_ * memory_);
     return all;
   }
@@ -75,9 +76,9 @@ struct LeastSquares {
   std::array<double, 3> coefficients = {};
 };
 
-// By orthogonalisation of the columns, at most three.
+// Least squares by orthogonalisation of at most three columns.
 LeastSquares least_squares(std::vector<double> values, std::vector<std::vector<double>> columns) {
-  std::array<std::array<double, 3>, 3> along = {};  // of column c on the unit column d
+  std::array<std::array<double, 3>, 3> along = {};  // [d][c]: share of the unit column d in column c
   LeastSquares result;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const double whole = product(columns[c], columns[c]);
@@ -110,7 +111,7 @@ bool has_exponent(Law law) {
   return law == Law::power || law == Law::power_to_limit || law == Law::power_and_line;
 }
 
-// The function that slows down, of scale and exponent.
+// The settling part of a law for amplitude 1.
 double settling(const Slowing& s, double k) {
   if (s.law == Law::logarithm) return std::log1p(k / s.scale);
   if (!has_exponent(s.law)) return std::exp(-k / s.scale);
@@ -124,12 +125,12 @@ LeastSquares fit(const Points& points, const Slowing& s) {
   return least_squares(points.values(), std::move(columns));
 }
 
-// A place with the value of a function there.
+// A point with the value of a function.
 struct Corner {
   double x, y, value;
 };
 
-// The method of Nelder and Mead, from a triangle.
+// The minimum by the method of Nelder and Mead, from a triangle.
 template <class Function>
 Corner least_about(std::array<Corner, 3> corners, const Function& function) {
   constexpr int most_steps = 70;
@@ -157,7 +158,7 @@ Corner least_about(std::array<Corner, 3> corners, const Function& function) {
                            [](const Corner& a, const Corner& b) { return a.value < b.value; });
 }
 
-// Criterion of Akaike, for few values; the variance of the rest is a parameter.
+// Akaike's criterion, corrected for few values. The variance of the residual is a parameter.
 double criterion_of(Law law, double squares, double values) {
   const double p = 4 + int(has_exponent(law)) + int(has_line(law));
   constexpr double least = 1e-300;
@@ -173,7 +174,7 @@ Fitted fitted(const Points& points, Law law) {
   Slowing s;
   s.law = law;
   const double low = std::log(shortest_scale), high = std::log(longest_scale * points.cycles());
-  // Exponents by their logarithms: a power of nearly 0 changes as much by a factor as one of 6.
+  // Exponents by their logarithms: a factor changes an exponent near 0 as much as one of 6.
   const double sign = law == Law::power ? 1 : -1;
   const double least = std::log(least_exponent),
                most = std::log(law == Law::power ? most_exponent : steepest);
@@ -213,7 +214,8 @@ double memory_of_rest(const std::vector<double>& rest) {
 
 Slowing better(const Slowing& a, const Slowing& b) { return b.criterion < a.criterion ? b : a; }
 
-// Whether two lines through the halves of values agree, to the share of the slope that a rest of the settling part may have, or their errors.
+// Whether lines through the two halves of the values agree to a tenth of the slope, which a rest of the
+// settling part may have, or to two errors.
 bool keeps_its_slope(std::span<const double> values) {
   constexpr double same_slope = 0.1, errors = 2;
   const StraightLine first = fit_line(values.first(values.size() / 2)),
@@ -223,7 +225,7 @@ bool keeps_its_slope(std::span<const double> values) {
   return std::abs(first.slope - last.slope) <= allowed;
 }
 
-// From where the settling part adds less than the strain of a cycle.
+// The first value from which the settling part adds less than the strain of a cycle.
 std::size_t end_of_settling(const Slowing& s, std::size_t values) {
   std::size_t k = 0;
   while (k < values && !(std::abs(s.amplitude * settling(s, double(k))) < std::abs(s.slope))) ++k;
@@ -245,7 +247,7 @@ bool is_straight(std::span<const double> values, std::size_t from, const Slowing
 
 SlowingDown slowing_down(std::span<const double> values, double round_off, double preference) {
   Points points(values);
-  // The laws with most parameters leave the noise.
+  // The laws with most parameters leave only the noise.
   const Fitted falls = fitted(points, Law::power_and_line), rises = fitted(points, Law::power);
   points.set_memory(
       memory_of_rest((falls.squares.squares < rises.squares.squares ? falls : rises).squares.rest));

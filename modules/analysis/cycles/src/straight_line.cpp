@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
-#include <scree/signals/median.hpp>
+#include <scree/median.hpp>
 
 namespace scree::cycles {
 
@@ -29,15 +29,16 @@ double rms_from(const StraightLine& line, std::span<const double> values, double
   return std::sqrt(squares / double(values.size()));
 }
 
-// The value that a share of the others is below.
+// The value that exceeds this share of the values.
 double quantile(std::vector<double>& values, double share) {
   const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1) + 0.5);
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
 
-// Half the interval of Sen (1968) for one standard deviation: of the n(n − 1)/2 slopes as many lie on either side of the true one as pairs of n values in random
-// order rise and fall, which is Kendall's number of variance n(n − 1)(2n + 5)/18.
+// Half the interval of Sen (1968) for one standard deviation. The number of the n(n − 1)/2 slopes on each
+// side of the true one is distributed as the number of rising and falling pairs of n values in random order:
+// Kendall's number, of variance n(n − 1)(2n + 5)/18.
 double error_of_median(std::vector<double>& slopes, double n) {
   const double share = std::sqrt(n * (n - 1) * (2 * n + 5) / 18) / (n * (n - 1));
   return 0.5 * (quantile(slopes, 0.5 + share) - quantile(slopes, 0.5 - share));
@@ -48,7 +49,7 @@ double error_of_median(std::vector<double>& slopes, double n) {
 StraightLine fit_line(std::span<const double> values, double first) {
   check(values);
   const double n = double(values.size()), middle = (n - 1) / 2;
-  // Relative to the first value, so that a small change of a large value keeps its digits.
+  // Relative to the first value, so that small changes of large values keep their digits.
   double sum = 0, moment = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     sum += values[k] - values[0];
@@ -72,9 +73,9 @@ StraightLine robust_line(std::span<const double> values, double first) {
       slopes.push_back((values[k + distance] - values[k]) / double(distance));
   StraightLine line;
   line.slope_error = error_of_median(slopes, double(n));
-  line.slope = signals::median(std::move(slopes));
+  line.slope = upper_median(std::move(slopes));
   for (std::size_t k = 0; k < n; ++k) intercepts.push_back(values[k] - line.slope * (first + double(k)));
-  line.intercept = signals::median(std::move(intercepts));
+  line.intercept = upper_median(std::move(intercepts));
   line.rms = rms_from(line, values, first);
   return line;
 }

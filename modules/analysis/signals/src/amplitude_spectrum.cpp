@@ -1,7 +1,6 @@
 #include "scree/signals/amplitude_spectrum.hpp"
 
 #include "fourier.hpp"
-#include "window.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,21 @@
 #include <scree/error.hpp>
 
 namespace scree::signals {
+
+namespace {
+
+// Subtracts the straight line that fits best.
+void remove_line(std::span<double> values) {
+  const double count = double(values.size()), middle = 0.5 * (count - 1);
+  double mean = 0, slope = 0;
+  for (const double x : values) mean += x / count;
+  for (std::size_t j = 0; j < values.size(); ++j) slope += (double(j) - middle) * (values[j] - mean);
+  const double square = count * (count * count - 1) / 12;
+  for (std::size_t j = 0; j < values.size(); ++j)
+    values[j] -= mean + (square > 0 ? slope / square * (double(j) - middle) : 0);
+}
+
+}  // namespace
 
 AmplitudeSpectrum amplitude_spectrum(double step, std::span<const double> values) {
   const std::size_t count = values.size();
@@ -25,7 +39,7 @@ AmplitudeSpectrum amplitude_spectrum(double step, std::span<const double> values
   const double sum = std::accumulate(window.begin(), window.end(), 0.0);
   AmplitudeSpectrum spectrum{1 / (step * double(count)), {}};
   for (const auto& number : fourier.transform()) spectrum.amplitude.push_back(2 * std::abs(number) / sum);
-  // A constant, and for even counts the alternating part, have no second half at negative frequencies.
+  // The constant and, for even counts, the alternating part have no second half at negative frequencies.
   spectrum.amplitude.front() /= 2;
   if (count % 2 == 0) spectrum.amplitude.back() /= 2;
   return spectrum;

@@ -20,7 +20,8 @@ std::vector<double> band_noise(std::size_t count, std::size_t first, std::size_t
   Fourier fourier(count);
   const std::span<double> parts = fourier.values();
   std::fill(parts.begin(), parts.end(), 0.0);
-  // Re - Im of the transform has (a + b) cos + (a - b) sin of the entries a at k and b at count - k: independent of each other.
+  // Re - Im of the transform is (a + b) cos + (a - b) sin for the entries a at k and b at count - k, whose
+  // coefficients are independent.
   for (std::size_t k = first; k <= last; ++k) parts[k] = normal(), parts[count - k] = normal();
   const double scale = 1 / std::sqrt(2 * double(last - first + 1));
   std::vector<double> noise(count);

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t most_means = 2048;
 constexpr double slowest = 0.5, fastest = 50;  // over the record
-constexpr double least_f = 7;                  // F of 3 and many numbers: 1e-4 by chance or less
+constexpr double least_f = 7;                  // F of 3 and many degrees of freedom: chance 1e-4 or less
 constexpr Eigen::Index cubic = 4;
-constexpr std::array relaxation_rates = {1.0, 1.0 / 3, 3.0, 9.0};  // over the first
+constexpr std::array relaxation_rates = {1.0, 1.0 / 3, 3.0, 9.0};  // over ExponentialDrift::rate
 constexpr std::array<Eigen::Index, 3> relaxation_counts = {
-    0, 2, Eigen::Index(relaxation_rates.size()) + 1};  // numbers of relaxations
+    0, 2, Eigen::Index(relaxation_rates.size()) + 1};  // strengths of no relaxation, one, all
 
-// Means of groups of samples.
+// A record averaged in groups of samples.
 struct Means {
   Eigen::VectorXd times, values;  // times from 0 to 1
 
@@ -46,7 +46,7 @@ Eigen::RowVectorXd relaxations(double s, Eigen::Index count) {
 
 struct Fit {
   Eigen::VectorXd strengths;
-  double square = 0;  // of what is left
+  double square = 0;  // sum of squares of the residual
 };
 
 Fit fit_of(const Means& means, double rate, Eigen::Index count) {
@@ -60,7 +60,7 @@ Fit fit_of(const Means& means, double rate, Eigen::Index count) {
   return {fit.tail(count), (means.values - columns * fit).squaredNorm()};
 }
 
-// Where what is left is least, between neighbours of the least of a few rates.
+// The rate with the least residual: the best of a few, refined between its neighbours.
 double best_rate(const Means& means, Eigen::Index count) {
   constexpr int steps = 12, halvings = 20;
   const double factor = std::pow(fastest / slowest, 1.0 / steps);

@@ -1,7 +1,9 @@
 #include "fourier.hpp"
 
+#include <cmath>
 #include <limits>
 #include <new>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -34,6 +36,13 @@ Fourier::~Fourier() {
 std::span<const std::complex<double>> Fourier::transform() {
   fftw_execute(plan_);
   return {reinterpret_cast<const std::complex<double>*>(values_), count_ / 2 + 1};
+}
+
+std::vector<double> hann(std::size_t count) {
+  std::vector<double> window(count);
+  for (std::size_t j = 0; j < count; ++j)
+    window[j] = std::pow(std::sin(std::numbers::pi * double(j) / double(count)), 2);
+  return window;
 }
 
 }  // namespace scree::signals

@@ -1,5 +1,7 @@
 #include "line_fit.hpp"
 
+#include "scree/signals/lock_in.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,23 +16,24 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr Eigen::Index columns_of_wave = 4;
-using Column = Eigen::Matrix<double, 8, 1>;
+using Terms = Eigen::Matrix<double, 8, 1>;
 using Gram = Eigen::Matrix<double, 8, 8>;
 
-// Least squares of a wave with its change in first order: with s the time over a scale, a sin + b cos turns in s (a
-// cos - b sin) and decays in -s (a sin + b cos); powers of u, from -1 to 1 over the record, take up the drift. The
-// scale is half the record about its middle, or 1 / decay from its beginning.
+// Least squares of a wave with its first-order change. With s the time over a scale, a change of frequency
+// adds s (a cos - b sin) to a sin + b cos, a change of decay -s (a sin + b cos). Powers of u, from -1 to 1
+// over the record, take up the drift. The scale is half the record about its middle, or 1 / decay from its
+// beginning.
 struct Expansion {
   double reference, scale;
   Gram gram = Gram::Zero();
-  Column fit;
-  double square = 0;  // of what is left
+  Terms fit;
+  double square = 0;  // sum of squares of the residual
 
   Expansion(const Wave& wave, std::span<const double> times, std::span<const double> values) {
     const double half = 0.5 * (times.back() - times.front()), middle = times.front() + half;
     reference = wave.decay > 0 ? times.front() : middle;
     scale = wave.decay > 0 ? std::min(half, 1 / wave.decay) : half;
-    Column right = Column::Zero();
+    Terms right = Terms::Zero();
     double all = 0;
     for (std::size_t k = 0; k < times.size(); ++k) {
       const double since = times[k] - reference, s = since / scale, u = (times[k] - middle) / half;
@@ -38,26 +41,27 @@ struct Expansion {
       const double size = wave.decay > 0 ? std::exp(-wave.decay * since) : 1;
       const double sine = size * std::sin(turn), cosine = size * std::cos(turn),
                    value = values[k] - values[0];
-      Column column;
-      column << sine, cosine, s * sine, s * cosine, 1, u, u * u, u * u * u;
-      gram.selfadjointView<Eigen::Lower>().rankUpdate(column);
-      right += value * column;
+      Terms terms;
+      terms << sine, cosine, s * sine, s * cosine, 1, u, u * u, u * u * u;
+      gram.selfadjointView<Eigen::Lower>().rankUpdate(terms);
+      right += value * terms;
       all += value * value;
     }
     fit = gram.selfadjointView<Eigen::Lower>().ldlt().solve(right);
     square = std::max(0.0, all - fit.dot(right));
   }
-  // a + i b, where the wave is the imaginary part of (a + i b) exp(i turn).
+  // a + i b: the wave is the imaginary part of (a + i b) exp(i turn).
   std::complex<double> strength() const { return {fit[0], fit[1]}; }
-  // Changes of -decay and of 2 pi frequency, as real and imaginary part. Without a sine no frequency is nearer.
+  // Changes of -decay and of 2 pi frequency, as real and imaginary part; 0 without a sine.
   std::complex<double> change() const {
     return std::norm(strength()) > 0 ? std::complex(fit[2], fit[3]) / strength() / scale : 0;
   }
 };
 
-constexpr double small = 1e-4;  // change of phase over the record, of which a next one is the square
+constexpr double small = 1e-4;  // change of phase (turns) over the record; the next one is its square
 
-// Whether a decay is one of the line at the start: of as many periods, within its width of the same frequency.
+// Whether a fitted decay still belongs to the wave it started from: of three periods or more, within a width
+// of its frequency.
 bool is_of(const Wave& start, const Wave& wave, double duration) {
   constexpr double fewest_periods = 3, least_quality = 2, furthest = 2;  // (resolutions)
   return wave.frequency * duration > fewest_periods &&
@@ -65,7 +69,7 @@ bool is_of(const Wave& start, const Wave& wave, double duration) {
          std::abs(wave.frequency - start.frequency) < furthest / duration + wave.decay / two_pi;
 }
 
-// Newton's method; with `decays`, of the decay too. Whether it came to rest.
+// Newton's method for the frequency and, with `decays`, the decay. Returns whether it came to rest.
 bool improve(Wave& wave, bool decays, int most_rounds, std::span<const double> times,
              std::span<const double> values, const PassDone& pass_done) {
   const double duration = times.back() - times.front();
@@ -93,7 +97,7 @@ bool improve(Wave& wave, bool decays, int most_rounds, std::span<const double> t
 
 constexpr int most_rounds = 4;
 
-// Of a wave with a decay. The noise near the line is what a lock-in finds there in the rest.
+// The line of a wave that decays. A lock-in to the residual gives the noise near the line.
 FoundLine decaying_line(const Wave& wave, std::span<const double> times, std::span<const double> values,
                         const LockInOptions& options) {
   const Expansion at(wave, times, values);

@@ -4,20 +4,21 @@
 
 namespace scree::signals {
 
-// Covariance over frequency of what modes that no fit tells apart add to a response, and noise. Modes of width w,
-// alike and anywhere, make
+// Covariance over frequency of noise and of modes that no fit tells apart. Modes of width w, alike and
+// anywhere, add
 //   <g(f) conj(g(f'))> = s^2 / (1 + i (f - f') / w):
-// they answer after the drive and decay, so that in time g is noise with the variance exp(-2 pi w t) behind t = 0 and
-// none before. Here s^2 is 1, in equal parts of widths from a third to three times `width`, times factors of the
-// response; the noise is white.
+// they answer after the drive and decay, so that g in time is noise of variance exp(-2 pi w t) from t = 0 on.
+// Here s^2 is 1, in equal parts of widths from a third to three times `width`, times factors of the response.
+// The noise is white.
 class ModeBackground {
  public:
   ModeBackground(const Eigen::VectorXd& frequencies, const Eigen::VectorXcd& factors, double width);
 
-  // Columns in which background and noise (variance over s^2) are independent and of variance 1.
+  // The columns in a basis in which background plus noise is independent and of variance 1. noise: variance /
+  // s^2.
   Eigen::MatrixXcd whitened(const Eigen::MatrixXcd& columns, double noise) const;
   double log_determinant(double noise) const;  // of the covariance
-  double independent(double noise) const;      // values: (sum of variances)^2 / sum of their squares
+  double independent(double noise) const;  // number of values: (sum of variances)^2 / sum of their squares
 
  private:
   Eigen::VectorXd variances_;

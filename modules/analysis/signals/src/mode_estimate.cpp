@@ -1,5 +1,6 @@
 #include "mode_estimate.hpp"
 
+#include "averaged_columns.hpp"
 #include "mode_background.hpp"
 
 #include <algorithm>
@@ -15,106 +16,31 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr Index most_values = 64;  // of the estimate; more frequencies are averaged in groups
-constexpr Index least_spare = 5;   // values beyond the numbers of the fit
+constexpr Index least_spare = 5;                                   // values beyond the numbers of the fit
 constexpr std::array background_widths = {0.25, 0.5, 1.0, 2.0};    // over the width of the pole
 constexpr std::array noises = {1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2};  // variances over the background's
-// Noise alone is as likely beforehand as all backgrounds together.
+// A priori, noise alone is as likely as all backgrounds together.
 constexpr double no_background = 1e8, prior_of_noise = double(background_widths.size() * noises.size());
-constexpr double negligible = 8;     // logarithm by which a background is less likely than the best
-constexpr double round_off = 1e-26;  // of squares
-constexpr int steps_of_grid = 4;     // on each side
-constexpr double size_of_grid = 4;   // standard deviations on each side
+constexpr double negligible =
+    8;  // by which the logarithm of the evidence is below that of the best background
+constexpr double round_off = 1e-26;             // of sums of squares
+constexpr int steps_of_grid = 4;                // on each side
+constexpr double size_of_grid = 4;              // standard deviations on each side
 constexpr double narrowest = 0.15, widest = 4;  // over the width at the start
 
-// The values of a response and the columns of a fit, averaged in groups of frequencies.
-class Columns {
- public:
-  explicit Columns(const Response& response) : response_(response) {
-    const auto count = Index(response.values.size());
-    group_ = (count + most_values - 1) / most_values;
-    values_ = averaged([&](std::size_t k) { return response.values[k]; });
-    scale_ = values_.cwiseAbs().maxCoeff();
-    if (scale_ > 0) values_ /= scale_;
-    frequencies_ = averaged([&](std::size_t k) { return Complex(response.frequencies[k]); }).real();
-    for (const double f : response.frequencies) factors_.push_back(response.factor(f));
-  }
-  double scale() const { return scale_; }
-  const Eigen::VectorXcd& values() const { return values_; }
-  const Eigen::VectorXd& frequencies() const { return frequencies_; }
-
-  // Factors of size 1 at a frequency.
-  Eigen::VectorXcd factors(double at) const {
-    const double size = std::abs(response_.factor(at));
-    return averaged([&](std::size_t k) { return factors_[k] / size; });
-  }
-  // A pole of height 1, times a factor for each frequency and divisor.
-  template <class Factor>
-  Eigen::VectorXcd pole(double frequency, double width, const Factor& factor) const {
-    const double scale = frequency * width / std::abs(response_.factor(frequency));
-    return averaged([&](std::size_t k) {
-      const double f = response_.frequencies[k];
-      const Complex inverse = 1.0 / Complex((frequency - f) * (frequency + f), f * width);
-      return scale * factors_[k] * inverse * factor(f, inverse);
-    });
-  }
-  Eigen::VectorXcd pole(double frequency, double width) const {
-    return pole(frequency, width, [](double, Complex) { return 1.0; });
-  }
-  // The line and the other poles with their shifts.
-  Eigen::MatrixXcd others(double at, const std::vector<Pole>& poles) const {
-    const double middle = 0.5 * (response_.frequencies.front() + response_.frequencies.back());
-    const double half = 0.5 * (response_.frequencies.back() - response_.frequencies.front());
-    const double size = std::abs(response_.factor(at));
-    Eigen::MatrixXcd all(values_.size(), Index(2 + 2 * poles.size()));
-    for (const int power : {0, 1})
-      all.col(power) = averaged([&](std::size_t k) {
-        const double f = response_.frequencies[k];
-        return factors_[k] / size * (power == 0 ? 1 : (f - middle) / half);
-      });
-    for (std::size_t p = 0; p < poles.size(); ++p) {
-      const double f0 = poles[p].frequency, w = poles[p].width;
-      all.col(Index(2 * p) + 2) = pole(f0, w);
-      all.col(Index(2 * p) + 3) = pole(f0, w, [&](double, Complex inverse) { return f0 * w * inverse; });
-    }
-    return all;
-  }
-
- private:
-  template <class Value>
-  Eigen::VectorXcd averaged(const Value& value) const {
-    const auto count = Index(response_.values.size());
-    Eigen::VectorXcd means((count + group_ - 1) / group_);
-    for (Index g = 0; g < means.size(); ++g) {
-      const Index end = std::min(count, (g + 1) * group_);
-      Complex sum = 0;
-      for (Index k = g * group_; k < end; ++k) sum += value(std::size_t(k));
-      means[g] = sum / double(end - g * group_);
-    }
-    return means;
-  }
-
-  const Response& response_;
-  std::vector<Complex> factors_;
-  Index group_ = 1;
-  double scale_ = 0;
-  Eigen::VectorXcd values_;
-  Eigen::VectorXd frequencies_;
-};
-
-// A place of frequency and width, and what the rest of the fit is there.
+// A frequency and a width of the pole, and the rest of the fit there.
 struct Place {
   double frequency = 0, width = 0;
   Complex height = 0;          // of the pole, scaled
   double height_variance = 0;  // of each of its parts
-  double square = 0;           // of what is left
+  double square = 0;           // sum of squares of the residual
   double log_likelihood = 0;
 };
 
-// One background: everything else is linear, and the strengths of all are integrated out.
+// The fit beside one background. All else is linear, and all strengths are integrated out.
 class OneBackground {
  public:
-  OneBackground(const Columns& columns, const ModeBackground& background, double noise,
+  OneBackground(const AveragedColumns& columns, const ModeBackground& background, double noise,
                 const Eigen::MatrixXcd& others, double prior = 1)
       : columns_(columns), background_(background), noise_(noise), count_(columns.values().size()) {
     const Eigen::MatrixXcd white = background.whitened(others, noise);
@@ -147,7 +73,7 @@ class OneBackground {
       place.log_likelihood -= spare_ * std::log(place.square);
     return place;
   }
-  // The curvature of half the square, and the step to its least, in frequency and logarithm of the width.
+  // Curvature of half the square, and the step to its minimum, in frequency and logarithm of the width.
   void expand(const Place& place, Eigen::Matrix2d& curvature, Eigen::Vector2d& step) const {
     Eigen::MatrixXcd columns(count_, 3);
     const double f = place.frequency, w = place.width;
@@ -164,10 +90,10 @@ class OneBackground {
     step = curvature.ldlt().solve(slope);
   }
   double spare() const { return spare_; }
-  // From here on the strength of the background is known from what is left at this place, by as many values as are
-  // independent in it: the likelihood falls by the distribution of Student.
+  // Takes the strength of the background from the residual at a place, with as many degrees of freedom as
+  // values are independent: from here on the likelihood falls as Student's distribution.
   void learn_strength(const Place& place) { least_ = place.square; }
-  // Akaike's criterion, corrected: strengths, shifts, and four of the background.
+  // Akaike's criterion, corrected, for strengths, shifts and four numbers of the background.
   double criterion(const Place& place) const {
     const double count = 2.0 * double(count_), parameters = 2.0 * double(basis_.cols()) + 4 + 4;
     const double room = count - parameters - 1;
@@ -183,7 +109,7 @@ class OneBackground {
     return white;
   }
 
-  const Columns& columns_;
+  const AveragedColumns& columns_;
   const ModeBackground& background_;
   double noise_;
   Index count_;
@@ -193,7 +119,7 @@ class OneBackground {
   double independent_ = 0, least_ = 0;
 };
 
-// The most likely place with one background, and how likely this background is.
+// The most likely place with one background, and the evidence for this background.
 struct Peak {
   OneBackground background;
   Place place{};
@@ -234,7 +160,7 @@ bool climb(Peak& peak, const Pole& start) {
   return std::isfinite(peak.log_evidence);
 }
 
-// Sums of what places say of a mode, about a first place, with their weights.
+// Weighted means and variances of the numbers of a mode over places, summed relative to a first place.
 class Moments {
  public:
   Moments(const Place& about, double log_weight) : about_(numbers(about)), log_weight_(log_weight) {}
@@ -247,10 +173,10 @@ class Moments {
     second_[3] += weight * place.height_variance;
     height_ += weight * place.height;
   }
-  Mode mode(double scale, const Response& response) const {
+  FittedMode mode(double scale, const ResponseSpectrum& response) const {
     const Eigen::Vector4d change = first_ / weight_, mean = about_ + change;
     const Eigen::Vector4d error = (second_ / weight_ - change.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
-    Mode mode;
+    FittedMode mode;
     mode.frequency = mean[0], mode.frequency_error = error[0];
     mode.width = mean[1], mode.width_error = error[1];
     mode.quality = mean[2], mode.quality_error = error[2];
@@ -284,9 +210,9 @@ void add_grid(const Peak& peak, const Pole& start, Moments& moments) {
 
 }  // namespace
 
-std::optional<ModeEstimate> estimate_mode(const Response& response, const Pole& pole,
+std::optional<ModeEstimate> estimate_mode(const ResponseSpectrum& response, const Pole& pole,
                                           const std::vector<Pole>& others) {
-  const Columns columns(response);
+  const AveragedColumns columns(response);
   if (columns.values().size() < Index(3 + 2 * others.size()) + least_spare || !(columns.scale() > 0))
     return {};
   const Eigen::MatrixXcd beside = columns.others(pole.frequency, others);

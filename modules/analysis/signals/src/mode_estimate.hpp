@@ -1,25 +1,24 @@
 #pragma once
 
 #include "mode_fit.hpp"
-#include "scree/signals/peaks.hpp"
 
 #include <optional>
 
 namespace scree::signals {
 
-// A pole in a response, beside other poles (whose frequencies and widths the fit shifts), a straight line, and a
-// background of noise and of modes that no fit tells apart (mode_background.hpp). The widths and the strengths of
-// the background are not known: the numbers of the mode are means and standard deviations over all of them, and over
-// frequency and width of the pole, each weighed by its likelihood.
+// A pole in a response beside other poles (whose frequencies and widths the fit shifts), a straight line, and
+// a background of noise and of modes that no fit tells apart (mode_background.hpp). Widths and strengths of
+// the background are unknown: the numbers of the mode are means, with standard deviations, over all of them
+// and over frequency and width of the pole, weighted by likelihood.
 struct ModeEstimate {
-  Mode mode;
-  double criterion = 0;  // Akaike's, corrected, of the likeliest background
+  FittedMode mode;
+  double criterion = 0;  // Akaike's, corrected, of the most likely background
 };
 
-// From a pole near the estimate, in a response that reaches a few widths about it. Nothing with too few frequencies
-// for the numbers of the fit, and where it leaves the pole: by more than its width, or to another width than 0.15 to
-// 4 of it.
-std::optional<ModeEstimate> estimate_mode(const Response& response, const Pole& pole,
+// Starts from a pole near the estimate; the response reaches a few widths on both sides of it. nullopt with
+// too few frequencies for the fit, and if the fit leaves the pole: by more than a width, or to below 0.15 or
+// above 4 widths.
+std::optional<ModeEstimate> estimate_mode(const ResponseSpectrum& response, const Pole& pole,
                                           const std::vector<Pole>& others);
 
 }  // namespace scree::signals

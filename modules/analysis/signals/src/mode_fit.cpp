@@ -10,7 +10,8 @@ namespace scree::signals {
 
 namespace {
 
-// Columns of length 1 keep the scales of parameters out of the equations; what is fixed has length 0.
+// Normal equations with columns of length 1, so that the scales of the parameters do not count. A parameter
+// that is fixed has a column of length 0.
 struct ScaledEquations {
   Eigen::VectorXd scale;
   Eigen::MatrixXd matrix;  // unit diagonal
@@ -39,7 +40,7 @@ bool is_valid(const ModeModel& model, const Eigen::VectorXd& at) {
   return at.allFinite();
 }
 
-// Goes down from `at`; whether it came to rest.
+// Descends from `at`. Returns whether it came to rest.
 bool descend(const ModeModel& model, Eigen::VectorXd& at) {
   constexpr int most_steps = 300;
   constexpr double least_damping = 1e-14, most_damping = 1e12, at_rest = 1e-15;
@@ -66,7 +67,7 @@ bool descend(const ModeModel& model, Eigen::VectorXd& at) {
   return false;
 }
 
-// Akaike's criterion for normal residuals, corrected for few of them. Below round-off all fits are equal.
+// Akaike's criterion for normal residuals, corrected for few of them. All fits below round-off are equal.
 double criterion_of(double residual, double square, double count, double parameters) {
   constexpr double round_off = 1e-26;
   const double spare = count - parameters - 2;
@@ -75,8 +76,8 @@ double criterion_of(double residual, double square, double count, double paramet
          2 * parameters * (parameters + 1) / spare;
 }
 
-// A start where |H|^2 is positive: poles alone.
-void drop_background(const ModeModel& model, const Response& response, Eigen::VectorXd& at) {
+// Starts with poles alone, so that |H|^2 is positive.
+void drop_background(const ModeModel& model, const ResponseSpectrum& response, Eigen::VectorXd& at) {
   at.tail(model.background()).setZero();
   double highest = 0;
   for (std::size_t k = 0; k < response.values.size(); ++k)
@@ -90,7 +91,8 @@ double correlation_of(const Eigen::VectorXd& rest, Eigen::Index distance) {
   return rest.head(count).dot(rest.tail(count)) / rest.squaredNorm();
 }
 
-// How many residuals are as good as one that is independent: 1 + 2 times the sum of correlations up to the first that chance explains.
+// Number of residuals for each independent one: 1 + 2 times the sum of their correlations, up to the first
+// distance at which chance explains it.
 double correlated_residuals(const Eigen::VectorXd& rest, Eigen::Index stride) {
   const double by_chance = 2 / std::sqrt(double(rest.size()));
   double sum = 1;
@@ -102,9 +104,22 @@ double correlated_residuals(const Eigen::VectorXd& rest, Eigen::Index stride) {
   return sum;
 }
 
+constexpr double least_share = 0.25;  // of a pole, over the change by the others
+
+// R, or |R| of amplitudes.
+std::complex<double> strength_of(const Pole& pole, bool only_amplitudes) {
+  return only_amplitudes ? std::sqrt(std::max(pole.strength.real(), 0.0)) : pole.strength;
+}
+
+// d/df of R / (f0^2 - f^2 + i f w).
+std::complex<double> slope(const Pole& pole, double f, bool only_amplitudes) {
+  const std::complex<double> divisor((pole.frequency - f) * (pole.frequency + f), f * pole.width);
+  return strength_of(pole, only_amplitudes) * std::complex(2 * f, -pole.width) / (divisor * divisor);
+}
+
 }  // namespace
 
-ModeFit fit_modes(const Response& response, const std::vector<Pole>& start, int degree) {
+ModeFit fit_modes(const ResponseSpectrum& response, const std::vector<Pole>& start, int degree) {
   const ModeModel model(response, start.size(), degree);
   Eigen::VectorXd at = model.start(start);
   if (!model.evaluate(at, nullptr).allFinite()) drop_background(model, response, at);
@@ -131,6 +146,43 @@ ModeFit fit_modes(const Response& response, const std::vector<Pole>& start, int 
   fit.covariance = (variance * (lengths * inverse * lengths)).topLeftCorner(last, last);
   for (Eigen::Index p = 0; p < last; p += 4) fit.poles.push_back({at[p], at[p + 1], {at[p + 2], at[p + 3]}});
   return fit;
+}
+
+FittedMode mode_of(const ModeFit& fit, std::size_t number, const ResponseSpectrum& response) {
+  const bool only_amplitudes = response.only_amplitudes;
+  const Pole& pole = fit.poles[number];
+  const auto first = Eigen::Index(4 * number);
+  const Eigen::Matrix4d covariance = fit.covariance.block<4, 4>(first, first);
+  const auto error = [&](double f, double w, double re, double im) {
+    const Eigen::Vector4d by(f, w, re, im);
+    return std::sqrt(by.dot(covariance * by));
+  };
+  FittedMode mode;
+  mode.frequency = pole.frequency, mode.frequency_error = error(1, 0, 0, 0);
+  mode.width = pole.width, mode.width_error = error(0, 1, 0, 0);
+  mode.quality = pole.frequency / pole.width;
+  mode.quality_error = error(1 / pole.width, -mode.quality / pole.width, 0, 0);
+  const std::complex<double> factor = response.factor(pole.frequency);
+  const double area = pole.frequency * pole.width / std::abs(factor);
+  const double size = std::abs(strength_of(pole, only_amplitudes));
+  mode.amplitude = size / area;
+  const std::complex<double> by_strength =
+      only_amplitudes ? 0.5 / (size * area) : pole.strength / (size * area);
+  mode.amplitude_error = error((response.derivative - 1) * mode.amplitude / pole.frequency,
+                               -mode.amplitude / pole.width, by_strength.real(), by_strength.imag());
+  mode.phase = only_amplitudes ? 0 : std::arg(pole.strength * factor);
+  mode.together = fit.poles.size();
+  mode.points = response.values.size();
+  return mode;
+}
+
+bool stands_out(const ModeFit& fit, std::size_t number, bool only_amplitudes) {
+  const Pole& pole = fit.poles[number];
+  std::complex<double> others = 0;
+  for (std::size_t k = 0; k < fit.poles.size(); ++k)
+    if (k != number) others += slope(fit.poles[k], pole.frequency, only_amplitudes);
+  const double height = std::abs(strength_of(pole, only_amplitudes)) / (pole.frequency * pole.width);
+  return height >= least_share * pole.width * std::abs(others);
 }
 
 }  // namespace scree::signals

@@ -11,7 +11,7 @@ constexpr Complex i(0, 1);
 
 }  // namespace
 
-ModeModel::ModeModel(const Response& response, std::size_t poles, int degree)
+ModeModel::ModeModel(const ResponseSpectrum& response, std::size_t poles, int degree)
     : response_(response),
       poles_(poles),
       degree_(degree),

@@ -1,9 +1,6 @@
 #include "scree/signals/peaks.hpp"
 
-#include "maxima.hpp"
 #include "mode_group.hpp"
-#include "mode_of_pole.hpp"
-#include "near_fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,17 +11,73 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/median.hpp>
 
 namespace scree::signals {
 
 namespace {
 
 constexpr std::size_t most_poles = 6;        // of one fit
-constexpr double least_gain = 10;            // of Akaike's criterion, for another pole
-constexpr double least_pole_over_error = 5;  // amplitude of another pole
+constexpr double least_gain = 10;            // by which another pole lowers Akaike's criterion
+constexpr double least_pole_over_error = 5;  // amplitude of another pole over its error
 constexpr double least_distance = 0.1;       // of two poles, over the spacing of frequencies
 
-Pole first_guess(const Response& response, std::size_t top) {
+// Noise is measured from third differences in windows of this half width, one for each block of values.
+constexpr std::size_t half_window = 50, block = 25;
+// A third difference of independent values has 20 times their variance.
+constexpr double gain = 20;
+// Median of the square of a normal deviate.
+constexpr double median_of_square = 0.4549364;
+
+// |H|^2 of third differences.
+std::vector<double> third_differences(const ResponseSpectrum& response) {
+  std::vector<double> squares;
+  const auto& h = response.values;
+  for (std::size_t k = 0; k + 3 < h.size(); ++k)
+    squares.push_back(std::norm(h[k + 3] - 3.0 * h[k + 2] + 3.0 * h[k + 1] - h[k]));
+  return squares;
+}
+
+// Noise (rms) near each value.
+std::vector<double> noise_of(const ResponseSpectrum& response) {
+  const std::vector<double> squares = third_differences(response);
+  const double share = response.only_amplitudes ? median_of_square : std::numbers::ln2;
+  double largest = 0;
+  for (const auto& value : response.values) largest = std::max(largest, std::abs(value));
+  std::vector<double> noise;
+  while (noise.size() < response.values.size()) {
+    const std::size_t middle = std::min(noise.size() + block / 2, squares.size() - 1);
+    const std::size_t begin = middle > half_window ? middle - half_window : 0;
+    const std::size_t end = std::min(squares.size(), middle + half_window + 1);
+    const double square =
+        upper_median({squares.begin() + std::ptrdiff_t(begin), squares.begin() + std::ptrdiff_t(end)}) /
+        (gain * share);
+    const std::size_t count = std::min(block, response.values.size() - noise.size());
+    constexpr double round_off = 1e-12;
+    noise.insert(noise.end(), count, std::max(std::sqrt(square), round_off * largest));
+  }
+  return noise;
+}
+
+// Indices of maxima from which the values fall on both sides by more than the threshold there; not the ends.
+std::vector<std::size_t> maxima(const std::vector<double>& values, const std::vector<double>& threshold) {
+  std::vector<std::size_t> found;
+  bool rising = true;
+  std::size_t extreme = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double beyond = rising ? values[k] - values[extreme] : values[extreme] - values[k];
+    if (beyond > 0) {
+      extreme = k;
+    } else if (-beyond > threshold[rising ? extreme : k]) {
+      if (rising && extreme > 0) found.push_back(extreme);
+      rising = !rising;
+      extreme = k;
+    }
+  }
+  return found;
+}
+
+Pole first_guess(const ResponseSpectrum& response, std::size_t top) {
   const auto side = [&](int direction) {
     return half_width(response.frequencies, response.values, top, direction);
   };
@@ -33,11 +86,11 @@ Pole first_guess(const Response& response, std::size_t top) {
   return {response.frequencies[top], 2 * std::min(narrower, 0.25 * band)};
 }
 
-std::vector<Range> ranges_of(const Response& response, const std::vector<std::size_t>& tops) {
-  std::vector<Range> ranges;
+std::vector<FitRange> ranges_of(const ResponseSpectrum& response, const std::vector<std::size_t>& tops) {
+  std::vector<FitRange> ranges;
   for (const std::size_t top : tops) {
     const Pole pole = first_guess(response, top);
-    const Range range = range_about(response, pole, reach);
+    const FitRange range = range_about(response, pole, reach);
     const bool joins =
         !ranges.empty() && range.begin < ranges.back().end && ranges.back().poles.size() < most_poles;
     if (!joins) {
@@ -50,19 +103,19 @@ std::vector<Range> ranges_of(const Response& response, const std::vector<std::si
   return ranges;
 }
 
-// Whether two poles are told apart by frequencies with the spacing of those in the width of the first. Two that are nearer, with large amplitudes
-// that nearly cancel, fit any small deviation of a single mode.
-bool are_apart(const Pole& a, const Pole& b, const Response& response) {
+// Whether the frequencies within the width of the first pole tell two poles apart. Two nearer poles with
+// large amplitudes that nearly cancel would fit any small deviation of a single mode.
+bool are_apart(const Pole& a, const Pole& b, const ResponseSpectrum& response) {
   const std::size_t within =
       index_of(response, a.frequency + 0.5 * a.width) - index_of(response, a.frequency - 0.5 * a.width);
   return std::hypot(a.frequency - b.frequency, 0.5 * (a.width - b.width)) * double(within) >
          least_distance * a.width;
 }
 
-// Whether each pole is within the range and known well.
-bool is_sound(const ModeFit& fit, const Response& response) {
+// Whether each pole lies within the range and is known well.
+bool is_sound(const ModeFit& fit, const ResponseSpectrum& response) {
   for (std::size_t k = 0; k < fit.poles.size(); ++k) {
-    const Mode mode = mode_of(fit, k, response);
+    const FittedMode mode = mode_of(fit, k, response);
     if (!is_within(fit.poles[k], response) ||
         !(mode.amplitude > least_pole_over_error * mode.amplitude_error))
       return false;
@@ -73,7 +126,7 @@ bool is_sound(const ModeFit& fit, const Response& response) {
 }
 
 // The best fit in which one of the poles has become two.
-ModeFit with_another_pole(const ModeFit& fit, const Response& response) {
+ModeFit with_another_pole(const ModeFit& fit, const ResponseSpectrum& response) {
   constexpr std::array distances = {0.15, 0.35, 0.7};
   constexpr std::array shares = {0.5, 0.8};
   ModeFit best;
@@ -92,8 +145,8 @@ ModeFit with_another_pole(const ModeFit& fit, const Response& response) {
   return best;
 }
 
-// Adds poles while the residual shows structure that they take up.
-void refine(ModeFit& fit, const Response& response) {
+// Adds poles while they take up structure of the residual.
+void refine(ModeFit& fit, const ResponseSpectrum& response) {
   const double by_chance = 2 / std::sqrt(double(response.values.size()));
   while (fit.poles.size() < most_poles && fit.correlation > by_chance) {
     ModeFit finer = with_another_pole(fit, response);
@@ -102,22 +155,22 @@ void refine(ModeFit& fit, const Response& response) {
   }
 }
 
-// Each group in turn, a few times over, since the flanks of one are in the range of another.
-std::vector<Group> fitted(const Response& whole, std::vector<Group> groups) {
+// Fits each group in turn, four times, since the flanks of one lie in the range of another.
+std::vector<Group> fitted(const ResponseSpectrum& whole, std::vector<Group> groups) {
   constexpr int rounds = 4, refined_from = 2;
   for (int round = 0; round < rounds; ++round)
     for (std::size_t g = 0; g < groups.size(); ++g) {
       Group& group = groups[g];
-      const Response response = alone(whole, groups, g, group.range);
+      const ResponseSpectrum response = without_other_groups(whole, groups, g, group.range);
       if (round > 0 && group.fit.converged) group.fit = fit_modes(response, group.fit.poles);
-      // Poles of an earlier round may lie where the fit does not come to rest any more.
+      // From the poles of an earlier round the fit may no longer come to rest.
       if (round == 0 || !group.fit.converged) group.fit = fit_modes(response, group.range.poles);
       if (round >= refined_from) refine(group.fit, response);
     }
   return groups;
 }
 
-void check(const Response& response, std::size_t values) {
+void check(const ResponseSpectrum& response, std::size_t values) {
   constexpr std::size_t least = 16;
   const auto& f = response.frequencies;
   if (f.size() != values)
@@ -133,43 +186,43 @@ void check(const Response& response, std::size_t values) {
   }
 }
 
-std::vector<Mode> modes_of(const Response& response) {
+std::vector<FittedMode> fitted_modes(const ResponseSpectrum& response) {
   std::vector<double> size, threshold = noise_of(response);
   for (const auto& value : response.values) size.push_back(std::abs(value));
   for (double& noise : threshold) noise *= response.only_amplitudes ? 10 : 8;
   std::vector<Group> groups;
-  for (const Range& range : ranges_of(response, maxima(size, threshold)))
+  for (const FitRange& range : ranges_of(response, maxima(size, threshold)))
     if (range.end - range.begin >= least_values) groups.push_back({range, {}});
-  std::vector<Mode> modes;
+  std::vector<FittedMode> modes;
   groups = fitted(response, std::move(groups));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const ModeFit& fit = groups[g].fit;
-    const Response inside = part(response, groups[g].range);
+    const ResponseSpectrum inside = slice(response, groups[g].range);
     for (std::size_t k = 0; k < fit.poles.size(); ++k)
       if (fit.converged && is_within(fit.poles[k], inside) && stands_out(fit, k, inside.only_amplitudes))
-        if (const auto mode = near_mode(response, groups, g, k)) modes.push_back(*mode);
+        if (const auto mode = refit_locally(response, groups, g, k)) modes.push_back(*mode);
   }
   std::sort(modes.begin(), modes.end(),
-            [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
+            [](const FittedMode& a, const FittedMode& b) { return a.frequency < b.frequency; });
   return modes;
 }
 
 }  // namespace
 
-std::vector<Mode> find_modes(std::span<const double> frequencies,
-                             std::span<const std::complex<double>> response, int derivative) {
-  const Response data{
+std::vector<FittedMode> fit_peaks(std::span<const double> frequencies,
+                                  std::span<const std::complex<double>> response, int derivative) {
+  const ResponseSpectrum data{
       {frequencies.begin(), frequencies.end()}, {response.begin(), response.end()}, false, derivative};
   check(data, response.size());
-  return modes_of(data);
+  return fitted_modes(data);
 }
 
-std::vector<Mode> find_modes(std::span<const double> frequencies, std::span<const double> amplitudes,
-                             int derivative) {
-  const Response data{
+std::vector<FittedMode> fit_peaks(std::span<const double> frequencies, std::span<const double> amplitudes,
+                                  int derivative) {
+  const ResponseSpectrum data{
       {frequencies.begin(), frequencies.end()}, {amplitudes.begin(), amplitudes.end()}, true, derivative};
   check(data, amplitudes.size());
-  return modes_of(data);
+  return fitted_modes(data);
 }
 
 double half_width(std::span<const double> frequencies, std::span<const std::complex<double>> response,

@@ -1,13 +1,13 @@
 #include "exponential_drift.hpp"
 #include "line_fit.hpp"
 #include "scree/signals/amplitude_spectrum.hpp"
-#include "scree/signals/median.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <scree/error.hpp>
+#include <scree/median.hpp>
 
 namespace scree::signals {
 
@@ -16,15 +16,15 @@ namespace {
 constexpr std::size_t shortest_side = 6, longest_side = 50;
 constexpr double least_over_median = 5;
 constexpr double least_over_error = 5;
-// Below, a line has fewer periods than its window needs.
+// Lines below have fewer periods than their window needs.
 constexpr std::size_t first_bin = 3;
 
 double median_beside(const std::vector<double>& amplitude, std::size_t k) {
-  // Noise that falls with frequency is compared with itself only nearby.
+  // Noise may fall with frequency: only bins nearby count.
   const std::size_t side = std::clamp(k / 2, shortest_side, longest_side);
   const std::size_t begin = k > side ? k - side : 1;
   const std::size_t end = std::min(amplitude.size(), k + side + 1);
-  return median({amplitude.begin() + std::ptrdiff_t(begin), amplitude.begin() + std::ptrdiff_t(end)});
+  return upper_median({amplitude.begin() + std::ptrdiff_t(begin), amplitude.begin() + std::ptrdiff_t(end)});
 }
 
 // Bins of maxima above the noise, the highest first.
@@ -39,7 +39,8 @@ std::vector<std::size_t> candidates(const std::vector<double>& amplitude) {
   return bins;
 }
 
-// Behind a Hann window, bins at distances d and 1 - d from a line have amplitudes in the ratio (2 - d) : (1 + d).
+// After a Hann window, bins at distances d and 1 - d from a line have amplitudes in the ratio (2 - d) : (1 +
+// d).
 double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
   const bool above = spectrum.amplitude[k + 1] > spectrum.amplitude[k - 1];
   const double ratio = spectrum.amplitude[above ? k + 1 : k - 1] / spectrum.amplitude[k];
@@ -47,7 +48,7 @@ double interpolated(const AmplitudeSpectrum& spectrum, std::size_t k) {
   return spectrum.frequency(k) + spectrum.resolution * (above ? distance : -distance);
 }
 
-// Whether a fit found what the spectrum shows at its bin, and not what another line left there.
+// Whether a fit found the line of its bin, and not what another line left there.
 bool is_at(const Wave& wave, const AmplitudeSpectrum& spectrum, std::size_t k) {
   constexpr double least_share = 0.5, furthest = 2;  // of the amplitude; (resolutions)
   return wave.amplitude > least_share * spectrum.amplitude[k] &&
@@ -58,10 +59,11 @@ bool stands_out(const FoundLine& line) {
   return line.amplitude > 0 && !(line.amplitude < least_over_error * line.amplitude_error);
 }
 
-// What others leave in a line falls by its share in them, some 0.05 at five resolutions, with each round.
+// With each round the error that other lines leave in a line falls by a factor: about 0.05 at five
+// resolutions.
 constexpr int rounds_before_decay = 2, rounds_together = 6;
 
-// A record, and what was found in it.
+// A record as drift, waves and a residual.
 class Decomposition {
  public:
   Decomposition(std::span<const double> times, std::span<const double> values, PassDone pass_done)
@@ -69,14 +71,14 @@ class Decomposition {
 
   const std::vector<Wave>& waves() const { return waves_; }
 
-  // Looks for a wave at a place of the spectrum, in what the others leave.
+  // Looks in the residual for a wave at a bin of the spectrum.
   void try_at(const AmplitudeSpectrum& spectrum, std::size_t bin) {
     const Wave wave = fitted_wave(interpolated(spectrum, bin), times_, rest_, pass_done_);
     if (!is_at(wave, spectrum, bin)) return;
     add(wave, -1, times_, rest_);
     waves_.push_back(wave);
   }
-  // Looks for waves that decay early, in spectra of the beginning: those of the whole record hardly have them.
+  // Looks for waves that decay early, in spectra of the beginning of the record: the whole hardly shows them.
   void try_at_beginning(std::size_t most) {
     constexpr std::size_t fewest_samples = 64, factor = 2;
     for (std::size_t count = rest_.size() / factor; count >= fewest_samples && waves_.size() < most;
@@ -96,7 +98,7 @@ class Decomposition {
       }
     }
   }
-  // Lets waves decay, in what the others leave.
+  // Lets each wave decay, without the others.
   void let_decay_all() {
     for (Wave& wave : waves_) {
       add(wave, 1, times_, rest_);
@@ -104,7 +106,8 @@ class Decomposition {
       add(wave, -1, times_, rest_);
     }
   }
-  // The drift and each wave in turn, from the record less all others. Whether they changed by more than round-off.
+  // Fits the drift and each wave in turn, without the others. Returns whether a wave changed by more than
+  // round-off.
   bool refit_all() {
     add(drift_, 1, times_, rest_);
     drift_ = exponential_drift(times_, rest_);
@@ -147,8 +150,8 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
                                        const AmplitudeSpectrum& spectrum, std::size_t most,
                                        const std::function<void(double)>& on_progress) {
   std::vector<std::size_t> bins = candidates(spectrum.amplitude);
-  bins.resize(std::min(bins.size(), 4 * most));  // of noise-free records, those beyond are round-off
-  // A wave takes some three passes over the record at first, one in each round, and errors as long as ten.
+  bins.resize(std::min(bins.size(), 4 * most));  // in records without noise the rest is round-off
+  // A wave takes about three passes over the record at first, one in each round, and its errors ten.
   constexpr double passes_at_first = 3, passes_of_errors = 10;
   const double lines_expected = double(std::min(bins.size(), most));
   const double expected =
@@ -162,7 +165,7 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
   Decomposition found(times, values, [&] { done(1); });
   for (const std::size_t k : bins)
     if (found.waves().size() < most) found.try_at(spectrum, k);
-  // Before waves may decay, the drift is known well enough not to be taken for a decay.
+  // First the drift must be known well enough not to be taken for a decay.
   for (int round = 0; round < rounds_before_decay && found.refit_all(); ++round) {
   }
   found.let_decay_all();
@@ -174,7 +177,7 @@ std::vector<FoundLine> strongest_lines(std::span<const double> times, std::span<
     try {
       if (const FoundLine line = found.line(n); stands_out(line)) lines.push_back(line);
     } catch (const Error&) {
-      // The record is too short for this line, which then is not one to be told.
+      // The record is too short for the errors of this line, which is left out.
     }
     done(passes_of_errors);
   }

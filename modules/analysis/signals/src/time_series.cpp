@@ -7,15 +7,17 @@
 #include <fmt/format.h>
 
 #include <scree/files/csv_rows.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::signals {
 
 namespace {
 
-// Squares of values and inverse steps are finite and not 0.
+// Within these, squares of values and inverse steps are finite and not 0.
 constexpr double largest = 1e150, smallest = 1e-150;
 
-// A unit at the end of a name, as in "time (ms)" and "time_ms", if it is one of time other than s; or nothing.
+// The unit of time other than s at the end of a name, as in "time (ms)" and "time_ms"; empty if there is
+// none.
 std::string unit_in(const std::string& name) {
   static const std::set<std::string> units = {"ms", "us", "µs", "ns", "min", "h"};
   const std::size_t before = name.find_last_of("_ (/");
@@ -36,7 +38,7 @@ void check_unit(const files::CsvRows& rows) {
         "give times in s there, or another name");
 }
 
-// Of values all of which are tiny the squares, and with them the errors, would be 0.
+// The squares of tiny values, and so the errors, would be 0.
 void check_size(const files::CsvRows& rows, const std::vector<double>& values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
@@ -97,6 +99,17 @@ std::vector<TimeSeries> read_time_series(const std::filesystem::path& file,
 
 TimeSeries read_time_series(const std::filesystem::path& file, const std::string& column, std::size_t least) {
   return std::move(read_time_series(file, std::vector<std::string>{column}, least).front());
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return files::one_line(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+}
+
+std::string cut_line_warning(std::size_t cut_line) {
+  if (cut_line == 0) return "";
+  return fmt::format(
+      "line {}, the last, has no line break, so that its last number may be cut off; check it, and end the line",
+      cut_line);
 }
 
 }  // namespace scree::signals

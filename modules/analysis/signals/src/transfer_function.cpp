@@ -2,7 +2,6 @@
 
 #include "fourier.hpp"
 #include "scree/signals/amplitude_spectrum.hpp"
-#include "window.hpp"
 
 #include <algorithm>
 #include <cmath>

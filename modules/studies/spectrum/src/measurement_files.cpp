@@ -49,7 +49,7 @@ std::string peak_table(const Measurement& m) {
                                "width_error [Hz]", "quality", "quality_error", "amplitude", "amplitude_error",
                                "amplitude_unit", "phase [rad]", "difference [Hz]", "wavelengths"});
   for (const Resonance& r : m.resonances) {
-    const signals::Mode& mode = r.mode;
+    const signals::FittedMode& mode = r.mode;
     Cells cells = {m.spectra[r.spectrum].method, m.observed[r.column].name};
     add_numbers(cells, {mode.frequency, mode.frequency_error, mode.width, mode.width_error, mode.quality,
                         mode.quality_error, mode.amplitude, mode.amplitude_error});

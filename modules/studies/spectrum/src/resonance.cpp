@@ -68,9 +68,9 @@ int time_derivative(const std::string& unit) {
   return unit.ends_with("/s") ? 1 : unit.ends_with("/s^2") ? 2 : 0;
 }
 
-double nearest_difference(double frequency, const std::vector<signals::Mode>& modes) {
+double nearest_difference(double frequency, const std::vector<signals::FittedMode>& modes) {
   double nearest = std::numeric_limits<double>::quiet_NaN();
-  for (const signals::Mode& mode : modes)
+  for (const signals::FittedMode& mode : modes)
     if (const double d = frequency - mode.frequency; !(std::abs(d) >= std::abs(nearest))) nearest = d;
   return nearest;
 }
@@ -87,7 +87,7 @@ void set_shape(const MethodSpectrum& spectrum, const std::vector<ObservedColumn>
 }
 
 std::optional<std::size_t> maximum_of(const MethodSpectrum& spectrum, std::size_t c,
-                                      const signals::Mode& mode) {
+                                      const signals::FittedMode& mode) {
   const auto& f = spectrum.frequencies;
   const auto height = [&](std::size_t k) { return std::abs(spectrum.columns[c].response[k]); };
   const std::size_t nearest = spectrum.nearest(mode.frequency);
@@ -187,14 +187,14 @@ std::vector<Resonance> resonances_of(const std::vector<MethodSpectrum>& spectra,
                                      const std::vector<ObservedColumn>& observed) {
   std::vector<Resonance> all;
   for (std::size_t c = 0; !spectra.empty() && c < responding(observed); ++c) {
-    std::vector<signals::Mode> of_first;
+    std::vector<signals::FittedMode> of_first;
     for (std::size_t r = 0; r < spectra.size(); ++r) {
       if (spectra[r].frequencies.size() < fewest_frequencies_of_peaks || !is_finite(spectra[r].columns[c]))
         continue;
-      const auto modes = signals::find_modes(spectra[r].frequencies, spectra[r].columns[c].response,
-                                             time_derivative(observed[c].unit));
+      const auto modes = signals::fit_peaks(spectra[r].frequencies, spectra[r].columns[c].response,
+                                            time_derivative(observed[c].unit));
       if (r == 0) of_first = modes;
-      for (const signals::Mode& mode : modes) {
+      for (const signals::FittedMode& mode : modes) {
         const double difference = r == 0 ? 0 : nearest_difference(mode.frequency, of_first);
         all.push_back({r, c, mode, difference, std::numeric_limits<double>::quiet_NaN(), {}, {}});
         set_shape(spectra[r], observed, all.back());
@@ -206,7 +206,7 @@ std::vector<Resonance> resonances_of(const std::vector<MethodSpectrum>& spectra,
 }
 
 double number_of(const Resonance& resonance, std::size_t number) {
-  const signals::Mode& mode = resonance.mode;
+  const signals::FittedMode& mode = resonance.mode;
   const double numbers[] = {mode.frequency, mode.frequency_error, mode.quality,         mode.quality_error,
                             mode.amplitude, mode.amplitude_error, resonance.wavelengths};
   static_assert(std::size(numbers) == peak_numbers.size());

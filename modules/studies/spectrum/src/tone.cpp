@@ -7,8 +7,8 @@ namespace scree::spectrum {
 
 namespace {
 
-signals::LockInOptions options_of(double frequency, double length, bool averaged, int drift_degree) {
-  signals::LockInOptions options;
+LockInOptions options_of(double frequency, double length, bool averaged, int drift_degree) {
+  LockInOptions options;
   options.frequency = frequency;
   options.duration = averaged ? length - 1 / frequency : length;
   options.harmonics = 1;
@@ -29,10 +29,10 @@ constexpr double many_errors = 5;
 ToneLockIn::ToneLockIn(double frequency, double length, std::size_t samples_per_period, bool averaged,
                        int drift_degree)
     : options_(options_of(frequency, length, averaged, drift_degree)),
-      fit_state_(signals::LockIn::state_size(options_)),
+      fit_state_(LockIn::state_size(options_)),
       fit_(options_, fit_state_) {
   if (!averaged) return;
-  average_state_.resize(signals::PeriodAverage::state_size(samples_per_period));
+  average_state_.resize(PeriodAverage::state_size(samples_per_period));
   average_.emplace(1 / frequency, average_state_);
 }
 
@@ -47,7 +47,7 @@ void ToneLockIn::add(double time, double value) {
 }
 
 ToneLockIn::Amplitude ToneLockIn::result() const {
-  const signals::Line line = fit_.result().lines[0];
+  const SpectralLine line = fit_.result().lines[0];
   return {std::polar(line.amplitude, line.phase), line.amplitude_error, origin_ + sum_ / double(samples_)};
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include <scree/signals/lock_in.hpp>
-#include <scree/signals/period_average.hpp>
+#include <scree/plugin/lock_in.hpp>
+#include <scree/plugin/period_average.hpp>
 #include <scree/spectrum/spectrum_plan.hpp>
 
 namespace scree::spectrum {
@@ -33,10 +33,10 @@ class ToneLockIn {
   Amplitude result() const;
 
  private:
-  signals::LockInOptions options_;
+  LockInOptions options_;
   std::vector<double> fit_state_, average_state_;
-  signals::LockIn fit_;
-  std::optional<signals::PeriodAverage> average_;
+  LockIn fit_;
+  std::optional<PeriodAverage> average_;
   double sum_ = 0, origin_ = 0;
   std::size_t samples_ = 0;
 };

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t minima = 101;  // of which the last 72 count
 
-// A strain of minima 0, 1, ... with normal noise.
+// A strain at minima 0, 1, ... with normal noise.
 template <class Strain>
 std::vector<double> series(const Strain& strain, double noise = 0, unsigned seed = 1,
                            std::size_t count = minima) {
@@ -31,7 +31,7 @@ std::vector<double> series(const Strain& strain, double noise = 0, unsigned seed
   return values;
 }
 
-// How many of 200 series with different noise are of a class.
+// How many of 200 series with different noise have a class.
 template <class Strain>
 int of_200(Class kind, const Strain& strain, double noise) {
   if (noise == 0) return 200 * (classify(series(strain)).kind == kind);
@@ -99,7 +99,7 @@ TEST_CASE("a strain that repeats is periodic, with its shortest period", "[class
       classify(series([](double n) { return 1e-8 * n + (std::fmod(n, 2) == 0 ? 1e-6 : 0); }));
   CHECK(tilted.kind == Class::periodic);
   CHECK(tilted.robust.slope == Approx(1e-8).epsilon(0.01));
-  // Over a drift that wanders by half the amplitude in 25 cycles.
+  // On a drift that wanders by half the amplitude in 25 cycles.
   int over_drift = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
     std::vector<double> drift = series([](double) { return 0.0; }, 1e-7, seed);
@@ -140,13 +140,13 @@ TEST_CASE("single cycles that stand off are outliers, and are listed", "[classif
   CHECK(decaying.outliers == places);
   CHECK(of_200(
             Class::outliers, [&](double n) { return spikes(n); }, 5e-11) >= 196);
-  // Of noise no cycle stands off: ten deviations are improbable for normal noise.
+  // In noise no cycle stands off: ten deviations are improbable for normal noise.
   CHECK(of_200(
             Class::outliers, [](double) { return 0.0; }, 1e-9) == 0);
   // A step and a decay without noise have no cycle that stands off.
   CHECK(classify(series([](double n) { return n < 60 ? 0 : 1e-6; })).outliers.empty());
   CHECK(classify(series([](double n) { return std::exp(-(n - 29) / 5); })).outliers.empty());
-  // Thirty of a hundred are no minority.
+  // Thirty of a hundred are too many for outliers.
   const Classification many =
       classify(series([](double n) { return std::sin(n * n) > 0.6 ? 1e-8 : 0; }, 1e-13));
   CHECK(many.kind != Class::outliers);
@@ -161,11 +161,11 @@ TEST_CASE("a strain whose increments fall shakes down", "[classification]") {
     CHECK(of_200(Class::shakedown, power, noise / 10) >= 196);
   }
   CHECK(classify(series(exponential)).settling_probability < 1e-6);
-  // Noise of 1e-9 hides the single increments, not those of means over blocks. Demanded: nine of ten, less three standard deviations of such a number of
-  // 200.
+  // Noise of 1e-9 hides single increments, not those of means over blocks. Nine of ten must be found, less three
+  // standard deviations of such a number of 200.
   CHECK(of_200(
             Class::shakedown, [](double n) { return 5e-8 * std::exp(-(n - 29) / 40); }, 1e-9) >= 180 - 13);
-  // Increments that grow do not.
+  // Growing increments are no shakedown.
   CHECK(of_200(
             Class::shakedown, [](double n) { return 1e-4 * std::exp((n - 100) / 10); }, 1e-7) == 0);
 }
@@ -185,7 +185,7 @@ TEST_CASE("a strain that goes on without a limit creeps, with its law", "[classi
   CHECK(c.reason.starts_with("1.000e-06 log(1 + k/2), criterion of Akaike lower by "));
   CHECK(d.slowing->law == Law::power);
   CHECK(d.slowing->exponent == Approx(0.5).epsilon(0.01));
-  // To a limit, which is that of the law.
+  // A law with a limit.
   const Classification e = classify(series([](double n) { return 3e-4 - 1e-4 * std::exp(-(n - 29) / 10); }));
   CHECK(e.kind == Class::shakedown);
   CHECK(e.slowing->law == Law::exponential);
@@ -200,21 +200,22 @@ TEST_CASE("the limit of a strain that approaches it by a slow power is found", "
         series([&](double n) { return 1e-3 - 3e-4 * std::pow(std::max(1.0, n - 28), -power); }, 1e-12));
     REQUIRE(c.slowing);
     CHECK(c.kind == Class::shakedown);
-    // The best fit to noise of 1e-12: of the slowest power the last value is 2e-4 from the limit.
+    // Noise of 1e-12; the last value of the slowest power is 2e-4 from its limit.
     CHECK(c.slowing->constant == Approx(1e-3).epsilon(1e-6));
     CHECK(c.slowing->exponent == Approx(-power).epsilon(1e-4));
   }
 }
 
 TEST_CASE("a strain that slows down under noise too large for its law settles", "[classification]") {
-  // Over 72 cycles a logarithm that began 150 before has the curvature of an exponential: their difference is a small part of its range.
+  // Over 72 cycles a logarithm that began 150 before has the curvature of an exponential: their difference is
+  // a small part of its range.
   const auto late = [](double n) { return 1e-6 * std::log(n + 121); };
   int settling = 0, creep = 0, shakedown = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
     const Class kind = classify(series(late, 2e-8, seed)).kind;
     settling += kind == Class::settling, creep += kind == Class::creep, shakedown += kind == Class::shakedown;
   }
-  // Where one of two laws is exp(3/2) times as likely it is wrong in at most one of 1 + exp(3/2) series.
+  // A law that is exp(3/2) times as likely as another is wrong in at most one of 1 + exp(3/2) series.
   CHECK(shakedown <= 200 / (1 + std::exp(1.5)));
   CHECK(settling > creep + shakedown);
 }
@@ -232,7 +233,7 @@ TEST_CASE("a straight line behind a settling part ratchets late", "[classificati
     CHECK(c.after_settling.slope == Approx(1e-8).epsilon(1e-3));
     CHECK(c.reason.starts_with("settles until cycle 53; from there deviations of "));
   }
-  // A settling part of two time constants has no straight line behind it.
+  // A settling part of two time constants has no straight line after it.
   const Classification both = classify(
       series([](double n) { return 1e-6 * (std::exp(-(n - 29) / 5) + 0.5 * std::exp(-(n - 29) / 40)); }));
   CHECK(both.kind == Class::shakedown);

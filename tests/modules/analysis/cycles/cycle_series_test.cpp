@@ -18,7 +18,8 @@ struct Record {
   std::vector<double> times, strain, load;
 };
 
-// A load 3 + 0.5 (1 − cos) and a strain of amplitude 2e-3 that lags by a quarter of a cycle, so that the loop is an ellipse, on a drift.
+// A load 3 + 0.5 (1 − cos) and a strain of amplitude 2e-3 that lags by a quarter of a cycle, so that the loop
+// is an ellipse, on a drift.
 Record ellipses(double cycles, int per_cycle, double drift = 0, double phase = std::numbers::pi / 2) {
   Record r;
   for (int k = 0; k <= int(cycles * per_cycle); ++k) {
@@ -50,18 +51,18 @@ TEST_CASE("the area of an elliptic loop is pi a b times that of its polygon", "[
     const CycleSeries s = series_of(ellipses(5, n), {4, 10});
     REQUIRE(s.loops.size() == 5);
     const double polygon = std::sin(2 * std::numbers::pi / n) / (2 * std::numbers::pi / n);
-    // Round-off of strains of 0.7 over loops of 2e-3, 1e-13, some times.
+    // A few times the round-off of strains of 0.7 over loops of 2e-3, 1e-13.
     for (const auto& loop : s.loops)
       CHECK(loop.area == Approx(std::numbers::pi * 0.5 * 2e-3 * polygon).epsilon(1e-12));
   }
-  // In the other sense the load takes energy back.
+  // In the opposite sense the load takes energy back.
   const CycleSeries back = series_of(ellipses(5, 200, 0, -std::numbers::pi / 2), {4, 10});
   CHECK(back.loops[2].area < 0);
 }
 
 TEST_CASE("stiffness is the slope between the extremes of the load", "[cycle_series]") {
   const CycleSeries s = series_of(ellipses(5, 8, 1e-5, 0), {4, 10});
-  // In phase: 1 / 4e-3 and half a cycle's drift.
+  // In phase: 1 over 4e-3 and the drift of half a cycle.
   for (const auto& loop : s.loops) CHECK(loop.stiffness == Approx(1 / (4e-3 + 0.5e-5)).epsilon(1e-11));
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("a period that is a multiple of the load's own is seen", "[cycle_serie
 
 TEST_CASE("a load that hardly changes in a part of its period is not taken to repeat there",
           "[cycle_series]") {
-  // In a hundredth of a period a sine changes by less than a load that repeats may.
+  // In a hundredth of a period a sine changes by less than the tolerance of a load that repeats.
   for (const int per_cycle : {100, 400}) CHECK(series_of(ellipses(5, per_cycle), {4, 10}).load_periods == 1);
 }
 
@@ -129,7 +130,7 @@ TEST_CASE("a minimum in a gap, and a loop with a gap, are refused", "[cycle_seri
   CHECK(refusal(without(17, 60), {4, 42}).empty());         // before the cycles
   CHECK(refusal(without(17, 60), {4, 42 + 1e-9}).empty());  // to round-off
   CHECK(refusal(without(66, 96), {4, 10}).starts_with("there is no sample from 42.5 s to 58 s, "));
-  // Behind the last whole cycle.
+  // After the last whole cycle.
   Record behind = whole;
   for (const double t : {2.5, 3.0}) {
     behind.times.push_back(58 + t);
@@ -154,7 +155,7 @@ TEST_CASE("samples at the minima are enough for strains", "[cycle_series]") {
   CHECK(cycle_series(times, strain, {}, {4, 0}).strain.size() == 6);
   CHECK_THROWS_WITH(cycle_series(times, strain, strain, {4, 0}),
                     Catch::StartsWith("there is no sample from 1.5 s to 4 s, "));
-  // Each 0.7 of a period: at the minima none, but for each seventh.
+  // A sample each 0.7 periods: only every seventh minimum has one.
   times.clear(), strain.clear();
   for (int k = 0; k < 40; ++k) add(2.8 * k);
   CHECK_THROWS_WITH(cycle_series(times, strain, {}, {4, 0}),

@@ -39,7 +39,7 @@ TEST_CASE("the first value and the last can stand off", "[outliers]") {
       values[place] += 1e-7;
       CHECK(find_outliers(values, factor, round_off).places == std::vector<std::size_t>{place});
     }
-  // The first of a series that settles does not.
+  // The first value of a series that settles does not stand off.
   const std::vector<std::size_t> none;
   CHECK(outliers_of([](double n) { return std::exp(-n); }) == none);
   CHECK(outliers_of([](double n) { return 1 / (n + 1); }) == none);
@@ -47,7 +47,8 @@ TEST_CASE("the first value and the last can stand off", "[outliers]") {
 }
 
 TEST_CASE("up to an eighth of the values stand off", "[outliers]") {
-  // Demanded: nine of ten series with eight equal outliers have just these, less three standard deviations of such a number of 200.
+  // Exactly the eight equal outliers must be found in nine of ten series, less three standard deviations of such a
+  // number of 200.
   std::mt19937_64 random(1);
   int found = 0;
   for (int series = 0; series < 200; ++series) {

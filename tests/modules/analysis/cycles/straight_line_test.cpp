@@ -12,12 +12,12 @@ using scree::cycles::StraightLine;
 
 namespace {
 
-// Mean squares of the error of a slope and of what is stated for it.
+// Mean squares of the error of a slope and of its stated error.
 struct Errors {
   double scatter = 0, stated = 0;
 };
 
-// Of 400 lines of slope 3 through 72 values with normal noise, and 1000 more in a share of them.
+// From 400 lines of slope 3 through 72 values with normal noise, and 1000 added to a share of the values.
 template <class Line>
 Errors errors_of(const Line& line_of, double share) {
   Errors errors;
@@ -34,7 +34,7 @@ Errors errors_of(const Line& line_of, double share) {
   return errors;
 }
 
-// The scatter of a variance from 400 values: sqrt(2/400) = 7 %, three times.
+// Three times the scatter of a variance from 400 values, sqrt(2/400) = 7 %.
 constexpr double scatter_of_400 = 0.21;
 
 }  // namespace

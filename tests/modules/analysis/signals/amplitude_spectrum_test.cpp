@@ -29,7 +29,7 @@ Record record(double step, std::size_t count, const std::function<double(double)
 
 TEST_CASE("a sine at a multiple of the resolution has its amplitude there, on a drift",
           "[amplitude_spectrum]") {
-  // 1000 periods of 4 samples less one: the line through them leaves no more than 6/1000 of the sine.
+  // 1000 periods of 4 samples less one: a straight line fits at most 6/1000 of the sine.
   const auto even = record(0.01, 4000, [](double t) { return sine(0.3, 25, 1, t) + 7 + 0.1 * t; });
   const AmplitudeSpectrum spectrum = even.spectrum();
   CHECK(spectrum.resolution == Approx(1 / 40.0));
@@ -64,7 +64,8 @@ TEST_CASE("lines are found to a small part of the resolution, the strongest firs
   });
   const auto lines = strongest_lines(made.times, made.values, made.spectrum(), 2);
   REQUIRE(lines.size() == 2);
-  // The parabola is fitted; lines at 464 resolutions have 1 / (464 pi) of each other before the first of six rounds.
+  // The parabola is fitted; lines at 464 resolutions have 1 / (464 pi) of each other before the first of six
+  // rounds.
   CHECK(std::abs(lines[0].frequency - 7.77777) < 1e-9);
   CHECK(std::abs(lines[1].frequency - 3.14159) < 1e-9);
   CHECK(lines[0].amplitude == Approx(1).epsilon(1e-9));
@@ -80,7 +81,7 @@ TEST_CASE("lines of equal strength that are three resolutions apart are told apa
     auto lines = strongest_lines(made.times, made.values, made.spectrum(), 5);
     REQUIRE(lines.size() == 2);
     if (lines[0].frequency > lines[1].frequency) std::swap(lines[0], lines[1]);
-    // Less than 0.1 of a line, and of a resolution of 0.1 Hz, is left in the other by each of seven fits.
+    // Each of seven fits leaves less than 0.1 of a line, and of a resolution of 0.1 Hz, in the other.
     CHECK(std::abs(lines[0].frequency - first) < 1e-8);
     CHECK(std::abs(lines[1].frequency - second) < 1e-8);
     for (const FoundLine& line : lines) CHECK(std::abs(line.amplitude - 1) < 1e-7);

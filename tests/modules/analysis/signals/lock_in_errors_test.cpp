@@ -8,6 +8,7 @@
 
 #include <scree/signals/lock_in.hpp>
 
+using namespace scree;
 using namespace scree::signals;
 using scree::test::equal_times;
 using scree::test::PinkNoise;
@@ -41,7 +42,7 @@ TEST_CASE("in white noise, amplitude and phase scatter as the Cramer-Rao bound s
   for (int k = 0; k < cases; ++k) {
     std::vector<double> x;
     for (const double t : times) x.push_back(sine(amplitude, 10, phase, t) + noise(random));
-    const Line line = lock_in(times, x, options).lines[0];
+    const SpectralLine line = lock_in(times, x, options).lines[0];
     amplitude_scatter.add(line.amplitude - amplitude, line.amplitude_error);
     phase_scatter.add(line.phase - phase, line.phase_error);
   }
@@ -93,7 +94,7 @@ TEST_CASE("of a part of a period, amplitude and phase have errors of their own",
     const auto times = equal_times(60, 0.01);
     std::vector<double> x;
     for (const double t : times) x.push_back(sine(1, 1, 0, t) + noise(random));
-    const Line line = lock_in(times, x, options).lines[0];
+    const SpectralLine line = lock_in(times, x, options).lines[0];
     amplitude_scatter.add(line.amplitude - 1, line.amplitude_error);
     phase_scatter.add(line.phase, line.phase_error);
     ratio = line.amplitude_error / line.phase_error;
@@ -109,7 +110,7 @@ TEST_CASE("in a short record a harmonic that is not fitted is not taken for nois
   const auto times = equal_times(600, 0.01);
   std::vector<double> x;
   for (const double t : times) x.push_back(sine(1, 1, 0, t) + sine(0.5, 2, 0, t));
-  const Line line = lock_in(times, x, options).lines[0];
+  const SpectralLine line = lock_in(times, x, options).lines[0];
   CHECK(line.amplitude == Approx(1).epsilon(1e-12));
   CHECK(line.amplitude_error < 1e-12);
 }
@@ -120,7 +121,7 @@ TEST_CASE("a frequency that is off by a tenth of 1/T shows in the error", "[lock
   for (const double t : times) x.push_back(sine(1, 50.05, 0, t));
   LockInOptions options;
   options.frequency = 50;
-  const Line line = lock_in(times, x, options).lines[0];
+  const SpectralLine line = lock_in(times, x, options).lines[0];
   CHECK(std::abs(line.amplitude - 1) > 0.01);  // 1 - sinc(0.1)
   CHECK(std::abs(line.amplitude - 1) < 2 * line.amplitude_error);
 }
@@ -135,13 +136,13 @@ TEST_CASE("a record of few periods has errors too, and one without spare samples
     const auto times = equal_times(60, 0.05);  // 3 periods
     std::vector<double> x;
     for (const double t : times) x.push_back(sine(1, 1, 0, t) + noise(random));
-    const Line line = lock_in(times, x, options).lines[0];
+    const SpectralLine line = lock_in(times, x, options).lines[0];
     scatter.add(line.amplitude - 1, line.amplitude_error);
   }
   CHECK(scatter.share() == Approx(0.68).margin(0.05));
-  const Line line = lock_in(equal_times(3, 0.3), equal_times(3, 1), options).lines[0];
+  const SpectralLine line = lock_in(equal_times(3, 0.3), equal_times(3, 1), options).lines[0];
   CHECK(std::isnan(line.amplitude_error));
-  const Line none = lock_in(equal_times(60, 0.05), std::vector<double>(60, 3.0), options).lines[0];
+  const SpectralLine none = lock_in(equal_times(60, 0.05), std::vector<double>(60, 3.0), options).lines[0];
   CHECK(none.amplitude == 0);
   CHECK(none.amplitude_error == 0);
   CHECK(none.phase_error == std::numeric_limits<double>::infinity());

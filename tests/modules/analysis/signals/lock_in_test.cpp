@@ -10,6 +10,7 @@
 #include <scree/error.hpp>
 #include <scree/signals/lock_in.hpp>
 
+using namespace scree;
 using namespace scree::signals;
 using scree::test::equal_times;
 using scree::test::random_times;
@@ -32,11 +33,12 @@ std::vector<double> driven(const std::vector<double>& times) {
   return x;
 }
 
-// Round-off of a value of the record is 1e-18; the fit takes 2e4 samples and hence adds less than that to the lines.
+// Round-off of a value of the record is 1e-18; the fit takes 2e4 samples and hence adds less than that to the
+// lines.
 void check_lines(const LockInResult& result) {
   REQUIRE(result.harmonics == 3);
   for (int h = 0; h < 3; ++h) {
-    const Line& line = result.lines[h];
+    const SpectralLine& line = result.lines[h];
     CHECK(line.frequency == (h + 1) * frequency);
     CHECK(std::abs(line.amplitude - amplitudes[h]) < 1e-15);
     CHECK(std::abs(turned_by(line.phase, phases[h])) < 1e-15 / amplitudes[h]);
@@ -72,7 +74,7 @@ TEST_CASE("phases refer to the origin, also for a record that starts late", "[lo
   check_lines(lock_in(times, driven(times), options_of(3)));
   LockInOptions later = options_of(3);
   later.origin = 5.0123;
-  const Line line = lock_in(times, driven(times), later).lines[0];
+  const SpectralLine line = lock_in(times, driven(times), later).lines[0];
   CHECK(std::abs(turned_by(line.phase, phases[0] + 2 * std::numbers::pi * frequency * 5.0123)) < 1e-9);
   CHECK(line.phase <= std::numbers::pi);
   CHECK(line.phase > -std::numbers::pi);
@@ -88,7 +90,7 @@ TEST_CASE("a drift that is no polynomial changes the amplitude by no more than t
     options.frequency = 5, options.drift_degree = degree;
     return std::abs(lock_in(times, x, options).lines[0].amplitude - 0.01);
   };
-  // Of degree 0, r = exp(-t) - 1/2 has max|r| = 1/2 and V = 1; of degree 2, Chebyshev: max|r| <= T^3 / (2^5 3!).
+  // Degree 0: r = exp(-t) - 1/2 has max|r| = 1/2 and V = 1. Degree 2, by Chebyshev: max|r| <= T^3 / (2^5 3!).
   CHECK(error(0) < 2 / (std::numbers::pi * 20));
   CHECK(error(0) > 1e-3);
   const double rest = 64.0 / 192;

@@ -8,8 +8,8 @@
 
 namespace scree::test {
 
-// y'' + 2 g y' + w^2 y = x, with x constant in each step: integrated exactly, and its exact transfer function from the values of
-// x to those of y at the beginnings of the steps.
+// y'' + 2 g y' + w^2 y = x, with x constant in each step: integrated exactly, and its exact transfer function
+// from the values of x to those of y at the beginnings of the steps.
 class Oscillator {
  public:
   // frequency: without damping (Hz); step: (s).

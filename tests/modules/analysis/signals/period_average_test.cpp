@@ -5,9 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
+#include <scree/plugin/period_average.hpp>
 #include <scree/signals/lock_in.hpp>
-#include <scree/signals/period_average.hpp>
 
+using namespace scree;
 using namespace scree::signals;
 using scree::test::equal_times;
 using scree::test::sine;
@@ -21,7 +22,7 @@ double error_of(const std::vector<double>& times, const std::function<double(dou
   for (const double t : times) x.push_back(drift(t) + sine(0.5, 1, 0.4, t));
   LockInOptions options;
   options.frequency = 1, options.drift_degree = 0, options.harmonics = 1;
-  const Line line = lock_in(times, x, options, Detrending::period_average).lines[0];
+  const SpectralLine line = lock_in(times, x, options, Detrending::period_average).lines[0];
   return std::max(std::abs(line.amplitude / 0.5 - 1), std::abs(turned_by(line.phase, 0.4)));
 }
 

@@ -116,13 +116,13 @@ TEST_CASE("an adaptive linear method resolves maxima that are narrower than its 
     const scenario::Plan plan = driven_plan_of(
         Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nlinear.fewest_contacts = 1\n{}\n", grid)));
     const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
-    std::vector<signals::Mode> modes;
+    std::vector<signals::FittedMode> modes;
     for (const Resonance& r : resonances_of({linear_spectrum(start)}, read_spectrum(plan)->observed))
       if (read_spectrum(plan)->observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
     return modes;
   };
-  const std::vector<signals::Mode> fine = modes_with("step_hz = 0.25");
-  const std::vector<signals::Mode> refined = modes_with("step_hz = 7\nlinear.adaptive = true");
+  const std::vector<signals::FittedMode> fine = modes_with("step_hz = 0.25");
+  const std::vector<signals::FittedMode> refined = modes_with("step_hz = 7\nlinear.adaptive = true");
   CHECK(modes_with("step_hz = 7").size() < fine.size());
   REQUIRE(refined.size() == fine.size());
   // The same modes through fewer points; of what is no sum of modes, the fit leaves 1e-3 of a width.
@@ -138,7 +138,7 @@ TEST_CASE("peaks of velocities are those of displacements", "[spectrum]") {
   const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
   const auto resonances = resonances_of({linear_spectrum(start)}, read_spectrum(plan)->observed);
   REQUIRE(resonances.size() == 2);
-  const signals::Mode velocity = resonances[0].mode, displacement = resonances[1].mode;
+  const signals::FittedMode velocity = resonances[0].mode, displacement = resonances[1].mode;
   // Both fits take the flanks of the other modes for a line, with weights that differ by f.
   CHECK(velocity.frequency == Approx(displacement.frequency).epsilon(1e-4));
   CHECK(velocity.quality == Approx(displacement.quality).epsilon(5e-3));

@@ -83,12 +83,12 @@ TEST_CASE("noise measures the response and the modes of the discrete chain withi
   }
   CHECK(double(covered) / cases == Approx(0.68).margin(0.05 + 0.04));  // the share of 141 is known to 0.04
   CHECK(largest < 0.03);
-  std::vector<signals::Mode> found;
+  std::vector<signals::FittedMode> found;
   for (const Resonance& r : measured.resonances)
     if (r.column == 1) found.push_back(r.mode);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {
-    const signals::Mode& mode = found[std::size_t(j - 1)];
+    const signals::FittedMode& mode = found[std::size_t(j - 1)];
     const double exact = Chain::with_step(Chain::mode_hz(j));
     CAPTURE(j, mode.frequency, mode.frequency_error, exact);
     CHECK(std::abs(mode.frequency - exact) < 4 * mode.frequency_error);

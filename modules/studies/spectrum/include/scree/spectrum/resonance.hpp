@@ -29,7 +29,7 @@ ModeShape mode_shape(const std::vector<std::complex<double>>& layers);
 // A peak in the response of a column, as one method found it.
 struct Resonance {
   std::size_t spectrum = 0, column = 0;  // of the measurement
-  signals::Mode mode;
+  signals::FittedMode mode;
   // f0 − that of the nearest peak of the first method (Hz); 0 for the first method, NaN if it has none.
   double difference = 0;
   // Wavelengths between the ends of the packing, 0.25 of λ/4, from the shape (mode_shape()); NaN without a
