@@ -5,7 +5,7 @@
 #include "contacts/contacts.hpp"
 #include "contacts/onset.hpp"
 #include "contacts/pair_constants.hpp"
-#include "machine/thread_pool.hpp"
+#include <scree/thread_pool.hpp>
 
 #include <cstddef>
 #include <functional>

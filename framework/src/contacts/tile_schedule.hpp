@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contacts/kernel/tiles.hpp"
-#include "machine/thread_pool.hpp"
+#include <scree/thread_pool.hpp>
 
 #include <atomic>
 #include <cstdint>

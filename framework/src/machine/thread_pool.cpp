@@ -1,4 +1,4 @@
-#include "machine/thread_pool.hpp"
+#include <scree/thread_pool.hpp>
 
 #include <system_error>
 #include <utility>

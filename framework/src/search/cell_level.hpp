@@ -1,6 +1,6 @@
 #pragma once
 
-#include "search/neighbours.hpp"
+#include <scree/pair_search.hpp>
 
 #include <algorithm>
 #include <array>

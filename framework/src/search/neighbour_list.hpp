@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
-#include "search/neighbours.hpp"
+#include <scree/pair_search.hpp>
 #include "search/skin_choice.hpp"
 #include "walls/boundaries.hpp"
 

@@ -6,7 +6,7 @@
 #include "contacts/forces.hpp"
 #include "contacts/touching_contacts.hpp"
 #include "contacts/trial_loads.hpp"
-#include "machine/thread_pool.hpp"
+#include <scree/thread_pool.hpp>
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
 #include "search/neighbour_list.hpp"

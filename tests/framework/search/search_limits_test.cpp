@@ -1,4 +1,4 @@
-#include "search/neighbours.hpp"
+#include <scree/pair_search.hpp>
 
 #include <catch2/catch.hpp>
 

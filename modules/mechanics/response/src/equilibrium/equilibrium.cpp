@@ -1,6 +1,6 @@
-#include "equilibrium.hpp"
+#include "equilibrium/equilibrium.hpp"
 
-#include "../entries.hpp"
+#include "assembly/entries.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../body_force_terms.hpp"
-#include "static_contacts.hpp"
-#include "stiffness_factors.hpp"
+#include "assembly/body_force_terms.hpp"
+#include "equilibrium/static_contacts.hpp"
+#include "equilibrium/stiffness_factors.hpp"
 
 #include <cstddef>
 #include <functional>

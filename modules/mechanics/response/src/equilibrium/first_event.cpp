@@ -1,4 +1,4 @@
-#include "first_event.hpp"
+#include "equilibrium/first_event.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "equilibrium.hpp"
+#include "equilibrium/equilibrium.hpp"
 
 namespace scree::response {
 

@@ -1,4 +1,4 @@
-#include "pair_place.hpp"
+#include "equilibrium/pair_place.hpp"
 
 #include <Eigen/Geometry>
 

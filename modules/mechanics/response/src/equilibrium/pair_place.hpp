@@ -1,9 +1,9 @@
 #pragma once
 
-#include "../pair_at_rest.hpp"
-#include "../slip_derivative.hpp"
-#include "static_configuration.hpp"
-#include "static_pair.hpp"
+#include "assembly/pair_at_rest.hpp"
+#include "assembly/slip_derivative.hpp"
+#include "equilibrium/static_configuration.hpp"
+#include "equilibrium/static_pair.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "pairs_of_law.hpp"
+#include "equilibrium/pairs_of_law.hpp"
 
-#include "../contact_terms.hpp"
+#include "assembly/contact_terms.hpp"
 
 #include <algorithm>
 #include <cmath>

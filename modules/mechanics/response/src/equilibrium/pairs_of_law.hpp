@@ -1,9 +1,9 @@
 #pragma once
 
-#include "../entries.hpp"
-#include "pair_place.hpp"
-#include "pair_state.hpp"
-#include "static_configuration.hpp"
+#include "assembly/entries.hpp"
+#include "equilibrium/pair_place.hpp"
+#include "equilibrium/pair_state.hpp"
+#include "equilibrium/static_configuration.hpp"
 
 #include <optional>
 #include <vector>

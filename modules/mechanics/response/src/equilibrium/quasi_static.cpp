@@ -1,7 +1,7 @@
-#include "../contact_terms.hpp"
-#include "equilibrium.hpp"
-#include "first_event.hpp"
-#include "static_state.hpp"
+#include "assembly/contact_terms.hpp"
+#include "equilibrium/equilibrium.hpp"
+#include "equilibrium/first_event.hpp"
+#include "equilibrium/static_state.hpp"
 
 #include <algorithm>
 #include <cmath>

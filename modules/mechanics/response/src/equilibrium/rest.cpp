@@ -1,5 +1,5 @@
-#include "../body_force_terms.hpp"
-#include "../contact_terms.hpp"
+#include "assembly/body_force_terms.hpp"
+#include "assembly/contact_terms.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "static_configuration.hpp"
+#include "equilibrium/static_configuration.hpp"
 
 namespace scree::response {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "static_motion.hpp"
+#include "equilibrium/static_motion.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "static_contacts.hpp"
+#include "equilibrium/static_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pairs_of_law.hpp"
+#include "equilibrium/pairs_of_law.hpp"
 
 #include <memory>
 #include <vector>

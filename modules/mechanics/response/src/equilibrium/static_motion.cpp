@@ -1,4 +1,4 @@
-#include "static_motion.hpp"
+#include "equilibrium/static_motion.hpp"
 
 namespace scree::response {
 

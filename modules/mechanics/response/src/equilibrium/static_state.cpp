@@ -1,4 +1,4 @@
-#include "static_state.hpp"
+#include "equilibrium/static_state.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "static_configuration.hpp"
-#include "static_contacts.hpp"
+#include "equilibrium/static_configuration.hpp"
+#include "equilibrium/static_contacts.hpp"
 
 #include <scree/state.hpp>
 

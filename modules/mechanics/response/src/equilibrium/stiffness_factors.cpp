@@ -1,4 +1,4 @@
-#include "stiffness_factors.hpp"
+#include "equilibrium/stiffness_factors.hpp"
 
 #include <algorithm>
 #include <klu.h>
