@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <scree/signals/median.hpp>
+#include <scree/median.hpp>
 
 namespace scree::cycles {
 
@@ -29,7 +29,7 @@ Deviation deviation_at_end(const std::vector<double>& values, std::size_t place)
   const std::size_t count = std::min(reach, values.size() - 1);
   const auto begin = place == 0 ? values.begin() + 1 : values.end() - 1 - std::ptrdiff_t(count);
   const auto [low, high] = std::minmax_element(begin, begin + std::ptrdiff_t(count));
-  const double median = signals::median({begin, begin + std::ptrdiff_t(count)});
+  const double median = upper_median({begin, begin + std::ptrdiff_t(count)});
   const double beyond = std::abs(values[place] - median) - 3 * (*high - *low);
   return {std::max(0.0, beyond), std::max(0.0, beyond), median};
 }
@@ -43,8 +43,8 @@ Deviation deviation_at(const std::vector<double>& values, std::size_t place) {
     around.insert(around.end(), {before, after});
     means.push_back(std::midpoint(before, after));
   }
-  const double mean = signals::median(means), of_pairs = std::abs(values[place] - mean);
-  return {of_pairs, std::min(of_pairs, std::abs(values[place] - signals::median(around))), mean};
+  const double mean = upper_median(means), of_pairs = std::abs(values[place] - mean);
+  return {of_pairs, std::min(of_pairs, std::abs(values[place] - upper_median(around))), mean};
 }
 
 bool is_smaller(const Deviation& a, const Deviation& b) { return a.smaller < b.smaller; }

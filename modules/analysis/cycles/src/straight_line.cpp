@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
-#include <scree/signals/median.hpp>
+#include <scree/median.hpp>
 
 namespace scree::cycles {
 
@@ -72,9 +72,9 @@ StraightLine robust_line(std::span<const double> values, double first) {
       slopes.push_back((values[k + distance] - values[k]) / double(distance));
   StraightLine line;
   line.slope_error = error_of_median(slopes, double(n));
-  line.slope = signals::median(std::move(slopes));
+  line.slope = upper_median(std::move(slopes));
   for (std::size_t k = 0; k < n; ++k) intercepts.push_back(values[k] - line.slope * (first + double(k)));
-  line.intercept = signals::median(std::move(intercepts));
+  line.intercept = upper_median(std::move(intercepts));
   line.rms = rms_from(line, values, first);
   return line;
 }

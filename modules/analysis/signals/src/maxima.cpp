@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <scree/signals/median.hpp>
+#include <scree/median.hpp>
 
 namespace scree::signals {
 
@@ -38,7 +38,7 @@ std::vector<double> noise_of(const Response& response) {
     const std::size_t begin = middle > half_window ? middle - half_window : 0;
     const std::size_t end = std::min(squares.size(), middle + half_window + 1);
     const double square =
-        median({squares.begin() + std::ptrdiff_t(begin), squares.begin() + std::ptrdiff_t(end)}) /
+        upper_median({squares.begin() + std::ptrdiff_t(begin), squares.begin() + std::ptrdiff_t(end)}) /
         (gain * share);
     const std::size_t count = std::min(block, response.values.size() - noise.size());
     constexpr double round_off = 1e-12;

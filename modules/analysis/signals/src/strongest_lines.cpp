@@ -1,13 +1,13 @@
 #include "exponential_drift.hpp"
 #include "line_fit.hpp"
 #include "scree/signals/amplitude_spectrum.hpp"
-#include "scree/signals/median.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <scree/error.hpp>
+#include <scree/median.hpp>
 
 namespace scree::signals {
 
@@ -24,7 +24,7 @@ double median_beside(const std::vector<double>& amplitude, std::size_t k) {
   const std::size_t side = std::clamp(k / 2, shortest_side, longest_side);
   const std::size_t begin = k > side ? k - side : 1;
   const std::size_t end = std::min(amplitude.size(), k + side + 1);
-  return median({amplitude.begin() + std::ptrdiff_t(begin), amplitude.begin() + std::ptrdiff_t(end)});
+  return upper_median({amplitude.begin() + std::ptrdiff_t(begin), amplitude.begin() + std::ptrdiff_t(end)});
 }
 
 // Bins of maxima above the noise, the highest first.
