@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -12,8 +13,11 @@ namespace scree {
 // Worker threads for parallel loops. With one thread everything runs in the caller and no thread is started.
 class ThreadPool {
  public:
-  // threads: number including the caller. Throws Error if they cannot be started.
-  explicit ThreadPool(unsigned threads);
+  // Where fewer threads can be started than asked for, as under a limit of processes.
+  enum class IfTooFew { refuse, use_fewer };
+
+  // threads: number including the caller. Throws Error if they cannot be started and fewer are refused.
+  explicit ThreadPool(unsigned threads, IfTooFew if_too_few = IfTooFew::refuse);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -37,6 +41,21 @@ class ThreadPool {
           (*static_cast<const Task*>(t))(item, worker);
         },
         &task);
+  }
+
+  // Calls task(item, worker) for the items 0 ... count − 1, which are started in this order: for long items of which
+  // the first are wanted if the loop ends early. After an exception no further item is started.
+  template <class Task>
+  void each_in_order(std::size_t count, const Task& task) {
+    std::atomic<std::size_t> next = 0;
+    each(size(), [&](std::size_t, unsigned worker) {
+      for (std::size_t item; (item = next++) < count;) try {
+          task(item, worker);
+        } catch (...) {
+          next = count;
+          throw;
+        }
+    });
   }
 
  private:

@@ -1,6 +1,5 @@
-#include <scree/pair_search.hpp>
-
 #include "bodies/counting_sort.hpp"
+#include "bodies/folding.hpp"
 #include "machine/instruction_levels.hpp"
 #include "search/cell_level.hpp"
 
@@ -15,6 +14,7 @@
 
 #include <scree/available_memory.hpp>
 #include <scree/error.hpp>
+#include <scree/pair_search.hpp>
 
 namespace scree {
 
@@ -89,8 +89,10 @@ class PairCollector {
  public:
   PairCollector(std::vector<NeighbourPair>& pairs, const Folding& folding, double skin)
       : pairs_(pairs), folding_(folding), skin_(skin) {
-    pairs_.clear();
+    clear();
   }
+
+  void clear() { pairs_.clear(); }
 
   std::size_t size() const { return pairs_.size(); }
 
@@ -143,7 +145,7 @@ class PairCollector {
 
 }  // namespace
 
-struct NeighbourSearch::Hierarchy {
+struct PairSearch::Hierarchy {
   std::array<std::vector<std::uint32_t>, max_levels> members;
   std::array<CellLevel, max_levels> levels;
 
@@ -153,9 +155,9 @@ struct NeighbourSearch::Hierarchy {
             PairCollector& pairs) const;
 };
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL void NeighbourSearch::Hierarchy::find(std::size_t level, std::size_t begin,
-                                                                         std::size_t end, std::size_t most,
-                                                                         PairCollector& pairs) const {
+[[gnu::flatten]] SCREE_EVERY_LEVEL void PairSearch::Hierarchy::find(std::size_t level, std::size_t begin,
+                                                                    std::size_t end, std::size_t most,
+                                                                    PairCollector& pairs) const {
   for (std::size_t k = begin; k < end && pairs.size() <= most; ++k) {
     const CellLevel::BinnedBody& body = levels[level].binned()[k];
     for (std::size_t l = 0; l <= level; ++l) {
@@ -171,17 +173,18 @@ struct NeighbourSearch::Hierarchy {
   }
 }
 
-NeighbourSearch::NeighbourSearch(std::size_t most_pairs)
-    : most_pairs_(most_pairs > 0 ? most_pairs
+PairSearch::PairSearch(Images images, std::size_t most_pairs)
+    : images_(images),
+      most_pairs_(most_pairs > 0 ? most_pairs
                                  : std::size_t(std::min(most_indices, available_memory() / memory_per_pair))),
       hierarchy_(std::make_unique<Hierarchy>()) {}
-NeighbourSearch::~NeighbourSearch() = default;
+PairSearch::~PairSearch() = default;
 
-void NeighbourSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
-                                 double skin) {
+void PairSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain,
+                            double skin) {
   const Extent extent(bodies);
   const double largest = extent.largest;
-  check_periodic_lengths(domain, dimension, 2 * largest + skin);
+  if (images_ == Images::unique) check_periodic_lengths(domain, dimension, 2 * largest + skin);
   Vec3 lower = extent.lower, upper = extent.upper;
   double farthest = 0;
   for (int k = 0; k < dimension; ++k) {
@@ -200,7 +203,7 @@ void NeighbourSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, 
 }
 
 // Sorts by a with a counting sort, then each short run by b.
-void NeighbourSearch::sort_pairs(std::size_t bodies) {
+void PairSearch::sort_pairs(std::size_t bodies) {
   std::size_t count = 0;
   for (const auto& pairs : found_) count += pairs.size();
   sorted_.resize(count);
@@ -217,11 +220,10 @@ void NeighbourSearch::sort_pairs(std::size_t bodies) {
     sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
 }
 
-const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> bodies, int dimension,
-                                                        const Domain& domain, double skin,
-                                                        ThreadPool& threads) {
+const std::vector<NeighbourPair>& PairSearch::find(std::span<const Sphere> bodies, int dimension,
+                                                   const Domain& domain, double skin, ThreadPool& threads) {
   sorted_.clear();
-  if (bodies.size() == 1) check_own_images(domain, dimension, bodies[0].radius);
+  if (bodies.size() == 1 && images_ == Images::unique) check_own_images(domain, dimension, bodies[0].radius);
   if (bodies.size() < 2) return sorted_;
   bin_bodies(bodies, dimension, domain, skin);
   collect_pairs(domain, skin, threads);
@@ -229,7 +231,22 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(std::span<const Sphere> 
   return sorted_;
 }
 
-void NeighbourSearch::collect_pairs(const Domain& domain, double skin, ThreadPool& threads) {
+void PairSearch::visit(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin,
+                       const std::function<bool(const NeighbourPair&)>& use) {
+  if (bodies.size() < 2) return;
+  bin_bodies(bodies, dimension, domain, skin);
+  std::vector<NeighbourPair> found;
+  PairCollector pairs(found, Folding(domain), skin);
+  for (std::size_t level = 0; level < max_levels; ++level)
+    for (std::size_t k = 0; k < hierarchy_->members[level].size(); ++k) {
+      pairs.clear();
+      hierarchy_->find(level, k, k + 1, bodies.size(), pairs);
+      for (const NeighbourPair& pair : found)
+        if (!use(pair)) return;
+    }
+}
+
+void PairSearch::collect_pairs(const Domain& domain, double skin, ThreadPool& threads) {
   constexpr std::size_t share = 2048;
   struct Share {
     std::size_t level, begin, end;

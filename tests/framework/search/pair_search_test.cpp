@@ -1,15 +1,15 @@
-#include <scree/pair_search.hpp>
-
 #include "scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
+#include <scree/pair_search.hpp>
 
 // Lists are compared exactly: a pair whose distance equals its reach within rounding may be listed or not,
 // but random coordinates do not produce such pairs, and the constructed scenes avoid them.
@@ -17,17 +17,29 @@
 using scree::Body;
 using scree::Domain;
 using scree::NeighbourPair;
-using scree::Particles;
 using scree::Vec3;
 
 namespace {
 
-std::vector<NeighbourPair> find_neighbours(const Particles& particles, const Domain& domain, double skin) {
-  std::vector<scree::Sphere> bodies;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    bodies.push_back({particles.body(i).position, particles.body(i).radius});
-  scree::ThreadPool threads(2);
-  return scree::NeighbourSearch().find(bodies, particles.dimension(), domain, skin, threads);
+using scree::PairSearch;
+
+std::vector<scree::Sphere> spheres_of(const std::vector<Body>& bodies) {
+  std::vector<scree::Sphere> spheres;
+  for (const Body& body : bodies) spheres.push_back({body.position, body.radius});
+  return spheres;
+}
+
+std::vector<NeighbourPair> visited(PairSearch::Images images, int dimension, const std::vector<Body>& bodies,
+                                   const Domain& domain, double skin) {
+  std::vector<NeighbourPair> pairs;
+  PairSearch(images).visit(spheres_of(bodies), dimension, domain, skin, [&](const NeighbourPair& pair) {
+    pairs.push_back(pair);
+    return true;
+  });
+  std::sort(pairs.begin(), pairs.end(), [](const NeighbourPair& p, const NeighbourPair& q) {
+    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
+  });
+  return pairs;
 }
 
 struct Sizes {
@@ -93,10 +105,11 @@ std::vector<NeighbourPair> brute_force(int dimension, const std::vector<Body>& b
 }
 
 std::size_t check(int dimension, const std::vector<Body>& bodies, const Domain& domain, double skin) {
-  const Particles particles(dimension, {.images = domain.any_periodic()}, bodies);
   const std::vector<NeighbourPair> expected = brute_force(dimension, bodies, domain, skin);
   // brute_force loops over a, then b: equality implies sorted and each pair once.
-  CHECK(find_neighbours(particles, domain, skin) == expected);
+  scree::ThreadPool threads(2);
+  CHECK(PairSearch().find(spheres_of(bodies), dimension, domain, skin, threads) == expected);
+  CHECK(visited(PairSearch::Images::unique, dimension, bodies, domain, skin) == expected);
   return expected.size();
 }
 
@@ -228,15 +241,46 @@ TEST_CASE("a periodic length under twice the largest reach is refused") {
   const std::vector<Body> bodies = {scree::test::body(0, 1, 1, {{1, 1, 1}}),
                                     scree::test::body(1, 0.5, 1, {{2, 2, 2}})};
   const double skin = 0.25, shortest = 2 * (2 + skin);  // exact in binary
+  scree::ThreadPool threads(1);
+  const auto find = [&](int dimension, const Domain& domain) {
+    PairSearch().find(spheres_of(bodies), dimension, domain, skin, threads);
+  };
   for (const int dimension : {2, 3}) {
-    const Particles particles(dimension, {.images = true}, bodies);
-    CHECK_NOTHROW(find_neighbours(particles, periodic({true, false, false}, 0, shortest), skin));
+    CHECK_NOTHROW(find(dimension, periodic({true, false, false}, 0, shortest)));
     try {
-      find_neighbours(particles, periodic({false, true, false}, 0, std::nextafter(shortest, 0.0)), skin);
+      find(dimension, periodic({false, true, false}, 0, std::nextafter(shortest, 0.0)));
       FAIL("not refused");
     } catch (const scree::Error& error) {
       CHECK(error.status() == scree::ExitStatus::bad_input);
       CHECK_THAT(error.what(), Catch::Contains("along y") && Catch::Contains("4.5 m"));
     }
   }
+}
+
+TEST_CASE("in a short period the nearest image of each pair is found") {
+  const int dimension = GENERATE(2, 3);
+  Dealer dealer(dimension, 11);
+  const double high = GENERATE(0.7, 1.9, 3.1, 5.0), skin = 0.1;
+  const Domain domain = periodic({true, true, dimension == 3}, 0, high);
+  const std::vector<Body> bodies = dealer.uniform(60, {0.02, 1}, 0, high);
+  std::vector<NeighbourPair> nearest;
+  for (const NeighbourPair& pair : brute_force(dimension, bodies, domain, skin)) {
+    const auto distance = [&](const NeighbourPair& p) {
+      return norm(bodies[p.a].position - bodies[p.b].position + domain.shift(p.image));
+    };
+    if (nearest.empty() || nearest.back().a != pair.a || nearest.back().b != pair.b)
+      nearest.push_back(pair);
+    else if (distance(pair) < distance(nearest.back()))
+      nearest.back() = pair;
+  }
+  CHECK(!nearest.empty());
+  CHECK(visited(PairSearch::Images::nearest, dimension, bodies, domain, skin) == nearest);
+}
+
+TEST_CASE("a visit ends where it is told to") {
+  Dealer dealer(3, 2);
+  int visits = 0;
+  PairSearch().visit(spheres_of(dealer.uniform(50, {1, 1}, 0, 2)), 3, {}, 0.1,
+                     [&](const NeighbourPair&) { return ++visits < 7; });
+  CHECK(visits == 7);
 }

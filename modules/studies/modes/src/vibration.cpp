@@ -177,6 +177,7 @@ class Course {
       for (const std::string& warning :
            mode_warnings(result_, found.of_full_stiffness, options_.residual_limit))
         warn(warning);
+    if (!found.certain) warn(response::uncertain_warning("the numbers of unstable, floppy and found modes"));
     for (const unsigned number : options_.pictures) draw(simulation, found, number);
   }
 
@@ -241,6 +242,11 @@ class Course {
          .threads = options_.threads,
          .proceed = [this] { return proceeds(); },
          .on_progress = [this](double share, const std::string& what) { report(share, what); }});
+    std::string uncertain;
+    for (const DensityPoint& point : result_.density)
+      if (!point.certain) uncertain += fmt::format("{}{:.6g}", uncertain.empty() ? "" : ", ", point.to_hz);
+    if (!uncertain.empty())
+      warn(response::uncertain_warning(fmt::format("the counts below {} Hz in density.csv", uncertain)));
   }
 
   void warn(const std::string& line) {

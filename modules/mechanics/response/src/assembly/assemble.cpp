@@ -1,7 +1,6 @@
 #include "assembly/body_force_terms.hpp"
 #include "assembly/contact_terms.hpp"
 #include "assembly/entries.hpp"
-#include "assembly/held_bodies.hpp"
 
 #include <algorithm>
 
@@ -18,6 +17,32 @@ namespace {
 // Whether a contact is with a wall, or between held bodies.
 bool counts(const ContactTerms& c, const std::vector<bool>& held) {
   return held[c.a] && (c.b >= held.size() || held[c.b]);
+}
+
+// Whether each body is held by at least `fewest_contacts` (AssemblyOptions) contacts with walls or held bodies.
+std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, std::size_t bodies, int dimension,
+                              int fewest_contacts) {
+  std::vector<bool> held(bodies, true), tangential(bodies, false);
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<int> number(bodies, 0);
+    tangential.assign(bodies, false);
+    for (const ContactTerms& c : contacts) {
+      if (!counts(c, held)) continue;
+      for (const std::uint32_t end : {c.a, c.b}) {
+        if (end >= bodies) continue;
+        ++number[end];
+        if (c.tangential) tangential[end] = true;
+      }
+    }
+    for (std::size_t i = 0; i < bodies; ++i) {
+      const int needed = fewest_contacts > 0 ? fewest_contacts : tangential[i] ? 2 : dimension + 1;
+      if (!held[i] || number[i] >= needed) continue;
+      held[i] = false;
+      changed = true;
+    }
+  }
+  return held;
 }
 
 WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOptions& options) {
@@ -69,7 +94,7 @@ Eigen::VectorXd viscosities(const DegreesOfFreedom& freedom, const WallEquations
   return viscosity;
 }
 
-// Pressing forces, viscosity and inertia of walls; the latter two belong to q − w.
+// Adds pressing forces, viscosity and inertia of walls; the latter two act on q − w.
 void add_walls(const WallEquations& equations, const DegreesOfFreedom& freedom, Entries& stiffness,
                Entries& damping, Entries& mass) {
   for (std::size_t w = 0; w < freedom.walls(); ++w) {
@@ -107,7 +132,8 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
   std::size_t sliding_contacts = 0, one_way_contacts = 0;
   for (const ContactTerms& contact : contacts) {
     if (!counts(contact, held)) continue;
-    sliding_contacts += contact.sliding, one_way_contacts += contact.one_way;
+    sliding_contacts += contact.sliding;
+    one_way_contacts += contact.one_way;
     stiffness.add({contact.a, contact.b}, contact.stiffness);
     damping.add({contact.a, contact.b}, contact.damping);
   }

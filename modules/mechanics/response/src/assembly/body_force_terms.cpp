@@ -8,8 +8,8 @@ namespace scree::response {
 
 namespace {
 
-// Displacement over radius, and velocity over radius per step, of a difference: small against the lengths and
-// speeds over which a body force changes, large against round-off.
+// Steps of the differences, in radii and in radii per time step: small compared with the lengths and speeds over which
+// a body force changes, large compared with round-off.
 constexpr double probe_displacement = 1e-4, probe_speed = 1e-6;
 
 // One body as a plug-in sees it.
@@ -33,7 +33,7 @@ class SingleBody {
   double& motion(int k) {
     return state_[k < dimension_ ? velocity + std::size_t(k) : spin + spin_axis(k - dimension_)];
   }
-  // Force and torque of all plug-ins, in the same order.
+  // Force, then torque, of all plug-ins.
   Eigen::VectorXd load(const std::vector<ConfiguredBodyForce>& forces) {
     load_.fill(0);
     for (const ConfiguredBodyForce& force : forces) add(force);
@@ -76,7 +76,7 @@ class SingleBody {
   std::array<double, 3> period_ = {};
 };
 
-// Derivative of the loads of a body with one of its numbers.
+// Derivative of the loads of a body by one of its numbers.
 Eigen::VectorXd difference(SingleBody& body, const std::vector<ConfiguredBodyForce>& forces, double& number,
                            double change) {
   const double before = number;

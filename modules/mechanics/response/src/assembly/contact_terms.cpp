@@ -15,16 +15,21 @@ namespace scree::response {
 
 namespace {
 
-// Displacements along the slip, over the overlap: springs at the limit of friction are made longer, or shorter, until the law finds
-// them sliding, or sticking. The least is above the round-off of their lengths; more is needed where the normal force of the last step
-// was another than that at rest, by its velocity.
-constexpr double least_slip = 1e-9, largest_slip = 1, growth_of_slip = 4;
-// Depth over the overlap by which loading and unloading are told apart: above round-off, and too little to change who slips.
+// The branch. At the limit of friction a law has two derivatives, and only the law knows on which branch it is: by its
+// trial force, its own limit and its history. So it is asked: the contact is moved a little along its slip (to slide) or
+// against it (to stick) and evaluated, and its sliding column tells. The first motion is above the round-off of a spring
+// at the limit, and far too small to change the derivatives. At rest the normal force may lack a part by velocity that
+// it had in the last step, so that the spring is short of the limit, or beyond it, by that part: the motion grows until
+// the law agrees. The force of the spring is monotonic in the motion, so it does, before the motion is the overlap.
+constexpr double least_slip = 1e-9, largest_slip = 1, growth_of_slip = 4;  // in overlaps
+// Change of the overlap, relative to it, by which loading and unloading are told apart: above round-off, and too small
+// to change which contacts slide.
 constexpr double depth = 1e-11;
-// Difference of their stiffnesses, over the largest, from which a contact has two; share of that against rotations from which it is of integrated spins.
+// Relative difference above which a contact has two stiffnesses. Share of the stiffness by rotations above which the law
+// integrates spins.
 constexpr double least_difference = 1e-6;
-// Over the step of the run, a step so short that dashpots are those of the limit: their error falls with its square, to 1e-12 of 0.01 here, and rotations
-// by integrated spins keep eleven digits.
+// A step, relative to that of the run, so short that dashpots have their values in the limit: their error falls with
+// its square, from 0.01 to 1e-12 here. Rotations by integrated spins keep eleven digits.
 constexpr double short_step = 1.0 / 65536;
 
 }  // namespace
@@ -104,7 +109,7 @@ class LawContacts {
   }
 
  private:
-  // With springs that make contacts slide, or stick, as they are to.
+  // The contacts, moved until each is on the branch that is asked for.
   ContactColumns at_side_of_limit(const ContactColumns& columns, const ContactColumns& at_rest) const {
     const bool slides = at_limit_ == AtLimit::slide;
     std::vector<double> slip(contacts_.size(), least_slip);
@@ -117,7 +122,7 @@ class LawContacts {
     }
   }
 
-  // Of the contacts that are still on the other side of the limit. Returns whether there are any.
+  // Lengthens the motion of the contacts that are still on the other branch. Returns whether there are any.
   bool lengthen_slips(const ContactColumns& moved, bool slides, std::vector<double>& slip) const {
     const int column = law_.instance().sliding_column;
     if (column < 0) return false;
@@ -134,7 +139,7 @@ class LawContacts {
     return any;
   }
 
-  // With all contacts deeper by a share of the overlap.
+  // Jacobians with all contacts deeper by a share of their overlap.
   std::vector<double> jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
                                 double share) const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) columns.input(SCREE_OVERLAP, 0, i) *= 1 + share;
@@ -151,7 +156,8 @@ class LawContacts {
     for (std::size_t i = 0; i < contacts_.size(); ++i) keep_rolling(rolling, i, all);
     return all;
   }
-  // Rolling resistance, couples by spins alone, is a dashpot of 16 steps of the run at least, whose limit would hold all rolling.
+  // Rolling resistance (couples by spins, without forces) is a dashpot of at least 16 steps of the run. In the limit of
+  // short steps it would stop all rolling, so it keeps the step of the run.
   void keep_rolling(const std::vector<double>& rolling, std::size_t i, std::vector<double>& all) const {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const int force = simulation_.dimension(), rows = jacobian_.rows(), width = jacobian_.columns(),
@@ -164,8 +170,8 @@ class LawContacts {
   }
   bool reads_spins() const { return law_.instance().reads & (1u << SCREE_RELATIVE_SPIN); }
 
-  // Growth of the Jacobians with the step (1/s); empty if the law reads no spins. A law that adds spin times step to its spring has derivatives
-  // with the spin that grow so: they are a stiffness, and no dashpot.
+  // Growth of the Jacobians with the step (1/s); empty if the law reads no spins. The derivatives of a law that adds
+  // spin × step to its spring grow with the step: they are a stiffness, not a dashpot.
   std::vector<double> jacobian_of_integrated_spins(ContactColumns& columns,
                                                    const std::vector<double>& inverse_distance,
                                                    const std::vector<double>& jacobian) const {
@@ -175,8 +181,8 @@ class LawContacts {
     return growth;
   }
 
-  // Laws that remember how deep a contact was may have two derivatives there, one of loading and one of unloading. Where they
-  // differ, replaces the one that round-off has chosen by the mean of both, and returns true for the contact.
+  // Laws that remember how deep a contact was may have one derivative for loading and one for unloading. Where these
+  // differ, their mean replaces the one that round-off has chosen. Returns for which contacts.
   std::vector<bool> take_means(const ContactColumns& columns, const std::vector<double>& inverse_distance,
                                std::vector<double>& jacobian) const {
     std::vector<bool> differ(contacts_.size(), false);
@@ -225,7 +231,7 @@ class LawContacts {
     const Particles& p = simulation_.particles();
     const std::size_t c = contacts_[i];
     pair(c).set_inputs(p, p.orientations, law_.instance().reads, columns, i);
-    // That of the list, which is exact.
+    // The overlap of the list has no round-off of a difference.
     columns.input(SCREE_OVERLAP, 0, i) = list_.overlap[c];
     for (std::uint32_t k = 0; k < law_.instance().history_width; ++k)
       columns.history(k, i) = simulation_.contact_history(list_.pair[c], k);
@@ -233,8 +239,8 @@ class LawContacts {
 
   bool reads_orientations() const { return law_.instance().reads & (1u << SCREE_ORIENTATION_A); }
 
-  // The tangential force on a is opposite to its slip. share: of the overlap. The velocity keeps a dashpot on the same side of the
-  // limit as the spring.
+  // Moves a contact along its slip, which is opposite to the tangential force on a. share: of the overlap. The velocity
+  // keeps a dashpot on the same side of the limit as the spring.
   void move_along_slip(ContactColumns& columns, const ContactColumns& at_rest, std::size_t i,
                        double share) const {
     const std::size_t c = contacts_[i];

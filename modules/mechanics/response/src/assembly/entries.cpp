@@ -54,7 +54,7 @@ void Entries::add_inertial(std::size_t w, double value) {
   add_to_wall_along(freedom_.wall(w), w, -value);
 }
 
-Eigen::SparseMatrix<double> Entries::matrix(const std::vector<Entry>& entries, Eigen::Index columns) const {
+Eigen::SparseMatrix<double> Entries::matrix(const std::vector<Triplet>& entries, Eigen::Index columns) const {
   Eigen::SparseMatrix<double> sum(freedom_.size(), columns);
   sum.setFromTriplets(entries.begin(), entries.end());
   return sum;

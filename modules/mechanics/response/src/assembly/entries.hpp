@@ -12,19 +12,18 @@
 
 namespace scree::response {
 
-// A matrix by (q, q) and its columns for given displacements w of walls by (q, walls × dimension), while their
-// entries are collected, which are summed. A wall with the direction e that is numbered in q is displaced by
-// q e and, across e, by w; others are displaced by w.
+// Collects and sums the entries of two matrices: (q, q), and (q, walls × dimension) for given displacements w of the
+// walls. A wall with the direction e that is numbered in q is displaced by q e and, across e, by w; other walls by w.
 class Entries {
  public:
   Entries(const DegreesOfFreedom& freedom, const WallEquations& equations)
       : freedom_(freedom), equations_(equations) {}
 
-  // Adds the block of bodies `ends`; a number from freedom.bodies() on is a wall.
+  // Adds the block of the bodies `ends`; numbers from freedom.bodies() on are walls.
   void add(const std::vector<std::uint32_t>& ends, const Block& block);
-  // Adds a force on wall w along its direction by the displacement of a wall along the direction of that.
+  // Adds the force on wall w along its direction per displacement of wall `moved` along the direction of `moved`.
   void add_along(std::size_t w, std::size_t moved, double value);
-  // Adds a force on wall w by its motion q − w.
+  // Adds the force on wall w per motion q − w.
   void add_inertial(std::size_t w, double value);
 
   Eigen::SparseMatrix<double> of_motions() const { return matrix(motions_, freedom_.size()); }
@@ -33,7 +32,7 @@ class Entries {
   }
 
  private:
-  using Entry = Eigen::Triplet<double>;
+  using Triplet = Eigen::Triplet<double>;
   // A component of the motion of a body or wall in terms of q.
   struct Share {
     Eigen::Index number;
@@ -45,11 +44,11 @@ class Entries {
   // Adds to the columns of w for a displacement along the direction of the wall.
   void add_to_wall_along(Eigen::Index row, std::size_t wall, double value);
   Eigen::Index column(std::size_t wall, int k) const { return Eigen::Index(wall) * freedom_.dimension() + k; }
-  Eigen::SparseMatrix<double> matrix(const std::vector<Entry>& entries, Eigen::Index columns) const;
+  Eigen::SparseMatrix<double> matrix(const std::vector<Triplet>& entries, Eigen::Index columns) const;
 
   const DegreesOfFreedom& freedom_;
   const WallEquations& equations_;
-  std::vector<Entry> motions_, walls_;
+  std::vector<Triplet> motions_, walls_;
 };
 
 }  // namespace scree::response

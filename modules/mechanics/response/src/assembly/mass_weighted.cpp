@@ -36,7 +36,7 @@ MassWeighted::MassWeighted(const LinearSystem& system)
       damping_(inverse_root_.asDiagonal() * system.damping * inverse_root_.asDiagonal()),
       mass_(system.mass.size(), system.mass.size()) {
   mass_.setIdentity();
-  // 1 up to round-off where there is a mass.
+  // Where there is a mass, M/S is 1.
   for (Eigen::Index i = 0; i < system.mass.size(); ++i)
     if (system.mass[i] == 0) mass_.coeffRef(i, i) = 0;
 }

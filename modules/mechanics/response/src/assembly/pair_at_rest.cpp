@@ -8,14 +8,16 @@ PairAtRest::PairAtRest(const Particles& particles, std::uint32_t first, std::uin
       radius_a(particles.radius()[first]),
       radius_b(second < particles.size() ? particles.radius()[second] : 0) {}
 
-LeverArms PairAtRest::lever_arms(scree_arms arms, double at_distance) const {
-  const double reach = arms == SCREE_ARM_CONTACT_POINT ? at_distance : radius_a + radius_b;
-  const double difference = radius_a - radius_b;
-  return {0.5 * (reach + difference), to_wall() ? 0 : 0.5 * (reach - difference)};
+Levers PairAtRest::lever_arms(scree_arms arms, double at_distance) const {
+  return with_kind([&](auto plane) -> Levers {
+    const auto levers = LeverArms<plane.value, double>::of(arms == SCREE_ARM_CONTACT_POINT, at_distance,
+                                                           radius_sum(), radius_difference());
+    return {levers.a, levers.b};
+  });
 }
 
 ContactGeometry PairAtRest::geometry(int dimension, int spins, scree_arms arms) const {
-  const LeverArms levers = lever_arms(arms);
+  const Levers levers = lever_arms(arms);
   return {.dimension = dimension,
           .spins = spins,
           .normal = Eigen::Map<const Eigen::Vector3d>(normal.component),
@@ -30,8 +32,8 @@ void PairAtRest::set_inputs(const Particles& particles, const Orientations& orie
   columns.set(SCREE_NORMAL, normal, i);
   columns.input(SCREE_OVERLAP, 0, i) = overlap();
   columns.input(SCREE_REDUCED_MASS, 0, i) =
-      1 / (particles.inverse_mass()[a] + (to_wall() ? 0 : particles.inverse_mass()[b]));
-  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = to_wall() ? radius_a : 1 / (1 / radius_a + 1 / radius_b);
+      reduced_mass(particles.inverse_mass()[a], to_wall() ? 0 : particles.inverse_mass()[b]);
+  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = effective_radius(radius_a, radius_b, to_wall());
   columns.input(SCREE_RADII, 0, i) = radius_a;
   columns.input(SCREE_RADII, 1, i) = radius_b;
   columns.set(SCREE_SEPARATION, separation, i);

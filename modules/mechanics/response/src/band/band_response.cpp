@@ -1,9 +1,8 @@
-#include "band/band_library.hpp"
 #include "assembly/mass_weighted.hpp"
+#include "band/band_library.hpp"
 #include "band/singular.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -16,17 +15,17 @@
 
 #include <scree/error.hpp>
 #include <scree/response/band_response.hpp>
-#include <scree/threads.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree::response {
 
 namespace {
 
-// Frequencies that share a factorisation at first: those within a half of the lowest, but not fewer or more than these. The
-// linewidths of a packing grow with frequency. Frequencies that a factorisation does not serve are divided again.
+// Frequencies that share a factorisation at first: up to 1.5 times the lowest, since linewidths of a packing grow with
+// frequency, and within these numbers. Windows that one factorisation does not serve are divided.
 constexpr std::size_t narrowest_window = 24, widest_window = 48;
 constexpr double window_span = 1.5;
-// Single precision of a factorisation makes iterations converge as fast down to such tolerances.
+// Down to this tolerance iterations converge as fast with a factorisation in single precision.
 constexpr double single_precision_tolerance = 1e-5;
 
 class BandSolution {
@@ -54,26 +53,19 @@ class BandSolution {
     const std::vector<std::size_t> ends = window_ends();
     const std::size_t windows = ends.size();
     std::vector<char> finished(windows);
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t w; proceeds() && (w = next++) < windows;) try {
-          solve(w == 0 ? 0 : ends[w - 1], ends[w]);
-          finished[w] = proceeds();
-        } catch (...) {
-          const std::lock_guard lock(mutex_);
-          if (!failure_) failure_ = std::current_exception();
-          next = windows;
-        }
-    };
-    on_threads(std::min<std::size_t>(threads, windows), work);
-    if (failure_) std::rethrow_exception(failure_);
+    ThreadPool pool(unsigned(std::min<std::size_t>(threads, windows)), ThreadPool::IfTooFew::use_fewer);
+    pool.each_in_order(windows, [&](std::size_t w, unsigned) {
+      if (!proceeds()) return;
+      solve(w == 0 ? 0 : ends[w - 1], ends[w]);
+      finished[w] = proceeds();
+    });
     leave_out_from(ends, finished);
     std::erase_if(result_.responses, [](const HarmonicResponse& r) { return r.amplitude.size() == 0; });
     return std::move(result_);
   }
 
  private:
-  // 0 Hz has a window of its own, so that a stiffness that is singular is noticed.
+  // 0 Hz has a separate window, so that a singular stiffness is noticed.
   std::vector<std::size_t> window_ends() const {
     std::vector<std::size_t> ends;
     for (std::size_t from = 0, to = 0; from < sorted_.size(); from = to) {
@@ -88,7 +80,8 @@ class BandSolution {
   }
   bool proceeds() const { return !options_.stop || !*options_.stop; }
 
-  // After a stop, all from the first window that is not finished: those asked for later form the same windows.
+  // After a stop, drops all frequencies from the first unfinished window on: asked for later, they form the same
+  // windows.
   void leave_out_from(const std::vector<std::size_t>& ends, const std::vector<char>& finished) {
     const auto first = std::size_t(std::find(finished.begin(), finished.end(), 0) - finished.begin());
     for (std::size_t k = first == 0 ? 0 : ends[first - 1]; first < ends.size() && k < sorted_.size(); ++k)
@@ -134,11 +127,11 @@ class BandSolution {
   // The time step changes the damping by some per cent, which goes to the loads and is found by iteration.
   void add_time_step(const Eigen::VectorXd& omega, const Eigen::MatrixXcd& loads, Eigen::MatrixXcd& amplitude,
                      Eigen::VectorXd& residual, Eigen::VectorXd& error) {
-    constexpr int most_rounds = 20;
+    constexpr int most_passes = 20;
     constexpr double share_of_tolerance = 0.1;
     Eigen::MatrixXcd changed = loads;
     Eigen::VectorXd change(omega.size());
-    for (int round = 0; round < most_rounds && proceeds() && !error.hasNaN(); ++round) {
+    for (int round = 0; round < most_passes && proceeds() && !error.hasNaN(); ++round) {
       const Eigen::MatrixXcd before = amplitude;
       for (Eigen::Index k = 0; k < omega.size(); ++k)
         changed.col(k) = loads.col(k) - weighted_.difference(omega[k], before.col(k));
@@ -165,7 +158,7 @@ class BandSolution {
     ++found_;
   }
 
-  // Once a window, so that the time left follows from the work of whole windows.
+  // Reports once per window, so that the time left follows from the work of whole windows.
   void report_progress() {
     const std::lock_guard lock(mutex_);
     if (found_ == std::exchange(reported_, found_)) return;  // by a part of this window
@@ -178,10 +171,9 @@ class BandSolution {
   double tolerance_;
   const std::vector<double>& frequencies_;
   std::vector<std::size_t> sorted_;
-  Eigen::VectorXd mass_;  // in these coordinates 1, or 0
+  Eigen::VectorXd mass_;  // in these coordinates 1 or 0
   std::unique_ptr<BandBackend> backend_;
   std::mutex mutex_;
-  std::exception_ptr failure_;
   std::size_t found_ = 0, reported_ = 0;
   BandResponse result_;
 };

@@ -1,12 +1,14 @@
-#include "band/largest_amplification.hpp"
 #include "assembly/mass_weighted.hpp"
 #include "band/singular.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <Eigen/KLUSupport>
+#include <fmt/format.h>
 
+#include <scree/error.hpp>
 #include <scree/response/frequency_response.hpp>
 
 namespace scree::response {
@@ -16,6 +18,20 @@ namespace {
 double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
 
 }  // namespace
+
+Error singular_at(double frequency_hz) {
+  return Error(
+      frequency_hz == 0
+          ? std::string(
+                "the response at 0 Hz is infinite: no contact resists some motion, such as that of bodies "
+                "with too few contacts; compress the packing, give a larger fewest_contacts, or take a "
+                "frequency above 0")
+          : fmt::format(
+                "the response at {:g} Hz is infinite: an undamped mode has this frequency, or bodies with too "
+                "few contacts move freely; add damping, give a larger fewest_contacts, or take another "
+                "frequency",
+                frequency_hz));
+}
 
 std::vector<HarmonicResponse> solve(const LinearSystem& system, const Drive& drive,
                                     const std::vector<double>& frequencies_hz,

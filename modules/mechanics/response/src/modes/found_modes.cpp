@@ -1,6 +1,6 @@
-#include "band/backend/shift_backend.hpp"
-#include "modes/krylov.hpp"
 #include "assembly/mass_weighted.hpp"
+#include "band/backend/band_backend.hpp"
+#include "modes/krylov.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <scree/response/found_modes.hpp>
@@ -21,14 +22,14 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Index = Eigen::Index;
 
-constexpr std::size_t most_unstable = 200;  // whose shapes are looked for
+constexpr std::size_t most_unstable = 200;  // modes whose shapes are computed
 constexpr Index narrow_block = 8, widest_block = 100, spare = 2;
-// Steps between neighbouring ω², relative to them, at which modes can be counted.
+// Smallest relative gap between neighbouring ω² in which modes can be counted.
 constexpr double smallest_gap = 1e-7;
 constexpr int most_rounds = 6;
-constexpr double round_off = 1e-13;  // of the asymmetry
+constexpr double round_off = 1e-13;  // an asymmetry below this is round-off
 
-// Modes in the coordinates √M q of all degrees of freedom, as they are found.
+// The search, in the coordinates √M q of all degrees of freedom.
 class Search {
  public:
   Search(const UndampedSystem& system, const ModeSearch& search)
@@ -38,11 +39,11 @@ class Search {
     const double rounding = system_.rounding();
     search_.on_progress(0, "counting floppy modes");
     const std::unique_ptr<ShiftedFactors> below = system_.factorise(-rounding);
-    result_.unstable = system_.count_below(*below);
+    result_.unstable = number(system_.count_below(*below));
     result_.counted = search_.proceed();
-    // By round-off there may be fewer below `rounding` than below its opposite.
+    // By round-off there may be fewer below `rounding` than below −`rounding`.
     if (result_.counted)
-      result_.floppy = std::max(system_.count_below(rounding), result_.unstable) - result_.unstable;
+      result_.floppy = std::max(number(system_.count_below(rounding)), result_.unstable) - result_.unstable;
     resting_ = result_.unstable + result_.floppy;
     find(*below, Index(result_.floppy), true);
     find_unstable();
@@ -56,7 +57,12 @@ class Search {
   }
 
  private:
-  // Operates on components with mass, without those along the modes that are found already.
+  std::size_t number(const ModeCount& counted) {
+    result_.certain &= counted.certain;
+    return counted.modes;
+  }
+
+  // The inverse, for components with mass and across the modes that are found already.
   Matrix invert(const ShiftedFactors& factors, const Matrix& heavy) const {
     Matrix x = without_found(heavy);
     x = heavy_part(solved(factors, x));
@@ -81,7 +87,7 @@ class Search {
     return rest;
   }
 
-  // Adds `wanted` modes next to the shift, or above it, that are not found yet.
+  // Adds `wanted` further modes next to the shift, or above it.
   void find(const ShiftedFactors& factors, Index wanted, bool both_sides) {
     const Index target = modes_.cols() + std::min(wanted, Index(system_.modes()) - modes_.cols());
     for (int round = 0; modes_.cols() < target && round < most_rounds && search_.proceed(); ++round) {
@@ -101,7 +107,7 @@ class Search {
     }
   }
 
-  // Modes of the symmetric part of K in the span of vectors that obey the equations of massless walls.
+  // Adds the modes of the symmetric part of K in the span of vectors that satisfy the equations of massless walls.
   void add(Matrix vectors) {
     vectors *= heavy_part(vectors).colwise().norm().cwiseInverse().asDiagonal();
     for (int pass = 0; pass < 2; ++pass) {
@@ -123,7 +129,7 @@ class Search {
     for (Index k = 0; k < vectors.cols(); ++k) squares_[before + std::size_t(k)] = solver.eigenvalues()[k];
   }
 
-  // From below all of them.
+  // Finds unstable modes with a shift below all of them.
   void find_unstable() {
     if (result_.unstable == 0 || result_.unstable > most_unstable) return;
     double shift = -system_.rounding();
@@ -132,13 +138,13 @@ class Search {
       search_.on_progress(0, "unstable modes");
       shift *= 10;
       factors = system_.factorise(shift);
-    } while (search_.proceed() && shift > -system_.largest() && system_.count_below(*factors) > 0);
+    } while (search_.proceed() && shift > -system_.largest() && number(system_.count_below(*factors)) > 0);
     find(*factors, Index(result_.unstable), true);
   }
 
-  // Those of the symmetric part with ω² <= 0 are turned into modes of the full K: bodies that turn freely between two
-  // contacts are floppy with it, but have an ω² below 0, of the second order in the asymmetry, without it. With R: found
-  // modes, solves K (R + D) = (R + D) H for D across R, H = Rᵀ K (R + D).
+  // Turns modes of the symmetric part with ω² <= 0 into modes of the full K: bodies that turn freely between two contacts
+  // are floppy with the full K, but have an ω² below 0, of second order in the asymmetry, with its symmetric part. With
+  // the found modes R, solves K (R + D) = (R + D) H for D across R, H = Rᵀ K (R + D).
   void apply_asymmetry(const ShiftedFactors& below) {
     result_.of_full_stiffness = false;
     if (held_ != Index(resting_)) return;
@@ -155,7 +161,7 @@ class Search {
     }
     const Matrix elastic = stiffness * full;
     h = modes_.transpose() * elastic;
-    // Where it does not converge, a mode that vibrates is as slow as the asymmetry is large.
+    // The iteration does not converge if a vibrating mode is as slow as the asymmetry is large.
     if (!((elastic - mass.asDiagonal() * (full * h)).norm() <= system_.rounding())) return;
     result_.of_full_stiffness = true;
     take_over(full, h);
@@ -171,7 +177,8 @@ class Search {
     Eigen::VectorXcd squares = Eigen::VectorXcd::Zero(held_);
     if (h.norm() > system_.rounding()) {
       const Eigen::EigenSolver<Matrix> solver(h);
-      shares = solver.pseudoEigenvectors(), squares = solver.eigenvalues();
+      shares = solver.pseudoEigenvectors();
+      squares = solver.eigenvalues();
     }
     result_.unstable = result_.floppy = 0;
     replacement_ = full * shares;
@@ -179,7 +186,7 @@ class Search {
       replacement_.col(k) /= heavy_part(replacement_.col(k)).norm();
       const bool grows =
           squares[k].real() < -system_.rounding() || std::abs(squares[k].imag()) > system_.rounding();
-      // One that grows while it oscillates has complex squares.
+      // A mode that grows while it oscillates has a complex ω².
       squares_[std::size_t(k)] = grows ? -std::abs(squares[k]) : squares[k].real();
       if (grows) ++result_.unstable;
       if (std::abs(squares[k]) <= system_.rounding()) ++result_.floppy;
@@ -187,26 +194,27 @@ class Search {
   }
 
   void find_lowest(const ShiftedFactors& below) {
-    find_counted(below, [&](double distance) { return system_.count_below(distance) - resting_; });
+    find_counted(below, [&](double distance) { return number(system_.count_below(distance)) - resting_; });
   }
 
   void find_near() {
     const std::unique_ptr<ShiftedFactors> factors = system_.factorise(omega() * omega());
     find_counted(*factors, [&](double distance) {
       const double low = std::max(omega() - distance, 0.0), high = omega() + distance;
-      const std::size_t first = low * low > system_.rounding() ? system_.count_below(low * low) : resting_;
-      return system_.count_below(high * high) - first;
+      const std::size_t first =
+          low * low > system_.rounding() ? number(system_.count_below(low * low)) : resting_;
+      return number(system_.count_below(high * high)) - first;
     });
   }
 
   bool is_near() const { return search_.near_hz > 0; }
   double omega() const { return 2 * std::numbers::pi * search_.near_hz; }
-  // Of a vibrating mode from where modes are wanted: of ω from that frequency (1/s), or ω² from 0 (1/s²).
+  // Distance of a vibrating mode from where modes are wanted: |ω − ω₀| (1/s), or |ω²| (1/s²) for the lowest ones.
   double distance_of(double square) const {
     return is_near() ? std::abs(std::sqrt(std::max(square, 0.0)) - omega()) : std::abs(square);
   }
 
-  // Modes nearest to the shift, until as many are found as there are within a distance, counted by `count_within`.
+  // Finds modes nearest to the shift until as many are found as `count_within` counts within a distance.
   template <class Count>
   void find_counted(const ShiftedFactors& factors, const Count& count_within) {
     Index wanted = Index(search_.count) + spare;
@@ -220,12 +228,12 @@ class Search {
       const Index counted = Index(count_within(distance));
       result_.complete = counted == within;
       if (counted <= within) return;
-      // Modes come by the distance of their ω², in which those below a frequency are nearer than those above.
+      // Modes are found by the distance of ω², in which those below a frequency are nearer than those above it.
       wanted = (is_near() ? 2 : 1) * (counted - within);
     }
   }
 
-  // A distance in a gap between modes, as far out as wanted, and how many are nearer.
+  // A distance in a gap between modes, as far out as wanted, and the number of nearer modes.
   std::pair<double, Index> last_gap() const {
     std::vector<double> distances;
     for (std::size_t k = std::size_t(held_); k < squares_.size(); ++k)
@@ -242,12 +250,12 @@ class Search {
   Matrix random(Index columns) const {
     std::mt19937_64 engine(20261122 + std::uint64_t(modes_.cols()));
     Matrix all(Index(system_.modes()), columns);
-    // Not std::normal_distribution, whose numbers depend on the library.
+    // std::normal_distribution gives other numbers in other libraries.
     for (double& x : all.reshaped()) x = double(engine() >> 11) * 0x1p-52 - 1;
     return all;
   }
 
-  // The vibrating modes that are nearest, with the others, in ascending order.
+  // Unstable and floppy modes and the nearest vibrating ones, in ascending order.
   std::vector<Index> chosen() const {
     std::vector<Index> order(squares_.size());
     std::iota(order.begin(), order.end(), Index(0));
@@ -264,7 +272,8 @@ class Search {
     const std::vector<Index> order = chosen();
     const Matrix weighted = modes_(Eigen::all, order);
     const Index count = weighted.cols();
-    result_.square_frequency.resize(count), result_.residual.resize(count);
+    result_.square_frequency.resize(count);
+    result_.residual.resize(count);
     const Matrix elastic = system_.weighted().stiffness() * weighted;
     const Eigen::VectorXd mass = (system_.system().mass.array() > 0).cast<double>();
     for (Index k = 0; k < count; ++k) {
@@ -282,14 +291,36 @@ class Search {
   const UndampedSystem& system_;
   const ModeSearch& search_;
   Matrix modes_;                 // one column each
-  Matrix replacement_;           // the first of them, with the full K
+  Matrix replacement_;           // for the first modes: with the full K
   std::vector<double> squares_;  // ω² of each
-  std::size_t resting_ = 0;      // unstable and floppy ones, by the inertia of K_s
-  Index held_ = 0;               // floppy and unstable ones, which come first
+  std::size_t resting_ = 0;      // number of unstable and floppy modes, by the inertia of K_s
+  Index held_ = 0;               // columns of unstable and floppy modes, which come first
   FoundModes result_;
 };
 
 }  // namespace
+
+Modes modes_of(const LinearSystem& system) {
+  const MassWeighted weighted(system);
+  const Eigen::MatrixXd stiffness = weighted.stiffness();
+  const Eigen::MatrixXd difference = stiffness - stiffness.transpose();
+  const Eigen::MatrixXd symmetric = stiffness - 0.5 * difference;
+  std::vector<Eigen::Index> heavy, massless;
+  for (Eigen::Index i = 0; i < system.mass.size(); ++i) (system.mass[i] > 0 ? heavy : massless).push_back(i);
+  // Without inertia, 0 = K_mm q_m + K_mh q_h.
+  const Eigen::MatrixXd following =
+      massless.empty()
+          ? Eigen::MatrixXd(0, Eigen::Index(heavy.size()))
+          : Eigen::MatrixXd(
+                -symmetric(massless, massless).eval().fullPivLu().solve(symmetric(massless, heavy).eval()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(symmetric(heavy, heavy) +
+                                                             symmetric(heavy, massless) * following);
+  Eigen::MatrixXd shape(system.mass.size(), Eigen::Index(heavy.size()));
+  shape(heavy, Eigen::all) = modes.eigenvectors();
+  shape(massless, Eigen::all) = following * modes.eigenvectors();
+  return {modes.eigenvalues(), weighted.inverse_root().asDiagonal() * shape,
+          stiffness.norm() > 0 ? difference.norm() / stiffness.norm() : 0};
+}
 
 FoundModes find_modes(const UndampedSystem& system, const ModeSearch& search) {
   return Search(system, search).run();

@@ -10,20 +10,20 @@ using Operator = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
 struct KrylovOptions {
   Eigen::Index wanted;
-  bool both_ends = false;    // eigenvalues of largest magnitude; else the largest
-  double tolerance = 1e-11;  // of |A x − θ x| over |θ|
+  bool both_ends = false;    // true: eigenvalues of largest magnitude; false: the largest
+  double tolerance = 1e-11;  // largest |A x − θ x|/|θ|
   std::function<bool()> proceed = [] { return true; };
   std::function<void(Eigen::Index converged)> on_step = [](Eigen::Index) {};
 };
 
-// Orthonormal vectors by columns, and their eigenvalues, in the order wanted.
+// Orthonormal vectors by columns, and their eigenvalues, in the wanted order.
 struct KrylovResult {
   Eigen::MatrixXd vectors;
   Eigen::VectorXd values;
 };
 
-// Eigenvectors of a symmetric operator by block Lanczos iteration with full orthogonalisation and thick restarts, those
-// that converge. Fewer than wanted where the iteration stops, or where the start reaches no others.
+// Finds eigenvectors of a symmetric operator by block Lanczos iteration with full orthogonalisation and thick restarts.
+// Returns the converged ones: fewer than wanted if the iteration stops, or if the start reaches no others.
 KrylovResult krylov(const Operator& a, const Eigen::MatrixXd& start, const KrylovOptions& options);
 
 }  // namespace scree::response

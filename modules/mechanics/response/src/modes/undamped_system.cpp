@@ -1,7 +1,8 @@
-#include "band/band_library.hpp"
 #include "assembly/mass_weighted.hpp"
+#include "band/band_library.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Eigenvalues>
 
@@ -13,6 +14,9 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+// Relative change of ω² by which a count may be moved. Less than the gaps in which found_modes.cpp counts.
+constexpr double resolution = 1e-8;
+
 Eigen::VectorXd row_sums(const Sparse& matrix) {
   return matrix.cwiseAbs() * Eigen::VectorXd::Ones(matrix.cols());
 }
@@ -23,7 +27,7 @@ UndampedSystem::UndampedSystem(const LinearSystem& system)
     : system_(system), weighted_(std::make_unique<MassWeighted>(system)) {
   const Sparse& stiffness = weighted_->stiffness();
   const Sparse transposed = stiffness.transpose();
-  // Both halves are stored, and a whole diagonal, from which the shift is subtracted.
+  // Stores both halves and the whole diagonal, from which shifts are subtracted.
   Sparse diagonal(stiffness.rows(), stiffness.rows());
   diagonal.setIdentity();
   symmetric_ = 0.5 * (stiffness + transposed) + 0.0 * diagonal;
@@ -51,12 +55,20 @@ std::unique_ptr<ShiftedFactors> UndampedSystem::factorise(double square_frequenc
   return backend_->factorise(square_frequency);
 }
 
-std::size_t UndampedSystem::count_below(double square_frequency) const {
+ModeCount UndampedSystem::count_below(double square_frequency) const {
   return count_below(*factorise(square_frequency));
 }
 
-std::size_t UndampedSystem::count_below(const ShiftedFactors& factors) const {
-  return std::max(std::size_t(factors.negative()), negative_massless_) - negative_massless_;
+ModeCount UndampedSystem::count_below(const ShiftedFactors& factors) const {
+  const std::size_t negative = std::max(std::size_t(factors.negative()), negative_massless_);
+  const double allowed = std::max(rounding(), resolution * std::abs(factors.shift()));
+  return {negative - negative_massless_, !factors.has_null_pivot() && factors.margin() <= allowed};
+}
+
+std::string uncertain_warning(const std::string& which) {
+  return which +
+         " may be wrong: round-off of the factorisation of K moves modes across the frequency of the count; leave "
+         "bodies with few contacts out (--fewest-contacts), or count at other frequencies";
 }
 
 }  // namespace scree::response

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/median.hpp>
 #include <scree/response/elastic_moduli.hpp>
 #include <scree/response/load_response.hpp>
 
@@ -31,7 +32,7 @@ class StrainedPacking {
   std::size_t rattlers() const { return packing_.system().rattlers.size(); }
 
   StrainResponse strain_along(int axis) {
-    // Inwards, or along the wall.
+    // The wall moves inwards, or along itself.
     const double sign = axis == walls_.axis ? -1 : 1;
     Vector walls = Vector::Zero(packing_.system().wall_stiffness.cols());
     walls[Eigen::Index(walls_.high) * dimension_ + axis] = sign;
@@ -45,7 +46,7 @@ class StrainedPacking {
   }
 
  private:
-  // From the centre of b, or the wall, to that of a.
+  // Component k of the vector from the centre of b, or from the wall, to the centre of a.
   double branch(const ContactTerms& c, int k) const {
     const Particles& p = simulation_.particles();
     const double radii = p.radius()[c.a] + (c.b < p.size() ? p.radius()[c.b] : 0);
@@ -73,7 +74,7 @@ class StrainedPacking {
       }
     }
     const double volume = walls_.area * walls_.distance;
-    // The strain by 1 m, and what it does to the volume.
+    // The change of the volume by the strain of 1 m.
     const double growth = axis == walls_.axis ? sign / walls_.distance : 0;
     for (std::size_t k = 0; k < virial.size(); ++k)
       virial[k] = (virial[k] - growth * before[k]) / volume * walls_.distance;
@@ -86,8 +87,8 @@ class StrainedPacking {
             .residual = motion_.residual};
   }
 
-  // Slope of the displacement along an axis over the height in the middle half: from the medians in its outer quarters,
-  // since bodies that are held loosely move by any amount.
+  // Slope of the displacement along an axis over the height in the middle half. Medians of its outer quarters are used
+  // because loosely held bodies move by any amount.
   double middle_slope(int axis) const {
     const Particles& p = simulation_.particles();
     const double start = simulation_.planes()[walls_.low].point[walls_.axis];
@@ -99,14 +100,8 @@ class StrainedPacking {
       displacement[y > 0].push_back(packing_.component(motion_, i, axis));
     }
     if (height[0].empty() || height[1].empty()) return std::numeric_limits<double>::quiet_NaN();
+    // The mean of the two in the middle, so that the sign of a displacement does not count.
     return (median(displacement[1]) - median(displacement[0])) / (median(height[1]) - median(height[0]));
-  }
-
-  static double median(std::vector<double>& values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    // Of an even number the mean of two, so that the sign of a displacement does not count.
-    return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
   }
 
   const Simulation& simulation_;
@@ -116,7 +111,7 @@ class StrainedPacking {
   PackingMotion motion_;
 };
 
-// The axis and the side of a wall across an axis: 1 below the bodies, −1 above them; 0 of others.
+// The axis across which a wall lies, and its side: 1 below the bodies, −1 above them, 0 for other walls.
 std::pair<int, int> side_of(const scree_plane& plane, int dimension) {
   for (int k = 0; k < dimension; ++k)
     if (std::abs(plane.normal[k]) > 1 - 1e-12) return {k, plane.normal[k] > 0 ? 1 : -1};

@@ -23,7 +23,7 @@ Vector3d normal_of(const StaticPacking& packing, const ContactTerms& c) {
   return Vector3d(packing.list().normal.data() + 3 * c.contact);
 }
 
-// Change of the normal; that of a wall stays.
+// Change of the normal: 0 for a wall.
 Vector3d turn_of(const StaticPacking& packing, const PackingMotion& motion, const ContactTerms& c,
                  const Particles& p) {
   if (c.b >= p.size()) return Vector3d::Zero();
@@ -35,7 +35,7 @@ Vector3d turn_of(const StaticPacking& packing, const PackingMotion& motion, cons
   return (apart - apart.dot(normal) * normal) / distance;
 }
 
-// Derivatives of n·f and of the tangential force, as both n and f change.
+// Derivatives of n·f and of the tangential force by the load; both n and f change.
 LoadedContact loaded(const StaticPacking& packing, const PackingMotion& motion, const ContactTerms& c,
                      const Particles& p) {
   const bool flat = p.dimension() == 2;

@@ -18,7 +18,7 @@ struct PackingMotion {
   double residual;         // of K q = f
 };
 
-// Solves for the static displacements of a packing at rest, without its parts along floppy modes.
+// Solves for the static displacements of a packing at rest, without their parts along floppy modes.
 class StaticPacking {
  public:
   // Throws Error as assemble() does, or (interrupted) if `proceed` ends the search for floppy modes.
@@ -27,18 +27,18 @@ class StaticPacking {
 
   const LinearSystem& system() const { return system_; }
   const ContactList& list() const { return list_; }
-  const std::vector<ContactTerms>& contacts() const { return terms_; }  // also of bodies that are left out
+  const std::vector<ContactTerms>& contacts() const { return terms_; }  // bodies that are left out included
 
-  // By displacements of walls (m) (walls × dimension).
+  // The response to displacements of walls (m) (walls × dimension).
   PackingMotion displace(const Eigen::VectorXd& walls) const;
-  // By a force (N) on a wall that forces move, along its direction.
+  // The response to a force of 1 N along the direction of a wall that forces move.
   PackingMotion load(std::size_t wall) const;
 
-  // Of ContactTerms::a and b: whether it is a wall or a body that is held.
+  // Whether ContactTerms::a or b is a wall or a body that is held.
   bool is_held(std::uint32_t end) const;
-  // Component k of its displacement (m), behind the dimensions of its rotation (rad).
+  // Component k of its displacement (m), then of its rotation (rad).
   double component(const PackingMotion& motion, std::uint32_t end, int k) const;
-  // Change of the force on a (N).
+  // Change of the force on body a (N).
   Eigen::VectorXd force_change(const PackingMotion& motion, const ContactTerms& contact) const;
 
  private:

@@ -13,8 +13,8 @@ using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
 constexpr int most_directions = 40, most_gmres_restarts = 20;
-// By how much the residual is reduced from restart to restart, and the least that is more than round-off.
-constexpr double wanted_gain = 1e-4, least_gain = 0.5;
+// Wanted reduction of the residual per restart, and the smallest reduction that is not round-off.
+constexpr double wanted_gain = 1e-4, smallest_gain = 0.5;
 
 // GMRES across the floppy modes, in the coordinates √M q.
 class Solver {
@@ -32,8 +32,11 @@ class Solver {
     for (int restart = 0; restart < most_gmres_restarts && residual.norm() > 0; ++restart) {
       const Vector better = x + correction(residual);
       const Vector rest = across_floppy(load - stiffness_ * better);
-      const bool gained = rest.norm() < least_gain * residual.norm();
-      if (rest.norm() < residual.norm()) x = better, residual = rest;
+      const bool gained = rest.norm() < smallest_gain * residual.norm();
+      if (rest.norm() < residual.norm()) {
+        x = better;
+        residual = rest;
+      }
       if (!gained) break;
     }
     return x;
@@ -46,7 +49,7 @@ class Solver {
     return x - floppy_ * shares;
   }
 
-  // The x of the least residual |r − K x| in a Krylov space of K and its approximate inverse.
+  // The x with the smallest residual |r − K x| in a Krylov space of K and its approximate inverse.
   Vector correction(const Vector& r) const {
     const Index most = std::min<Index>(most_directions, r.size());
     Matrix basis(r.size(), most + 1), directions(r.size(), most), projected = Matrix::Zero(most + 1, most);

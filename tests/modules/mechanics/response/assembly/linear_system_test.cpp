@@ -7,9 +7,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/response/found_modes.hpp>
 #include <scree/response/frequency_response.hpp>
 #include <scree/response/linear_system.hpp>
-#include <scree/response/modes.hpp>
 
 // A column of beads under a lid that forces move.
 

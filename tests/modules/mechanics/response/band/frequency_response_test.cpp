@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include <scree/response/band_response.hpp>
+#include <scree/response/found_modes.hpp>
 #include <scree/response/frequency_response.hpp>
-#include <scree/response/modes.hpp>
 
 using namespace scree;
 using namespace scree::response;

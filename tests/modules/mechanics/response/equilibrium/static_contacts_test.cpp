@@ -76,14 +76,14 @@ void check_step(const Scene& scene) {
   s.step();
 
   const ContactList list = s.contact_list();
-  const std::vector<TouchingPair> touching = contacts.touching();
+  const std::vector<ContactHistory> touching = contacts.touching();
   REQUIRE(touching.size() == list.size());
-  for (const TouchingPair& pair : touching) {
+  for (const ContactHistory& pair : touching) {
     std::size_t c = 0;
     while (c < list.size() && (list.a[c] != pair.a || list.b[c] != pair.b)) ++c;
     REQUIRE(c < list.size());
-    for (std::uint32_t k = 0; k < pair.width; ++k)
-      CHECK(pair.history[k] == Approx(s.contact_history(list.pair[c], k)).margin(1e-13));
+    for (std::uint32_t k = 0; k < pair.numbers.size(); ++k)
+      CHECK(pair.numbers[k] == Approx(s.contact_history(list.pair[c], k)).margin(1e-13));
   }
   for (std::size_t i = 0; i < p.size(); ++i)
     for (int k = 0; k < scene.dimension; ++k)

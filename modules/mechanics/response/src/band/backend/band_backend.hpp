@@ -1,7 +1,5 @@
 #pragma once
 
-#include "band/backend/shift_backend.hpp"
-
 #include <atomic>
 #include <complex>
 #include <memory>
@@ -26,13 +24,13 @@ inline Eigen::SparseMatrix<double> copy_of(const SparseView& view) {
                                                        view.outer, view.inner, view.values);
 }
 
-// Neighbouring frequencies, the loads and what is found. Arrays of vectors are columns one behind another.
+// Neighbouring frequencies, their loads and the results. Arrays of vectors are stored column by column.
 struct BandWindow {
   int count;
   const double* omega;               // (rad/s) (count) ascending
   const std::complex<double>* load;  // (size, count)
   double tolerance;
-  bool single_precision;            // of the factorisation
+  bool single_precision;            // factorise in single precision
   std::complex<double>* amplitude;  // (size, count)
   double* residual;                 // (count)
   double* error;                    // (count) NaN if the factorised matrix is singular
@@ -43,13 +41,36 @@ struct BandWindow {
 class BandBackend {
  public:
   virtual ~BandBackend() = default;
-  // Returns the number of basis vectors. Nothing that it found is of use if it was stopped.
+  // Returns the number of basis vectors. The results are of no use after a stop.
   virtual int solve(const BandWindow& window) const = 0;
 };
 
-constexpr int band_backend_version = 3;
+// A − σB = L D Lᵀ, A real and symmetric, B diagonal.
+class ShiftedFactors {
+ public:
+  virtual ~ShiftedFactors() = default;
+  // Replaces the columns of x (size, columns) by (A − σB)⁻¹ x.
+  virtual void solve(double* x, int columns) const = 0;
+  virtual double shift() const = 0;  // σ
+  // Negative eigenvalues of A − σB, by Sylvester's law of inertia.
+  virtual int negative() const = 0;
+  // Estimate of the round-off of this number, as a difference from A − σB: eigenvalues nearer to 0 than this may
+  // have either sign.
+  virtual double margin() const = 0;
+  // Whether a pivot is 0 within its round-off, so that an eigenvalue is likely to be that near to 0.
+  virtual bool has_null_pivot() const = 0;
+};
 
-// Made by the library, compiled for several instruction levels: dense products take nearly all of its time.
+// Several threads may call it at once.
+class ShiftBackend {
+ public:
+  virtual ~ShiftBackend() = default;
+  virtual std::unique_ptr<ShiftedFactors> factorise(double shift) const = 0;
+};
+
+constexpr int band_backend_version = 4;
+
+// Provided by the library, which is compiled for several instruction levels: dense products take most of its time.
 class BandBackendFactory {
  public:
   virtual ~BandBackendFactory() = default;

@@ -1,8 +1,7 @@
-#include "band/largest_amplification.hpp"
 #include "band/backend/band_backend.hpp"
 #include "band/backend/galerkin_basis.hpp"
-#include "band/backend/shifted_factors.hpp"
 #include "band/backend/symmetric_factors.hpp"
+#include "band/singular.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,21 +15,23 @@ namespace {
 using Matrix = Eigen::MatrixXcd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Rounds of iteration, after which more frequencies are cheaper with a factorisation nearer to them.
+// Rounds of iteration after which a factorisation nearer to the remaining frequencies is cheaper.
 constexpr int most_rounds = 14;
-// Frequencies whose residuals extend the basis while changes are large. More find few more directions: neighbours differ little.
+// Frequencies whose residuals extend the basis while changes are large. More of them add few directions, since
+// neighbouring residuals differ little.
 constexpr int most_sources = 4;
-// Changes that fall more slowly from round to round say little about what is left: a tenth may have been found.
+// Largest ratio of successive changes in an error estimate. Slower decay says little about the remaining error.
 constexpr double slowest_decay = 0.9;
-// A mode near the frequency that enters the basis late lets a round change the solution by less than its error, rarely two rounds.
+// Factor of the error estimate: before a mode near the frequency enters the basis, one round, rarely two, may change the
+// solution by less than its error.
 constexpr double caution = 3;
-// Before the first change, the whole amplitude is unknown.
+// The relative change assumed before the first round: the whole amplitude.
 constexpr double slowest_start = 1;
 
-// Iteration at the frequencies of a window. In each round, residuals are multiplied by the approximate inverse, and the directions
-// found added to the basis; the change of a solution by them is the error of the one before, which is stated for the newer one too.
-// While a change is too large, residuals of a few frequencies do for all. A solution is found after a round with its own residual:
-// directions of others show only what these lack.
+// Iteration at the frequencies of a window. Each round multiplies residuals by the approximate inverse and adds the
+// resulting directions to the basis. The change of a solution is the error of the previous one, and is stated for the
+// new one too. While changes are too large, residuals of a few frequencies serve all. A solution counts as found only
+// after a round with its own residual: directions from other frequencies show only what those lack.
 class WindowIteration {
  public:
   WindowIteration(const BandWindow& window, const Sparse& stiffness, const Sparse& damping,
@@ -46,11 +47,11 @@ class WindowIteration {
     std::fill_n(window.error, window.count, std::numeric_limits<double>::quiet_NaN());
   }
 
-  // norm: of the factorised matrix.
+  // norm: norm of the factorised matrix.
   template <class Inverse>
   int run(const Inverse& inverse, double norm) {
-    if (!settle_unloaded()) return 0;
-    Matrix directions = inverse(loads_of(frequencies(few_of(all_open()))));
+    if (!zero_unloaded()) return 0;
+    Matrix directions = inverse(loads_of(frequencies(spread_sample(all_open()))));
     if (!directions.allFinite()) return 0;
     // In single precision, and between frequencies, only the iteration shows whether it converges.
     if (window_.count == 1 && directions.norm() * norm > largest_amplification) return 0;
@@ -60,7 +61,7 @@ class WindowIteration {
     for (int round = 0; round < most_rounds && !open_.empty() && proceeds(); ++round) {
       const Eigen::Index before = basis_.size();
       const Places far = far_open();
-      directions = unit(inverse(residuals(far.empty() ? all_open() : few_of(far))));
+      directions = unit(inverse(residuals(far.empty() ? all_open() : spread_sample(far))));
       if (!directions.allFinite()) break;
       basis_.extend(directions);
       if (basis_.size() == before) break;
@@ -82,7 +83,7 @@ class WindowIteration {
     return all;
   }
 
-  // Those whose errors are above the tolerance.
+  // Open frequencies whose errors are above the tolerance.
   Places far_open() const {
     Places far;
     for (const Eigen::Index k : all_open())
@@ -90,8 +91,8 @@ class WindowIteration {
     return far;
   }
 
-  // From the lowest to the highest frequency.
-  static Places few_of(const Places& places) {
+  // At most `most_sources` places, from the lowest to the highest frequency.
+  static Places spread_sample(const Places& places) {
     const std::size_t count = std::min(places.size(), std::size_t(most_sources));
     Places few;
     for (std::size_t k = 0; k < count; ++k)
@@ -116,8 +117,8 @@ class WindowIteration {
 
   bool proceeds() const { return !window_.stop || !*window_.stop; }
 
-  // Without a load the solution is 0. Returns whether a frequency is left.
-  bool settle_unloaded() {
+  // Closes frequencies without a load, whose solution is 0. Returns whether any frequency is left.
+  bool zero_unloaded() {
     std::erase_if(open_, [&](int k) {
       if (loads_.col(k).norm() > 0) return false;
       Eigen::Map<Matrix>(window_.amplitude, size_, window_.count).col(k).setZero();
@@ -141,14 +142,14 @@ class WindowIteration {
       coefficients_.col(Eigen::Index(k)) = basis_.coefficients(window_.omega[open_[k]], loads_.col(open_[k]));
   }
 
-  // Lengths of coefficients are those of the solutions: the basis is orthonormal.
+  // The basis is orthonormal, so that coefficients are as long as solutions.
   void estimate_errors(const Matrix& older) {
     for (Eigen::Index k = 0; k < Eigen::Index(open_.size()); ++k) {
       const int at = open_[std::size_t(k)];
       Eigen::VectorXcd step = coefficients_.col(k);
       step.head(older.rows()) -= older.col(k);
       const double change = step.norm() / coefficients_.col(k).norm();
-      // The sum of further changes, each smaller than the one before as this one is.
+      // The sum of all further changes if each is smaller than the previous one by this ratio.
       const double ratio = std::min(change / changes_[at], slowest_decay);
       errors_[at] = caution * std::max(change, changes_[at]) / (1 - ratio);
       changes_[at] = change;
@@ -162,7 +163,7 @@ class WindowIteration {
       const int at = open_[std::size_t(places[std::size_t(k)])];
       Eigen::Map<Matrix>(window_.amplitude, size_, window_.count).col(at) = solutions.col(k);
       window_.residual[at] = rest.col(k).norm() / loads_.col(at).norm();
-      // In a basis of the whole space only round-off is left.
+      // In a basis of the whole space only round-off remains.
       window_.error[at] = basis_.size() == size_ ? window_.residual[at] : errors_[at];
     }
   }

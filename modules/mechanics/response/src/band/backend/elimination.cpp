@@ -7,7 +7,7 @@ namespace scree::response {
 
 namespace {
 
-// Neighbours of each unknown, without itself.
+// The neighbours of each unknown, itself excluded.
 struct Graph {
   std::vector<idx_t> start = {0}, neighbours;
 };
@@ -95,7 +95,7 @@ std::vector<Supernode> find_supernodes(const Graph& graph, const Elimination& pl
   return nodes;
 }
 
-// Whether zeros that are stored and computed with cost less than small supernodes do; limits by trial.
+// Whether storing and computing with zeros costs less than small supernodes; limits found by trial.
 bool worth_merging(double zeros, double width, double rows) {
   const double share = zeros / (width * width / 2 + width * rows);
   return width <= 16 || (width <= 48 && share < 0.3) || share < 0.08;

@@ -6,7 +6,7 @@
 
 namespace scree::response {
 
-// Adjacent unknowns that are eliminated together, and the later ones (ascending) that they are coupled to.
+// Adjacent unknowns that are eliminated together, and the later unknowns (ascending) to which they are coupled.
 struct Supernode {
   int first, width;
   std::vector<int> rows;

@@ -7,14 +7,14 @@ namespace scree::response {
 
 namespace {
 
-// Directions that differ from the span, and from each other, by less than this angle are left out: they add work
-// and little else. They return in the next residuals if they matter.
+// Directions closer to the span, or to each other, than this angle are left out: they add work and little else. If they
+// matter, they return in the next residuals.
 constexpr double smallest_angle = 0.03;
 
 using Matrix = GalerkinBasis::Matrix;
 using Columns = Eigen::Ref<const Matrix>;
 
-// Products of complex matrices: one instance of each in place of one for every type of expression, which take seconds to compile.
+// Products of complex matrices, instantiated once: one instance for each type of expression takes seconds to compile.
 Matrix product(const Columns& a, const Columns& b) { return a * b; }
 Matrix adjoint_product(const Columns& a, const Columns& b) { return a.adjoint() * b; }
 
@@ -54,7 +54,7 @@ void GalerkinBasis::extend(Matrix columns) {
   const Matrix directions =
       principal.eigenvectors().rightCols(added) * squares.tail(added).cwiseSqrt().cwiseInverse().asDiagonal();
   Matrix more = product(columns, directions);
-  // What round-off left of the span, and of each other.
+  // Removes what round-off has left of the span, then of each other.
   remove_span(more);
   const Eigen::LLT<Matrix> overlaps(adjoint_product(more, more));
   overlaps.matrixU().template solveInPlace<Eigen::OnTheRight>(more);

@@ -5,8 +5,7 @@
 
 namespace scree::response {
 
-// Orthonormal vectors V in whose span (K + iωC − ω²M) q = f is solved, with the products that need the
-// matrices kept.
+// Orthonormal vectors V in whose span (K + iωC − ω²M) q = f is solved, with their products with the matrices.
 class GalerkinBasis {
  public:
   using Matrix = Eigen::MatrixXcd;
@@ -17,12 +16,12 @@ class GalerkinBasis {
 
   Eigen::Index size() const { return size_; }
   Eigen::Index room() const { return vectors_.cols() - size_; }
-  // Adds the directions of columns of unit length that are not yet in the span, at most room() of them.
+  // Adds the directions of unit columns that are not yet in the span, at most room() of them.
   void extend(Matrix columns);
   // Coefficients y of q = V y, from the equations projected on V.
   Eigen::VectorXcd coefficients(double omega, const Eigen::VectorXcd& load) const;
   Matrix vectors(const Matrix& coefficients) const;
-  // f − A q of each column.
+  // f − A q for each column.
   Matrix residuals(const Eigen::VectorXd& omega, const Matrix& loads, const Matrix& coefficients) const;
 
  private:
