@@ -41,7 +41,7 @@ inline Scene wobbly_lattice(int side) {
 inline response::LinearSystem nearly_floppy(int side) {
   Scene scene = wobbly_lattice(side);
   scene.laws = {spring_law("weak", 1000, 1e-6)};
-  return assemble(Simulation(scene), {.fewest_contacts = 1});
+  return response::assemble(Simulation(scene), {.fewest_contacts = 1});
 }
 
 // Contacts between bodies of different materials are a million times softer.
@@ -52,10 +52,11 @@ inline response::LinearSystem stiff_and_soft(int side) {
   scene.law_of = {0, 1, 1, 0};
   std::mt19937 engine(3);
   for (Body& body : scene.bodies) body.material = std::uint32_t(engine() >> 31);
-  return assemble(Simulation(scene), {.fewest_contacts = 1});
+  return response::assemble(Simulation(scene), {.fewest_contacts = 1});
 }
 
-// Large discs in a row on a floor, each surrounded by a ring of discs 30 times smaller, of 1/27000 of its mass.
+// Large discs in a row on a floor, each surrounded by a ring of discs 30 times smaller, of about 1/27000 of its mass.
+// Without the differences of masses there would be many modes of the same frequency.
 inline response::LinearSystem large_and_small(int large) {
   constexpr double ratio = 30;
   const double ring = ratio + 0.99, angle = 2 * std::asin(0.99 / ring);
@@ -65,15 +66,16 @@ inline response::LinearSystem large_and_small(int large) {
   for (int n = 0; n < large; ++n) {
     const Vec3 centre = {{n * (2 * ratio + 3.97), ratio + 1.98, 0}};
     bodies.push_back(body(id++, ratio, ratio * ratio * ratio, centre, {}, {}, 2));
-    for (int k = 0; k < small; ++k)
-      bodies.push_back(body(
-          id++, 1, 1, centre + Vec3{{ring * std::cos(k * angle), ring * std::sin(k * angle), 0}}, {}, {}, 2));
+    for (int k = 0; k < small; ++k, ++id)
+      bodies.push_back(body(id, 1, 1 + 0.2 * std::cos(1.1 * double(id)),
+                            centre + Vec3{{ring * std::cos(k * angle), ring * std::sin(k * angle), 0}}, {},
+                            {}, 2));
   }
   Scene scene =
       test::scene(2, 1e-4, std::move(bodies), {{"normal_stiffness", {1000}}, {"normal_damping", {0}}});
   scene.laws = {spring_law("springs", 1000, 700)};
   add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}}, "floor");
-  return assemble(Simulation(scene), {.fewest_contacts = 1});
+  return response::assemble(Simulation(scene), {.fewest_contacts = 1});
 }
 
 }  // namespace scree::test

@@ -305,17 +305,21 @@ Modes modes_of(const LinearSystem& system) {
   const Eigen::MatrixXd stiffness = weighted.stiffness();
   const Eigen::MatrixXd difference = stiffness - stiffness.transpose();
   const Eigen::MatrixXd symmetric = stiffness - 0.5 * difference;
-  std::vector<Eigen::Index> heavy, massless;
-  for (Eigen::Index i = 0; i < system.mass.size(); ++i) (system.mass[i] > 0 ? heavy : massless).push_back(i);
+  std::vector<Index> with_mass, without_mass;
+  for (Index i = 0; i < system.mass.size(); ++i) (system.mass[i] > 0 ? with_mass : without_mass).push_back(i);
+  // Not the vectors themselves: GCC 12 reports frees of foreign memory where Eigen copies them.
+  using Indices = Eigen::Map<const Eigen::Array<Index, Eigen::Dynamic, 1>>;
+  const Indices heavy(with_mass.data(), Index(with_mass.size())),
+      massless(without_mass.data(), Index(without_mass.size()));
   // Without inertia, 0 = K_mm q_m + K_mh q_h.
   const Eigen::MatrixXd following =
-      massless.empty()
-          ? Eigen::MatrixXd(0, Eigen::Index(heavy.size()))
+      massless.size() == 0
+          ? Eigen::MatrixXd(0, heavy.size())
           : Eigen::MatrixXd(
                 -symmetric(massless, massless).eval().fullPivLu().solve(symmetric(massless, heavy).eval()));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(symmetric(heavy, heavy) +
                                                              symmetric(heavy, massless) * following);
-  Eigen::MatrixXd shape(system.mass.size(), Eigen::Index(heavy.size()));
+  Eigen::MatrixXd shape(system.mass.size(), heavy.size());
   shape(heavy, Eigen::all) = modes.eigenvectors();
   shape(massless, Eigen::all) = following * modes.eigenvectors();
   return {modes.eigenvalues(), weighted.inverse_root().asDiagonal() * shape,
