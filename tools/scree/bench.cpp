@@ -79,12 +79,7 @@ std::uint64_t warm(Course& course, const BenchOptions& options) {
 
 }  // namespace
 
-double BenchResult::median() const {
-  std::vector<double> sorted = s_per_step;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
-}
+double BenchResult::median() const { return scree::median(s_per_step); }
 
 BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) {
   Course course(plan, options);

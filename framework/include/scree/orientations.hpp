@@ -28,8 +28,11 @@ class Orientations {
   // Round-off does not accumulate: sums are compensated, and quaternions keep their norm.
   void rotate(const Vectors<const double>& spin, double time, std::size_t begin, std::size_t end);
 
-  // Of the first bodies.
+  // Saves or restores the orientations of the first bodies.
   void transfer(const class StateTransfer& state, std::size_t bodies);
+
+  // Whether a state has orientations of bodies.
+  static bool are_in(const class StateTransfer& state);
 
  private:
   int components_ = 0;

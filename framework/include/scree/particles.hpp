@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <scree/column.hpp>
+#include <scree/domain.hpp>
 #include <scree/orientations.hpp>
 #include <scree/plugin/vec.hpp>
 #include <scree/strided.hpp>
@@ -109,6 +111,9 @@ class Particles {
   // The present state; all else follows from the bodies with which these were made. mid_step: velocities of
   // mid-step are kept too.
   void transfer(const class StateTransfer& state, bool mid_step);
+
+  // Moves the bodies to centres (m) without jumps at periodic faces, at rest and without loads.
+  void come_to_rest(std::span<const Vec3> centres, const Domain& domain);
 
   // Advanced with the mid-step spin; carried only if the scene needs them.
   Orientations orientations;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include <scree/scene.hpp>
@@ -21,6 +23,17 @@ void check_scene(const State& state, const Scene& scene);
 bool is_scene_of(const State& state, const Scene& scene);
 // Likewise of its contact laws alone.
 bool has_laws_of(const State& state, const Scene& scene);
+
+// What a state records of a law or a boundary.
+struct RecordedPlugin {
+  std::string name, plugin;
+  std::vector<std::string> parameters;  // see parameter_lines
+};
+// Throw Error if these arrays do not fit one another.
+std::vector<RecordedPlugin> recorded_laws(const State& state);
+std::vector<RecordedPlugin> recorded_boundaries(const State& state);
+int dimension_of(const State& state);
+std::vector<std::int64_t> body_ids(const State& state);
 
 // The bodies at t = 0. Throws Error if an array is missing or has another size.
 std::vector<Body> bodies_at_start(const State& state);

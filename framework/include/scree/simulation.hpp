@@ -11,6 +11,7 @@
 #include <scree/domain.hpp>
 #include <scree/particles.hpp>
 #include <scree/profile.hpp>
+#include <scree/resting_packing.hpp>
 #include <scree/scene.hpp>
 #include <scree/state.hpp>
 #include <scree/wall_equations.hpp>
@@ -114,6 +115,10 @@ class Simulation {
   // their first motion), which may be added by another thread while the simulation goes on.
   State changing_state() const;
   void add_unchanging_state(State& state) const;
+  // The state of this simulation with its bodies and walls at rest in other places, with other contacts, at another time
+  // of the present stage, rounded to whole steps. All else is as it is now. Throws Error if a contact is listed whose
+  // bodies are apart.
+  State state_at_rest(const RestingPacking& packing) const;
   Footprint footprint() const;
 
   // For the framework and its tests only; the types are private.

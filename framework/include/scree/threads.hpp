@@ -28,18 +28,6 @@ auto in_background(Work work, bool* has_thread = nullptr) {
   }
 }
 
-// Calls work, which must not throw, in so many threads including this one, or in as many as can be started, and waits.
-template <class Work>
-void on_threads(std::size_t count, const Work& work) {
-  std::vector<std::thread> others;
-  try {
-    while (others.size() + 1 < count) others.emplace_back(work);
-  } catch (const std::system_error&) {
-  }
-  work();
-  for (std::thread& other : others) other.join();
-}
-
 // Whether so many threads can be started at once beside this one.
 inline bool can_start_threads(std::size_t count) {
   std::promise<void> all_started;

@@ -103,4 +103,6 @@ void Orientations::transfer(const StateTransfer& state, std::size_t bodies) {
   }
 }
 
+bool Orientations::are_in(const StateTransfer& state) { return state.has("orientation"); }
+
 }  // namespace scree

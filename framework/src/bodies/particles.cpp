@@ -61,6 +61,17 @@ void Particles::transfer_images(const StateTransfer& state) {
   for (std::size_t i = 0; i < all.size() && state.restoring(); ++i) image[i % width][i / width] = all[i];
 }
 
+void Particles::come_to_rest(std::span<const Vec3> centres, const Domain& domain) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (int k = 0; k < dimension_; ++k) {
+      position()[k][i] = centres[i][k] - (image[k].empty() ? 0 : image[k][i] * domain.length(k));
+      velocity()[k][i] = mid_velocity()[k][i] = 0;
+    }
+    for (int k = spin_axes().first; k < spin_axes().last; ++k) spin()[k][i] = mid_spin()[k][i] = 0;
+  }
+  std::fill(loads_.begin(), loads_.end(), 0.0);
+}
+
 Body Particles::body(std::size_t i) const {
   Body b = {.id = id[i], .material = material[i], .radius = radius()[i], .mass = mass[i]};
   if (has_spin_) b.inertia = inertia[i];

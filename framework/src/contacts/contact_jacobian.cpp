@@ -134,7 +134,7 @@ int ContactJacobian::first(PairMotion motion) const {
 void ContactJacobian::evaluate(const scree_contact_batch& batch, const double* inverse_distance,
                                std::vector<double>& jacobian) const {
   jacobian.assign(batch.count * std::size_t(rows() * columns()), 0.0);
-  std::vector<double> response(batch.count * SCREE_ELASTIC_NORMAL);
+  std::vector<double> outputs(batch.count * SCREE_ELASTIC_NORMAL);
   for (int m = 0; m < pair_motions; ++m)
     for (int k = 0; k < motion_components(PairMotion(m), dimension_); ++k) {
       InputTangent input(batch, dimension_, law_.instance().reads);
@@ -143,8 +143,8 @@ void ContactJacobian::evaluate(const scree_contact_batch& batch, const double* i
       tangent.struct_size = sizeof(tangent);
       for (std::uint32_t c = 0; c < SCREE_CONTACT_INPUT_COUNT; ++c) tangent.input[c] = input.column(c);
       for (std::uint32_t c = 0; c < SCREE_ELASTIC_NORMAL; ++c)
-        tangent.output[c] = response.data() + c * batch.count;
-      std::fill(response.begin(), response.end(), 0.0);
+        tangent.output[c] = outputs.data() + c * batch.count;
+      std::fill(outputs.begin(), outputs.end(), 0.0);
       law_.instance().differentiate(law_.storage(), &batch, &tangent);
       const int column = first(PairMotion(m)) + k;
       for (std::uint32_t i = 0; i < batch.count; ++i) {

@@ -63,6 +63,10 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
   ++revision_;
 }
 
+void Contacts::clear_histories() {
+  for (PairGroup& group : groups_) group.history.reset(group.history_width, group.padded_size());
+}
+
 void Contacts::append(std::size_t group, const std::vector<PlanePair>& pairs) {
   groups_[group].begin = a.size();
   for (const PlanePair& p : pairs)

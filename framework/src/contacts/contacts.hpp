@@ -1,15 +1,20 @@
 #pragma once
 
-#include "bodies/candidate_pairs.hpp"
 #include "contacts/pair_columns.hpp"
 
 #include <cstdint>
 #include <vector>
 
 #include <scree/column.hpp>
+#include <scree/pair_search.hpp>
 #include <scree/plugin/abi.h>
 
 namespace scree {
+
+// Candidate pair of a body and a plane.
+struct PlanePair {
+  std::uint32_t body, plane;
+};
 
 // Candidate pairs with the same law and the same kind of partner: a contiguous range of the pair arrays.
 struct PairGroup {
@@ -48,6 +53,9 @@ class Contacts {
   // Replaces the pairs (sorted by a, b) and keeps the history of those that existed before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
                const Lookup& lookup);
+
+  // Sets all histories to 0, as of pairs that do not touch.
+  void clear_histories();
 
   // Fills a group of pairs with planes, which must be the next empty one, with history 0. For pairs that are not
   // replaced by `rebuild`.

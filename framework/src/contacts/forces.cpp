@@ -160,4 +160,6 @@ void Forces::transfer(const StateTransfer& state, Particles& particles, const Co
   force.transfer(state, "force", "N", rows);
 }
 
+bool Forces::are_in(const State& state) { return state.has("contacts/force_row"); }
+
 }  // namespace scree

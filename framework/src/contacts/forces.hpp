@@ -5,7 +5,6 @@
 #include "contacts/contacts.hpp"
 #include "contacts/onset.hpp"
 #include "contacts/pair_constants.hpp"
-#include "machine/thread_pool.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -16,6 +15,7 @@
 #include <scree/particles.hpp>
 #include <scree/plugin/abi.h>
 #include <scree/profile.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -69,6 +69,9 @@ class Forces {
   // Forces of pairs in the last evaluation, and the largest overlap so far.
   void transfer(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
                 const std::vector<LawInstance>& laws, std::size_t planes);
+
+  // Whether a state has the forces of pairs.
+  static bool are_in(const class State& state);
 
   // Force on a of pair p in the last evaluation (N), z = 0 in 2D; NaN if pair forces are not stored.
   Vec3 pair_force(std::size_t p) const;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <scree/contact_kinematics.hpp>
+
 namespace scree {
 
 void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads, bool forces) {
@@ -19,12 +21,12 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
   for (const PairGroup& group : contacts.groups()) {
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      const double mass = 1 / (p.inverse_mass()[a] + (group.planes ? 0 : p.inverse_mass()[b]));
-      radius_sum[q] = p.radius()[a] + (group.planes ? 0 : p.radius()[b]);
+      const double mass = reduced_mass(p.inverse_mass()[a], group.planes ? 0 : p.inverse_mass()[b]);
+      const double radius_a = p.radius()[a], radius_b = group.planes ? 0 : p.radius()[b];
+      radius_sum[q] = radius_a + radius_b;
       set(SCREE_REDUCED_MASS, q, mass);
       set(SCREE_REDUCED_MASS_ROOT, q, std::sqrt(mass));
-      set(SCREE_EFFECTIVE_RADIUS, q,
-          group.planes ? p.radius()[a] : 1 / (1 / p.radius()[a] + 1 / p.radius()[b]));
+      set(SCREE_EFFECTIVE_RADIUS, q, effective_radius(radius_a, radius_b, group.planes));
     }
     for (std::size_t q = group.end; q < group.begin + group.padded_size(); ++q) {
       radius_sum[q] = -1;

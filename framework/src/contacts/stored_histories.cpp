@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/scene_record.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -48,7 +49,7 @@ void visit_group(const State& state, const StateTransfer& group, const std::stri
 void each_history(const State& state, const std::function<void(const StoredHistory&)>& visit) {
   const StateTransfer all = StateTransfer::restoring_from(state);
   std::vector<std::string> plugins;
-  all.rows("scene/law_plugins", "", plugins);
+  for (const RecordedPlugin& law : recorded_laws(state)) plugins.push_back(law.plugin);
   for (std::size_t g = 0; state.has(fmt::format("contacts/{}/law", g)); ++g) {
     const std::string path = fmt::format("contacts/{}", g);
     if (state.has(path + "/history")) visit_group(state, all.below(path), path, plugins, visit);

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "contacts/kernel/tiles.hpp"
-#include "machine/thread_pool.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 

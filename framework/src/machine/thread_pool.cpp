@@ -1,5 +1,3 @@
-#include "machine/thread_pool.hpp"
-
 #include <system_error>
 #include <utility>
 
@@ -7,6 +5,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -28,11 +27,12 @@ void spin_until(const Done& done) {
 
 }  // namespace
 
-ThreadPool::ThreadPool(unsigned threads) {
+ThreadPool::ThreadPool(unsigned threads, IfTooFew if_too_few) {
   try {
     for (unsigned worker = 1; worker < threads; ++worker)
       workers_.emplace_back([this, worker] { wait_for_work(worker); });
   } catch (const std::system_error&) {
+    if (if_too_few == IfTooFew::use_fewer) return;
     const unsigned started = size();
     stop();
     throw Error(

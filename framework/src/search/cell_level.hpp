@@ -1,7 +1,5 @@
 #pragma once
 
-#include "search/neighbours.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include <scree/domain.hpp>
+#include <scree/pair_search.hpp>
 
 namespace scree {
 

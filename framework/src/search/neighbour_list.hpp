@@ -1,13 +1,13 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
-#include "search/neighbours.hpp"
 #include "search/skin_choice.hpp"
 #include "walls/boundaries.hpp"
 
 #include <cstdint>
 #include <vector>
 
+#include <scree/pair_search.hpp>
 #include <scree/particles.hpp>
 
 namespace scree {
@@ -52,7 +52,7 @@ class NeighbourList {
   SkinChoice choice_;
   std::uint64_t steps_ = 0;  // since the last search
   Contacts::Lookup lookup_;
-  NeighbourSearch search_;
+  PairSearch search_;
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
   Column<Sphere> bodies_at_search_;            // bodies at the last search
   std::vector<scree_plane> planes_at_search_;

@@ -144,6 +144,22 @@ void save_scene(const StateTransfer& state, const Scene& scene) {
 
 namespace {
 
+// What save_plugins has saved.
+std::vector<RecordedPlugin> recorded_plugins(const State& state, const std::string& kind) {
+  const StateTransfer scene = StateTransfer::restoring_from(state).below("scene");
+  std::vector<std::string> names, plugins;
+  scene.rows(kind + "_names", "", names);
+  scene.rows(kind + "_plugins", "", plugins);
+  if (plugins.size() != names.size())
+    scene.refuse(kind + "_plugins", "does not have a plug-in for each " + kind);
+  std::vector<RecordedPlugin> all;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    all.push_back({names[k], plugins[k], {}});
+    scene.rows(fmt::format("{}_values_{}", kind, k), "", all.back().parameters);
+  }
+  return all;
+}
+
 State record_of(const Scene& scene) {
   State record;
   save_scene(StateTransfer::saving_to(record).below("scene"), scene);
@@ -160,6 +176,23 @@ bool is_recorded(const State& state, const Scene& scene, std::string_view below)
 }
 
 }  // namespace
+
+std::vector<RecordedPlugin> recorded_laws(const State& state) { return recorded_plugins(state, "law"); }
+std::vector<RecordedPlugin> recorded_boundaries(const State& state) {
+  return recorded_plugins(state, "boundary");
+}
+
+int dimension_of(const State& state) {
+  std::int32_t dimension = 0;
+  StateTransfer::restoring_from(state).value("scene/dimension", "", dimension, {.least = 2, .most = 3});
+  return dimension;
+}
+
+std::vector<std::int64_t> body_ids(const State& state) {
+  std::vector<std::int64_t> ids;
+  StateTransfer::restoring_from(state).rows("bodies/id", "", ids);
+  return ids;
+}
 
 bool is_scene_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/"); }
 
@@ -203,7 +236,7 @@ void check_bodies(const StateTransfer& state, const std::vector<Body>& bodies, s
 }  // namespace
 
 std::vector<Body> bodies_at_start(const State& state) {
-  std::vector<Body> bodies(state.at("bodies/id").size());
+  std::vector<Body> bodies(body_ids(state).size());
   const StateTransfer from = StateTransfer::restoring_from(state);
   transfer_bodies_at_start(from, bodies);
   check_bodies(from.below("bodies"), bodies, materials_of(state).size(), state.has("bodies/spin"));
@@ -214,9 +247,7 @@ std::vector<Body> present_bodies(const State& state) {
   std::vector<Body> bodies = bodies_at_start(state);
   const StateTransfer present = StateTransfer::restoring_from(state).below("bodies");
   const bool spinning = state.has("bodies/spin");
-  std::int32_t dimension = 0;
-  StateTransfer::restoring_from(state).value("scene/dimension", "", dimension, {.least = 2, .most = 3});
-  const std::size_t axes = dimension == 2 ? 2 : 3;
+  const std::size_t axes = std::size_t(dimension_of(state));
   const std::size_t spins = axes == 2 ? 1 : 3;
   std::vector<double> position(axes * bodies.size()), velocity(position),
       spin(spinning ? spins * bodies.size() : 0);

@@ -17,14 +17,7 @@ namespace scree {
 namespace {
 
 StateTransfer from(const State& state) { return StateTransfer::restoring_from(state); }
-
-template <class T>
-const std::vector<T>& numbers_at(const State& state, const std::string& path) {
-  const auto* numbers = std::get_if<std::vector<T>>(&state.at(path).values);
-  if (!numbers)
-    throw Error(fmt::format("'{}' has another type of values; take a state of this version", path));
-  return *numbers;
-}
+StateTransfer bodies_of(const State& state) { return from(state).below("bodies"); }
 
 constexpr std::uint32_t no_plane = ~std::uint32_t(0);
 constexpr double round_off = 1e-6;  // of springs and energies in single precision
@@ -41,11 +34,10 @@ Error no_place(const std::string& what, const char* cure, const char* kind) {
 }
 
 void check_bodies(const Scene& scene, const State& state) {
-  const auto& ids = numbers_at<std::int64_t>(state, "bodies/id");
+  const std::vector<std::int64_t> ids = body_ids(state);
   bool same = ids.size() <= scene.bodies.size();
   for (std::size_t i = 0; same && i < ids.size(); ++i) same = ids[i] == scene.bodies[i].id;
-  std::int32_t dimension = 0;
-  from(state).value("scene/dimension", "", dimension);
+  const int dimension = dimension_of(state);
   if (dimension != scene.dimension)
     throw Error(fmt::format("the state has {} dimensions and the scene {}; set scene.dimension = {}",
                             dimension, scene.dimension, dimension));
@@ -62,29 +54,23 @@ Branch::Branch(const Scene& scene, const State& state, const Branching& branchin
 }
 
 void Branch::match_walls() {
-  const auto& names = numbers_at<std::string>(state_, "scene/boundary_names");
-  const auto& plugins = numbers_at<std::string>(state_, "scene/boundary_plugins");
-  if (plugins.size() != names.size())
-    from(state_).refuse("scene/boundary_plugins", "does not have a plug-in for each boundary");
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    std::uint64_t planes = 0;
-    from(state_).value(fmt::format("walls/{}/plane_count", k), "1", planes);
-    if (planes == 0) continue;
-    const auto found =
-        std::find_if(scene_.boundaries.begin(), scene_.boundaries.end(),
-                     [&](const Scene::Boundary& boundary) { return boundary.name == names[k]; });
+  const std::vector<RecordedPlugin> recorded = recorded_boundaries(state_);
+  for (std::size_t k = 0; k < recorded.size(); ++k) {
+    const auto& [name, plugin_name, lines] = recorded[k];
+    if (Boundaries::stored_planes(state_, k).count == 0) continue;
+    const auto found = std::find_if(
+        scene_.boundaries.begin(), scene_.boundaries.end(),
+        [&, &wanted = name](const Scene::Boundary& boundary) { return boundary.name == wanted; });
     if (found == scene_.boundaries.end())
       throw no_place(
-          fmt::format("the state has the walls of '{}', and the scene has no boundary of this name",
-                      names[k]),
+          fmt::format("the state has the walls of '{}', and the scene has no boundary of this name", name),
           "add or rename one", "walls");
     const scree_plugin& plugin = found->parameters.plugin();
-    if (plugin.name != plugins[k])
+    if (plugin.name != plugin_name)
       throw no_place(fmt::format("the boundary '{}' is of the plug-in {} in the state and of {} in the scene",
-                                 names[k], plugins[k], plugin.name),
+                                 name, plugin_name, plugin.name),
                      "use the same", "walls");
-    found->parameters =
-        parameters_of(plugin, numbers_at<std::string>(state_, fmt::format("scene/boundary_values_{}", k)));
+    found->parameters = parameters_of(plugin, lines);
     walls_.push_back({k, std::size_t(found - scene_.boundaries.begin())});
   }
 }
@@ -110,9 +96,9 @@ bool Branch::nothing_differs() const {
 }
 
 void Branch::take_over(Simulation& simulation, SimulationParts& parts) {
-  const bool carried = (!wanted_.pair_forces || state_.has("contacts/force_row")) &&
-                       (!parts.particles.orientations || state_.has("bodies/orientation"));
-  report_.push_back(counted(state_.at("bodies/id").size(), "body", "bodies"));
+  const bool carried = (!wanted_.pair_forces || Forces::are_in(state_)) &&
+                       (!parts.particles.orientations || Orientations::are_in(bodies_of(state_)));
+  report_.push_back(counted(body_ids(state_).size(), "body", "bodies"));
   if (nothing_differs() && carried)
     take_over_all(parts);
   else
@@ -149,24 +135,21 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
   // Evaluated without a motion, contacts at the limit of friction stick; they go on as they were.
   if (branching_.histories && has_laws_of(state_, wanted_)) take_over_histories(parts);
   // An integrator that evaluates forces at mid-step has left them half a step behind.
-  double time = 0, force_time = 0;
-  from(state_).value("clock/time", "s", time);
-  from(state_).value("clock/force_time", "s", force_time);
-  if (time != force_time) parts.stepper.reevaluate_forces(time - force_time);
+  if (const double behind = Stepper::forces_behind(state_); behind != 0)
+    parts.stepper.reevaluate_forces(behind);
 }
 
 void Branch::take_over_orientations(SimulationParts& parts) {
-  if (!parts.particles.orientations || !branching_.orientations || !state_.has("bodies/orientation")) return;
-  parts.particles.orientations.transfer(from(state_).below("bodies"), state_.at("bodies/id").size());
+  if (!parts.particles.orientations || !branching_.orientations || !Orientations::are_in(bodies_of(state_)))
+    return;
+  parts.particles.orientations.transfer(bodies_of(state_), body_ids(state_).size());
   report_.emplace_back("orientations");
 }
 
 std::vector<std::uint32_t> Branch::planes_here(const SimulationParts& parts) const {
-  std::vector<std::uint32_t> here(state_.at("walls/planes/point").size() / 3, no_plane);
+  std::vector<std::uint32_t> here(Boundaries::plane_count(state_), no_plane);
   for (const Wall& wall : walls_) {
-    std::uint64_t first = 0, count = 0;
-    from(state_).value(fmt::format("walls/{}/first_plane", wall.from), "", first);
-    from(state_).value(fmt::format("walls/{}/plane_count", wall.from), "1", count);
+    const auto [first, count] = Boundaries::stored_planes(state_, wall.from);
     for (std::size_t k = 0; k < count && first + k < here.size(); ++k)
       here[first + k] = std::uint32_t(parts.boundaries.first_plane(wall.to) + k);
   }
@@ -210,8 +193,7 @@ void Branch::count_lost(SimulationParts& parts) {
   const bool same_laws = has_laws_of(state_, wanted_);
   if (!branching_.histories) dropped_ = each_row(parts, {});
   if (!same_laws) parts.audit.add_lost(parts.contact_sums);
-  ContactSums before;
-  before.transfer(from(state_).below("sums/contacts"));
+  const ContactSums before = SimulationParts::contact_sums_in(state_);
   if (!same_laws && branching_.histories) report_cut(parts, lost, before.elastic_tangential);
   const auto missing = [](double then, double now) { return then - now > round_off * then ? then - now : 0; };
   double released = 0;
@@ -219,7 +201,7 @@ void Branch::count_lost(SimulationParts& parts) {
     released +=
         missing(before.elastic_tangential, parts.contact_sums.elastic_tangential + (same_laws ? 0 : lost));
   // Other laws store another energy.
-  if (!branching_.walls && same_laws && state_.at("walls/planes/point").size() > 0)
+  if (!branching_.walls && same_laws && Boundaries::plane_count(state_) > 0)
     released += missing(before.elastic_normal, parts.contact_sums.elastic_normal);
   parts.audit.add_released(released);
   report_dropped(released, before.elastic_normal + before.elastic_tangential);

@@ -131,6 +131,12 @@ void Simulation::add_unchanging_state(State& state) const {
   save_bodies_at_start(StateTransfer::saving_to(state), parts_->scene);
 }
 
+State Simulation::state_at_rest(const RestingPacking& packing) const {
+  Simulation moved(scene(), state());
+  moved.parts_->come_to_rest(packing);
+  return moved.state();
+}
+
 void Simulation::advance(bool observed) {
   check_health(without_exception(*this, [&] {
     return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows);

@@ -18,6 +18,8 @@ namespace scree {
 
 namespace {
 
+constexpr const char* path_of_contact_sums = "sums/contacts";
+
 bool needs_spin(const Scene& scene) {
   const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const Body& b) { return !(b.spin == Vec3{}); });
@@ -129,7 +131,7 @@ void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
   particles.transfer(state.below("bodies"), mid_step);
   boundaries.transfer(state.below("walls"), mid_step);
   integrator->transfer(state.below("integrator"));
-  contact_sums.transfer(state.below("sums/contacts"));
+  contact_sums.transfer(state.below(path_of_contact_sums));
   body_sums.transfer(state.below("sums/body_forces"));
   audit.transfer(state.below("audit/energy"));
   momentum_audit.transfer(state.below("audit/momentum"));
@@ -140,6 +142,32 @@ void SimulationParts::transfer_pairs(const StateTransfer& state) {
   contacts.transfer(state.below("contacts"), particles.size(), boundaries.planes().size());
   neighbours.transfer(state.below("neighbours"), particles, boundaries);
   forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size());
+}
+
+ContactSums SimulationParts::contact_sums_in(const State& state) {
+  ContactSums sums;
+  sums.transfer(StateTransfer::restoring_from(state).below(path_of_contact_sums));
+  return sums;
+}
+
+void SimulationParts::come_to_rest(const RestingPacking& packing) {
+  stepper.set_time(packing.time);
+  particles.come_to_rest(packing.bodies, boundaries.domain());
+  if (particles.orientations) particles.orientations = packing.orientations;
+  boundaries.come_to_rest(packing.planes, packing.loads);
+  search_neighbours();
+  contacts.clear_histories();
+  for (const ContactHistory& contact : packing.contacts) {
+    const std::size_t bodies = particles.size();
+    const bool plane = contact.b >= bodies;
+    const auto [group, row] =
+        contacts.find(plane, contact.a, plane ? std::uint32_t(contact.b - bodies) : contact.b);
+    if (!group)
+      throw Error(
+          fmt::format("bodies {} and {} do not touch where they are at rest; list only pairs that touch",
+                      contact.a, contact.b));
+    for (std::uint32_t k = 0; k < group->history_width; ++k) group->history.set(k, row, contact.numbers[k]);
+  }
 }
 
 void SimulationParts::configure_laws() {

@@ -6,7 +6,6 @@
 #include "contacts/forces.hpp"
 #include "contacts/touching_contacts.hpp"
 #include "contacts/trial_loads.hpp"
-#include "machine/thread_pool.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
 #include "search/neighbour_list.hpp"
@@ -19,7 +18,9 @@
 
 #include <scree/particles.hpp>
 #include <scree/plugin_host.hpp>
+#include <scree/resting_packing.hpp>
 #include <scree/scene.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -35,6 +36,10 @@ struct SimulationParts {
   // The two halves of it: the pairs follow the bodies and walls when restoring, and have no order when saving.
   void transfer_all_but_pairs(const class StateTransfer& state);
   void transfer_pairs(const class StateTransfer& state);
+  // The sums of contacts in a state.
+  static ContactSums contact_sums_in(const State& state);
+  // Puts bodies, walls and contacts where those of a packing at rest are.
+  void come_to_rest(const RestingPacking& packing);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
 
   Scene scene;

@@ -237,6 +237,20 @@ void Stepper::transfer(const StateTransfer& state) {
   state.value("max_square_speed", "m^2/s^2", max_square_speed_, stored::non_negative);
 }
 
+double Stepper::forces_behind(const State& state) {
+  const StateTransfer clock = StateTransfer::restoring_from(state).below("clock");
+  double time = 0, force_time = 0;
+  clock.value("time", "s", time);
+  clock.value("force_time", "s", force_time);
+  return time - force_time;
+}
+
+void Stepper::set_time(double time) {
+  const double step = parts_.scene.step;
+  steps_ = std::uint64_t(std::llround(time / step));
+  time_ = force_time_ = double(steps_) * step;
+}
+
 void Stepper::begin_anew() {
   force_time_ -= time_;
   time_ = 0;

@@ -38,10 +38,14 @@ class Stepper {
   std::uint64_t steps() const { return steps_; }
   ForcesAt forces_at() const { return forces_at_; }
   double max_speed() const;  // largest speed of any body so far (m/s)
+  // Sets the clock to the step nearest to a time (s), with the forces of that time.
+  void set_time(double time);
   // Sets the clock to t = 0 and keeps how far the forces are behind.
   void begin_anew();
   // Between steps, when no next step has begun.
   void transfer(const class StateTransfer& state);
+  // How far forces are behind in a state (s).
+  static double forces_behind(const class State& state);
 
  private:
   // Motion of the bodies of a part after their forces have been evaluated: second half of this substep and,

@@ -227,4 +227,15 @@ Boundaries boundaries_of(const Scene& scene) {
   return Boundaries(scene.boundaries, scene.dimension, bounds_of(scene.bodies, scene.dimension));
 }
 
+void Boundaries::come_to_rest(std::span<const Vec3> points, std::span<const scree_load> loads) {
+  for (std::size_t w = 0; w < planes_.size(); ++w)
+    for (int k = 0; k < 3; ++k) {
+      planes_[w].point[k] = points[w][k];
+      planes_[w].velocity[k] = planes_[w].mid_velocity[k] = 0;
+    }
+  // At rest extrapolation moves nothing.
+  if (!planes_before_extrapolation_.empty()) planes_before_extrapolation_ = planes_;
+  std::copy(loads.begin(), loads.end(), loads_.begin());
+}
+
 }  // namespace scree

@@ -58,10 +58,18 @@ class Boundaries {
   // How forces move planes at a time (s), with the planes where they are given. Throws Error as Simulation::linear_walls does.
   WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
   void add_to_hash(class StateHash& hash) const;
+  // The planes of boundary `boundary` among those of a state, and how many planes a state has.
+  struct StoredPlanes {
+    std::uint64_t first, count;
+  };
+  static StoredPlanes stored_planes(const State& state, std::size_t boundary);
+  static std::size_t plane_count(const State& state);
   // Takes over the walls of boundary `from` of a state for the boundary of a name, whose plug-in and
   // parameters are those of the state.
   void take_over(const State& state, std::size_t from, const std::string& name);
   std::size_t first_plane(std::size_t boundary) const { return members_[boundary].first_plane; }
+  // Moves the planes to points (m), at rest and with the forces of contacts on them.
+  void come_to_rest(std::span<const Vec3> points, std::span<const scree_load> loads);
   // Begins the balance and the programs anew, at t = 0.
   void begin_anew();
   // extrapolated: the planes are ahead of the last force evaluation, as extrapolate() has left them.

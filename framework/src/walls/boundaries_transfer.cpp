@@ -35,17 +35,26 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
   transfer_planes(state.below("before_extrapolation"), planes_before_extrapolation_);
 }
 
+Boundaries::StoredPlanes Boundaries::stored_planes(const State& state, std::size_t boundary) {
+  const StateTransfer of_member =
+      StateTransfer::restoring_from(state).below("walls").below(std::to_string(boundary));
+  StoredPlanes planes = {0, 0};
+  of_member.value("first_plane", "", planes.first);
+  of_member.value("plane_count", "1", planes.count);
+  return planes;
+}
+
+std::size_t Boundaries::plane_count(const State& state) { return state.at("walls/planes/point").size() / 3; }
+
 void Boundaries::take_over(const State& state, std::size_t from, const std::string& name) {
   const StateTransfer walls = StateTransfer::restoring_from(state).below("walls"),
                       of_member = walls.below(std::to_string(from));
   for (Member& member : members_) {
     if (member.entry.name != name) continue;
-    std::uint64_t first_plane = 0, count = 0;
-    of_member.value("first_plane", "", first_plane);
-    of_member.value("plane_count", "1", count);
+    const auto [first_plane, count] = stored_planes(state, from);
     of_member.sized_rows("state", "1", member.state, 1, stored::any);
     of_member.value("kinetic", "J", member.energy.kinetic, stored::any);
-    std::vector<scree_plane> all(state.at("walls/planes/point").size() / 3);
+    std::vector<scree_plane> all(plane_count(state));
     transfer_planes(walls.below("planes"), all);
     const std::span<scree_plane> planes = planes_of(member);
     if (count != planes.size() || count > all.size() || first_plane > all.size() - count)

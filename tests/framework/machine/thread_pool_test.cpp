@@ -1,4 +1,4 @@
-#include "machine/thread_pool.hpp"
+#include "no_threads.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -9,6 +9,8 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+
+#include <scree/thread_pool.hpp>
 
 using scree::ThreadPool;
 
@@ -110,4 +112,38 @@ TEST_CASE("an unused pool, and one for zero threads, can be destroyed", "[thread
     const ThreadPool pool(threads);
     CHECK(pool.size() == (threads == 0 ? 1 : threads));
   }
+}
+
+TEST_CASE("items that are started in order leave none out before the last one that was started",
+          "[threads]") {
+  for (const unsigned threads : {1u, 4u}) {
+    ThreadPool pool(threads);
+    std::vector<std::atomic<bool>> started(200);
+    std::atomic<std::size_t> count = 0;
+    const auto each = [&](std::size_t failing) {
+      pool.each_in_order(started.size(), [&](std::size_t item, unsigned) {
+        if (item == failing) throw std::runtime_error("of an item");
+        started[item] = true;
+        ++count;
+      });
+    };
+    each(started.size());
+    CHECK(count == started.size());
+    for (auto& item : started) item = false;
+    count = 0;
+    CHECK_THROWS_WITH(each(50), "of an item");
+    for (std::size_t item = 0; item < 50; ++item) CHECK(started[item]);
+    if (threads == 1) CHECK(count == 50);
+  }
+}
+
+TEST_CASE("a pool has as many threads as can be started, if it may", "[threads]") {
+  const scree::test::NoThreads none;
+  CHECK_THROWS_WITH(ThreadPool(4),
+                    Catch::Contains("only 1 of 4 threads could be started; use fewer threads"));
+  ThreadPool pool(4, ThreadPool::IfTooFew::use_fewer);
+  CHECK(pool.size() == 1);
+  int calls = 0;
+  pool.each_in_order(5, [&](std::size_t, unsigned) { ++calls; });
+  CHECK(calls == 5);
 }

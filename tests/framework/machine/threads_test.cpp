@@ -1,7 +1,6 @@
 #include "no_threads.hpp"
 #include "scenes.hpp"
 
-#include <atomic>
 #include <stdexcept>
 #include <thread>
 
@@ -29,14 +28,9 @@ TEST_CASE("work in the background has a thread of its own, and is done here wher
   CHECK_THROWS_WITH(failed.get(), "of the work");
 }
 
-TEST_CASE("work is shared by as many threads as can be started", "[threads]") {
-  std::atomic<int> calls = 0;
-  on_threads(4, [&] { ++calls; });
-  CHECK(calls == 4);
+TEST_CASE("whether threads can be started is found by starting them", "[threads]") {
   CHECK(can_start_threads(2));
   const NoThreads none;
-  on_threads(4, [&] { ++calls; });
-  CHECK(calls == 5);
   CHECK(!can_start_threads(1));
   CHECK(can_start_threads(0));
 }

@@ -1,14 +1,13 @@
-#include "search/neighbours.hpp"
-
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
+#include <scree/pair_search.hpp>
 
 namespace {
 
 std::size_t pairs_of(const std::vector<scree::Sphere>& bodies, int dimension) {
   scree::ThreadPool threads(1);
-  return scree::NeighbourSearch().find(bodies, dimension, {}, 0.1, threads).size();
+  return scree::PairSearch().find(bodies, dimension, {}, 0.1, threads).size();
 }
 
 }  // namespace
@@ -25,7 +24,7 @@ TEST_CASE("a body that is alone is refused where it would touch its own image") 
   scree::ThreadPool threads(1);
   const auto find = [&](double length) {
     const scree::Domain domain = {{true, false, false}, {}, {{length, 0, 0}}};
-    scree::NeighbourSearch().find(std::vector<scree::Sphere>{{{}, 1}}, 3, domain, 0.1, threads);
+    scree::PairSearch().find(std::vector<scree::Sphere>{{{}, 1}}, 3, domain, 0.1, threads);
   };
   for (const double length : {1.9, 1e-300, 0.0})
     CHECK_THROWS_WITH(find(length),
@@ -37,11 +36,13 @@ TEST_CASE("a body that is alone is refused where it would touch its own image") 
 TEST_CASE("more pairs than fit into memory are refused with the skin") {
   std::vector<scree::Sphere> bodies(3000);
   for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i] = {{{1e-3 * double(i), 0, 0}}, 1};
+  constexpr auto unique = scree::PairSearch::Images::unique;
   for (const unsigned count : {1u, 4u}) {
     scree::ThreadPool threads(count);
-    CHECK(scree::NeighbourSearch(3000 * 2999 / 2).find(bodies, 3, {}, 10, threads).size() == 3000 * 2999 / 2);
+    CHECK(scree::PairSearch(unique, 3000 * 2999 / 2).find(bodies, 3, {}, 10, threads).size() ==
+          3000 * 2999 / 2);
     try {
-      scree::NeighbourSearch(100000).find(bodies, 3, {}, 10, threads);
+      scree::PairSearch(unique, 100000).find(bodies, 3, {}, 10, threads);
       FAIL("not refused");
     } catch (const scree::Error& error) {
       CHECK_THAT(error.what(),

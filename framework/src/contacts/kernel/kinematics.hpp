@@ -3,7 +3,7 @@
 #include "contacts/kernel/block.hpp"
 #include "contacts/onset.hpp"
 
-#include <scree/plugin/roots.hpp>
+#include <scree/contact_kinematics.hpp>
 
 namespace scree::kernel {
 
@@ -18,32 +18,6 @@ SCREE_HOT void set_lanes(T (*columns)[block_size], std::uint32_t lane, const Vec
   for (int k = 0; k < N; ++k) columns[k][lane] = v[k];
 }
 
-// n × (arm_a ω_a + arm_b ω_b): contribution of the spins to the velocity of a's contact point relative to b's
-// (equation 2 of David et al., see plugins/contact/linear_spring_dashpot.cpp).
-template <int D, class T>
-SCREE_HOT Vec<D, T> rotational_velocity(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
-                                        const Vec<spin_components<D>, T>& spin_a,
-                                        const Vec<spin_components<D>, T>& spin_b) {
-  const auto spin = fused(arm_a, spin_a, arm_b * spin_b);
-  if constexpr (D == 2)
-    return -cross(spin, n);
-  else
-    return cross(n, spin);
-}
-
-// Lever arms from the centres to the contact point (m), R − δ/2 or R; 0 for a plane. With s = R_a + R_b and
-// δ = s − distance, R_a − δ/2 = (distance + R_a − R_b)/2 and R_b − δ/2 = (distance − R_a + R_b)/2.
-template <bool planes, class T>
-struct Arms {
-  T a, b;
-  SCREE_HOT static Arms of(bool to_contact_point, const T& distance, const T& radius_sum,
-                           const T& difference) {
-    const T reach = to_contact_point ? distance : radius_sum;
-    if constexpr (planes) return {T(0.5) * (reach + difference), T(0)};
-    return {T(0.5) * (reach + difference), T(0.5) * (reach - difference)};
-  }
-};
-
 // Normal, distance and overlap. If the centres coincide, the normal is along x.
 template <int D, bool planes, class T>
 SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, BlockColumns<T>& block) {
@@ -52,46 +26,46 @@ SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, 
     double distance = 0;
     const Vec<D> separation = lanes_of<D>(block.separation, i);
     if constexpr (planes) {
-      for (int k = 0; k < D; ++k)
-        distance = fused(separation[k], double(block.input[SCREE_NORMAL + k][i]), distance);
+      distance = distance_from_plane(separation, lanes_of<D>(block.input + SCREE_NORMAL, i));
     } else {
-      const Root<double> length = length_of(separation);
-      distance = length.value;
-      const bool apart = distance > 0;
-      for (int k = 0; k < D; ++k)
-        block.input[SCREE_NORMAL + k][i] = T(k == 0 && !apart ? 1.0 : separation[k] * length.inverse);
+      const PairDirection<D, double> direction = direction_between(separation);
+      distance = direction.distance;
+      for (int k = 0; k < D; ++k) block.input[SCREE_NORMAL + k][i] = T(direction.normal[k]);
     }
     block.distance[i] = T(distance);
     block.input[SCREE_OVERLAP][i] = T(radius_sum[i] - distance);
   }
 }
 
-// Tangential displacement in the step, perpendicular to the mid-step normal. touched: fraction of the step
-// during which the pair has touched.
+template <int D, class T>
+SCREE_HOT PairDirection<D, T> direction_of(const BlockColumns<T>& block, std::uint32_t i) {
+  return {lanes_of<D>(block.input + SCREE_NORMAL, i), block.distance[i]};
+}
+template <int D, bool spin, class T>
+SCREE_HOT PairStep<D, T> motion_of(const T (*velocity)[block_size], const T (&spins)[2][3][block_size],
+                                   std::uint32_t i) {
+  PairStep<D, T> motion = {};
+  motion.velocity = lanes_of<D>(velocity, i);
+  if constexpr (spin) {
+    motion.spin_a = lanes_of<spin_components<D>>(spins[0], i);
+    motion.spin_b = lanes_of<spin_components<D>>(spins[1], i);
+  }
+  return motion;
+}
+
+// Tangential displacement in the step. touched: share of the step during which the pair has touched.
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double step, const T& touched,
                              std::uint32_t i, BlockColumns<T>& block) {
-  constexpr int S = spin_components<D>;
-  const T h = T(step), half = T(0.5 * step);
-  const Vec<D, T> motion = lanes_of<D>(block.mid_velocity, i), n = lanes_of<D>(block.input + SCREE_NORMAL, i);
-  Vec<D, T> mid_normal = n, slip = motion;
-  T distance = block.distance[i];
-  if constexpr (planes) {
-    distance = fused(-half, dot(motion, n), distance);
-  } else {
-    Vec<D, T> separation;
-    for (int k = 0; k < D; ++k) separation[k] = fused(-half, motion[k], T(block.separation[k][i]));
-    const T square = dot(separation, separation), inverse = inverse_sqrt(square);
-    distance = square * inverse;
-    for (int k = 0; k < D; ++k) mid_normal[k] = separation[k] * inverse;
-  }
-  if constexpr (spin) {
-    const auto arms = Arms<planes, T>::of(to_contact_point, distance, radius_sum, block.radius_difference[i]);
-    slip += rotational_velocity(mid_normal, arms.a, arms.b, lanes_of<S>(block.mid_spin[0], i),
-                                lanes_of<S>(block.mid_spin[1], i));
-  }
+  const PairStep<D, T> motion = motion_of<D, spin>(block.mid_velocity, block.mid_spin, i);
+  Vec<D, T> separation = {};
+  if constexpr (!planes)
+    for (int k = 0; k < D; ++k) separation[k] = T(block.separation[k][i]);
+  const auto middle =
+      mid_step_direction<planes>(direction_of<D>(block, i), separation, motion.velocity, step);
   set_lanes<D>(block.input + SCREE_TANGENTIAL_INCREMENT, i,
-               (h * touched) * tangential_part(slip, mid_normal));
+               tangential_increment<spin, planes>(middle, motion, to_contact_point, radius_sum,
+                                                  block.radius_difference[i], step, touched));
 }
 
 // Relative velocity of the contact points, relative spin and, with `increments`, tangential displacements,
@@ -100,22 +74,18 @@ SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double 
 template <int D, bool spin, bool planes, bool increments, class T>
 SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_sum, double step, double kick,
                                   std::uint32_t padded, BlockColumns<T>& block) {
-  constexpr int S = spin_components<D>;
   const T longest = std::max(T(std::abs(step)), T(std::abs(kick)));
   Count<T> near = 0;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    const Vec<D, T> n = lanes_of<D>(block.input + SCREE_NORMAL, i);
-    Vec<D, T> v = lanes_of<D>(block.velocity, i);
-    if constexpr (spin) {
-      const auto arms = Arms<planes, T>::of(to_contact_point, block.distance[i], T(radius_sum[i]),
-                                            block.radius_difference[i]);
-      const Vec<S, T> spin_a = lanes_of<S>(block.spin[0], i), spin_b = lanes_of<S>(block.spin[1], i);
-      v += rotational_velocity(n, arms.a, arms.b, spin_a, spin_b);
-      set_lanes<S>(block.input + SCREE_RELATIVE_SPIN, i, spin_a - spin_b);
-    }
+    const PairDirection<D, T> at = direction_of<D>(block, i);
+    const PairStep<D, T> motion = motion_of<D, spin>(block.velocity, block.spin, i);
+    const Vec<D, T> v = contact_velocity<spin, planes>(at, motion, to_contact_point, T(radius_sum[i]),
+                                                       block.radius_difference[i]);
+    if constexpr (spin)
+      set_lanes<spin_components<D>>(block.input + SCREE_RELATIVE_SPIN, i, motion.spin_a - motion.spin_b);
     set_lanes<D>(block.input + SCREE_RELATIVE_VELOCITY, i, v);
-    const T approach = dot(v, n) * longest, overlap = block.input[SCREE_OVERLAP][i];
+    const T approach = dot(v, at.normal) * longest, overlap = block.input[SCREE_OVERLAP][i];
     near += overlap > T(0) && overlap < T(2) * std::abs(approach);
     if constexpr (increments)
       set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, T(1), i, block);
@@ -148,14 +118,11 @@ SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, d
     const Vec<D, T> v = lanes_of<D>(block.input + SCREE_RELATIVE_VELOCITY, i);
     const T closing_speed = -dot(v, lanes_of<D>(block.input + SCREE_NORMAL, i));
     const T overlap = block.input[SCREE_OVERLAP][i], approach = closing_speed * T(step);
-    const auto part_of = [&](const T& travel) SCREE_INLINE_LAMBDA {  // δ/w
-      return std::max(overlap, T(0)) * (T(1) / (travel > T(0) ? travel : T(1)));
-    };
-    const T travel = std::abs(closing_speed * T(kick)), s = part_of(travel);
+    const T travel = std::abs(closing_speed * T(kick)), s = overlap_share(overlap, travel);
     const T closing = onset_weight(touching, s), opening = onset_weight(parting, s);
     block.input[SCREE_ONSET_WEIGHT][i] =
         overlap < T(2) * travel ? (approach > T(0) ? closing : opening) : T(1);
-    const T touched = overlap < approach ? part_of(approach) : T(1);
+    const T touched = touched_share(overlap, approach);
     if constexpr (increments)
       set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, touched, i, block);
   }
@@ -186,8 +153,8 @@ SCREE_HOT void resolve_torques(bool to_contact_point, const double* radius_sum, 
     Vec<D, T> f;
     for (int k = 0; k < D; ++k) f[k] = force[k][i];
     const Vec<S, T> lever = cross(lanes_of<D>(block.input + SCREE_NORMAL, i), f);
-    const auto arms = Arms<planes, T>::of(to_contact_point, block.distance[i], T(radius_sum[i]),
-                                          block.radius_difference[i]);
+    const auto arms = LeverArms<planes, T>::of(to_contact_point, block.distance[i], T(radius_sum[i]),
+                                               block.radius_difference[i]);
     for (int k = 0; k < S; ++k) {
       const T couple = has_couple ? block.output[SCREE_COUPLE + k][i] : T(0);
       block.torque[0][k][i] = fused(-arms.a, lever[k], couple);

@@ -1,91 +1,77 @@
 #include "close_pairs.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <set>
-#include <utility>
+#include <vector>
+
+#include <scree/pair_search.hpp>
 
 namespace scree::packing {
 
-ClosePairs::ClosePairs(const Packing& packing) : packing_(packing), next_(packing.bodies.size(), -1) {
-  const auto smaller = [](const Body& a, const Body& b) { return a.radius < b.radius; };
-  smallest_radius_ = std::min_element(packing.bodies.begin(), packing.bodies.end(), smaller)->radius;
-  std::set<int> classes;
-  for (const Body& body : packing.bodies) classes.insert(size_class(body.radius));
-  for (const int size_class : classes) build_grid(size_class);
-}
+namespace {
 
-int ClosePairs::size_class(double radius) const { return std::ilogb(radius) - std::ilogb(smallest_radius_); }
+// Over the smallest radius: more than the round-off of positions that are folded into the domain. Distances decide.
+constexpr double search_margin = 1e-6;
 
-double ClosePairs::periodic_length(int axis) const {
-  if (!packing_.periodic[axis]) return 0.0;
-  return packing_.bounds->upper[axis] - packing_.bounds->lower[axis];
-}
-
-void ClosePairs::build_grid(int size_class) {
-  Grid grid;
-  grid.size_class = size_class;
-  std::vector<std::size_t> members;
-  for (std::size_t i = 0; i < packing_.bodies.size(); ++i) {
-    const double radius = packing_.bodies[i].radius;
-    if (this->size_class(radius) != size_class) continue;
-    members.push_back(i);
-    grid.largest_radius = std::max(grid.largest_radius, radius);
-  }
-  constexpr double max_cells = 1e9;
+Domain domain_of(const Packing& packing) {
+  Domain domain;
   for (int k = 0; k < 3; ++k) {
-    const double length = periodic_length(k);
-    grid.cell[k] = 2.0 * grid.largest_radius;
-    if (length == 0.0) continue;
-    grid.cells[k] = std::int64_t(std::clamp(std::floor(length / grid.cell[k]), 1.0, max_cells));
-    grid.cell[k] = length / double(grid.cells[k]);
+    if (!packing.periodic[k]) continue;
+    domain.periodic[k] = true;
+    domain.lower[k] = packing.bounds->lower[k];
+    domain.upper[k] = packing.bounds->upper[k];
   }
-  grid.mask = std::bit_ceil(2 * members.size()) - 1;
-  grid.first.assign(grid.mask + 1, -1);
-  for (const std::size_t i : members) {
-    const Vec3& x = packing_.bodies[i].position;
-    const std::int64_t z = packing_.dimension == 3 ? cell_index(grid, x[2], 2) : 0;
-    std::int64_t& first = grid.first[bucket(grid, cell_index(grid, x[0], 0), cell_index(grid, x[1], 1), z)];
-    next_[i] = first;
-    first = std::int64_t(i);
+  return domain;
+}
+
+std::vector<Sphere> spheres_of(const Packing& packing, const Domain& domain) {
+  std::vector<Sphere> spheres;
+  spheres.reserve(packing.bodies.size());
+  for (const Body& body : packing.bodies) {
+    Sphere sphere = {{}, body.radius};
+    for (int k = 0; k < packing.dimension; ++k) {
+      sphere.position[k] = body.position[k];
+      if (domain.periodic[k])
+        sphere.position[k] -=
+            std::floor((body.position[k] - domain.lower[k]) / domain.length(k)) * domain.length(k);
+    }
+    spheres.push_back(sphere);
   }
-  grids_.push_back(std::move(grid));
+  return spheres;
 }
 
-std::int64_t ClosePairs::cell_index(const Grid& grid, double x, int axis) const {
-  constexpr double farthest = 0x1p52;
-  const double length = periodic_length(axis);
-  if (length == 0.0) return std::int64_t(std::floor(std::clamp(x / grid.cell[axis], -farthest, farthest)));
-  const double periods = (x - packing_.bounds->lower[axis]) / length;
-  const double fraction = periods - std::floor(periods);
-  const auto index = std::int64_t(fraction * double(grid.cells[axis]));
-  return std::min(index, grid.cells[axis] - 1);
-}
-
-ClosePairs::Span ClosePairs::neighbours(const Grid& grid, double x, int axis) const {
-  const std::int64_t own = cell_index(grid, x, axis);
-  const std::int64_t cells = grid.cells[axis];
-  if (cells == 1) return {{0, 0, 0}, 1};
-  if (cells == 2) return {{0, 1, 0}, 2};
-  if (cells == 0) return {{own - 1, own, own + 1}, 3};
-  return {{(own + cells - 1) % cells, own, (own + 1) % cells}, 3};
-}
-
-std::size_t ClosePairs::bucket(const Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
-  std::uint64_t hash = std::uint64_t(x) * 0x9e3779b97f4a7c15;
-  hash = (std::rotl(hash, 31) ^ std::uint64_t(y)) * 0xbf58476d1ce4e5b9;
-  hash = (std::rotl(hash, 31) ^ std::uint64_t(z)) * 0x94d049bb133111eb;
-  return std::size_t(hash >> 32) & grid.mask;
-}
-
-double ClosePairs::distance(std::size_t i, std::size_t j) const {
-  Vec3 d = packing_.bodies[j].position - packing_.bodies[i].position;
-  for (int k = 0; k < packing_.dimension; ++k) {
-    const double length = periodic_length(k);
-    if (length > 0.0) d[k] -= length * std::round(d[k] / length);
-  }
+double distance(const Packing& packing, const Domain& domain, std::size_t i, std::size_t j) {
+  Vec3 d = packing.bodies[j].position - packing.bodies[i].position;
+  for (int k = 0; k < packing.dimension; ++k)
+    if (domain.periodic[k]) d[k] -= domain.length(k) * std::round(d[k] / domain.length(k));
   return std::hypot(d[0], d[1], d[2]);
+}
+
+// Returns false once visit() does.
+bool visit_own_images(const Packing& packing, const Domain& domain,
+                      const std::function<bool(const ClosePair&)>& visit) {
+  for (int k = 0; k < packing.dimension; ++k) {
+    if (!domain.periodic[k]) continue;
+    const double length = domain.length(k);
+    for (std::size_t i = 0; i < packing.bodies.size(); ++i)
+      if (length < 2.0 * packing.bodies[i].radius && !visit({i, i, length})) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void visit_close_pairs(const Packing& packing, const std::function<bool(const ClosePair&)>& visit) {
+  const Domain domain = domain_of(packing);
+  if (!visit_own_images(packing, domain, visit)) return;
+  const std::vector<Sphere> spheres = spheres_of(packing, domain);
+  const auto smaller = [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; };
+  const double smallest = std::min_element(spheres.begin(), spheres.end(), smaller)->radius;
+  PairSearch(PairSearch::Images::nearest)
+      .visit(spheres, packing.dimension, domain, search_margin * smallest, [&](const NeighbourPair& pair) {
+        const double apart = distance(packing, domain, pair.a, pair.b);
+        return !(apart < spheres[pair.a].radius + spheres[pair.b].radius) || visit({pair.a, pair.b, apart});
+      });
 }
 
 }  // namespace scree::packing

@@ -150,12 +150,13 @@ void refuse_overlap(const Packing& packing, double spacing, double displacement,
   std::optional<ClosePair> deepest;
   double deepest_depth = tolerance;
   std::size_t left = max_per_body * packing.bodies.size();
-  ClosePairs(packing).for_each([&](const ClosePair& pair) {
+  visit_close_pairs(packing, [&](const ClosePair& pair) {
     const double needed = packing.bodies[pair.first].radius + packing.bodies[pair.second].radius;
     worst_ratio = std::max(worst_ratio, needed / pair.distance);
-    if (needed - pair.distance > deepest_depth) {
+    const double depth = needed - pair.distance;
+    if (depth > deepest_depth || (deepest && depth == deepest_depth && pair < *deepest)) {
       deepest = pair;
-      deepest_depth = needed - pair.distance;
+      deepest_depth = depth;
     }
     return --left > 0;
   });

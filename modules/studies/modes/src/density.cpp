@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numbers>
 #include <optional>
 
 #include <scree/modes/density.hpp>
-#include <scree/threads.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree::modes {
 
@@ -25,34 +24,26 @@ double highest_frequency(const response::UndampedSystem& system, const DensityOp
   for (int k = 0; k < halvings && options.proceed(); ++k) {
     options.on_progress(double(k) / (halvings + options.points), "highest frequency");
     const double middle = 0.5 * (low + high);
-    (system.count_below(square(middle)) < system.modes() ? low : high) = middle;
+    (system.count_below(square(middle)).modes < system.modes() ? low : high) = middle;
   }
   return high;
 }
 
 // Counts below each frequency, on several threads; nothing where it was ended.
-std::vector<std::optional<std::size_t>> counts_below(const response::UndampedSystem& system,
-                                                     const std::vector<double>& frequencies,
-                                                     const DensityOptions& options) {
-  std::vector<std::optional<std::size_t>> counts(frequencies.size());
-  std::atomic<std::size_t> next = 0;
+std::vector<std::optional<response::ModeCount>> counts_below(const response::UndampedSystem& system,
+                                                             const std::vector<double>& frequencies,
+                                                             const DensityOptions& options) {
+  std::vector<std::optional<response::ModeCount>> counts(frequencies.size());
   std::size_t done = 0;
   std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t k; (k = next++) < frequencies.size() && options.proceed();) try {
-        counts[k] = system.count_below(square(frequencies[k]));
-        const std::lock_guard lock(mutex);
-        options.on_progress(double(halvings + ++done) / double(halvings + frequencies.size()),
-                            "density of states");
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
-        next = frequencies.size();
-      }
-  };
-  on_threads(options.threads, work);
-  if (failure) std::rethrow_exception(failure);
+  ThreadPool pool(options.threads, ThreadPool::IfTooFew::use_fewer);
+  pool.each_in_order(frequencies.size(), [&](std::size_t k, unsigned) {
+    if (!options.proceed()) return;
+    counts[k] = system.count_below(square(frequencies[k]));
+    const std::lock_guard lock(mutex);
+    options.on_progress(double(halvings + ++done) / double(halvings + frequencies.size()),
+                        "density of states");
+  });
   return counts;
 }
 
@@ -61,7 +52,7 @@ std::vector<std::optional<std::size_t>> counts_below(const response::UndampedSys
 std::vector<DensityPoint> density_of_states(const response::UndampedSystem& system, std::size_t bodies,
                                             const DensityOptions& options) {
   const int dimension = system.system().freedom.dimension();
-  const std::size_t resting = system.count_below(system.rounding());
+  const response::ModeCount resting = system.count_below(system.rounding());
   const double highest = options.to_hz > 0 ? options.to_hz : highest_frequency(system, options);
   const double step = highest / options.points;
   std::vector<double> frequencies;
@@ -71,11 +62,12 @@ std::vector<DensityPoint> density_of_states(const response::UndampedSystem& syst
   std::size_t before = 0;
   for (std::size_t k = 0; k < counts.size() && counts[k]; ++k) {
     // At frequencies of floppy modes round-off decides how many of them are counted.
-    const std::size_t below = std::max(*counts[k], resting + before) - resting, modes = below - before;
+    const std::size_t below = std::max(counts[k]->modes, resting.modes + before) - resting.modes,
+                      modes = below - before;
     const double from = double(k) * step, middle = from + 0.5 * step;
     const double density = double(modes) / step / double(bodies);
-    points.push_back(
-        {from, frequencies[k], modes, below, density, density / std::pow(middle, dimension - 1)});
+    points.push_back({from, frequencies[k], modes, below, density, density / std::pow(middle, dimension - 1),
+                      counts[k]->certain && resting.certain});
     before = below;
   }
   return points;

@@ -157,6 +157,8 @@ class VibrationStudy : public run::Study {
       for (const std::string& warning :
            mode_warnings(result_, found.of_full_stiffness, options_.residual_limit))
         session_.warn(warning);
+    if (!found.certain)
+      session_.warn(response::uncertain_warning("the numbers of unstable, floppy and found modes"));
     for (const unsigned number : options_.pictures) draw(found, number);
   }
 
@@ -223,6 +225,11 @@ class VibrationStudy : public run::Study {
          .threads = options_.threads,
          .proceed = [this] { return session_.proceeds(); },
          .on_progress = [this](double share, const std::string& what) { report(share, what); }});
+    std::string uncertain;
+    for (const DensityPoint& point : result_.density)
+      if (!point.certain) uncertain += fmt::format("{}{:.6g}", uncertain.empty() ? "" : ", ", point.to_hz);
+    if (!uncertain.empty())
+      warn(response::uncertain_warning(fmt::format("the counts below {} Hz in density.csv", uncertain)));
   }
 
   const scenario::Plan& plan_;

@@ -1,6 +1,7 @@
 #include "opened_file.hpp"
 #include "resealed.hpp"
 #include "sample_state.hpp"
+#include "scenes.hpp"
 #include "temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -31,6 +32,22 @@ TEST_CASE("The description of a state file tells what it is and lists its arrays
   CHECK_THAT(text,
              Contains("\n  clock/time          double  single        s                    8 bytes  0.1\n"));
   CHECK_THAT(text, Contains("\n  run/scenario        text    single                          1000 bytes\n"));
+}
+
+// The names of the arrays that make the summary are those of the kernel.
+TEST_CASE("The description of a simulation has all lines of the summary", "[description]") {
+  const TemporaryFolder folder;
+  Scene scene = test::scene(2, 0.5, {body(1, 1, 1, {}, {}, {}, 2)},
+                            {{"normal_stiffness", {1}}, {"normal_damping", {0}}});
+  add_boundary(scene, "plane", {{"point", {0, -2, 0}}, {"normal", {0, 1, 0}}});
+  Simulation simulation(scene);
+  simulation.step();
+  const auto file = folder / "a.h5";
+  state_file::write_state(file, simulation.state());
+  CHECK_THAT(
+      state_file::describe_state_file(file),
+      Contains("\ntime         0.5 s\nsteps        1\nbodies       1 in 2D\nmaterials    grain\n"
+               "laws         linear_spring_dashpot\nwalls        plane\nintegrator   velocity_verlet\n"));
 }
 
 TEST_CASE("What is written of texts and units in a description is printable", "[description]") {

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/modes/density.hpp>
-#include <scree/response/modes.hpp>
+#include <scree/response/found_modes.hpp>
 
 using namespace scree;
 using namespace scree::modes;

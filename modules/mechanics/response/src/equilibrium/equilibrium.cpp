@@ -1,6 +1,6 @@
-#include "equilibrium.hpp"
+#include "equilibrium/equilibrium.hpp"
 
-#include "../entries.hpp"
+#include "assembly/entries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +9,18 @@ namespace scree::response {
 
 namespace {
 
-// Newton iterations of an increment.
+// Largest number of Newton iterations per increment.
 constexpr int most_iterations = 40;
-// Smallest share of a Newton step, and by how much the residual must fall over the share.
+// Smallest fraction of a Newton step, and the reduction of the residual over the fraction that is required.
 constexpr double shortest_share = 1.0 / 64, least_gain = 0.1;
-// Of the residual after a step over that before: earlier factors that leave more are replaced by those of the
-// present stiffness.
+// Ratio of residuals after and before a step above which factors of an earlier stiffness are replaced.
 constexpr double slow_convergence = 0.1;
-// Added to the diagonal of K, over its largest entry, against floppy modes and bodies without contacts. More where Newton steps do not
-// make the residual smaller.
+// Added to the diagonal of K, relative to its largest entry, because of floppy modes and bodies without contacts. It
+// grows where Newton steps do not reduce the residual.
 constexpr double least_grounding = 1e-8, largest_grounding = 1;
-// Longest Newton step, over the smallest radius.
+// Longest Newton step, in smallest radii.
 constexpr double longest_step = 0.005;
-// Gap within which pairs are kept, over the smallest radius.
+// Gap up to which pairs are listed, in smallest radii.
 constexpr double pair_gap = 0.4;
 
 DegreesOfFreedom all_motions(const Simulation& simulation, int spins, const WallEquations& walls) {
@@ -55,7 +54,7 @@ Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
   const auto radii = simulation.particles().radius();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i)
     for (int k = 0; k < freedom_.spins(); ++k) scale_[freedom_.rotation(i, k)] = 1 / radii[i];
-  // As of a drag, which is 0 at rest.
+  // A drag, for example, is 0 at rest.
   if (std::all_of(body_forces_.begin(), body_forces_.end(), [](const BodyForceTerms& terms) {
         return terms.load.isZero(0) && terms.stiffness.isZero(0);
       }))
@@ -98,7 +97,7 @@ void Equilibrium::accept(const Balance& balance) {
   moved_ = 0;
 }
 
-Equilibrium::Vector Equilibrium::of_touched(Vector motion) const {
+Equilibrium::Vector Equilibrium::without_free_bodies(Vector motion) const {
   const std::vector<bool> touched = contacts_.touched();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
     if (touched[i]) continue;
@@ -193,11 +192,11 @@ double Equilibrium::length_of(const Vector& motion) const {
   return longest;
 }
 
-// Limits the motion of each body by itself, so that loosely held bodies do not shorten the step of all others. Factors of an earlier search
-// may still have contacts that have opened since.
+// Limits the motion of each body separately, so that loosely held bodies do not shorten the step of all others. Bodies
+// without contacts do not move: factors of an earlier search may have contacts that are open now.
 Equilibrium::Vector Equilibrium::step_for(const Vector& residual) const {
   Vector step = factors_.solve(residual);
-  if (body_forces_.empty()) step = of_touched(std::move(step));
+  if (body_forces_.empty()) step = without_free_bodies(std::move(step));
   const double allowed = longest_step * smallest_radius_;
   for_each_motion([&](Eigen::Index first, int count) {
     auto part = step.segment(first, count);

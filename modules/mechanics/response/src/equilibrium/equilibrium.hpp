@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../body_force_terms.hpp"
-#include "static_contacts.hpp"
-#include "stiffness_factors.hpp"
+#include "assembly/body_force_terms.hpp"
+#include "equilibrium/static_contacts.hpp"
+#include "equilibrium/stiffness_factors.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -30,15 +30,15 @@ class Equilibrium {
   const StaticContacts& contacts() const { return contacts_; }
   std::size_t iterations() const { return iterations_; }  // so far
 
-  // From a configuration, under the loads on walls at a time (s). guess: a motion, or empty. Motions that leave the known pairs of
-  // contacts behind are not looked for, and nothing once `proceed` returns false.
+  // Searches from a configuration, under the loads on walls at a time (s). guess: a motion, or empty. The search ends
+  // without a balance where the motion exceeds the range of the listed pairs, or once `proceed` returns false.
   Balance find(const StaticConfiguration& from, double time, const Eigen::VectorXd& guess,
                const std::function<bool()>& proceed);
-  // The balance that was found becomes the present state.
+  // Makes the balance that was found the present state.
   void accept(const Balance& balance);
 
-  // A motion without that of bodies which touched nothing in the last evaluation: without inertia they do not go on.
-  Eigen::VectorXd of_touched(Eigen::VectorXd motion) const;
+  // A motion with 0 for bodies that touched nothing in the last evaluation: without inertia they stay where they are.
+  Eigen::VectorXd without_free_bodies(Eigen::VectorXd motion) const;
 
  private:
   using Vector = Eigen::VectorXd;
@@ -49,20 +49,21 @@ class Equilibrium {
     const StaticConfiguration& from;
     double time;  // (s)
     Balance balance;
-    WallEquations walls;  // where the last evaluation has them
+    WallEquations walls;  // in the last evaluation
   };
-  // Forces and torques that are not in balance after the motion.
+  // The net forces and torques after the motion.
   Vector evaluate(Search& search);
   void add_bodies(const Search& search, Vector& residual) const;
   void add_walls(const Search& search, Vector& residual) const;
-  // Moves on by the largest share of a step, `shortest` or more, that makes the residual smaller by `gain` times this share: where contacts change between
-  // sticking and sliding, the whole step may not. Returns this share, 0 if there is none.
+  // Backtracking line search: takes the largest fraction of `step` (at least `shortest`) that reduces the residual by
+  // `gain` × that fraction. A full Newton step can fail where contacts switch between stick and slip. Returns the
+  // fraction, 0 if none works.
   double move_along(Search& search, const Vector& step, double shortest, double gain, Vector& residual);
   Sparse stiffness(const WallEquations& walls) const;  // K of the last evaluation
-  // That K with `grounding` of its largest entry on its diagonal. Returns false if it is singular.
+  // Factorises K with `grounding` × its largest entry added to the diagonal. Returns false if it is singular.
   bool factorise(const WallEquations& walls, double grounding);
   Vector step_for(const Vector& residual) const;
-  // Translation and rotation of each body: its first number, and how many.
+  // Calls visit(first number, count) for the translation and the rotation of each body.
   template <class Visit>
   void for_each_motion(const Visit& visit) const {
     for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
@@ -81,10 +82,10 @@ class Equilibrium {
   WallEquations walls_at_start_;
   DegreesOfFreedom freedom_;
   StaticContacts contacts_;
-  StiffnessFactors factors_;                 // also of earlier searches, as long as its steps converge fast
+  StiffnessFactors factors_;                 // kept from earlier searches as long as steps converge fast
   std::vector<BodyForceTerms> body_forces_;  // empty if there are none at rest
   std::vector<Vec3> at_start_;               // (m) bodies and walls
-  // 1 for forces, 1/R for torques: makes them forces, and rotations over it lengths.
+  // 1 for forces, 1/R for torques: makes torques forces; rotations divided by it are lengths.
   Vector scale_;
   double smallest_radius_, moved_ = 0;  // (m) since pairs were searched for
   std::size_t iterations_ = 0;

@@ -1,4 +1,4 @@
-#include "first_event.hpp"
+#include "equilibrium/first_event.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,21 +8,21 @@ namespace scree::response {
 
 namespace {
 
-// Events before this share belong to the start of the increment, where the one before ended.
+// Events before this fraction belong to the event at which the previous increment ended.
 constexpr double early = 1e-3;
-// Share within which an event is found: what is left of the error of a spring.
+// Fraction of the increment to which an event is located. The error of a spring is reduced to this fraction.
 constexpr double close = 1e-4;
-// Of the way to where an event is expected, so that it is approached from before.
+// Fraction of the way to the expected event that is taken, so that it is approached from before.
 constexpr double caution = 0.999;
 constexpr int most_evaluations = 40;
-// Of more events within an increment none is looked for: each would cost several searches, and they count less.
+// With more events in an increment none is located: each costs several searches, and each matters less.
 constexpr std::size_t most_events = 8;
 
 bool touches(PairStatus status) { return status != PairStatus::open; }
 
 bool slides(const PairState& pair) { return pair.status == PairStatus::slides; }
 
-// Share of an increment at which a number that was `before` and is `last` reaches `limit`.
+// Fraction of an increment at which a number reaches `limit`, extrapolated from two values.
 double share_at(double limit, double before_share, double before, double last_share, double last) {
   return last_share + (limit - last) * (last_share - before_share) / (last - before);
 }
@@ -47,7 +47,7 @@ double FirstEvent::find() {
     return std::any_of(at.states.begin(), at.states.end(), slides);
   };
   const std::size_t count = events(before_, beyond_).size();
-  if (count == 0 || count > most_events || !any_slides(before_)) return 1;  // evaluated last
+  if (count == 0 || count > most_events || !any_slides(before_)) return 1;  // the end was evaluated last
   if (!evaluate(early)) return end_at(whole_);
   last_ = std::move(point_);
   if (events(last_, beyond_).empty() || !any_slides(last_)) return end_at(whole_);

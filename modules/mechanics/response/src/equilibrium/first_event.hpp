@@ -1,26 +1,25 @@
 #pragma once
 
-#include "equilibrium.hpp"
+#include "equilibrium/equilibrium.hpp"
 
 namespace scree::response {
 
-// Finds the first event within an increment during which contacts slide: another begins to slide, touches or parts.
-//
-// There slip may end or turn. A law sees an increment as a whole: slip that ends or turns within it leaves a spring that is wrong in proportion
-// to the increment. So the increment is to end at the event.
+// Finds the first event within an increment during which contacts slide: another contact begins to slide, touches or
+// parts. Slip may end or turn there. A law sees an increment as a whole, so that slip which ends or turns within it
+// leaves an error of the spring in proportion to the increment. Therefore the increment should end at the event.
 class FirstEvent {
  public:
-  // Of an increment (s) from a time (s) and a configuration, at whose end `whole` is the balance that was found last.
+  // An increment (s) from a time (s) and a configuration; whole: the balance at its end, which was found last.
   FirstEvent(Equilibrium& equilibrium, const StaticConfiguration& from, double time, double increment,
              Balance whole, const std::function<bool()>& proceed);
 
-  // Share of the increment up to the event; 1 if there is none or a balance on the way is not found, 0 if that at the end is not
-  // found again. The last evaluation of the equilibrium is then that of the balance there.
+  // Fraction of the increment at which the first event occurs. 1: no event, or the search failed on the way. 0: no
+  // equilibrium at that point. The equilibrium is evaluated there last.
   double find();
   Balance take_balance() { return std::move(balance_); }
 
  private:
-  // A balance within the increment, or at its ends.
+  // A balance at a fraction of the increment.
   struct Point {
     double share;
     std::vector<PairState> states;
@@ -32,7 +31,7 @@ class FirstEvent {
   bool evaluate(double share);  // sets point_
   void approach();
   double end_at(const Point& point);
-  // Share at which the first event is to be expected from two points before it.
+  // Fraction at which the first event is expected, extrapolated from two points before it.
   double expected() const;
 
   Equilibrium& equilibrium_;
@@ -40,7 +39,7 @@ class FirstEvent {
   double time_, increment_;
   const std::function<bool()>& proceed_;
   Balance balance_;               // of the last evaluation
-  Point before_, last_, beyond_;  // two before the event, one behind it
+  Point before_, last_, beyond_;  // two before the event, one after it
   Point whole_;
   Point point_;  // evaluated last
 };

@@ -1,35 +1,45 @@
 #pragma once
 
-#include "../pair_at_rest.hpp"
-#include "../slip_derivative.hpp"
-#include "static_configuration.hpp"
-#include "static_pair.hpp"
+#include "assembly/pair_at_rest.hpp"
+#include "equilibrium/static_configuration.hpp"
 
-#include <algorithm>
+#include <cstdint>
 
 namespace scree::response {
 
-// Where a pair is at the end of an increment, and how it came there.
+// A pair of bodies, or of a body and a wall.
+struct StaticPair {
+  std::uint32_t a, b;  // as in ContactList
+  Vec3 shift;          // (m) added to x_a − x_b of bodies, for the nearest images
+};
+
+enum class PairStatus : std::uint8_t { open, sticks, slides };
+
+// A pair after an evaluation. A change of its status is an event.
+struct PairState {
+  PairStatus status = PairStatus::open;
+  double overlap = 0;    // (m) below 0 where the pair does not touch
+  double mobilised = 0;  // tangential over normal force; 0 where the pair does not touch
+};
+
+// Where a pair is at the end of an increment, and how it came there: the kinematics of a step of length 1.
 struct PairPlace : PairAtRest {
-  Vec3 mid_normal;                 // in the middle of the increment
-  double mid_distance;             // (m)
-  Vec3 moved, turned_a, turned_b;  // of a's centre relative to b's (m), rotations (rad)
+  PairStep<3, double> motion;       // displacement of a's centre relative to b's (m), rotations (rad)
+  PairDirection<3, double> middle;  // in the middle of the increment
 
   PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
             const StaticMotion& motion);
 
   // Displacement of a's contact point relative to b's (m): with the normal at the end, and across that of the middle.
-  Vec3 slip(scree_arms arms) const { return slip(normal, distance, arms); }
+  Vec3 slip(scree_arms arms) const { return slip(direction(), arms); }
   Vec3 tangential_increment(scree_arms arms) const;
   SlipDerivative slip_derivative(scree_arms arms) const;
 
  private:
-  double approach() const { return -dot(moved, normal); }
+  double approach() const { return -dot(motion.velocity, normal); }
   // Share of the increment during which the pair touches.
-  double touched() const { return overlap() < approach() ? std::max(overlap(), 0.0) / approach() : 1; }
-  Vec3 slip(const Vec3& along, double at_distance, scree_arms arms) const;
-  // Of the whole increment, across the normal in its middle.
-  Vec3 slip_across(scree_arms arms) const;
+  double touched() const { return touched_share(overlap(), approach()); }
+  Vec3 slip(const PairDirection<3, double>& at, scree_arms arms) const;
 };
 
 }  // namespace scree::response

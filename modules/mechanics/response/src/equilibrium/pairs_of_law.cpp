@@ -1,6 +1,6 @@
-#include "pairs_of_law.hpp"
+#include "equilibrium/pairs_of_law.hpp"
 
-#include "../contact_terms.hpp"
+#include "assembly/contact_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace scree::response {
 
 namespace {
 
-// Time (s) that an increment takes, for the dashpots of the laws: long enough that their forces are round-off.
+// Duration of an increment (s) for the dashpots of the laws: so long that their forces are round-off.
 constexpr double duration = 1e15;
 
 scree_arms arms_of(const ConfiguredLaw& law) { return scree_arms(law.instance().arms); }
@@ -21,7 +21,6 @@ PairsOfLaw::PairsOfLaw(const Simulation& simulation, std::uint32_t law, int spin
     : simulation_(simulation),
       law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
       jacobian_(law_, simulation.dimension()),
-      law_number_(law),
       spins_(spins) {}
 
 void PairsOfLaw::set_pairs(std::vector<StaticPair> pairs) {
@@ -35,7 +34,9 @@ void PairsOfLaw::set_pairs(std::vector<StaticPair> pairs) {
                 history.begin() + std::ptrdiff_t(i * width()));
     states[i] = states_[k];
   }
-  pairs_ = std::move(pairs), history_ = std::move(history), states_ = std::move(states);
+  pairs_ = std::move(pairs);
+  history_ = std::move(history);
+  states_ = std::move(states);
 }
 
 void PairsOfLaw::set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history,
@@ -129,7 +130,7 @@ void PairsOfLaw::add_stiffness(Entries& stiffness) {
     const Eigen::Vector3d f(force[0], force[1], of.dimension == 2 ? 0 : force[2]);
     const SlipDerivative slip = places_[i].slip_derivative(arms_of(law_));
     Block block = of.of_bodies(of.displacements(jacobian_, jacobian.data(), i, slip), f);
-    // Velocities times the duration, which laws take for displacements of the increment; dashpots are round-off.
+    // Laws may use velocity × duration as the displacement of the increment; dashpots are round-off.
     block +=
         1 / duration * of.of_bodies(of.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero());
     stiffness.add({pairs_[i].a, pairs_[i].b}, block);
@@ -146,10 +147,10 @@ void PairsOfLaw::mark_touched(std::vector<bool>& touched) const {
     if (next_states_[i].status != PairStatus::open) touched[pairs_[i].a] = touched[pairs_[i].b] = true;
 }
 
-void PairsOfLaw::append_touching(std::vector<TouchingPair>& all) const {
+void PairsOfLaw::append_touching(std::vector<ContactHistory>& all) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     if (states_[i].status != PairStatus::open)
-      all.push_back({pairs_[i].a, pairs_[i].b, law_number_, history_.data() + i * width(), width()});
+      all.push_back({pairs_[i].a, pairs_[i].b, std::span(history_).subspan(i * width(), width())});
 }
 
 }  // namespace scree::response

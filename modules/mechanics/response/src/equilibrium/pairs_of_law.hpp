@@ -1,52 +1,45 @@
 #pragma once
 
-#include "../entries.hpp"
-#include "pair_place.hpp"
-#include "pair_state.hpp"
-#include "static_configuration.hpp"
+#include "assembly/entries.hpp"
+#include "equilibrium/pair_place.hpp"
+#include "equilibrium/static_configuration.hpp"
 
 #include <optional>
 #include <vector>
 
 #include <scree/contact_columns.hpp>
 #include <scree/contact_jacobian.hpp>
+#include <scree/resting_packing.hpp>
 
 namespace scree::response {
 
-// Force (N) and torque (N m) on each body and, behind them, each wall.
+// Force (N) and torque (N m) on each body, then on each wall.
 struct StaticLoads {
   std::vector<Vec3> force, torque;
 };
 
-// A pair that touches, its ends as in ContactList, its law and its history.
-struct TouchingPair {
-  std::uint32_t a, b, law;
-  const double* history;
-  std::uint32_t width;
-};
-
-// Pairs of one law, with their histories, for StaticContacts.
+// The pairs of one law in StaticContacts, with their histories.
 class PairsOfLaw {
  public:
   // law: number in the scene; spins: as StaticContacts.
   PairsOfLaw(const Simulation& simulation, std::uint32_t law, int spins);
 
-  // Sorted by (a, b). Those that were known keep their histories; others begin without.
+  // Sorted by (a, b). Pairs that were listed before keep their histories; new ones begin without.
   void set_pairs(std::vector<StaticPair> pairs);
   void set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history, bool sliding);
-  // As those of StaticContacts.
+  // These three: see StaticContacts.
   void evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads);
   void add_stiffness(Entries& stiffness);
   void commit();
 
-  std::uint32_t width() const { return law_.instance().history_width; }  // of a history
-  // In the order of the pairs: at the beginning of the increment, and after the last evaluation.
+  std::uint32_t width() const { return law_.instance().history_width; }  // numbers in a history
+  // States in the order of the pairs, at the beginning of the increment and after the last evaluation.
   const std::vector<PairState>& states_before() const { return states_; }
   const std::vector<PairState>& states_after() const { return next_states_; }
   double largest_force() const { return largest_force_; }
-  // Marks the bodies and, behind them, walls that touch another in the last evaluation.
+  // Marks the bodies, then the walls, that touch another in the last evaluation.
   void mark_touched(std::vector<bool>& touched) const;
-  void append_touching(std::vector<TouchingPair>& all) const;
+  void append_touching(std::vector<ContactHistory>& all) const;
 
  private:
   bool touches(std::size_t i) { return columns_->input(SCREE_OVERLAP, 0, i) > 0; }
@@ -57,12 +50,11 @@ class PairsOfLaw {
   const Simulation& simulation_;
   ConfiguredLaw law_;
   ContactJacobian jacobian_;
-  std::uint32_t law_number_;
   int spins_;
   std::vector<StaticPair> pairs_;
   std::vector<double> history_, next_history_;  // (pairs, width)
   std::vector<PairState> states_, next_states_;
-  // Of the last evaluation.
+  // From the last evaluation.
   std::optional<ContactColumns> columns_;
   std::vector<PairPlace> places_;
   std::vector<ContactGeometry> geometries_;

@@ -1,10 +1,10 @@
-#include "../contact_terms.hpp"
-#include "equilibrium.hpp"
-#include "first_event.hpp"
-#include "static_state.hpp"
+#include "assembly/contact_terms.hpp"
+#include "equilibrium/equilibrium.hpp"
+#include "equilibrium/first_event.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@ namespace scree::response {
 
 namespace {
 
-// Increments over the longest one that give a rate of the motion: the round-off of shorter ones would be taken for it.
+// Smallest increment, relative to the longest, from which a rate of motion is taken: in shorter ones it is round-off.
 constexpr double least_for_rate = 1e-3;
-// Events that are located in an increment, before what is left of it is taken as a whole: contacts may change to and fro.
+// Limit on located events per increment; contacts can chatter. The rest is taken as one step.
 constexpr int most_events_located = 16;
 
 }  // namespace
@@ -84,7 +84,14 @@ class QuasiStatic::Packing {
   std::size_t size() const { return std::size_t(equilibrium_.freedom().size()); }
   std::size_t bodies() const { return equilibrium_.freedom().bodies(); }
   State state() const {
-    return static_state(simulation_, time_, configuration_, equilibrium_.contacts().touching(), loads_);
+    const std::span<const Vec3> places = configuration_.position;
+    const std::vector<scree_load> on_walls = wall_loads();
+    return simulation_.state_at_rest({.time = time_,
+                                      .bodies = places.first(bodies()),
+                                      .planes = places.subspan(bodies()),
+                                      .loads = on_walls,
+                                      .orientations = configuration_.orientations,
+                                      .contacts = equilibrium_.contacts().touching()});
   }
   std::vector<scree_plane> planes() const { return configuration_.planes(simulation_); }
   std::vector<scree_load> wall_loads() const {
@@ -109,7 +116,8 @@ class QuasiStatic::Packing {
                               options_.tolerance));
   }
 
-  // Takes an increment to a time, halved until there is an equilibrium at its end. Returns false if there is none.
+  // Takes an increment that ends at a time, halved until there is an equilibrium at its end. Returns false if none is
+  // found.
   bool take(double time) {
     for (;;) {
       const double increment = time - time_;
@@ -123,7 +131,8 @@ class QuasiStatic::Packing {
     }
   }
 
-  // Accepts a balance at a time, or one before, where an event ends the increment. Returns false if that is not found again.
+  // Accepts the balance at a time, or an earlier one at an event. Returns false if the balance at the event is not found
+  // again.
   bool take_up_to_event(Balance whole, double time) {
     const double increment = time - time_;
     if (time != increment_end_) events_located_ = 0;
@@ -144,7 +153,7 @@ class QuasiStatic::Packing {
     ++counted_.increments;
     counted_.events += equilibrium_.contacts().events();
     if (increment > least_for_rate * options_.longest_increment)
-      rate_ = 1 / increment * equilibrium_.of_touched(balance.motion);
+      rate_ = 1 / increment * equilibrium_.without_free_bodies(balance.motion);
     equilibrium_.accept(balance);
     configuration_ = std::move(balance.at);
     loads_ = std::move(balance.loads);
@@ -160,7 +169,7 @@ class QuasiStatic::Packing {
   StaticLoads loads_;
   Eigen::VectorXd rate_;  // of the motion in the last increment (1/s); empty before the first
   double time_, next_increment_ = 0;
-  double increment_end_;    // (s) of the present increment, which may have ended at an event before
+  double increment_end_;    // (s) planned end of the present increment, which events may divide
   int events_located_ = 0;  // in that increment
   bool balanced_ = false;
   QuasiStaticCounts counted_;

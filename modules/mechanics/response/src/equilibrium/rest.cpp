@@ -1,5 +1,5 @@
-#include "../body_force_terms.hpp"
-#include "../contact_terms.hpp"
+#include "assembly/body_force_terms.hpp"
+#include "assembly/contact_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace scree::response {
 
 namespace {
 
-// Net over mean forces that are round-off of positions and springs.
+// Net force over mean force that is round-off of positions and springs.
 constexpr double balanced_to_round_off = 1e-9;
-// Changes of K, and unbalance where there is no equilibrium, from which a warning is due.
+// Change of K, or unbalance where there is no equilibrium, above which a warning is given.
 constexpr double noticed = 1e-4;
-// Sparse factors of more take longer than the linear response itself.
+// Above this number sparse factors take longer than the linear response itself.
 constexpr Eigen::Index most_degrees_of_freedom = 12000;
 
-// Of bodies at rest where they are.
+// Rest::unbalance of the bodies where they are, at rest.
 double unbalance_of(const Simulation& simulation, const DegreesOfFreedom& freedom, AtLimit at_limit) {
   std::vector<Eigen::Vector3d> net(freedom.bodies(), Eigen::Vector3d::Zero());
   const std::vector<BodyForceTerms> forces = linearise_body_forces(simulation, freedom.spins());
@@ -47,7 +47,7 @@ std::unique_ptr<Simulation> equilibrium_of(const Simulation& simulation,
     QuasiStatic packing(simulation, {.longest_increment = simulation.step_length(), .proceed = proceed});
     if (!packing.advance(simulation.time())) return nullptr;
     return std::make_unique<Simulation>(simulation.scene(), packing.state());
-  } catch (const Error&) {  // such as of walls that are moved
+  } catch (const Error&) {  // for example, walls are moved by speeds
     return nullptr;
   }
 }

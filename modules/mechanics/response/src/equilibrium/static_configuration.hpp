@@ -1,21 +1,29 @@
 #pragma once
 
-#include "static_motion.hpp"
-
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <scree/orientations.hpp>
+#include <scree/response/degrees_of_freedom.hpp>
 #include <scree/simulation.hpp>
 
 namespace scree::response {
 
-// Where the bodies and, behind them, the walls are.
+// A small motion of all bodies, then of all walls, which do not rotate.
+struct StaticMotion {
+  std::vector<Vec3> displacement, rotation;  // (m), (rad)
+
+  StaticMotion(const Eigen::VectorXd& q, const DegreesOfFreedom& freedom, const WallEquations& walls);
+};
+
+// The places of the bodies, then of the walls.
 struct StaticConfiguration {
-  std::vector<Vec3> position;  // (m) of bodies across periodic faces without jumps; points of walls
+  std::vector<Vec3> position;  // (m) centres without jumps at periodic faces; points of walls
   Orientations orientations;   // if a law reads them
 
   explicit StaticConfiguration(const Simulation& simulation);
-  // Those of the simulation where this configuration has them, at rest.
+  // The simulation's planes moved to this configuration, with zero velocity.
   std::vector<scree_plane> planes(const Simulation& simulation) const;
   void move(const StaticMotion& motion);
 };

@@ -1,4 +1,4 @@
-#include "static_contacts.hpp"
+#include "equilibrium/static_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,20 @@ StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simula
   }
 }
 
+std::vector<Sphere> StaticContacts::spheres(const StaticConfiguration& at) const {
+  const Particles& p = simulation_.particles();
+  const Domain& domain = simulation_.domain();
+  std::vector<Sphere> all;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 x = at.position[i];
+    for (int k = 0; k < p.dimension(); ++k)
+      if (domain.periodic[std::size_t(k)])
+        x[k] -= std::floor((x[k] - domain.lower[k]) / domain.length(k)) * domain.length(k);
+    all.push_back({x, p.radius()[i]});
+  }
+  return all;
+}
+
 void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
   const Particles& p = simulation_.particles();
   const Domain& domain = simulation_.domain();
@@ -28,15 +42,16 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
     const std::uint32_t law = simulation_.scene().law_of[p.material[a] * materials + material_b];
     pairs[law].push_back({a, b, shift});
   };
+  const std::vector<NeighbourPair>& near = search_.find(spheres(at), p.dimension(), domain, gap, threads_);
+  auto next = near.begin();
   for (std::uint32_t a = 0; a < p.size(); ++a) {
-    for (std::uint32_t b = a + 1; b < p.size(); ++b) {
-      Vec3 apart = at.position[a] - at.position[b], shift = {};
+    for (; next != near.end() && next->a == a; ++next) {
+      const Vec3 apart = at.position[a] - at.position[next->b];
+      Vec3 shift = {};
       for (int k = 0; k < p.dimension(); ++k)
         if (domain.periodic[std::size_t(k)])
           shift[k] = -std::round(apart[k] / domain.length(k)) * domain.length(k);
-      apart += shift;
-      const double reach = p.radius()[a] + p.radius()[b] + gap;
-      if (dot(apart, apart) <= reach * reach) add(a, b, p.material[b], shift);
+      add(a, next->b, p.material[next->b], shift);
     }
     for (std::size_t w = 0; w < simulation_.planes().size(); ++w) {
       const auto b = std::uint32_t(p.size() + w);
@@ -62,11 +77,10 @@ void StaticContacts::commit() {
   for (const auto& law : laws_) law->commit();
 }
 
-std::vector<PairState> StaticContacts::states(const std::vector<PairState>& (PairsOfLaw::*of_law)()
-                                                  const) const {
+std::vector<PairState> StaticContacts::states(StatesOfLaw states_of) const {
   std::vector<PairState> all;
   for (const auto& law : laws_) {
-    const std::vector<PairState>& some = ((*law).*of_law)();
+    const std::vector<PairState>& some = ((*law).*states_of)();
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;
@@ -97,8 +111,8 @@ double StaticContacts::largest_force() const {
   return largest;
 }
 
-std::vector<TouchingPair> StaticContacts::touching() const {
-  std::vector<TouchingPair> all;
+std::vector<ContactHistory> StaticContacts::touching() const {
+  std::vector<ContactHistory> all;
   for (const auto& law : laws_) law->append_touching(all);
   return all;
 }

@@ -1,4 +1,4 @@
-#include "stiffness_factors.hpp"
+#include "equilibrium/stiffness_factors.hpp"
 
 #include <algorithm>
 #include <klu.h>
@@ -9,7 +9,7 @@ namespace scree::response {
 
 namespace {
 
-// Rows up to which a matrix is factorised as a dense one.
+// Largest number of rows for which a dense factorisation is used.
 constexpr Eigen::Index largest_dense = 100;
 
 }  // namespace
@@ -18,7 +18,8 @@ struct StiffnessFactors::Dense {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors;
 };
 
-// By KLU. Keeps the order of elimination as long as the same entries are non-zero, and the pivots as long as they serve.
+// Factorises with KLU. Keeps the order of elimination as long as the same entries are non-zero, and the pivots as long as
+// they do not grow.
 class StiffnessFactors::Sparse {
  public:
   Sparse() { klu_defaults(&common_); }
@@ -40,7 +41,7 @@ class StiffnessFactors::Sparse {
   }
 
  private:
-  // Reciprocal growth of pivots below which others are looked for.
+  // Reciprocal growth of pivots below which new pivots are chosen.
   static constexpr double least_reciprocal_growth = 1e-6;
 
   int size() const { return int(matrix_.rows()); }
@@ -55,7 +56,7 @@ class StiffnessFactors::Sparse {
                       matrix_.innerIndexPtr());
   }
 
-  // With the pivots of before.
+  // Uses the previous pivots.
   bool factorise_again() {
     return klu_refactor(columns(), rows(), matrix_.valuePtr(), symbolic_, numeric_, &common_) &&
            common_.status == KLU_OK &&

@@ -11,9 +11,9 @@ namespace scree::response {
 struct BandOptions {
   double tolerance = 1e-2;  // largest estimated relative error of an amplitude, above 0
   unsigned threads = 0;     // 0: as many as the machine has; results do not depend on it
-  // Called by any of the threads, one at a time, with the share of the frequencies that are found.
+  // Called by any thread, one at a time, with the share of the frequencies that are found.
   std::function<void(double share)> on_progress = {};
-  // Set by others: frequencies not found by then are left out. When these are asked for later, they get the same bits.
+  // Set by another thread: frequencies not found by then are left out. Asked for later, they get the same bits.
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -28,10 +28,9 @@ struct BandResponse {
   BandStatistics statistics;
 };
 
-// The same as `solve`, at many frequencies from few factorisations: those near the frequency of a factorisation
-// are found by iteration with it. HarmonicResponse::error, an estimate, is below the tolerance, or, where iteration at a
-// factorised frequency does not reach it, the error that remains. Throws Error as `solve` does, and if the
-// tolerance is not above 0.
+// Does the same as `solve` at many frequencies with few factorisations: frequencies near a factorised one are found by
+// iteration. HarmonicResponse::error, an estimate, is below the tolerance, or, if iteration at a factorised frequency
+// does not reach it, the error that remains. Throws Error as `solve` does, and if the tolerance is not above 0.
 BandResponse solve_band(const LinearSystem& system, const Drive& drive,
                         const std::vector<double>& frequencies_hz, const BandOptions& options = {});
 

@@ -8,14 +8,14 @@
 namespace scree::response {
 
 // Numbers the degrees of freedom of a linear system: for each body its translations (m), then its rotations
-// (rad); behind the bodies the displacements of walls that forces move (m). Bodies without translations, bodies
-// without rotations, and other walls are left out.
+// (rad); after the bodies the displacements of walls that forces move (m). Motions that a body or wall does not have are
+// left out.
 class DegreesOfFreedom {
  public:
   static constexpr Eigen::Index none = -1;
 
-  // spins: 0, 1 or 3. Per body: whether it has translations; whether it has rotations too. Per wall: whether
-  // forces move it.
+  // spins: 0, 1 or 3. translates, rotates: for each body; a body without translations has no rotations. free_walls:
+  // whether forces move the wall.
   DegreesOfFreedom(int dimension, int spins, const std::vector<bool>& translates,
                    const std::vector<bool>& rotates, const std::vector<bool>& free_walls = {});
 

@@ -10,33 +10,46 @@
 
 namespace scree::response {
 
+// Free motions without damping, q = shape cos(ωt): as many as there are masses above 0. Walls without mass follow
+// the bodies at once.
+struct Modes {
+  Eigen::VectorXd square_frequency;  // ω² (1/s²), ascending; below 0: the packing is unstable
+  Eigen::MatrixXd shape;             // one column each, normalised to shapeᵀ M shape = 1
+  // |K − Kᵀ|/|K| in mass-weighted coordinates √M q. The modes belong to the symmetric part of K.
+  double asymmetry;
+};
+
+// Computes all modes with a dense solver; for systems of up to some thousand degrees of freedom.
+Modes modes_of(const LinearSystem& system);
+
 struct ModeSearch {
-  std::size_t count = 20;  // of modes above those that are floppy; 0: only these and unstable ones
-  double near_hz = 0;      // above 0: those nearest to this frequency, else the lowest
+  std::size_t count = 20;  // vibrating modes; 0: only floppy and unstable modes
+  double near_hz = 0;      // above 0: the modes nearest to this frequency; 0: the lowest modes
   std::function<bool()> proceed = [] { return true; };
   std::function<void(double share, const std::string& what)> on_progress = [](double, const std::string&) {};
 };
 
-// Some modes of a system without damping, in ascending order: unstable ones (ω² < 0), floppy ones (ω² = 0 within
-// round-off), then those that vibrate. The latter are modes of the symmetric part of K, the others of all of K.
+// Some modes of a system without damping, in ascending order: unstable modes (ω² < 0), floppy modes (ω² = 0 within
+// round-off), then vibrating modes. Vibrating modes belong to the symmetric part of K, the others to the full K.
 struct FoundModes {
-  std::size_t unstable = 0, floppy = 0;  // of the system: by the inertia of K, then with its asymmetry
-  bool counted = false;                  // whether `floppy` is known; not after an early end of the search
+  std::size_t unstable = 0, floppy = 0;  // in the whole system: by the inertia of K, then with its asymmetry
+  bool counted = false;                  // whether `floppy` is known: false after an early end of the search
+  bool certain = true;                   // whether all counts are, see ModeCount
   std::size_t first_floppy = 0,
-              first_vibrating = 0;   // among the columns; all unstable ones are found up to 200
+              first_vibrating = 0;   // columns; all unstable modes are computed up to 200
   Eigen::VectorXd square_frequency;  // ω² (1/s²)
   Eigen::MatrixXd shape;             // q, normalised to qᵀ M q = 1
-  // |K q − ω² M q| in the coordinates √M q, with the full K, over ω², or for floppy modes over UndampedSystem::rounding().
+  // |K q − ω² M q|/ω² in the coordinates √M q, with the full K; for floppy modes over UndampedSystem::rounding().
   Eigen::VectorXd residual;
-  // Whether the inertia confirms that among the vibrating modes none is left out; false too where all found are equal.
+  // Whether the inertia confirms that no vibrating mode is left out; false also if all found modes are equal.
   bool complete = false;
-  // Whether unstable and floppy modes are those of all of K; where its asymmetry is too large (sliding contacts), or there are too
-  // many, they are those of its symmetric part, of which some may be neither.
+  // Whether unstable and floppy modes belong to the full K. If its asymmetry is too large (sliding contacts), or there are
+  // too many of them, they belong to the symmetric part, and some may be neither with the full K.
   bool of_full_stiffness = true;
 };
 
-// By shift and invert with block Lanczos iteration. Fewer modes than asked for where `proceed` ends the search, or
-// where the system has no more.
+// Finds modes by block Lanczos iteration with shift and invert. Returns fewer modes than asked for if `proceed` ends the
+// search, or if the system has no more.
 FoundModes find_modes(const UndampedSystem& system, const ModeSearch& search);
 
 }  // namespace scree::response

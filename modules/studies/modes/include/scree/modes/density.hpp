@@ -15,6 +15,7 @@ struct DensityPoint {
   std::size_t modes, below;  // between them; below `to_hz`, without unstable and floppy ones
   double density;            // modes per Hz and body
   double reduced;            // in 3D over the square of the middle frequency (1/Hz³), in 2D over it (1/Hz²)
+  bool certain;              // whether the counts are, see response::ModeCount
 };
 
 struct DensityOptions {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scree/plugin_host.hpp>
+#include <scree/response/linear_system.hpp>
+#include <scree/simulation.hpp>
+
+namespace scree::response {
+
+// At most 12 × 12: translations and rotations of two bodies.
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
+
+// A linearised contact: negative derivatives of forces and torques by the displacements and velocities of its two
+// bodies. Rows and columns: translations and rotations of a, then of b.
+struct ContactTerms {
+  std::uint32_t a, b;     // as in ContactList
+  std::size_t contact;    // index into it
+  bool tangential;        // the law exerts tangential forces or couples
+  bool sliding;           // in the last step
+  bool one_way;           // the stiffness differs in loading and unloading; `stiffness` is the mean
+  bool integrates_spin;   // the law moves its spring by spin × step
+  Eigen::Vector3d force;  // on a (N), with both at rest
+  Block stiffness, damping;
+};
+
+// spins: number of rotations of a body, 0, 1 or 3. Throws Error as `assemble` does.
+std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit,
+                                             TimeStep time_step = TimeStep::limit);
+
+// The configured law. Throws Error if it has no derivatives.
+ConfiguredLaw differentiable(const Scene::Law& law, int dimension);
+
+}  // namespace scree::response

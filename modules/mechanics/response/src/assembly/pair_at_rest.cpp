@@ -1,0 +1,53 @@
+#include "assembly/pair_at_rest.hpp"
+
+namespace scree::response {
+
+PairAtRest::PairAtRest(const Particles& particles, std::uint32_t first, std::uint32_t second)
+    : a(first),
+      b(second),
+      radius_a(particles.radius()[first]),
+      radius_b(second < particles.size() ? particles.radius()[second] : 0) {}
+
+Levers PairAtRest::lever_arms(scree_arms arms, double at_distance) const {
+  return with_kind([&](auto plane) -> Levers {
+    const auto levers = LeverArms<plane.value, double>::of(arms == SCREE_ARM_CONTACT_POINT, at_distance,
+                                                           radius_sum(), radius_difference());
+    return {levers.a, levers.b};
+  });
+}
+
+ContactGeometry PairAtRest::geometry(int dimension, int spins, scree_arms arms) const {
+  const Levers levers = lever_arms(arms);
+  return {.dimension = dimension,
+          .spins = spins,
+          .normal = Eigen::Map<const Eigen::Vector3d>(normal.component),
+          .arm_a = levers.a,
+          .arm_b = levers.b,
+          .inverse_distance = to_wall() ? 0 : 1 / distance,
+          .arms_change = arms == SCREE_ARM_CONTACT_POINT};
+}
+
+void PairAtRest::set_inputs(const Particles& particles, const Orientations& orientations, std::uint32_t reads,
+                            ContactColumns& columns, std::size_t i) const {
+  columns.set(SCREE_NORMAL, normal, i);
+  columns.input(SCREE_OVERLAP, 0, i) = overlap();
+  columns.input(SCREE_REDUCED_MASS, 0, i) =
+      reduced_mass(particles.inverse_mass()[a], to_wall() ? 0 : particles.inverse_mass()[b]);
+  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = effective_radius(radius_a, radius_b, to_wall());
+  columns.input(SCREE_RADII, 0, i) = radius_a;
+  columns.input(SCREE_RADII, 1, i) = radius_b;
+  columns.set(SCREE_SEPARATION, separation, i);
+  if (reads & (1u << SCREE_ORIENTATION_A)) set_orientations(orientations, columns, i);
+}
+
+void PairAtRest::set_orientations(const Orientations& orientations, ContactColumns& columns,
+                                  std::size_t i) const {
+  for (int k = 0; k < orientations.components(); ++k) {
+    // Walls do not rotate.
+    const double of_wall = orientations.components() > 1 && k == 0 ? 1 : 0;
+    columns.input(SCREE_ORIENTATION_A, k, i) = orientations[k][a];
+    columns.input(SCREE_ORIENTATION_B, k, i) = to_wall() ? of_wall : orientations[k][b];
+  }
+}
+
+}  // namespace scree::response

@@ -1,0 +1,67 @@
+#include "static/static_packing.hpp"
+
+#include <scree/error.hpp>
+#include <scree/response/found_modes.hpp>
+
+namespace scree::response {
+
+using Vector = Eigen::VectorXd;
+
+StaticPacking::StaticPacking(const Simulation& simulation, const AssemblyOptions& options,
+                             const std::function<bool()>& proceed)
+    : system_(assemble(simulation, options)),
+      undamped_(system_),
+      inverse_(undamped_.factorise(-undamped_.rounding())),
+      list_(simulation.contact_list()),
+      terms_(linearise_contacts(simulation, system_.freedom.spins(), options.at_limit)),
+      equations_(simulation.linear_walls()) {
+  const FoundModes found = find_modes(undamped_, {.count = 0, .proceed = proceed});
+  if (!proceed()) throw Error("interrupted while floppy modes were counted", ExitStatus::interrupted);
+  floppy_ = found.shape.middleCols(Eigen::Index(found.first_floppy),
+                                   Eigen::Index(found.first_vibrating - found.first_floppy));
+}
+
+PackingMotion StaticPacking::displace(const Vector& walls) const {
+  return solve(-(system_.wall_stiffness * walls), walls);
+}
+
+PackingMotion StaticPacking::load(std::size_t wall) const {
+  return solve(Vector::Unit(system_.freedom.size(), system_.freedom.wall(wall)),
+               Vector::Zero(system_.wall_stiffness.cols()));
+}
+
+PackingMotion StaticPacking::solve(const Vector& force, const Vector& walls) const {
+  StaticSolution solution = solve_static(undamped_, *inverse_, floppy_, force);
+  return {.motion = std::move(solution.displacement), .walls = walls, .residual = solution.residual};
+}
+
+bool StaticPacking::is_held(std::uint32_t end) const {
+  return end >= system_.freedom.bodies() || system_.freedom.translation(end, 0) != DegreesOfFreedom::none;
+}
+
+double StaticPacking::component(const PackingMotion& motion, std::uint32_t end, int k) const {
+  const DegreesOfFreedom& freedom = system_.freedom;
+  const int dimension = freedom.dimension();
+  if (end >= freedom.bodies()) {
+    if (k >= dimension) return 0;
+    const std::size_t wall = end - freedom.bodies();
+    const Eigen::Index number = freedom.wall(wall);
+    const double along = number == DegreesOfFreedom::none ? 0 : motion.motion[number];
+    return motion.walls[Eigen::Index(wall) * dimension + k] + along * equations_.walls[wall].direction[k];
+  }
+  const Eigen::Index number =
+      k < dimension ? freedom.translation(end, k) : freedom.rotation(end, k - dimension);
+  return number == DegreesOfFreedom::none ? 0 : motion.motion[number];
+}
+
+Vector StaticPacking::force_change(const PackingMotion& motion, const ContactTerms& contact) const {
+  const int dimension = system_.freedom.dimension(), of_body = dimension + system_.freedom.spins();
+  Vector moved(2 * of_body);
+  for (int k = 0; k < of_body; ++k) {
+    moved[k] = component(motion, contact.a, k);
+    moved[of_body + k] = component(motion, contact.b, k);
+  }
+  return -contact.stiffness.topRows(dimension) * moved;
+}
+
+}  // namespace scree::response

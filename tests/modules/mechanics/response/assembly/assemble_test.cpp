@@ -1,0 +1,284 @@
+#include "../packings.hpp"
+
+#include <memory>
+
+#include <catch2/catch.hpp>
+
+#include <scree/branching.hpp>
+#include <scree/response/linear_system.hpp>
+
+using namespace scree;
+using namespace scree::response;
+using scree::test::Matrix;
+using scree::test::Values;
+
+namespace {
+
+const Values springs = {{"normal_stiffness", {1000}},
+                        {"normal_damping", {0}},
+                        {"tangential_stiffness", {600}},
+                        {"static_friction", {50}}};
+const Values discs = {{"normal_stiffness", {1000}},
+                      {"normal_damping", {0}},
+                      {"tangential_stiffness", {600}},
+                      {"tangential_damping", {0}},
+                      {"friction", {50}}};
+const Values smooth = {{"normal_stiffness", {1000}}, {"normal_damping", {0}}};
+
+// history: 0: displacement, 1: rescaled, 2: potential.
+Values hertz(double history) {
+  return {{"youngs_modulus", {1000}},
+          {"poissons_ratio", {0.25}},
+          {"restitution", {1}},
+          {"friction", {50}},
+          {"history", {history}}};
+}
+
+// All bodies are linearised.
+LinearSystem system_of(const Simulation& simulation) { return assemble(simulation, {.fewest_contacts = 1}); }
+
+// Largest difference between K and the differences of the kernel's forces, over the largest entry of K.
+double error_of_stiffness(const Scene& scene) {
+  const State state = test::strained(scene);
+  const Simulation simulation(scene, state);
+  const LinearSystem system = system_of(simulation);
+  const Matrix expected = test::stiffness_by_differences(scene, state, system.freedom);
+  return (Matrix(system.stiffness) - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+}
+
+double asymmetry(const Matrix& m) {
+  return (m - m.transpose()).cwiseAbs().maxCoeff() / m.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+// The error of differences of fourth order with steps of 2e-4 radii in overlaps above 0.04 radii is about
+// (5e-3)^4 = 6e-10 for forces with fractional powers of the overlap, and round-off 1e-16/2e-4 = 5e-13.
+TEST_CASE("the stiffness matrix is the derivative of the forces of the kernel", "[response]") {
+  for (const int dimension : {2, 3}) {
+    CAPTURE(dimension);
+    CHECK(error_of_stiffness(test::heap(dimension, smooth)) < 1e-8);
+    CHECK(error_of_stiffness(test::heap(dimension, springs)) < 1e-8);
+  }
+  for (const double history : {0, 2})
+    CHECK(error_of_stiffness(test::heap(3, hertz(history), "hertz_mindlin")) < 1e-8);
+  for (const std::string law : {"disc_cundall_strack", "disc_angular"}) {
+    CAPTURE(law);
+    CHECK(error_of_stiffness(test::heap(2, discs, law)) < 1e-8);
+  }
+  CHECK(error_of_stiffness(test::heap(3, springs, "sphere_path_independent")) < 1e-8);
+}
+
+// Central differences have the mean of both stiffnesses, up to the difference of their second derivatives: with the step h = 2e-4 over
+// overlaps above 0.04, h/δ = 5e-3 of what differs.
+TEST_CASE("where loading and unloading differ, the stiffness is their mean and the contacts are counted",
+          "[response]") {
+  const Scene rescaled = test::heap(3, hertz(1), "hertz_mindlin");
+  CHECK(error_of_stiffness(rescaled) < 1e-3);
+  CHECK(system_of(Simulation(rescaled)).one_way_contacts == 0);  // no tangential load
+  const LinearSystem system = system_of(Simulation(rescaled, test::strained(rescaled)));
+  CHECK(system.one_way_contacts > 0);
+  CHECK(one_way_warning(system.one_way_contacts).find("; set history = \"potential\"") != std::string::npos);
+  for (const double history : {0, 2}) {
+    const Scene scene = test::heap(3, hertz(history), "hertz_mindlin");
+    CHECK(system_of(Simulation(scene, test::strained(scene))).one_way_contacts == 0);
+  }
+}
+
+// Forces are linear in small velocities: round-off 1e-16 of the forces, which are 1e4 times as large as the
+// differences. The first evaluation of a run has a step of 0, from which a Hertzian dashpot with the step of
+// 1e-9 s differs by ½ h² k/m* = 1e-15.
+TEST_CASE("the damping matrix is the derivative of the forces with velocities and spins", "[response]") {
+  const Values damped = {{"normal_stiffness", {1000}},
+                         {"normal_damping", {3}},
+                         {"tangential_stiffness", {600}},
+                         {"tangential_damping", {2}},
+                         {"static_friction", {50}}};
+  const Values hertz_damped = {
+      {"youngs_modulus", {1000}}, {"poissons_ratio", {0.25}}, {"restitution", {0.5}}, {"friction", {50}}};
+  std::vector<Scene> scenes = {test::heap(2, damped), test::heap(3, damped),
+                               test::heap(3, hertz_damped, "hertz_mindlin", 1)};
+  for (Scene& scene : scenes) {
+    CAPTURE(scene.dimension, scene.laws[0].name);
+    scene.step = 1e-9;
+    test::add_body_force(scene, "background_damping", {{"translational", {0.7}}, {"rotational", {0.4}}});
+    const Simulation start(scene);
+    const State state = start.state();
+    const LinearSystem system = system_of(start);
+    const Matrix expected = test::damping_by_differences(scene, state, system.freedom);
+    const double error = (Matrix(system.damping) - expected).cwiseAbs().maxCoeff();
+    CHECK(error < 1e-10 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_CASE("rolling resistance damps relative spins at rest", "[response]") {
+  Values law = springs;
+  const Scene without = test::heap(2, law, "linear_spring_dashpot", 1);
+  law.push_back({"rolling_friction", {0.1}});
+  const Scene with = test::heap(2, law, "linear_spring_dashpot", 1);
+  const LinearSystem system = system_of(Simulation(with));
+  const Matrix rolling = Matrix(system.damping) - Matrix(system_of(Simulation(without)).damping);
+  // 1/16 of the relative spin is removed in a step: 0.4 m* R*²/(16 h), between discs 0 and 1.
+  const double radius = 1 * 1.04 / 2.04, expected = 0.4 * 0.5 * radius * radius / (16 * with.step);
+  const Eigen::Index a = system.freedom.rotation(0, 0), b = system.freedom.rotation(1, 0);
+  CHECK(rolling(a, b) == Approx(-expected).epsilon(1e-14));
+  CHECK(rolling(a, a) > expected);  // the floor and disc 2 too
+}
+
+// The sums of at most a dozen terms are exact to round-off.
+TEST_CASE("packings that move with their walls feel no force", "[response]") {
+  for (const int dimension : {2, 3}) {
+    const Simulation simulation(test::heap(dimension, springs));
+    const LinearSystem system = system_of(simulation);
+    for (int k = 0; k < dimension; ++k) {
+      Eigen::VectorXd motion = Eigen::VectorXd::Zero(system.freedom.size());
+      for (std::size_t i = 0; i < system.freedom.bodies(); ++i) motion[system.freedom.translation(i, k)] = 1;
+      const Eigen::VectorXd of_walls = system.wall_stiffness * Eigen::VectorXd::Unit(dimension, k);
+      REQUIRE(of_walls.norm() > 1);
+      CHECK((system.stiffness * motion + of_walls).norm() < 1e-13 * of_walls.norm());
+    }
+  }
+}
+
+TEST_CASE("a rotation of all bodies turns their forces", "[response]") {
+  for (const int dimension : {2, 3}) {
+    CAPTURE(dimension);
+    Scene scene = test::heap(dimension, dimension == 2 ? springs : smooth);
+    scene.boundaries.clear();
+    const State state = test::strained(scene);
+    const Simulation simulation(scene, state);
+    const LinearSystem system = system_of(simulation);
+    const DegreesOfFreedom& freedom = system.freedom;
+    const Eigen::VectorXd force = test::loads(simulation, freedom);
+    Eigen::VectorXd motion = Eigen::VectorXd::Zero(freedom.size()), turned = motion;
+    const auto turn = [&](std::size_t i, double x, double y, Eigen::VectorXd& to) {
+      to[freedom.translation(i, 0)] = -y;
+      to[freedom.translation(i, 1)] = x;
+    };
+    for (std::size_t i = 0; i < freedom.bodies(); ++i) {
+      const Vec3 x = test::position(simulation, i);
+      turn(i, x[0], x[1], motion);
+      if (dimension == 2) motion[freedom.rotation(i, 0)] = 1;
+      turn(i, force[freedom.translation(i, 0)], force[freedom.translation(i, 1)], turned);
+    }
+    REQUIRE(turned.norm() > 1);
+    // Round-off of forces that nearly cancel, each k times a displacement of some radii.
+    CHECK((system.stiffness * motion + turned).norm() < 1e-12 * turned.norm());
+  }
+}
+
+TEST_CASE("a stiffness matrix is symmetric where the forces have a potential", "[response]") {
+  for (const int dimension : {2, 3}) {
+    // Springs without load have the potential ½ k ξ²; with one the torque of a contact depends on its path.
+    CHECK(asymmetry(Matrix(system_of(Simulation(test::heap(dimension, springs))).stiffness)) < 1e-14);
+    CHECK(asymmetry(Matrix(system_of(Simulation(test::heap(dimension, smooth))).stiffness)) < 1e-14);
+  }
+  const Scene scene = test::heap(3, springs);
+  CHECK(asymmetry(Matrix(system_of(Simulation(scene, test::strained(scene))).stiffness)) > 1e-4);
+}
+
+TEST_CASE("bodies with too few contacts, and those that they held, are left out", "[response]") {
+  // Two discs in a row on the right wall of a square of four, and a free one.
+  Scene scene = test::heap(2, springs);
+  scene.bodies.push_back(test::body(4, 1, test::heavy, {{-1.2, 3.9, 0}}, {}, {}, 2));  // touches nothing
+  scene.bodies.push_back(test::body(5, 1, test::heavy, {{4.7, 2.9, 0}}, {}, {}, 2));   // touches disc 3
+  scene.bodies.push_back(test::body(6, 1, test::heavy, {{6.6, 2.9, 0}}, {}, {}, 2));   // touches disc 5
+  const LinearSystem system = assemble(Simulation(scene));
+  CHECK(system.rattlers == std::vector<std::uint32_t>{4, 5, 6});
+  CHECK(system.freedom.size() == 4 * 3);
+  CHECK(system.freedom.translation(5, 0) == DegreesOfFreedom::none);
+  // Without friction D + 1 contacts are needed, which no disc of the heap has when the free ones are gone.
+  CHECK_THROWS_WITH(assemble(Simulation(test::heap(2, smooth))),
+                    Catch::Contains("no body is held") && Catch::Contains("; compress the packing"));
+}
+
+namespace {
+
+constexpr double slider_stiffness = 1000, slider_friction = 0.5, slider_damping = 3;
+
+// A disc that has moved by 0.2 to the right on a floor, with k_t ξ = 0.2 k_t above μ k δ = 0.05 k. Inward speed with damping adds the
+// share `more` to the normal force, so that the spring is longer by this share than the limit at rest.
+std::unique_ptr<Simulation> slider(const std::string& plugin = "linear_spring_dashpot",
+                                   const std::string& friction = "static_friction", double more = 0) {
+  const double speed = 1, step = 1e-3;
+  Scene scene = test::heap(2,
+                           {{"normal_stiffness", {slider_stiffness}},
+                            {"normal_damping", {more * slider_stiffness * 0.1 / speed}},
+                            {"tangential_stiffness", {slider_stiffness}},
+                            {"tangential_damping", {slider_damping}},
+                            {friction, {slider_friction}}},
+                           plugin);
+  const double inwards = more > 0 ? speed : 0;
+  scene.bodies = {test::body(0, 1, test::heavy, {{0, 0.9 + inwards * step, 0}}, {{200, -inwards, 0}}, {}, 2)};
+  auto sliding = std::make_unique<Simulation>(scene);
+  sliding->step();
+  return sliding;
+}
+
+}  // namespace
+
+TEST_CASE("contacts at the limit of friction stick where they are to", "[response]") {
+  const struct {
+    std::string law, friction;
+    double arm;  // at which a rotation moves the spring: to the contact point, or of painted points
+  } cases[] = {{"linear_spring_dashpot", "static_friction", 0.95}, {"disc_angular", "friction", 1}};
+  const double more = GENERATE(0.0, 0.3);
+  for (const auto& [law, friction, arm] : cases) {
+    CAPTURE(law, more);
+    const LinearSystem system =
+        assemble(*slider(law, friction, more), {.fewest_contacts = 1, .at_limit = AtLimit::stick});
+    const Matrix stiffness(system.stiffness), damping(system.damping);
+    const double k = slider_stiffness, tolerance = 1e-8 * k;
+    CHECK(system.sliding_contacts == 1);
+    CHECK(std::abs(stiffness(0, 0) - k) < tolerance);
+    CHECK(std::abs(stiffness(0, 1)) < tolerance);
+    CHECK(std::abs(stiffness(0, 2) - arm * k) < tolerance);
+    CHECK(std::abs(damping(0, 0) - slider_damping) < 1e-8 * slider_damping);
+  }
+}
+
+TEST_CASE("a contact that slides does so in a scene that begins from its state", "[response]") {
+  const auto sliding = slider();
+  Scene scene = sliding->scene();
+  scene.step *= 0.5;  // so that forces are evaluated anew
+  const Simulation begun(scene, sliding->state(), Branching{});
+  const AssemblyOptions options = {.fewest_contacts = 1, .at_limit = AtLimit::slide};
+  const LinearSystem before = assemble(*sliding, options), after = assemble(begun, options);
+  CHECK(after.sliding_contacts == 1);
+  // Round-off of a spring at the limit.
+  CHECK((Matrix(after.stiffness) - Matrix(before.stiffness)).cwiseAbs().maxCoeff() < 1e-9 * slider_stiffness);
+}
+
+// With springs at rest the laws of [M18] to [M22] and of [M23] to [M30] move them alike.
+TEST_CASE("a law that integrates spins has their stiffness, and no dashpot of them", "[response]") {
+  const Values springs = {{"normal_stiffness", {1e4}},
+                          {"normal_damping", {0}},
+                          {"tangential_stiffness", {1e3}},
+                          {"tangential_damping", {0}},
+                          {"friction", {0.5}}};
+  const auto system_of = [&](const std::string& law) {
+    Scene scene = test::heap(2, springs, law);
+    return assemble(Simulation(scene), {.fewest_contacts = 1});
+  };
+  const LinearSystem corrected = system_of("disc_corrected"), angular = system_of("disc_angular");
+  // Round-off of forces of overlaps of a tenth of the radius.
+  CHECK((Matrix(corrected.stiffness) - Matrix(angular.stiffness)).cwiseAbs().maxCoeff() < 1e-9 * 1e4);
+  CHECK(Matrix(corrected.damping).cwiseAbs().maxCoeff() < 1e-9 * 1e4);
+}
+
+TEST_CASE("a contact that slides goes on sliding", "[response]") {
+  const double k = slider_stiffness, friction = slider_friction;
+  const LinearSystem system = system_of(*slider());
+  // Nor does its dashpot resist along the slip.
+  CHECK(std::abs(Matrix(system.damping)(0, 0)) < 1e-8 * slider_damping);
+  const Matrix stiffness(system.stiffness);
+  // f_x = −μ k (1 − y), f_y = k (1 − y), torque y' f_x with the arm y' = (1 + y)/2. Slip is prolonged by 1e-9
+  // of the overlap, and round-off is smaller.
+  const double force = friction * k * 0.1, tolerance = 1e-8 * k;
+  CHECK(std::abs(stiffness(0, 0)) < tolerance);
+  CHECK(std::abs(stiffness(0, 1) + friction * k) < tolerance);
+  CHECK(std::abs(stiffness(0, 2)) < tolerance);
+  CHECK(std::abs(stiffness(1, 1) - k) < tolerance);
+  CHECK(std::abs(stiffness(2, 1) - (0.5 * force - 0.95 * friction * k)) < tolerance);
+  CHECK(std::abs(stiffness(2, 2)) < tolerance);
+}
