@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/files/csv_line.hpp>
 #include <scree/files/csv_rows.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/pictures/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -116,11 +116,11 @@ std::string record_of(const CyclesResult& r, const fs::path& folder) {
 }
 
 // What the class says of the cycles that count.
-pictures::ChartSeries fitted_curve(const CyclesResult& r) {
+charts::ChartSeries fitted_curve(const CyclesResult& r) {
   const cycles::Classification& c = r.found;
   const std::size_t last = r.source.series.strain.size() - 1;
   const double reference = r.source.series.strain[r.drop];
-  pictures::ChartSeries curve;
+  charts::ChartSeries curve;
   if (c.slowing && c.kind != cycles::Class::late_ratcheting) {
     curve.name = cycles::law_text(*c.slowing);
     for (std::size_t n = r.drop; n <= last; ++n) {
@@ -143,17 +143,17 @@ pictures::ChartSeries fitted_curve(const CyclesResult& r) {
 }
 
 // The cycles that count, relative to the first of them: the transient before would hide them.
-pictures::ChartSpec chart_of(const CyclesResult& r) {
+charts::ChartSpec chart_of(const CyclesResult& r) {
   const std::vector<double>& strain = r.source.series.strain;
   const double reference = strain[r.drop];
-  pictures::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}};
+  charts::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}};
   for (std::size_t n = r.drop; n < strain.size(); ++n) {
-    pictures::ChartSeries& series = is_outlier(r, n) ? outliers : values;
+    charts::ChartSeries& series = is_outlier(r, n) ? outliers : values;
     series.x.push_back(double(n));
     series.y.push_back(strain[n] - reference);
   }
-  values.line = outliers.line = pictures::LineStyle::none;
-  pictures::ChartSpec chart;
+  values.line = outliers.line = charts::LineStyle::none;
+  charts::ChartSpec chart;
   chart.title =
       fmt::format("{}: {}", files::one_line(fs::path(r.name + "/").parent_path().filename().string()),
                   cycles::class_name(r.found.kind));
@@ -193,13 +193,8 @@ void CyclesFiles::write(const CyclesResult& result) const {
   files::write_atomically(table, table_of(result));
   files::write_atomically(record, record_of(result, folder_.path()));
   fmt::print("{}\n{}\n", table.string(), record.string());
-  if (!pictures::has_pictures()) {
-    report(fmt::format("{}, so there is no chart; {}", pictures::no_pictures, pictures::no_pictures_cure),
-           ExitStatus::success);
-    return;
-  }
   const fs::path chart = folder_.path_of(chart_name);
-  pictures::load_backend()->chart(chart_of(result), chart);
+  charts::draw_chart(chart_of(result), chart);
   fmt::print("{}\n", chart.string());
 }
 
