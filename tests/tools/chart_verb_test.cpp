@@ -10,7 +10,8 @@ const std::string scene =
 
 }  // namespace
 
-TEST_CASE("chart draws the charts of a run again, changed, in another format or those of another file", "[tools]") {
+TEST_CASE("chart draws the charts of a run again, changed, in another format or those of another file",
+          "[tools]") {
   const Workspace w(scene);
   const Outcome run = w.run();
   CHECK(run.status == 0);
@@ -61,8 +62,9 @@ TEST_CASE("chart refuses what it cannot draw, and render names it", "[tools]") {
   refused("chart out --set chart.energies.log=true",
           "--set chart.energies.log=true: unknown key 'log' in [[chart]]; ");
   refused("chart out --set chart.energies.format=jpg", "--set chart.energies.format=jpg: ");
-  refused("render out --charts --set chart.energies.log_x=false",
-          "--charts: charts have their own verb; give scree chart DIRECTORY, with the same --set and --scenario");
+  refused(
+      "render out --charts --set chart.energies.log_x=false",
+      "--charts: charts have their own verb; give scree chart DIRECTORY, with the same --set and --scenario");
   const Workspace empty;
   CHECK(empty.scree("chart .").err.starts_with("scree: .: contains no series/*.csv and no *.csv; "));
 }

@@ -280,8 +280,9 @@ TEST_CASE("render joins the pictures to a movie with ffmpeg, or says that it is 
   CHECK(contains(without.err, "--movie: the program ffmpeg is not on the PATH; install it"));
   CHECK_FALSE(w.has("out/images"));
   // Keeps what it is given: its arguments, and the pictures in the order of their names.
-  w.write("ffmpeg",
-          "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"${last%/*}/arguments\"\ncat ??????.png > \"$last\"\n");
+  w.write(
+      "ffmpeg",
+      "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"${last%/*}/arguments\"\ncat ??????.png > \"$last\"\n");
   const Outcome with_it = w.shell("chmod +x ffmpeg; PATH=$PWD:$PATH\n" + call + " --rate 12");
   INFO(with_it.err);
   CHECK(with_it.status == 0);

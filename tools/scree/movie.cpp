@@ -47,10 +47,21 @@ void become_ffmpeg(const std::string& folder, int frames_per_second, const std::
   dup2(log, STDERR_FILENO);
   const std::string rate = std::to_string(frames_per_second);
   // Even sizes and this pixel format are what common players take.
-  const char* words[] = {"ffmpeg",   "-nostdin",   "-y",           "-loglevel",
-                         "error",    "-framerate", rate.c_str(),   "-i",
-                         "%06d.png", "-vf",        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                         "-pix_fmt", "yuv420p",    movie.c_str(),  nullptr};
+  const char* words[] = {"ffmpeg",
+                         "-nostdin",
+                         "-y",
+                         "-loglevel",
+                         "error",
+                         "-framerate",
+                         rate.c_str(),
+                         "-i",
+                         "%06d.png",
+                         "-vf",
+                         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                         "-pix_fmt",
+                         "yuv420p",
+                         movie.c_str(),
+                         nullptr};
   if (chdir(folder.c_str()) == 0) execvp(words[0], const_cast<char**>(words));
   throw Error(fmt::format("it cannot be started, {}", std::strerror(errno)));
 }
@@ -82,8 +93,8 @@ void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, c
   const NumberedPictures numbered(pictures);
   const TemporaryFile log;
   const std::string target = fs::absolute(movie).string();
-  const ChildEnd end = in_child(
-      [&](const Send&) { become_ffmpeg(numbered.path, frames_per_second, target, log.descriptor); });
+  const ChildEnd end =
+      in_child([&](const Send&) { become_ffmpeg(numbered.path, frames_per_second, target, log.descriptor); });
   if (end.how == ChildEnd::exited && end.number == 0) return;
   const std::string message = last_line(log.path);
   throw Error(fmt::format("{}: ffmpeg failed ({}); give a name that ends in .mp4 in a folder that exists",

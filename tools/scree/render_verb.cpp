@@ -103,8 +103,8 @@ Common common_of(const std::vector<fs::path>& frames, const std::string& color_b
   return common;
 }
 
-// Where pictures are drawn. Those of a run are listed there, so that they are removed with it, and may be drawn again; other files are
-// replaced only if that is asked for.
+// Where pictures are drawn. Those of a run are listed there, so that they are removed with it, and may be
+// drawn again; other files are replaced only if that is asked for.
 class Pictures {
  public:
   explicit Pictures(const RenderArguments& arguments) : overwrite_(arguments.overwrite) {
@@ -142,7 +142,8 @@ class Pictures {
   fs::path draw(const fs::path& file, const pictures::Frame& frame, const pictures::RenderOptions& options,
                 pictures::SnapshotBackend& backend) {
     const fs::path picture = out_ / picture_name(file);
-    // A run that goes on meanwhile removes what is listed behind its state, so that it is listed only when it is there.
+    // A run that goes on meanwhile removes what is listed after its state, so that it is listed only when it
+    // is there.
     std::optional<TemporaryFile> drawn;
     if (list_) drawn.emplace();
     backend.render(frame, options, drawn ? fs::path(drawn->path) : picture);
@@ -210,7 +211,9 @@ void add_render_verb(CommandLine& line) {
       .between(1, 240);
   verb.flag("--overwrite", a->overwrite,
             "Replace pictures in --out and a movie; those in images/ of a run are drawn again without it");
-  verb.moved("--charts", "--charts: charts have their own verb; give scree chart DIRECTORY, with the same --set and --scenario");
+  verb.moved(
+      "--charts",
+      "--charts: charts have their own verb; give scree chart DIRECTORY, with the same --set and --scenario");
   verb.footer("Example: scree render runs/first --color-by speed --contacts --movie first.mp4");
   verb.action([a] { return render(*a); });
 }

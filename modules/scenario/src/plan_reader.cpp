@@ -169,8 +169,9 @@ void check_audit(const document::Table& root, const Plan& plan) {
 // Refused here, before anything is computed or written.
 void check_pictures(const document::Table& root, const Plan& plan) {
   if (pictures::has_pictures() || !plan.snapshot.any()) return;
-  throw root.error("snapshot", fmt::format("{}, but the scene requests them", pictures::no_pictures),
-                   fmt::format("leave [snapshot] out (--set 'snapshot={{}}'), or {}", pictures::no_pictures_cure));
+  throw root.error(
+      "snapshot", fmt::format("{}, but the scene requests them", pictures::no_pictures),
+      fmt::format("leave [snapshot] out (--set 'snapshot={{}}'), or {}", pictures::no_pictures_cure));
 }
 
 bool any_probe_needs(const Plan& plan, std::uint32_t what) {

@@ -2,8 +2,8 @@
 #include "files/frame_transfer.hpp"
 #include "files/png_file.hpp"
 #include "files/pvd_index.hpp"
-#include "scene/scene_picture.hpp"
 #include "files/vtp.hpp"
+#include "scene/scene_picture.hpp"
 
 #include <scree/files/text_file.hpp>
 #include <scree/pictures/backend.hpp>

@@ -4,7 +4,8 @@
 
 using namespace scree::charts;
 
-TEST_CASE("points without a logarithm or a value are gaps, and a note below the title counts them", "[charts]") {
+TEST_CASE("points without a logarithm or a value are gaps, and a note below the title counts them",
+          "[charts]") {
   ChartSpec spec = spec_of({0, 1, 10, 100}, {1, 1, 2, 3});
   spec.log_x = true;
   const Pixels first_left_out = drawn(spec);

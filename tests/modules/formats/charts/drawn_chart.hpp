@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cairo.h>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include <cairo.h>
 
 #include <scree/charts/draw_chart.hpp>
 #include <scree/error.hpp>
@@ -59,7 +58,7 @@ inline bool is_near(const std::array<int, 3>& color, const std::array<int, 3>& w
   return true;
 }
 
-constexpr std::array<int, 3> red = {255, 0, 0}, blue = {0, 0, 255};
+constexpr std::array<int, 3> red = {255, 0, 0};
 
 // The inside of the frame around the curves: dark lines over at least half of the picture.
 struct Plot {
@@ -82,7 +81,8 @@ struct Plot {
   }
 };
 
-// Columns of the plot with a colour, the row from the top of its highest pixel in the leftmost and in the rightmost.
+// Columns of the plot with a colour, the row from the top of its highest pixel in the leftmost and in the
+// rightmost.
 struct Trace {
   int columns = 0, first_row = -1, last_row = -1;
 };

@@ -3,11 +3,11 @@
 #include "drawing.hpp"
 #include "layout.hpp"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <functional>
 #include <memory>
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
@@ -48,7 +48,8 @@ std::string png(const ChartSpec& spec, const Layout& layout) {
 }
 
 // A file of a page; make: creates the surface that writes to the bytes.
-std::string page(const ChartSpec& spec, const Layout& layout, const std::function<cairo_surface_t*(std::string&)>& make) {
+std::string page(const ChartSpec& spec, const Layout& layout,
+                 const std::function<cairo_surface_t*(std::string&)>& make) {
   std::string bytes;
   const Surface surface(make(bytes), cairo_surface_destroy);
   draw_on(surface.get(), page_width / chart_width, spec, layout);
@@ -61,7 +62,8 @@ std::string pdf(const ChartSpec& spec, const Layout& layout) {
   return page(spec, layout, [&](std::string& bytes) {
     cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(append, &bytes, page_width, page_height);
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, spec.title.c_str());
-    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, nullptr);  // the same bytes at any time
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
+                                   nullptr);  // the same bytes at any time
     return surface;
   });
 }
@@ -73,7 +75,8 @@ std::string xml(const std::string& text) {
   return escaped;
 }
 
-// The letters are outlines, as cairo writes them; title and description are what a search or a screen reader finds.
+// The letters are outlines, as cairo writes them; title and description are what a search or a screen reader
+// finds.
 std::string svg(const ChartSpec& spec, const Layout& layout) {
   std::string bytes = page(spec, layout, [](std::string& target) {
     return cairo_svg_surface_create_for_stream(append, &target, page_width, page_height);
@@ -81,8 +84,13 @@ std::string svg(const ChartSpec& spec, const Layout& layout) {
   std::string words = fmt::format("{} over {}", spec.y_label, spec.x_label);
   if (spec.series.size() > 1)
     for (const ChartSeries& series : spec.series) words += "; " + series.name;
+  // cairo numbers the surfaces of the process.
+  constexpr std::string_view id = "id=\"surface";
+  if (const std::size_t at = bytes.find(id); at != std::string::npos)
+    bytes.replace(at, bytes.find('"', at + id.size()) - at, "id=\"chart");
   const std::size_t root = bytes.find('>', bytes.find("<svg"));
-  return bytes.insert(root + 1, fmt::format("\n<title>{}</title>\n<desc>{}</desc>", xml(spec.title), xml(words)));
+  return bytes.insert(root + 1,
+                      fmt::format("\n<title>{}</title>\n<desc>{}</desc>", xml(spec.title), xml(words)));
 }
 
 class CairoBackend final : public ChartBackend {
@@ -91,7 +99,9 @@ class CairoBackend final : public ChartBackend {
     std::string note;
     const ChartSpec drawable = drawable_chart(spec, note);
     const Layout layout = Layout::of(drawable, note);
-    return format == "png" ? png(drawable, layout) : format == "svg" ? svg(drawable, layout) : pdf(drawable, layout);
+    return format == "png"   ? png(drawable, layout)
+           : format == "svg" ? svg(drawable, layout)
+                             : pdf(drawable, layout);
   }
 };
 

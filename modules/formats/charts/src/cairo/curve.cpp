@@ -45,8 +45,7 @@ void draw_line(cairo_t* cairo, const std::vector<Point>& line, LineStyle style, 
   for (std::size_t k = 0; k < line.size(); ++k) {
     if (is_gap(line[k])) continue;
     const bool begins = k == 0 || is_gap(line[k - 1]);
-    if (begins && is_gap_at(k + 1))
-      fill_circle(cairo, line[k], width / 2);
+    if (begins && is_gap_at(k + 1)) fill_circle(cairo, line[k], width / 2);
   }
   for (std::size_t k = 0; k < line.size(); ++k) {
     if (is_gap(line[k])) continue;

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <array>
-#include <vector>
-
 #include <cairo.h>
+#include <vector>
 
 #include <scree/charts/chart_spec.hpp>
 
@@ -25,11 +24,12 @@ struct Point {
   double x, y;
 };
 
-// The line without points that are not seen: of consecutive points in the same half pixel of x the first, the last, the
-// highest and the lowest are kept. Points that are NaN are kept.
+// The line without points that are not seen: of consecutive points in the same half pixel of x the first, the
+// last, the highest and the lowest are kept. Points that are NaN are kept.
 std::vector<Point> thinned(const std::vector<Point>& line);
 
-// Draws a curve with gaps at points that are NaN. font: size of the labels (pixels), for widths, dashes and markers.
+// Draws a curve with gaps at points that are NaN. font: size of the labels (pixels), for widths, dashes and
+// markers.
 void draw_curve(cairo_t* cairo, const std::vector<Point>& points, const CurveStyle& style, double font);
 
 }  // namespace scree::charts

@@ -60,7 +60,8 @@ void check(const ChartSpec& spec) {
 ChartSpec drawable_chart(const ChartSpec& spec, std::string& note) {
   check(spec);
   ChartSpec drawable = spec;
-  for (std::string* text : {&drawable.title, &drawable.x_label, &drawable.y_label}) *text = drawable_text(*text);
+  for (std::string* text : {&drawable.title, &drawable.x_label, &drawable.y_label})
+    *text = drawable_text(*text);
   Left left;
   for (ChartSeries& series : drawable.series) {
     series.name = drawable_text(series.name);

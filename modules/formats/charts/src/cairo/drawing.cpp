@@ -55,15 +55,17 @@ void draw_axes(cairo_t* cairo, const Layout& layout) {
   set_grey(cairo, 0.1);
   cairo_stroke(cairo);
   for (std::size_t k = 0; k < layout.x_ticks.values.size(); ++k)
-    draw_text(cairo, plot.left + layout.x.position(layout.x_ticks.values[k]) * plot.width, plot.bottom() + label_font,
-              layout.x_ticks.labels[k], {label_font, Align::center}, plot.width);
+    draw_text(cairo, plot.left + layout.x.position(layout.x_ticks.values[k]) * plot.width,
+              plot.bottom() + label_font, layout.x_ticks.labels[k], {label_font, Align::center}, plot.width);
   for (std::size_t k = 0; k < layout.y_ticks.values.size(); ++k)
-    draw_text(cairo, plot.left - 0.6 * label_font, plot.bottom() - layout.y.position(layout.y_ticks.values[k]) * plot.height,
+    draw_text(cairo, plot.left - 0.6 * label_font,
+              plot.bottom() - layout.y.position(layout.y_ticks.values[k]) * plot.height,
               layout.y_ticks.labels[k], {label_font, Align::right}, plot.left);
 }
 
 // The middle of a label in the middle of the plot, or as near to it as there is room in the picture.
-double middle_of_label(const std::string& label, double size, double middle_of_plot, double length_of_picture) {
+double middle_of_label(const std::string& label, double size, double middle_of_plot,
+                       double length_of_picture) {
   const double half = std::min(text_width(label, size), length_of_picture - 2 * label_font) / 2 + label_font;
   return std::clamp(middle_of_plot, half, length_of_picture - half);
 }
@@ -76,12 +78,14 @@ void draw_labels(cairo_t* cairo, const ChartSpec& spec, const Layout& layout) {
     draw_text(cairo, chart_width / 2, y, line, {title_font, Align::center, true}, room);
     y += 1.6 * label_font;
   }
-  draw_text(cairo, chart_width / 2, y - 0.15 * label_font, layout.note, {0.9 * label_font, Align::center}, room);
+  draw_text(cairo, chart_width / 2, y - 0.15 * label_font, layout.note, {0.9 * label_font, Align::center},
+            room);
   const double size = 1.1 * label_font;
   draw_text(cairo, middle_of_label(spec.x_label, size, plot.left + plot.width / 2, chart_width),
             chart_height - 1.1 * label_font, spec.x_label, {size, Align::center}, room);
-  draw_text(cairo, 1.2 * label_font, middle_of_label(spec.y_label, size, plot.top + plot.height / 2, chart_height),
-            spec.y_label, {size, Align::center, false, true}, chart_height - 2 * label_font);
+  draw_text(cairo, 1.2 * label_font,
+            middle_of_label(spec.y_label, size, plot.top + plot.height / 2, chart_height), spec.y_label,
+            {size, Align::center, false, true}, chart_height - 2 * label_font);
 }
 
 void draw_legend(cairo_t* cairo, const ChartSpec& spec, const Legend& legend) {
@@ -102,7 +106,8 @@ void draw_legend(cairo_t* cairo, const ChartSpec& spec, const Legend& legend) {
     style.line = LineStyle::none;
     style.marker = marker;
     draw_curve(cairo, {{(left + right) / 2, y}}, style, legend.font);
-    draw_text(cairo, name, y, spec.series[row].name, {legend.font}, box.right() - name - legend_pad * legend.font);
+    draw_text(cairo, name, y, spec.series[row].name, {legend.font},
+              box.right() - name - legend_pad * legend.font);
   }
 }
 
@@ -116,7 +121,8 @@ void draw(cairo_t* cairo, const ChartSpec& spec, const Layout& layout) {
   for (std::size_t k = 0; k < spec.series.size(); ++k) {
     const ChartSeries& series = spec.series[k];
     std::vector<Point> points;
-    for (std::size_t i = 0; i < series.x.size(); ++i) points.push_back(layout.place(series.x[i], series.y[i]));
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      points.push_back(layout.place(series.x[i], series.y[i]));
     draw_curve(cairo, points, CurveStyle::of(series, k), label_font);
   }
   draw_labels(cairo, spec, layout);

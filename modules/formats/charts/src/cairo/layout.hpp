@@ -12,7 +12,8 @@
 namespace scree::charts {
 
 // Size of a chart and of its labels (pixels).
-inline constexpr double chart_width = 1200, chart_height = 900, label_font = 22, title_font = 1.25 * label_font;
+inline constexpr double chart_width = 1200, chart_height = 900, label_font = 22,
+                        title_font = 1.25 * label_font;
 
 // A rectangle (pixels from the upper left).
 struct Box {

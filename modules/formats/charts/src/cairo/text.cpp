@@ -2,10 +2,9 @@
 
 #include "embedded_fonts.hpp"
 
-#include <numbers>
-
 #include <cairo-ft.h>
 #include <ft2build.h>
+#include <numbers>
 #include FT_FREETYPE_H
 
 #include <scree/charts/text_fit.hpp>
@@ -60,11 +59,13 @@ double text_width(const std::string& line, double size, bool bold) {
   return extents.x_advance;
 }
 
-void draw_text(cairo_t* cairo, double x, double y, const std::string& text, const TextStyle& style, double room) {
+void draw_text(cairo_t* cairo, double x, double y, const std::string& text, const TextStyle& style,
+               double room) {
   if (text.empty()) return;
   const bool bold = style.bold;
-  const FittedText fitted =
-      fit_text(text, style.size, room, [&](const std::string& line, double size) { return text_width(line, size, bold); });
+  const FittedText fitted = fit_text(text, style.size, room, [&](const std::string& line, double size) {
+    return text_width(line, size, bold);
+  });
   const double length = text_width(fitted.line, fitted.size, bold);
   const double share = style.align == Align::left ? 0 : style.align == Align::center ? 0.5 : 1;
   cairo_save(cairo);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include <cairo.h>
+#include <string>
 
 namespace scree::charts {
 
@@ -19,8 +18,9 @@ struct TextStyle {
 // Width of one line.
 double text_width(const std::string& line, double size, bool bold = false);
 
-// Draws one line, in at most the length `room` as by fit_text(). Letters are outlines in pictures of pixels: cairo would
-// place them on whole pixels.
-void draw_text(cairo_t* cairo, double x, double y, const std::string& text, const TextStyle& style, double room);
+// Draws one line, in at most the length `room` as by fit_text(). Letters are outlines in pictures of pixels:
+// cairo would place them on whole pixels.
+void draw_text(cairo_t* cairo, double x, double y, const std::string& text, const TextStyle& style,
+               double room);
 
 }  // namespace scree::charts

@@ -1,7 +1,6 @@
-#include "vtp.hpp"
-
 #include "pvd_index.hpp"
 #include "vtk_messages.hpp"
+#include "vtp.hpp"
 
 #include <fmt/format.h>
 #include <vtkCellData.h>

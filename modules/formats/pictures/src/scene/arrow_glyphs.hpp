@@ -8,7 +8,8 @@ class vtkRenderer;
 
 namespace scree::pictures {
 
-// Length of each arrow over that of the longest. Throws scree::Error if there is not one finite arrow per particle.
+// Length of each arrow over that of the longest. Throws scree::Error if there is not one finite arrow per
+// particle.
 ColorField arrow_lengths(const Frame& frame, const ArrowField& arrows);
 
 // Adds the arrows but those that are too short to be seen.

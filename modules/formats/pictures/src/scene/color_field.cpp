@@ -51,7 +51,8 @@ Range value_range(const RawField& field) {
   const double size = std::max(std::abs(range.lower), std::abs(range.upper));
   if (range.upper - range.lower > 1e-12 * size) return range;
   if (range.lower == 0) return {0, 1};
-  return field.whole_numbers ? Range{range.lower - 1, range.upper + 1} : charts::padded(range.lower, range.upper, 0);
+  return field.whole_numbers ? Range{range.lower - 1, range.upper + 1}
+                             : charts::padded(range.lower, range.upper, 0);
 }
 
 Range given_range(const std::array<double, 2>& range) {
@@ -88,7 +89,8 @@ ColorField color_field(const Frame& frame, const RenderOptions& options) {
     throw Error(fmt::format("color_by: this scene has no {}; choose another of {}", options.color_by,
                             fmt::join(color_fields, ", ")));
   const Range range = options.color_range ? given_range(*options.color_range) : value_range(raw);
-  const charts::ScaledUnit unit = charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
+  const charts::ScaledUnit unit =
+      charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
   for (double& value : raw.values) value *= unit.factor;
   const std::string title = unit.symbol.empty() ? raw.title : fmt::format("{} ({})", raw.title, unit.symbol);
   return {title,

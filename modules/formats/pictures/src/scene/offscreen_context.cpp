@@ -37,7 +37,8 @@ Picture average_down(const std::uint8_t* rgb, int width, int height, int scale) 
   return picture;
 }
 
-// Mesa starts a thread per processor and waits for ever for one that did not start; told so, it draws in this thread.
+// Mesa starts a thread per processor and waits for ever for one that did not start; told so, it draws in this
+// thread.
 void draw_without_threads_if_there_are_none() {
   constexpr const char* variable = "LP_NUM_THREADS";
   constexpr unsigned most_of_mesa = 32, of_its_cache = 1;

@@ -20,7 +20,8 @@ struct TextStyle {
   void apply_font(vtkTextProperty* property) const;
 };
 
-// Draws one line at its anchor, in at most the length `room`, as by charts::fit_text(). All lengths in drawn pixels.
+// Draws one line at its anchor, in at most the length `room`, as by charts::fit_text(). All lengths in drawn
+// pixels.
 void draw_text(vtkContext2D* painter, double x, double y, const std::string& text, const TextStyle& style,
                double room);
 

@@ -48,8 +48,8 @@ std::vector<Point> wide_patch(const Wall& wall, const SceneBox& box, int dimensi
           moved(moved(foot, size, u), size, v), moved(moved(foot, -size, u), size, v)};
 }
 
-// Corners of the part of wall number `index` that lies within the box and on the inner side of the other walls: a
-// polygon in 3D, the two ends of a line (possibly repeated) in 2D, empty if no part does.
+// Corners of the part of wall number `index` that lies within the box and on the inner side of the other
+// walls: a polygon in 3D, the two ends of a line (possibly repeated) in 2D, empty if no part does.
 std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const SceneBox& box) {
   // The slack keeps walls that coincide with a face of the box or with each other.
   const double slack = 1e-6 * box.diagonal();

@@ -9,8 +9,8 @@ namespace scree::charts {
 
 enum class LineStyle { solid, dashed, dotted, dash_dotted, none };
 
-// One curve. Points are connected in the given order, not sorted by x. Those with a coordinate that is not finite, or
-// has no logarithm on a logarithmic axis, are gaps; their number stands below the title.
+// One curve. Points are connected in the given order, not sorted by x. Those with a coordinate that is not
+// finite, or has no logarithm on a logarithmic axis, are gaps; their number stands below the title.
 struct ChartSeries {
   std::string name;       // for the legend
   std::vector<double> x;  // one or more

@@ -16,10 +16,12 @@ struct FittedText {
 // Text that can be drawn: blanks for control characters, question marks for bytes that are not UTF-8.
 std::string drawable_text(const std::string& text);
 
-// The line, or the beginning of one that no picture is wide enough for, so that measuring it takes little time.
+// The line, or the beginning of one that no picture is wide enough for, so that measuring it takes little
+// time.
 std::string shown_part(const std::string& line);
 
-// A line for a space of length `room`: reduced to not less than two thirds of its size, then cut with an ellipsis.
+// A line for a space of length `room`: reduced to not less than two thirds of its size, then cut with an
+// ellipsis.
 FittedText fit_text(const std::string& line, double size, double room, const TextWidth& width);
 
 }  // namespace scree::charts

@@ -12,8 +12,9 @@ namespace scree::pictures {
 // Incremented when this interface or a struct in it changes; loader and library must have the same version.
 inline constexpr int backend_version = 4;
 
-// Reads and writes frames and draws pictures. Not thread-safe. The directory of a file is created, but none above; a file
-// gets its final name only when it is complete. Every function throws scree::Error with path and cure.
+// Reads and writes frames and draws pictures. Not thread-safe. The directory of a file is created, but none
+// above; a file gets its final name only when it is complete. Every function throws scree::Error with path
+// and cure.
 class SnapshotBackend {
  public:
   virtual ~SnapshotBackend() = default;
@@ -30,7 +31,8 @@ class SnapshotBackend {
   virtual void render(const Frame& frame, const RenderOptions& options,
                       const std::filesystem::path& png_file) = 0;
 
-  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and pale.
+  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and
+  // pale.
   virtual void render_arrows(const Frame& frame, const ArrowField& arrows, const RenderOptions& options,
                              const std::filesystem::path& png_file) = 0;
 

@@ -30,8 +30,8 @@ struct ChartRequest {
   bool overwrite = false;              // whether files that the run did not write may be replaced
 };
 
-// Draws charts from the series of a run, or the tables of a study. drawn: is called with each file. Throws Error
-// "<place>: <what is wrong>; <cure>".
+// Draws charts from the series of a run, or the tables of a study. drawn: is called with each file. Throws
+// Error "<place>: <what is wrong>; <cure>".
 void redraw_charts(const ChartRequest& request,
                    const std::function<void(const std::filesystem::path&)>& drawn);
 
