@@ -63,7 +63,7 @@ void become_ffmpeg(const std::string& folder, int frames_per_second, const std::
                          movie.c_str(),
                          nullptr};
   if (chdir(folder.c_str()) == 0) execvp(words[0], const_cast<char**>(words));
-  throw Error(fmt::format("it cannot be started, {}", std::strerror(errno)));
+  throw Error(fmt::format("cannot be started, {}", std::strerror(errno)));
 }
 
 std::string last_line(const fs::path& log) {
@@ -98,7 +98,10 @@ void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, c
   if (end.how == ChildEnd::exited && end.number == 0) return;
   const std::string message = last_line(log.path);
   throw Error(fmt::format("{}: ffmpeg failed ({}); give a name that ends in .mp4 in a folder that exists",
-                          movie.string(), message.empty() ? end.text() : message),
+                          movie.string(),
+                          !message.empty()             ? message
+                          : end.how == ChildEnd::threw ? end.exception
+                                                       : end.text()),
               ExitStatus::failure);
 }
 
