@@ -18,7 +18,7 @@
 #include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <scree/pictures/scaled_unit.hpp>
+#include <scree/charts/scaled_unit.hpp>
 
 namespace scree::pictures {
 namespace {
@@ -98,7 +98,7 @@ void add_contacts(vtkRenderer* renderer, const Frame& frame) {
 std::string contact_note(const Frame& frame) {
   if (frame.contact_count() == 0) return "no contacts";
   const double largest = largest_normal_force(frame);
-  const ScaledUnit unit = scaled_unit(largest, "N");
+  const charts::ScaledUnit unit = charts::scaled_unit(largest, "N");
   const bool any_slides = std::count(frame.contact_sliding.begin(), frame.contact_sliding.end(), 0) !=
                           std::ptrdiff_t(frame.contact_sliding.size());
   return fmt::format("bars: contacts, width proportional to normal force, widest {:.3g} {}{}",
