@@ -23,7 +23,7 @@ TEST_CASE("chart draws the charts of a run again, changed, in another format or 
   CHECK(w.scree("chart out").status == 0);
   CHECK(w.text("out/charts/energies.png") == first);
   CHECK(w.scree("chart out --set chart.energies.format=svg").out == "out/charts/energies.svg\n");
-  CHECK(contains(w.text("out/charts/energies.svg"), "<title>energies</title>"));
+  CHECK_THAT(w.text("out/charts/energies.svg"), Catch::Contains("<title>energies</title>"));
   CHECK(w.scree("chart out --set 'chart[0].format=pdf'").status == 0);
   CHECK(w.text("out/charts/energies.pdf").starts_with("%PDF-"));
   w.write("more.toml", "[[chart]]\nname = 'stages'\nprobe = 'energy'\ny = 'residual'\n");
@@ -46,7 +46,7 @@ TEST_CASE("chart draws the tables of a study", "[tools]") {
   const Outcome words = w.scree("chart study --set chart.d.y=kind");
   CHECK(words.status == 1);
   CHECK(words.err.starts_with("scree: study/density.csv:2:"));
-  CHECK(contains(words.err, "; choose a column of numbers"));
+  CHECK_THAT(words.err, Catch::Contains("; choose a column of numbers"));
 }
 
 TEST_CASE("chart refuses what it cannot draw, and render names it", "[tools]") {
