@@ -30,7 +30,7 @@ TEST_CASE("response tells the modes of a chain and writes them", "[tools]") {
   CHECK(!w.has("out/density.csv"));
 }
 
-#ifdef SCREE_TEST_PICTURES
+#if SCREE_TEST_PICTURES
 TEST_CASE("response draws the modes that are asked for", "[tools]") {
   const Workspace w(chain);
   const Outcome outcome = w.scree("response scene.toml --modes 2 --picture 1,2 --view x --quiet --out out");
