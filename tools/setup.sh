@@ -6,6 +6,7 @@ scree_packages=(
   g++ cmake ninja-build
   libcli11-dev libfmt-dev libtomlplusplus-dev
   nlohmann-json3-dev libhdf5-dev libfftw3-dev libeigen3-dev libmetis-dev libsuitesparse-dev
+  libcairo2-dev fonts-dejavu-core
   catch2 libmumps-seq-dev # of the tests alone
 )
 # Not for the preset no-pictures.

@@ -153,13 +153,8 @@ TEST_CASE("a run does not replace the files that its scene reads", "[tools]") {
 }
 
 TEST_CASE("everything in the directory of a run is listed, and replaced by the next", "[tools]") {
-#if SCREE_TEST_PICTURES
-  const Workspace w(std::string(discs) +
-                    "[[chart]]\nname = 'work'\nprobe = 'energy'\ny = 'work'\n"
-                    "[snapshot]\nevery = 5e-5\nimage_every = 5e-5\n");
-#else
-  const Workspace w;
-#endif
+  const Workspace w(std::string(discs) + "[[chart]]\nname = 'work'\nprobe = 'energy'\ny = 'work'\n" +
+                    (SCREE_TEST_PICTURES ? "[snapshot]\nevery = 5e-5\nimage_every = 5e-5\n" : ""));
   REQUIRE(w.run().status == 0);
   const std::string list = w.text("out/written.txt");
   for (const auto& entry : fs::recursive_directory_iterator(w / "out"))

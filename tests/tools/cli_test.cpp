@@ -36,7 +36,6 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   CHECK_FALSE(w.has("runs"));
 }
 
-#if SCREE_TEST_PICTURES
 TEST_CASE("check tells which points a chart leaves out at the start", "[tools]") {
   const Workspace w(
       std::string(discs) +
@@ -52,7 +51,6 @@ TEST_CASE("check tells which points a chart leaves out at the start", "[tools]")
                "left out\n"));
   CHECK_FALSE(contains(checked.out, "chart all"));
 }
-#endif
 
 TEST_CASE("check tells the largest overlap at the start, and warns of a large one", "[tools]") {
   const auto checked = [](const char* second) {
@@ -219,42 +217,6 @@ TEST_CASE("render redraws the snapshots of a run", "[tools]") {
                 "([snapshot] every = <s>)");
 }
 
-TEST_CASE("render draws the charts of a run again, changed or those of another file", "[tools]") {
-  const Workspace w(
-      std::string(discs) +
-      "[[chart]]\nname = 'energies'\nprobe = 'energy'\ny = ['kinetic_translation', 'work']\nlog_x = true\n");
-  const Outcome run = w.run();
-  CHECK(run.status == 0);
-  CHECK(run.err.empty());
-  REQUIRE(w.has("out/charts/energies.png"));
-  const std::string first = w.text("out/charts/energies.png");
-  CHECK(w.scree("render out --charts --set chart.energies.log_x=false").out == "out/charts/energies.png\n");
-  CHECK(w.text("out/charts/energies.png") != first);
-  CHECK(w.scree("render out --charts").status == 0);
-  CHECK(w.text("out/charts/energies.png") == first);
-  w.write("more.toml", "[[chart]]\nname = 'stages'\nprobe = 'energy'\ny = 'residual'\n");
-  CHECK(w.scree("render out --charts --scenario more.toml --out own").out == "own/stages.png\n");
-  const Outcome again = w.scree("render out --charts --scenario more.toml --out own");
-  CHECK(again.status == 2);
-  CHECK(again.err == "scree: own/stages.png: is there already; give another --out, or --overwrite\n");
-  CHECK(w.scree("render out --charts --scenario more.toml --out own --overwrite").status == 0);
-  CHECK(w.has("own/stages.png"));
-  const auto refused = [&](const std::string& arguments, const std::string& line) {
-    const Outcome outcome = w.scree("render out " + arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.err.starts_with("scree: " + line));
-  };
-  refused("--set chart.energies.log_x=false", "--set and --scenario change charts; give --charts too");
-  refused("--charts --set chart.energies.y=wrk",
-          "--set chart.energies.y=wrk: no column 'wrk'; did you mean 'work'?");
-  refused("--charts --set chart.energies.log=true",
-          "--set chart.energies.log=true: unknown key 'log' in [[chart]]; ");
-  const Workspace empty;
-  CHECK(empty.scree("render . --charts").err.starts_with("scree: .: contains no series/*.csv; "));
-  // All charts of a run that are drawn again are listed, so that --overwrite removes them.
-  CHECK(w.run("--overwrite").status == 0);
-}
-
 TEST_CASE("render takes single files of any name, and refuses others in one line", "[tools]") {
   const Workspace w(std::string(discs) + "[snapshot]\nevery = 1e-4\n");
   REQUIRE(w.run().status == 0);
@@ -317,13 +279,15 @@ TEST_CASE("render joins the pictures to a movie with ffmpeg, or says that it is 
   CHECK(without.status == 2);
   CHECK(contains(without.err, "--movie: the program ffmpeg is not on the PATH; install it"));
   CHECK_FALSE(w.has("out/images"));
-  // Keeps what it is given: its arguments, and the pictures one behind the other.
-  w.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\necho \"$@\" > arguments\ncat > \"$last\"\n");
+  // Keeps what it is given: its arguments, and the pictures in the order of their names.
+  w.write(
+      "ffmpeg",
+      "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"${last%/*}/arguments\"\ncat ??????.png > \"$last\"\n");
   const Outcome with_it = w.shell("chmod +x ffmpeg; PATH=$PWD:$PATH\n" + call + " --rate 12");
   INFO(with_it.err);
   CHECK(with_it.status == 0);
   CHECK(with_it.out.ends_with("frame_0000000010.png\nout.mp4\n"));
-  CHECK(contains(w.text("arguments"), "-framerate 12 -i - "));
+  CHECK(contains(w.text("arguments"), "-framerate 12 -i %06d.png "));
   std::string pictures;
   for (const char* step : {"00", "05", "10"})
     pictures += w.text(std::string("out/images/frame_00000000") + step + ".png");

@@ -29,7 +29,7 @@ TEST_CASE("cycles of a run takes the series with the lengths and the period of i
   CHECK(table.starts_with(
       "cycle,time [s],length_y/length_y0 - length_x/length_x0,fit,outlier,loop_area,stiffness\n0,1.5,"));
   CHECK(table.find("\n29,59.5,0,") != std::string::npos);
-  CHECK(w.has("run/cycles.png") == SCREE_TEST_PICTURES);
+  CHECK(w.has("run/cycles.png"));
 }
 
 TEST_CASE("cycles of a file takes a column, a period and a load", "[tools]") {

@@ -208,11 +208,11 @@ TEST_CASE("a scene that is refused leaves no directory, nor the folder of runs",
   CHECK_FALSE(w.has("runs"));
 }
 
-TEST_CASE("a run without pictures loads no VTK, one with a chart does", "[tools]") {
+TEST_CASE("a run loads cairo for a chart, VTK for pictures of the scene, and neither without", "[tools]") {
   const Workspace w;
-  const auto loads_vtk = [&](const std::string& options) {
+  const auto loads = [&](const std::string& options, const std::string& library) {
     const Outcome outcome = w.shell(
-        "LD_DEBUG=files; LD_DEBUG_OUTPUT=loaded; export LD_DEBUG LD_DEBUG_OUTPUT\n"
+        "rm -f loaded.*; LD_DEBUG=files; LD_DEBUG_OUTPUT=loaded; export LD_DEBUG LD_DEBUG_OUTPUT\n"
         "scree run scene.toml --out out --overwrite " +
         options);
     REQUIRE(outcome.status == 0);
@@ -220,13 +220,13 @@ TEST_CASE("a run without pictures loads no VTK, one with a chart does", "[tools]
     for (const auto& entry : std::filesystem::directory_iterator(w / ""))
       if (entry.path().filename().string().starts_with("loaded.")) loaded += text_of(entry.path());
     REQUIRE(loaded.find("linear_spring_dashpot.so") != std::string::npos);
-    return loaded.find("libvtk") != std::string::npos;
+    return loaded.find(library) != std::string::npos;
   };
-  CHECK_FALSE(loads_vtk(""));
-#if SCREE_TEST_PICTURES
-  CHECK(loads_vtk("--set \"chart={name='work',probe='energy',y='work'}\""));
+  for (const char* library : {"libvtk", "libcairo"}) CHECK_FALSE(loads("", library));
+  const std::string chart = "--set \"chart={name='work',probe='energy',y='work'}\"";
+  CHECK(loads(chart, "libcairo"));
+  CHECK_FALSE(loads(chart, "libvtk"));
   CHECK(w.has("out/charts/work.png"));
-#endif
 }
 
 TEST_CASE("an interval of more steps than can be counted is never due", "[tools]") {

@@ -30,9 +30,7 @@ TEST_CASE("spectrum measures a scenario by all methods and prints what they foun
   CHECK(lines_of(w.text("out/sweep.csv")).size() == 1 + 71);
   CHECK(lines_of(w.text("out/roads.csv")).size() == 4);
   CHECK(nlohmann::json::parse(w.text("out/spectrum.json"))["status"] == "finished");
-#ifdef SCREE_TEST_PICTURES
   CHECK(w.has("out/charts/particles_z_8.png"));
-#endif
 }
 
 TEST_CASE("a sweep that Ctrl-C ends goes on with resume, to the same table", "[tools]") {

@@ -29,6 +29,7 @@ ExitStatus main_of(int argc, char** argv) {
     add_check_verb(line);
     add_describe_verb(line);
     add_render_verb(line);
+    add_chart_verb(line);
     add_campaign_verb(line);
     add_bench_verb(line);
     for (const StudyVerb& study : study_verbs) line.verb(study.name, study.help);

@@ -3,18 +3,15 @@
 #include "temporary_file.hpp"
 
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <spawn.h>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include <scree/child_process.hpp>
 #include <scree/error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
@@ -25,83 +22,48 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Ends of a pipe, closed in the program that is started.
-struct Pipe {
-  int ends[2] = {-1, -1};
-  Pipe() {
-    if (pipe2(ends, O_CLOEXEC) != 0)
-      throw Error("no pipe to ffmpeg can be opened; close other files", ExitStatus::failure);
+// A folder with links to the pictures that ffmpeg reads in order, removed at the end of its scope.
+struct NumberedPictures {
+  std::string path = (fs::temp_directory_path() / "scree-XXXXXX").string();
+
+  explicit NumberedPictures(const std::vector<fs::path>& pictures) {
+    if (!mkdtemp(path.data()))
+      throw Error(fmt::format("{}: cannot be created ({}); free space there", path, std::strerror(errno)),
+                  ExitStatus::failure);
+    for (std::size_t k = 0; k < pictures.size(); ++k)
+      fs::create_symlink(fs::absolute(pictures[k]), fmt::format("{}/{:06}.png", path, k));
   }
-  ~Pipe() {
-    close_end(0);
-    close_end(1);
+  ~NumberedPictures() {
+    std::error_code failed;
+    fs::remove_all(path, failed);
   }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  void close_end(int which) {
-    if (ends[which] >= 0) close(ends[which]);
-    ends[which] = -1;
-  }
+  NumberedPictures(const NumberedPictures&) = delete;
+  NumberedPictures& operator=(const NumberedPictures&) = delete;
 };
 
-// Writing to a program that has ended is an error, not the end of this one.
-struct NoPipeSignal {
-  void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
-  NoPipeSignal() = default;
-  ~NoPipeSignal() { std::signal(SIGPIPE, before); }
-  NoPipeSignal(const NoPipeSignal&) = delete;
-  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
-};
-
-// A program that is waited for.
-struct Process {
-  pid_t id = -1;
-  Process() = default;
-  ~Process() { wait(); }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-  // Its status, once.
-  int wait() {
-    int status = 0;
-    while (id > 0 && waitpid(id, &status, 0) < 0 && errno == EINTR) {
-    }
-    id = -1;
-    return status;
-  }
-};
-
-// The pictures are its standard input; its messages go to a file.
-pid_t start_ffmpeg(const Pipe& pictures, int frames_per_second, const fs::path& movie,
-                   const TemporaryFile& log) {
-  const std::string rate = std::to_string(frames_per_second), target = fs::absolute(movie).string();
+// In a child process: becomes ffmpeg, whose messages go to a file.
+void become_ffmpeg(const std::string& folder, int frames_per_second, const std::string& movie, int log) {
+  dup2(log, STDOUT_FILENO);
+  dup2(log, STDERR_FILENO);
+  const std::string rate = std::to_string(frames_per_second);
   // Even sizes and this pixel format are what common players take.
-  const char* words[] = {"ffmpeg",   "-y",         "-loglevel",    "error",
-                         "-f",       "image2pipe", "-framerate",   rate.c_str(),
-                         "-i",       "-",          "-vf",          "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                         "-pix_fmt", "yuv420p",    target.c_str(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pictures.ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, log.descriptor, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t process = -1;
-  const int failed = posix_spawnp(&process, words[0], &actions, nullptr, const_cast<char**>(words), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed)
-    throw Error(fmt::format("ffmpeg cannot be started ({}); install it", std::strerror(failed)),
-                ExitStatus::failure);
-  return process;
-}
-
-// False if the reader has ended.
-bool send(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes.remove_prefix(std::size_t(written));
-  }
-  return true;
+  const char* words[] = {"ffmpeg",
+                         "-nostdin",
+                         "-y",
+                         "-loglevel",
+                         "error",
+                         "-framerate",
+                         rate.c_str(),
+                         "-i",
+                         "%06d.png",
+                         "-vf",
+                         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                         "-pix_fmt",
+                         "yuv420p",
+                         movie.c_str(),
+                         nullptr};
+  if (chdir(folder.c_str()) == 0) execvp(words[0], const_cast<char**>(words));
+  throw Error(fmt::format("cannot be started, {}", std::strerror(errno)));
 }
 
 std::string last_line(const fs::path& log) {
@@ -128,21 +90,19 @@ void require_ffmpeg(const fs::path& movie) {
 }
 
 void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, const fs::path& movie) {
-  const NoPipeSignal no_signal;
+  const NumberedPictures numbered(pictures);
   const TemporaryFile log;
-  Process ffmpeg;
-  Pipe input;  // closed before the wait
-  ffmpeg.id = start_ffmpeg(input, frames_per_second, movie, log);
-  input.close_end(0);
-  for (const fs::path& picture : pictures)
-    if (!send(input.ends[1], files::read_text(picture))) break;
-  input.close_end(1);
-  const int status = ffmpeg.wait();
+  const std::string target = fs::absolute(movie).string();
+  const ChildEnd end =
+      in_child([&](const Send&) { become_ffmpeg(numbered.path, frames_per_second, target, log.descriptor); });
+  if (end.how == ChildEnd::exited && end.number == 0) return;
   const std::string message = last_line(log.path);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw Error(fmt::format("{}: ffmpeg failed ({}); give a name that ends in .mp4 in a folder that exists",
-                            movie.string(), message.empty() ? "without a message" : message),
-                ExitStatus::failure);
+  throw Error(fmt::format("{}: ffmpeg failed ({}); give a name that ends in .mp4 in a folder that exists",
+                          movie.string(),
+                          !message.empty()             ? message
+                          : end.how == ChildEnd::threw ? end.exception
+                                                       : end.text()),
+              ExitStatus::failure);
 }
 
 }  // namespace scree::tool

@@ -12,7 +12,6 @@
 #include <scree/files/text_file.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/pictures/view_range.hpp>
-#include <scree/run/charts.hpp>
 #include <scree/run/written_files.hpp>
 
 namespace scree::tool {
@@ -23,9 +22,6 @@ namespace {
 
 struct RenderArguments {
   std::string source, out, movie, color_range;
-  bool charts = false;
-  std::string scenario;  // of charts
-  std::vector<std::string> overrides;
   int frames_per_second = 25;
   bool overwrite = false;
   pictures::RenderOptions options;
@@ -107,8 +103,8 @@ Common common_of(const std::vector<fs::path>& frames, const std::string& color_b
   return common;
 }
 
-// Where pictures are drawn. Those of a run are listed there, so that they are removed with it, and may be drawn again; other files are
-// replaced only if that is asked for.
+// Where pictures are drawn. Those of a run are listed there, so that they are removed with it, and may be
+// drawn again; other files are replaced only if that is asked for.
 class Pictures {
  public:
   explicit Pictures(const RenderArguments& arguments) : overwrite_(arguments.overwrite) {
@@ -146,7 +142,8 @@ class Pictures {
   fs::path draw(const fs::path& file, const pictures::Frame& frame, const pictures::RenderOptions& options,
                 pictures::SnapshotBackend& backend) {
     const fs::path picture = out_ / picture_name(file);
-    // A run that goes on meanwhile removes what is listed behind its state, so that it is listed only when it is there.
+    // A run that goes on meanwhile removes what is listed after its state, so that it is listed only when it
+    // is there.
     std::optional<TemporaryFile> drawn;
     if (list_) drawn.emplace();
     backend.render(frame, options, drawn ? fs::path(drawn->path) : picture);
@@ -162,16 +159,7 @@ class Pictures {
   std::optional<run::WrittenFiles> list_;
 };
 
-ExitStatus render_charts(const RenderArguments& a) {
-  run::redraw_charts({a.source, a.scenario, a.overrides, a.out, a.overwrite},
-                     [](const fs::path& chart) { fmt::print("{}\n", chart.string()); });
-  return ExitStatus::success;
-}
-
 ExitStatus render(const RenderArguments& arguments) {
-  if (arguments.charts) return render_charts(arguments);
-  if (!arguments.overrides.empty() || !arguments.scenario.empty())
-    throw Error("--set and --scenario change charts; give --charts too");
   pictures::RenderOptions options = arguments.options;
   options.color_range = color_range_of(arguments.color_range);
   if (!arguments.movie.empty()) {
@@ -203,7 +191,7 @@ ExitStatus render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render_verb(CommandLine& line) {
-  Verb verb = line.verb("render", "Redraw the snapshots or the charts of a run; needs no display");
+  Verb verb = line.verb("render", "Redraw the snapshots of a run; needs no display");
   auto a = std::make_shared<RenderArguments>();
   const std::vector<std::string> fields(pictures::color_fields.begin(), pictures::color_fields.end());
   const std::vector<std::string> views(pictures::view_names.begin(), pictures::view_names.end());
@@ -223,12 +211,9 @@ void add_render_verb(CommandLine& line) {
       .between(1, 240);
   verb.flag("--overwrite", a->overwrite,
             "Replace pictures in --out and a movie; those in images/ of a run are drawn again without it");
-  verb.flag("--charts", a->charts, "Redraw the charts from the series of the run, and no snapshots");
-  verb.option("--scenario", a->scenario,
-              "Of --charts: file with [[chart]] tables; default: scenario.toml of the run")
-      .shown_as("FILE.toml");
-  verb.option("--set", a->overrides, "Of --charts: change a value of the scenario, as chart.NAME.log_y=true")
-      .shown_as("KEY=VALUE");
+  verb.moved(
+      "--charts",
+      "--charts: charts have their own verb; give scree chart DIRECTORY, with the same --set and --scenario");
   verb.footer("Example: scree render runs/first --color-by speed --contacts --movie first.mp4");
   verb.action([a] { return render(*a); });
 }

@@ -63,7 +63,7 @@ void print_places(const std::filesystem::path& directory, bool quiet) {
        {std::pair{"series", "time series (CSV)"},
         {"snapshots", "ParaView files (.vtp, .pvd)"},
         {"images", "pictures (PNG)"},
-        {"charts", "charts (PNG)"},
+        {"charts", "charts"},
         {"final_packing.csv", "bodies at the end, for the key file of [particles]"},
         {"final_state.h5", "the whole state at the end"},
         {"checkpoint", "states for scree resume"},

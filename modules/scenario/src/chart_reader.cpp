@@ -63,6 +63,7 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbeColumns>& 
   ChartPlan chart;
   chart.name = read(t, chart_keys.name);
   check_file_name(t, chart.name);
+  chart.format = read(t, chart_keys.format);
   const ProbeColumns& columns = probe_named(t, probes);
   const std::string x = read(t, chart_keys.x);
   const std::size_t x_at = find_name(t, "x", "column", x, columns.names);

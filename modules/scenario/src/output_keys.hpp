@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/pictures/render_options.hpp>
 #include <scree/scenario/table_keys.hpp>
 
@@ -18,7 +19,7 @@ struct ProbeKeys : TableKeys {
 };
 
 struct ChartKeys : TableKeys {
-  ChartKeys() : TableKeys("chart", "[[chart]]", "a picture of columns of a probe, charts/<name>.png") {}
+  ChartKeys() : TableKeys("chart", "[[chart]]", "curves of columns of a probe, charts/<name>.<format>") {}
   StringKey name = string("name", "of the file");
   StringKey probe = string("probe", "name of a [[probe]]");
   StringKey x = string("x", "time", "column", "default \"time\"");
@@ -34,6 +35,8 @@ struct ChartKeys : TableKeys {
       boolean("log_x", false, "logarithmic axis; points without a logarithm are left out and counted");
   BooleanKey log_y =
       boolean("log_y", false, "logarithmic axis; points without a logarithm are left out and counted");
+  ChoiceKey format = choice_or_first("format", {charts::chart_formats.begin(), charts::chart_formats.end()},
+                                     "pixels, or curves and letters of any size");
 };
 
 struct SnapshotKeys : TableKeys {

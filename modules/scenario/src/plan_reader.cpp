@@ -158,12 +158,10 @@ void check_audit(const document::Table& root, const Plan& plan) {
 
 // Refuses pictures in a build without them, before anything is computed or written.
 void check_pictures(const document::Table& root, const Plan& plan) {
-  if (pictures::has_pictures() || (!plan.snapshot.any() && plan.charts.empty())) return;
+  if (pictures::has_pictures() || !plan.snapshot.any()) return;
   throw root.error(
-      plan.snapshot.any() ? "snapshot" : "chart",
-      fmt::format("{}, but the scene requests them", pictures::no_pictures),
-      fmt::format("leave [snapshot] and [[chart]] out (--set 'snapshot={{}}' --set 'chart=[]'), or {}",
-                  pictures::no_pictures_cure));
+      "snapshot", fmt::format("{}, but the scene requests them", pictures::no_pictures),
+      fmt::format("leave [snapshot] out (--set 'snapshot={{}}'), or {}", pictures::no_pictures_cure));
 }
 
 bool any_probe_needs(const Plan& plan, std::uint32_t what) {

@@ -39,6 +39,8 @@ TEST_CASE("the label of an axis is the column, or what the unit of several measu
   CHECK(chart_with("y = ['work', 'ratio']").curves[1].name == "ratio");
   CHECK(chart_with("y = 'work'").x_label == "time");
   CHECK(chart_with("y = 'work'").x_unit == "s");
+  CHECK(chart_with("y = 'work'").file_name() == "c.png");
+  CHECK(chart_with("y = 'work'\nformat = 'pdf'").file_name() == "c.pdf");
 }
 
 TEST_CASE("a label of one's own gets the unit, unless it says it", "[scenario]") {

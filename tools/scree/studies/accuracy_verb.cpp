@@ -13,7 +13,6 @@
 #include <scree/accuracy/report.hpp>
 #include <scree/accuracy/study.hpp>
 #include <scree/files/text.hpp>
-#include <scree/pictures/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -72,11 +71,6 @@ ExitStatus study_scenario(const AccuracyArguments& arguments) {
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan =
       scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
-  // The table is worth having without them.
-  if (!pictures::has_pictures())
-    report(
-        fmt::format("{}, so the study has no charts; {}", pictures::no_pictures, pictures::no_pictures_cure),
-        ExitStatus::success);
   const auto [found, directory] = [&] {
     ProgressBar bar(arguments.quiet);
     return accuracy::recorded_study(plan, options_of(arguments, bar));

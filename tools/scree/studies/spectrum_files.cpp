@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/files/csv_line.hpp>
 #include <scree/files/paths.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/pictures/load_backend.hpp>
 
 namespace scree::tool {
 
@@ -56,9 +56,9 @@ std::string table_of(const signals::AmplitudeSpectrum& amplitudes, const std::st
 }
 
 // The largest amplitude in each step of the logarithmic axis, about one step per pixel.
-pictures::ChartSeries curve_of(const signals::AmplitudeSpectrum& amplitudes) {
+charts::ChartSeries curve_of(const signals::AmplitudeSpectrum& amplitudes) {
   constexpr double steps_per_decade = 400;
-  pictures::ChartSeries curve{"amplitude", {}, {}};
+  charts::ChartSeries curve{"amplitude", {}, {}};
   double step = -1;
   for (std::size_t k = 1; k < amplitudes.amplitude.size(); ++k) {
     const double amplitude = amplitudes.amplitude[k];
@@ -92,12 +92,7 @@ void SpectrumFiles::write(const signals::AmplitudeSpectrum& amplitudes, const si
                           lines_of(lines, series.unit, files::relative_to(folder_.path(), source_)));
   files::write_atomically(table, table_of(amplitudes, series.unit));
   fmt::print("{}\n{}\n", table.string(), of_lines.string());
-  if (!pictures::has_pictures()) {
-    report(fmt::format("{}, so there is no chart; {}", pictures::no_pictures, pictures::no_pictures_cure),
-           ExitStatus::success);
-    return;
-  }
-  pictures::ChartSpec chart;
+  charts::ChartSpec chart;
   chart.title = files::one_line(series.name);
   chart.x_label = "frequency (Hz)";
   chart.y_label =
@@ -107,7 +102,7 @@ void SpectrumFiles::write(const signals::AmplitudeSpectrum& amplitudes, const si
   chart.series.push_back(curve_of(amplitudes));
   if (chart.series[0].x.empty()) return;  // a constant
   const fs::path picture = folder_.path_of(chart_name);
-  pictures::load_backend()->chart(chart, picture);
+  charts::draw_chart(chart, picture);
   fmt::print("{}\n", picture.string());
 }
 

@@ -101,6 +101,10 @@ void Verb::flag(const std::string& name, bool& value, const std::string& help) {
   verb_->add_flag(name, value, help);
 }
 
+void Verb::moved(const std::string& name, const std::string& line) {
+  verb_->add_flag_callback(name, [line] { throw Error(line); })->group("");
+}
+
 void Verb::footer(const std::string& text) { verb_->footer(text); }
 
 void Verb::footer(const std::function<std::string()>& text) { verb_->footer(text); }

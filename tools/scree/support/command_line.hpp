@@ -52,6 +52,8 @@ class Verb {
   // "--name", or "name" for a word by its place. --name of several values is repeated for each.
   Option option(const std::string& name, Destination value, const std::string& help);
   void flag(const std::string& name, bool& value, const std::string& help);
+  // A flag of an earlier version, which the help does not show: refused with this line.
+  void moved(const std::string& name, const std::string& line);
   // The text that ends the help; a function is called for it only when the help is shown.
   void footer(const std::string& text);
   void footer(const std::function<std::string()>& text);

@@ -52,11 +52,11 @@ Json law_of(const Slowing& s) {
 }
 
 // The law or line of the class, over the cycles that count.
-pictures::ChartSeries fitted_curve(const CyclesResult& r) {
+charts::ChartSeries fitted_curve(const CyclesResult& r) {
   const Classification& c = r.found;
   const std::size_t last = r.source.series.strain.size() - 1;
   const double reference = r.source.series.strain[r.drop];
-  pictures::ChartSeries curve;
+  charts::ChartSeries curve;
   if (c.slowing && c.kind != Class::late_ratcheting) {
     curve.name = law_text(*c.slowing);
     for (std::size_t n = r.drop; n <= last; ++n) {
@@ -142,18 +142,18 @@ std::string cycles_record(const CyclesResult& r, const fs::path& folder) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-pictures::ChartSpec cycles_chart(const CyclesResult& r) {
+charts::ChartSpec cycles_chart(const CyclesResult& r) {
   const std::vector<double>& strain = r.source.series.strain;
   // Relative to the first cycle that counts: the transient before it would hide the rest.
   const double reference = strain[r.drop];
-  pictures::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}};
+  charts::ChartSeries values{"at the minima of the load", {}, {}}, outliers{"outliers", {}, {}};
   for (std::size_t n = r.drop; n < strain.size(); ++n) {
-    pictures::ChartSeries& series = is_outlier(r, n) ? outliers : values;
+    charts::ChartSeries& series = is_outlier(r, n) ? outliers : values;
     series.x.push_back(double(n));
     series.y.push_back(strain[n] - reference);
   }
-  values.line = outliers.line = pictures::LineStyle::none;
-  pictures::ChartSpec chart;
+  values.line = outliers.line = charts::LineStyle::none;
+  charts::ChartSpec chart;
   chart.title =
       fmt::format("{}: {}", files::one_line(fs::path(r.name + "/").parent_path().filename().string()),
                   class_name(r.found.kind));

@@ -109,4 +109,10 @@ void write_atomically(const fs::path& path, std::string_view text) {
   }
 }
 
+void write_in_folder(const fs::path& path, std::string_view text) {
+  std::error_code failed;  // then the file cannot be written either
+  if (path.has_parent_path()) fs::create_directory(path.parent_path(), failed);
+  write_atomically(path, text);
+}
+
 }  // namespace scree::files

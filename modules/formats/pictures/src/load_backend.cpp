@@ -10,7 +10,7 @@ namespace {
 constexpr files::CompanionLibrary library = {
     .target = "scree_pictures_vtk",
     .factory = "scree_create_snapshot_backend",
-    .purpose = "snapshots, images and charts",
+    .purpose = "snapshots and images",
     .without = "leave them out",
     .needs = "the VTK and OSMesa run-time libraries",
 };

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/accuracy/report.hpp>
-#include <scree/pictures/load_backend.hpp>
+#include <scree/charts/draw_chart.hpp>
 
 namespace scree::accuracy {
 
@@ -30,16 +30,16 @@ Json order_of(const Convergence& study, std::size_t method) {
   return json;
 }
 
-void add_point(pictures::ChartSeries& series, const SettingResult& o, std::optional<std::size_t> quantity) {
+void add_point(charts::ChartSeries& series, const SettingResult& o, std::optional<std::size_t> quantity) {
   const double error = o.error(quantity);
   if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // not possible on a logarithmic axis
   series.x.push_back(o.wall);
   series.y.push_back(error);
 }
 
-pictures::ChartSeries front_of(const Convergence& study, std::optional<std::size_t> quantity) {
-  pictures::ChartSeries front{
-      "Pareto front", {}, {}, std::array<double, 3>{0, 0, 0}, pictures::LineStyle::dashed};
+charts::ChartSeries front_of(const Convergence& study, std::optional<std::size_t> quantity) {
+  charts::ChartSeries front{
+      "Pareto front", {}, {}, std::array<double, 3>{0, 0, 0}, charts::LineStyle::dashed};
   for (const SettingResult* o : pareto_front(study, quantity)) add_point(front, *o, quantity);
   return front;
 }
@@ -51,19 +51,19 @@ std::array<double, 3> color_of(Integration integration) {
   return colors[std::size_t(integration) % std::size(colors)];
 }
 
-pictures::ChartSpec chart_of(const Convergence& study, const std::string& title, const std::string& label,
+charts::ChartSpec chart_of(const Convergence& study, const std::string& title, const std::string& label,
                              std::optional<std::size_t> quantity) {
-  pictures::ChartSpec chart;
+  charts::ChartSpec chart;
   chart.title = title;
   chart.x_label = "wall time (s)";
   chart.y_label = label;
   chart.log_x = chart.log_y = true;
   for (const Order& order : study.orders) {
-    pictures::ChartSeries series;
+    charts::ChartSeries series;
     series.name = method_name(order.method);
     series.markers = true;
     series.color = color_of(order.method.integration);
-    if (order.method.precision == Precision::mixed) series.line = pictures::LineStyle::dotted;
+    if (order.method.precision == Precision::mixed) series.line = charts::LineStyle::dotted;
     for (const SettingResult& o : study.outcomes)
       if (o.problem.empty() && method_name(o.setting) == series.name) add_point(series, o, quantity);
     if (!series.x.empty()) chart.series.push_back(std::move(series));
@@ -72,10 +72,10 @@ pictures::ChartSpec chart_of(const Convergence& study, const std::string& title,
   return chart;
 }
 
-void draw(const pictures::ChartSpec& chart, std::string name, const run::RunDirectory& files) {
+void draw(const charts::ChartSpec& chart, std::string name, const run::RunDirectory& files) {
   if (chart.series.size() < 2 || chart.series.back().x.empty()) return;  // all errors are 0
   std::replace(name.begin(), name.end(), '/', '_');                      // of a peak 3λ/4
-  pictures::load_backend()->chart(chart, files.add("charts/" + name + ".png"));
+  charts::draw_chart(chart, files.add("charts/" + name + ".png"));
 }
 
 }  // namespace
@@ -98,7 +98,6 @@ void write_table(const Convergence& study, const run::RunDirectory& directory) {
 }
 
 void draw_charts(const Convergence& study, const std::string& title, const run::RunDirectory& directory) {
-  if (!pictures::has_pictures()) return;
   constexpr std::size_t max_charts = 6;
   draw(chart_of(study, title, "largest relative error of all quantities", std::nullopt), "worst_error",
        directory);

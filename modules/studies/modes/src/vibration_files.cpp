@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/files/csv_line.hpp>
-#include <scree/pictures/load_backend.hpp>
 
 namespace scree::modes {
 
@@ -147,11 +147,11 @@ Json json_of_modes(const Vibration& v) {
 void draw(const Vibration& v, const run::RunDirectory& directory, const char* file, const std::string& label,
           double DensityPoint::*value) {
   const bool in_khz = v.density.back().to_hz >= 1e4;
-  pictures::ChartSpec chart;
+  charts::ChartSpec chart;
   chart.title = v.title;
   chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
   chart.y_label = label;
-  pictures::ChartSeries curve;
+  charts::ChartSeries curve;
   // Steps: the density between two frequencies is a mean.
   for (const DensityPoint& p : v.density)
     for (const double f : {p.from_hz, p.to_hz}) {
@@ -159,7 +159,7 @@ void draw(const Vibration& v, const run::RunDirectory& directory, const char* fi
       curve.y.push_back(p.*value);
     }
   chart.series.push_back(std::move(curve));
-  pictures::load_backend()->chart(chart, directory.add(file));
+  charts::draw_chart(chart, directory.add(file));
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ void write_tables(const Vibration& v, const run::RunDirectory& directory) {
 }
 
 void draw_charts(const Vibration& v, const run::RunDirectory& directory) {
-  if (!pictures::has_pictures() || v.density.empty()) return;
+  if (v.density.empty()) return;
   draw(v, directory, "charts/density.png", "modes per Hz and body (1/Hz)", &DensityPoint::density);
   draw(v, directory, "charts/density_reduced.png",
        v.dimension == 2 ? "modes per Hz and body over frequency (1/Hz^2)"

@@ -13,7 +13,7 @@ nlohmann::ordered_json record_of(const Vibration& vibration);
 // modes.csv, floppy.csv, elastic.csv and density.csv, those that there are.
 void write_tables(const Vibration& vibration, const run::RunDirectory& directory);
 
-// With pictures: charts of the density of states.
+// Charts of the density of states.
 void draw_charts(const Vibration& vibration, const run::RunDirectory& directory);
 
 // "Pa", in 2D "N/m".

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/counted.hpp>
-#include <scree/pictures/load_backend.hpp>
 
 namespace scree::quasi_static {
 
@@ -36,9 +36,9 @@ Json record_of(const FollowedLoad& load) {
 namespace {
 
 // The part of a load between two times (s), over the time since `zero`.
-pictures::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains,
+charts::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains,
                               double from, double to, double zero) {
-  pictures::ChartSeries curve;
+  charts::ChartSeries curve;
   for (std::size_t k = 0; k < times.size(); ++k)
     if (times[k] >= from && times[k] <= to) curve.x.push_back(times[k] - zero), curve.y.push_back(strains[k]);
   return curve;
@@ -50,8 +50,8 @@ void draw_chart(const FollowedLoad& load, const std::vector<double>& times,
                 const std::vector<double>& strains, const run::RunDirectory& directory) {
   const bool drawn = strains.size() > 1 &&
                      std::all_of(strains.begin(), strains.end(), [](double s) { return std::isfinite(s); });
-  if (!drawn || !pictures::has_pictures()) return;
-  pictures::ChartSpec chart;
+  if (!drawn) return;
+  charts::ChartSpec chart;
   chart.title = load.title + ", quasi-static";
   chart.y_label = "strain L_y/L_y0 - L_x/L_x0";
   const double end = times.back(), slack = 1e-9 * load.period;
@@ -67,7 +67,7 @@ void draw_chart(const FollowedLoad& load, const std::vector<double>& times,
     chart.x_label = "time (s)";
     chart.series.push_back(part_of(times, strains, load.start, end, 0));
   }
-  pictures::load_backend()->chart(chart, directory.add("charts/strain.png"));
+  charts::draw_chart(chart, directory.add("charts/strain.png"));
 }
 
 std::string text_report(const FollowedLoad& c) {

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/charts/draw_chart.hpp>
+#include <scree/charts/scaled_unit.hpp>
 #include <scree/document/document.hpp>
 #include <scree/error.hpp>
 #include <scree/files/csv_rows.hpp>
-#include <scree/pictures/load_backend.hpp>
-#include <scree/pictures/scaled_unit.hpp>
 #include <scree/run/charts.hpp>
 #include <scree/run/series.hpp>
 #include <scree/run/written_files.hpp>
@@ -24,17 +24,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Column = std::vector<double> pictures::ChartSeries::*;
+using Column = std::vector<double> charts::ChartSeries::*;
 
 // Gives the values of an axis a suitable prefix; returns the label with the unit.
-std::string scale_axis(pictures::ChartSpec& chart, Column column, const std::string& label,
+std::string scale_axis(charts::ChartSpec& chart, Column column, const std::string& label,
                        const std::string& unit) {
   double largest = 0;
-  for (const pictures::ChartSeries& series : chart.series)
+  for (const charts::ChartSeries& series : chart.series)
     for (const double value : series.*column)
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  const pictures::ScaledUnit scaled = pictures::scaled_unit(largest, unit);
-  for (pictures::ChartSeries& series : chart.series)
+  const charts::ScaledUnit scaled = charts::scaled_unit(largest, unit);
+  for (charts::ChartSeries& series : chart.series)
     for (double& value : series.*column) value *= scaled.factor;
   if (unit.empty()) return label;
   return label.empty() ? scaled.symbol : fmt::format("{} ({})", label, scaled.symbol);
@@ -42,16 +42,16 @@ std::string scale_axis(pictures::ChartSpec& chart, Column column, const std::str
 
 }  // namespace
 
-pictures::ChartSpec chart_of(const scenario::ChartPlan& plan, const ColumnOf& column) {
-  pictures::ChartSpec chart;
+charts::ChartSpec chart_of(const scenario::ChartPlan& plan, const ColumnOf& column) {
+  charts::ChartSpec chart;
   chart.title = plan.title;
   chart.log_x = plan.log_x;
   chart.log_y = plan.log_y;
   for (const scenario::CurvePlan& curve : plan.curves)
     if (std::vector<double> x = column(curve.probe, curve.x); !x.empty())
       chart.series.push_back({curve.name, std::move(x), column(curve.probe, curve.y)});
-  chart.x_label = scale_axis(chart, &pictures::ChartSeries::x, plan.x_label, plan.x_unit);
-  chart.y_label = scale_axis(chart, &pictures::ChartSeries::y, plan.y_label, plan.y_unit);
+  chart.x_label = scale_axis(chart, &charts::ChartSeries::x, plan.x_label, plan.x_unit);
+  chart.y_label = scale_axis(chart, &charts::ChartSeries::y, plan.y_label, plan.y_unit);
   if (chart.series.empty()) throw Error("its probe has no samples; add a stage in which it samples");
   return chart;
 }
@@ -93,18 +93,24 @@ std::vector<std::string> left_out_at_start(const scenario::Plan& plan, const Sim
 
 namespace {
 
-std::vector<scenario::ProbeColumns> columns_in(const fs::path& run) {
-  const fs::path folder = run / "series";
-  std::set<fs::path> series;
+// The tables of a run or study by their names: its series, then what lies beside its record.
+std::map<std::string, fs::path> tables_in(const fs::path& run) {
+  std::map<std::string, fs::path> tables;
   std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(folder, failed))
-    if (entry.path().extension() == ".csv") series.insert(entry.path());
-  if (series.empty())
-    throw Error(
-        fmt::format("{}: contains no series/*.csv; give the directory of a run with probes", run.string()));
+  for (const fs::path& folder : {run / "series", run})
+    for (const auto& entry : fs::directory_iterator(folder, failed))
+      if (entry.path().extension() == ".csv") tables.emplace(entry.path().stem().string(), entry.path());
+  if (tables.empty())
+    throw Error(fmt::format(
+        "{}: contains no series/*.csv and no *.csv; give the directory of a run with probes, or of a study",
+        run.string()));
+  return tables;
+}
+
+std::vector<scenario::ProbeColumns> columns_of(const std::map<std::string, fs::path>& tables) {
   std::vector<scenario::ProbeColumns> probes;
-  for (const fs::path& file : series) {
-    probes.push_back({file.stem().string(), {}, {}});
+  for (const auto& [name, file] : tables) {
+    probes.push_back({name, {}, {}});
     const files::CsvRows rows(file);
     for (const files::CsvRows::Column& column : rows.columns()) {
       probes.back().names.push_back(column.name);
@@ -128,24 +134,23 @@ fs::path place_of(const ChartRequest& request, std::optional<WrittenFiles>& list
 
 void redraw_charts(const ChartRequest& request, const std::function<void(const fs::path&)>& drawn) {
   const fs::path scenario = request.scenario.empty() ? request.run / "scenario.toml" : request.scenario;
-  const std::vector<scenario::ProbeColumns> probes = columns_in(request.run);
+  const std::map<std::string, fs::path> tables = tables_in(request.run);
   const document::Document document = document::Document::load(scenario, request.overrides);
-  const std::vector<scenario::ChartPlan> charts = scenario::read_charts(document.root(), probes);
+  const std::vector<scenario::ChartPlan> plans = scenario::read_charts(document.root(), columns_of(tables));
   for (const document::Table& chart : document.root().tables("chart")) chart.refuse_unused();
-  if (charts.empty())
+  if (plans.empty())
     throw Error(
         fmt::format("{}: has no [[chart]]; add one, or name a scenario that has some", scenario.string()));
   const ColumnOf column = [&](const std::string& probe, const std::string& name) {
-    return series_column(request.run / "series" / (probe + ".csv"), name, "wait until the run ends");
+    return series_column(tables.at(probe), name, "choose a column of numbers, or wait until the run ends");
   };
   std::optional<WrittenFiles> written;
   if (request.out.empty()) written.emplace(request.run);
   std::vector<fs::path> places;
-  for (const scenario::ChartPlan& chart : charts)
-    places.push_back(place_of(request, written, chart.name + ".png"));
-  const auto backend = pictures::load_backend();
-  for (std::size_t k = 0; k < charts.size(); ++k) {
-    backend->chart(chart_of(charts[k], column), places[k]);
+  for (const scenario::ChartPlan& chart : plans)
+    places.push_back(place_of(request, written, chart.file_name()));
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    charts::draw_chart(chart_of(plans[k], column), places[k]);
     drawn(places[k]);
   }
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/error.hpp>
 #include <scree/pictures/frame_files.hpp>
 #include <scree/pictures/load_backend.hpp>
@@ -80,11 +81,11 @@ void Pictures::write_image(const Simulation& s) {
 }
 
 void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
-  const pictures::ChartSpec chart = chart_of(plan, [&](const std::string& probe, const std::string& column) {
+  const charts::ChartSpec chart = chart_of(plan, [&](const std::string& probe, const std::string& column) {
     const Series& series = sampler.series(probe);
     return series.rows() > 0 ? series.column(column) : std::vector<double>();
   });
-  backend().chart(chart, directory_.add("charts/" + plan.name + ".png"));
+  charts::draw_chart(chart, directory_.add("charts/" + plan.file_name()));
 }
 
 void Pictures::draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report) {
@@ -94,7 +95,7 @@ void Pictures::draw_charts(const Sampler& sampler, const std::function<void(cons
     } catch (const std::exception& error) {
       if (report)
         report(fmt::format(
-            "chart '{}' was not drawn: {}; scree render {} --charts --set chart.{}.KEY=VALUE draws it again",
+            "chart '{}' was not drawn: {}; scree chart {} --set chart.{}.KEY=VALUE draws it again",
             chart.name, error.what(), directory_.path().string(), chart.name));
     }
   }

@@ -15,7 +15,8 @@
 
 namespace scree::run {
 
-// Snapshots, images and charts of a run. VTK is loaded only if the plan has any.
+// Snapshots, images and charts of a run. VTK is loaded only if the plan has snapshots or images, cairo only
+// if it has charts.
 class Pictures {
  public:
   // Throws Error if VTK is needed and cannot be loaded.

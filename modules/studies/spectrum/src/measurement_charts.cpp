@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <scree/pictures/load_backend.hpp>
+#include <scree/charts/draw_chart.hpp>
 
 namespace scree::spectrum {
 
@@ -19,12 +19,12 @@ constexpr std::size_t most_peaks = 6;  // of a chart
 bool is_sweep(const MethodSpectrum& spectrum) { return spectrum.method.starts_with("sweep"); }
 
 // In a chart with other methods, pulses are dashed lines over those below them.
-pictures::ChartSeries curve_of(const MethodSpectrum& spectrum, std::size_t c, double scale,
+charts::ChartSeries curve_of(const MethodSpectrum& spectrum, std::size_t c, double scale,
                                bool beside_others) {
-  pictures::ChartSeries curve;
+  charts::ChartSeries curve;
   curve.name = spectrum.method == "sweep_down" ? "sweep down" : spectrum.method;
-  if (spectrum.method == "pulse" && beside_others) curve.line = pictures::LineStyle::dashed;
-  if (is_sweep(spectrum)) curve.line = pictures::LineStyle::none, curve.markers = true;
+  if (spectrum.method == "pulse" && beside_others) curve.line = charts::LineStyle::dashed;
+  if (is_sweep(spectrum)) curve.line = charts::LineStyle::none, curve.markers = true;
   for (std::size_t k = 0; k < spectrum.frequencies.size(); ++k) {
     const double amplitude = std::abs(spectrum.columns[c].response[k]);
     if (!(amplitude > 0 && std::isfinite(amplitude))) continue;  // not possible on a logarithmic axis
@@ -38,7 +38,7 @@ bool is_named(const Resonance& r) { return !name_of(r).empty(); }
 
 // Shapes of the peaks of the first method and column that have any with a name.
 void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
-  pictures::ChartSpec chart;
+  charts::ChartSpec chart;
   chart.title = m.title + ": shapes of the peaks";
   chart.x_label = "layer, in the order of the probe";
   chart.y_label = "displacement over the largest";
@@ -46,18 +46,18 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   for (const Resonance& r : m.resonances) {
     if (r.spectrum != first.spectrum || r.column != first.column || !is_named(r)) continue;
     if (chart.series.size() == most_peaks) break;
-    pictures::ChartSeries curve;
+    charts::ChartSeries curve;
     curve.name = fmt::format("{}, {:.4g} kHz", name_of(r), 1e-3 * r.mode.frequency);
     for (std::size_t k = 0; k < r.shape.size(); ++k) curve.x.push_back(double(k + 1));
     curve.y = r.shape;
     curve.markers = true;
     chart.series.push_back(std::move(curve));
   }
-  pictures::load_backend()->chart(chart, directory.add("charts/shapes.png"));
+  charts::draw_chart(chart, directory.add("charts/shapes.png"));
 }
 
 // The named peaks of a column, by the first method that has any, as points of its curve.
-void add_peaks(const Measurement& m, std::size_t c, double scale, pictures::ChartSpec& chart) {
+void add_peaks(const Measurement& m, std::size_t c, double scale, charts::ChartSpec& chart) {
   const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
                                   [&](const Resonance& r) { return r.column == c && is_named(r); });
   const std::size_t most = chart.series.size() + most_peaks;
@@ -65,11 +65,11 @@ void add_peaks(const Measurement& m, std::size_t c, double scale, pictures::Char
     if (r->column != c || r->spectrum != first->spectrum || !is_largest_of_name(m, *r)) continue;
     const MethodSpectrum& spectrum = m.spectra[r->spectrum];
     const double frequency = r->mode.frequency;
-    pictures::ChartSeries point;
+    charts::ChartSeries point;
     point.name = fmt::format("{}, {:.5g} {}", name_of(*r), scale * frequency, scale < 1 ? "kHz" : "Hz");
     point.x = {scale * spectrum.frequencies[*r->maximum]};
     point.y = {std::abs(spectrum.columns[c].response[*r->maximum])};
-    point.line = pictures::LineStyle::none, point.markers = true;
+    point.line = charts::LineStyle::none, point.markers = true;
     chart.series.push_back(std::move(point));
   }
 }
@@ -80,7 +80,7 @@ void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& d
   for (const MethodSpectrum& spectrum : m.spectra)
     if (!spectrum.frequencies.empty()) highest = std::max(highest, spectrum.frequencies.back());
   const bool in_khz = highest >= 1e4;
-  pictures::ChartSpec chart;
+  charts::ChartSpec chart;
   chart.title = m.title;
   chart.x_label = in_khz ? "frequency (kHz)" : "frequency (Hz)";
   const std::string unit = unit_of_response(m.observed[c]);
@@ -90,21 +90,20 @@ void draw_curves(const Measurement& m, std::size_t c, const run::RunDirectory& d
   // The marks of sweeps are below the lines.
   for (const bool sweeps : {true, false})
     for (const MethodSpectrum& spectrum : m.spectra)
-      if (pictures::ChartSeries curve = curve_of(spectrum, c, in_khz ? 1e-3 : 1, m.spectra.size() > 1);
+      if (charts::ChartSeries curve = curve_of(spectrum, c, in_khz ? 1e-3 : 1, m.spectra.size() > 1);
           is_sweep(spectrum) == sweeps && !curve.x.empty())
         chart.series.push_back(std::move(curve));
   if (chart.series.empty()) return;
   add_peaks(m, c, in_khz ? 1e-3 : 1, chart);
   std::string name = m.observed[c].name;
   name[name.rfind('.')] = '_';
-  pictures::load_backend()->chart(chart, directory.add("charts/" + name + ".png"));
+  charts::draw_chart(chart, directory.add("charts/" + name + ".png"));
 }
 
 }  // namespace
 
 void draw_charts(const Measurement& m, const run::RunDirectory& directory,
                  const std::function<void(const std::string&)>& report) {
-  if (!pictures::has_pictures()) return;
   const auto draw = [&](const std::string& name, const auto& chart) {
     try {
       chart();

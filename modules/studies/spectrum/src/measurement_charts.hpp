@@ -8,7 +8,7 @@
 
 namespace scree::spectrum {
 
-// Charts of a measurement, if pictures are built: of each column the curves of all methods with their named peaks,
+// Charts of a measurement: of each column the curves of all methods with their named peaks,
 // and the shapes of the peaks. Charts that cannot be drawn are reported, in one line each.
 void draw_charts(const Measurement& measurement, const run::RunDirectory& directory,
                  const std::function<void(const std::string&)>& report);

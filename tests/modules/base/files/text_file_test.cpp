@@ -66,6 +66,16 @@ TEST_CASE("a file is written whole or not at all") {
   CHECK_FALSE(fs::exists(taken.string() + files::part_suffix));
 }
 
+TEST_CASE("the folder of a file is created, but none above") {
+  const TemporaryFolder folder;
+  for (const char* text : {"first", "second"}) {
+    files::write_in_folder(folder / "new/a.txt", text);
+    CHECK(text_of(folder / "new/a.txt") == text);
+  }
+  CHECK_THROWS_AS(files::write_in_folder(folder / "removed/new/a.txt", "a"), files::WriteError);
+  CHECK_FALSE(fs::exists(folder / "removed"));
+}
+
 TEST_CASE("a link under the temporary name leads nowhere") {
   const TemporaryFolder folder;
   const fs::path other = folder.write("other.txt", "kept"), path = folder / "a.txt";

@@ -160,10 +160,8 @@ TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as 
   const auto record = nlohmann::json::parse(test::text_of(folder / "out/accuracy.json"));
   CHECK(record["status"] == "finished");
   CHECK(record["orders"].size() == 2);
-#if SCREE_TEST_PICTURES
   CHECK(std::filesystem::file_size(folder.path() / "out/charts/worst_error.png") > 10000);
   CHECK(std::filesystem::exists(folder.path() / "out/charts/positions.png"));
-#endif
 }
 
 TEST_CASE("a study that is stopped before its reference is complete is an error", "[accuracy]") {

@@ -64,11 +64,14 @@ struct CurvePlan {
 };
 
 struct ChartPlan {
-  std::string name;  // of the file
+  std::string name;    // of the file
+  std::string format;  // one of charts::chart_formats
   std::string title, x_label, y_label;
   std::string x_unit, y_unit;  // SI, shown with a prefix after the label; empty: none is added
   std::vector<CurvePlan> curves;
   bool log_x = false, log_y = false;
+
+  std::string file_name() const { return name + "." + format; }
 };
 
 // A required result of a run or a study.

@@ -9,7 +9,7 @@
 #include <scree/cycles/classification.hpp>
 #include <scree/cycles/cycles_source.hpp>
 #include <scree/cycles/rattlers.hpp>
-#include <scree/pictures/chart_spec.hpp>
+#include <scree/charts/chart_spec.hpp>
 
 namespace scree::cycles {
 
@@ -30,7 +30,7 @@ inline constexpr const char* chart_name = "cycles.png";
 std::string cycles_table(const CyclesResult& result);
 // folder: of the record, which names the series relative to it.
 std::string cycles_record(const CyclesResult& result, const std::filesystem::path& folder);
-pictures::ChartSpec cycles_chart(const CyclesResult& result);
+charts::ChartSpec cycles_chart(const CyclesResult& result);
 
 // The series that a record names; empty if there is no such record.
 std::filesystem::path series_of_record(const std::filesystem::path& record);

@@ -12,7 +12,7 @@ namespace scree::files {
 struct CompanionLibrary {
   const char* target;   // of the build, "scree_pictures_vtk"; the file is lib<target>.so
   const char* factory;  // function of C linkage: Interface* factory(int version), null for another version
-  const char* purpose;  // "snapshots, images and charts"
+  const char* purpose;  // "snapshots and images"
   const char* without;  // what to do without it: "leave them out"
   const char* needs;    // "the VTK and OSMesa run-time libraries"
   // Whether it is built in a build tree where it is missing: tools/run builds only what a run needs.

@@ -52,4 +52,8 @@ inline constexpr const char* part_suffix = ".part";
 // unchanged. Throws WriteError after removing the temporary file.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
+// The same, in a folder that is created if it is missing, but none above: a directory of results that was
+// removed is not made anew.
+void write_in_folder(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace scree::files

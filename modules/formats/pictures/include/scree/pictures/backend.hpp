@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include <scree/pictures/arrow_field.hpp>
-#include <scree/pictures/chart_spec.hpp>
 #include <scree/pictures/frame.hpp>
 #include <scree/pictures/picture.hpp>
 #include <scree/pictures/render_options.hpp>
@@ -11,10 +10,11 @@
 namespace scree::pictures {
 
 // Incremented when this interface or a struct in it changes; loader and library must have the same version.
-inline constexpr int backend_version = 3;
+inline constexpr int backend_version = 4;
 
-// Reads and writes frames and draws pictures. Not thread-safe. The directory of a file is created, but none above; a file gets
-// its final name only when it is complete. Every function throws scree::Error with path and cure.
+// Reads and writes frames and draws pictures. Not thread-safe. The directory of a file is created, but none
+// above; a file gets its final name only when it is complete. Every function throws scree::Error with path
+// and cure.
 class SnapshotBackend {
  public:
   virtual ~SnapshotBackend() = default;
@@ -31,12 +31,10 @@ class SnapshotBackend {
   virtual void render(const Frame& frame, const RenderOptions& options,
                       const std::filesystem::path& png_file) = 0;
 
-  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and pale.
+  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and
+  // pale.
   virtual void render_arrows(const Frame& frame, const ArrowField& arrows, const RenderOptions& options,
                              const std::filesystem::path& png_file) = 0;
-
-  // Draws a chart to a PNG file.
-  virtual void chart(const ChartSpec& spec, const std::filesystem::path& png_file) = 0;
 
   // Pixels of a PNG file; transparency is dropped.
   virtual Picture read_png(const std::filesystem::path& png_file) = 0;

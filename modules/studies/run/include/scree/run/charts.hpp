@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <scree/pictures/chart_spec.hpp>
+#include <scree/charts/chart_spec.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
@@ -15,23 +15,23 @@ namespace scree::run {
 using ColumnOf = std::function<std::vector<double>(const std::string& probe, const std::string& column)>;
 
 // The chart of a plan, its axes in units with prefixes. Throws Error if no probe was sampled.
-pictures::ChartSpec chart_of(const scenario::ChartPlan& plan, const ColumnOf& column);
+charts::ChartSpec chart_of(const scenario::ChartPlan& plan, const ColumnOf& column);
 
 // Which points charts of a scene will leave out at its start, as far as that is known before a run: a line
 // "chart <name>: ..." for each.
 std::vector<std::string> left_out_at_start(const scenario::Plan& plan, const Simulation& simulation);
 
-// Which charts of a finished run are drawn again.
+// Which charts of a finished run or study are drawn again.
 struct ChartRequest {
   std::filesystem::path run;           // its directory
-  std::filesystem::path scenario;      // with the tables [[chart]]; empty: that of the run
+  std::filesystem::path scenario;      // with the tables [[chart]]; empty: scenario.toml of the run
   std::vector<std::string> overrides;  // "key=value", of this scenario
   std::filesystem::path out;           // folder of the pictures; empty: charts/ of the run
   bool overwrite = false;              // whether files that the run did not write may be replaced
 };
 
-// Draws charts from the series of a run. drawn: is called with each file. Throws Error
-// "<place>: <what is wrong>; <cure>".
+// Draws charts from the series of a run, or the tables of a study. drawn: is called with each file. Throws
+// Error "<place>: <what is wrong>; <cure>".
 void redraw_charts(const ChartRequest& request,
                    const std::function<void(const std::filesystem::path&)>& drawn);
 

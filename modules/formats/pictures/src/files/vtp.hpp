@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <scree/pictures/frame.hpp>
+
+namespace scree::pictures {
+
+// The content of a VTK XML PolyData file: valid XML with compressed binary arrays.
+std::string particles_vtp(const Frame& frame);
+std::string contacts_vtp(const Frame& frame);
+
+// Reads a particles .vtp file and the contacts file in the same directory, if any. Throws scree::Error.
+Frame read_vtp(const std::filesystem::path& particles_file);
+
+// Names of the arrays in the files.
+namespace vtp {
+
+inline constexpr const char* id = "id";
+inline constexpr const char* material = "material";
+inline constexpr const char* radius = "radius";
+inline constexpr const char* velocity = "velocity";
+inline constexpr const char* spin = "spin";
+inline constexpr const char* coordination = "coordination";
+inline constexpr const char* force = "force";
+
+inline constexpr const char* normal_force = "normal_force";
+inline constexpr const char* tangential_force = "tangential_force";
+inline constexpr const char* overlap = "overlap";
+inline constexpr const char* sliding = "sliding";
+
+inline constexpr const char* time = "TimeValue";  // the name that ParaView expects
+inline constexpr const char* step = "step";
+inline constexpr const char* dimension = "dimension";
+inline constexpr const char* title = "title";
+inline constexpr const char* lower = "scene_lower";
+inline constexpr const char* upper = "scene_upper";
+inline constexpr const char* wall_name = "wall_name";
+inline constexpr const char* wall_point = "wall_point";
+inline constexpr const char* wall_normal = "wall_normal";
+
+}  // namespace vtp
+}  // namespace scree::pictures

@@ -1,0 +1,104 @@
+#include "color_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/charts/scaled_unit.hpp>
+#include <scree/charts/ticks.hpp>
+#include <scree/error.hpp>
+#include <scree/pictures/view_range.hpp>
+
+namespace scree::pictures {
+namespace {
+
+using charts::Range;
+
+// Discs must not hide the bars of contacts on them.
+constexpr double paleness_among_contacts = 0.6;
+
+struct RawField {
+  const char* title;
+  const char* unit;
+  std::vector<double> values;
+  bool whole_numbers = false;
+};
+
+RawField raw_field(const Frame& frame, const std::string& name) {
+  struct Known {
+    std::string_view name;
+    const char *title, *unit;
+    bool whole_numbers;
+  };
+  static constexpr Known all[] = {{"radius", "radius", "m", false},       {"speed", "speed", "m/s", false},
+                                  {"spin", "spin", "rad/s", false},       {"force", "net force", "N", false},
+                                  {"coordination", "contacts", "", true}, {"id", "id", "", true}};
+  for (const Known& known : all)
+    if (known.name == name) return {known.title, known.unit, color_values(frame, name), known.whole_numbers};
+  throw Error(
+      fmt::format("color_by: unknown field \"{}\"; choose one of {}", name, fmt::join(color_fields, ", ")));
+}
+
+Range value_range(const RawField& field) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Range range{infinity, -infinity};
+  for (double value : field.values)
+    if (std::isfinite(value)) range = {std::min(range.lower, value), std::max(range.upper, value)};
+  if (range.lower > range.upper) return {0, 1};
+  const double size = std::max(std::abs(range.lower), std::abs(range.upper));
+  if (range.upper - range.lower > 1e-12 * size) return range;
+  if (range.lower == 0) return {0, 1};
+  return field.whole_numbers ? Range{range.lower - 1, range.upper + 1}
+                             : charts::padded(range.lower, range.upper, 0);
+}
+
+Range given_range(const std::array<double, 2>& range) {
+  if (std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]) return {range[0], range[1]};
+  throw Error(fmt::format("color_range: [{}, {}] is not a range; give a lower and a greater upper value",
+                          range[0], range[1]));
+}
+
+}  // namespace
+
+std::array<std::uint8_t, 3> viridis(double t) {
+  static constexpr int knots = 9;
+  static constexpr double map[knots][3] = {{68, 1, 84},    {71, 44, 122},  {59, 81, 139},
+                                           {44, 113, 142}, {33, 144, 141}, {39, 173, 129},
+                                           {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
+  if (std::isnan(t)) return {160, 160, 160};
+  const double place = std::clamp(t, 0.0, 1.0) * (knots - 1);
+  const int knot = std::min(int(place), knots - 2);
+  std::array<std::uint8_t, 3> color;
+  for (int k = 0; k < 3; ++k)
+    color[k] = std::uint8_t(std::lround(std::lerp(map[knot][k], map[knot + 1][k], place - knot)));
+  return color;
+}
+
+std::array<std::uint8_t, 3> ColorField::color_at(double share) const {
+  std::array<std::uint8_t, 3> color = viridis(share);
+  for (std::uint8_t& part : color) part = std::uint8_t(std::lround(std::lerp(part, 255, paleness)));
+  return color;
+}
+
+ColorField color_field(const Frame& frame, const RenderOptions& options) {
+  RawField raw = raw_field(frame, options.color_by);
+  if (raw.values.size() != frame.particle_count())
+    throw Error(fmt::format("color_by: this scene has no {}; choose another of {}", options.color_by,
+                            fmt::join(color_fields, ", ")));
+  const Range range = options.color_range ? given_range(*options.color_range) : value_range(raw);
+  const charts::ScaledUnit unit =
+      charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
+  for (double& value : raw.values) value *= unit.factor;
+  const std::string title = unit.symbol.empty() ? raw.title : fmt::format("{} ({})", raw.title, unit.symbol);
+  return {title,
+          std::move(raw.values),
+          range.lower * unit.factor,
+          range.upper * unit.factor,
+          raw.whole_numbers,
+          options.show_contacts && frame.dimension == 2 ? paleness_among_contacts : 0};
+}
+
+}  // namespace scree::pictures

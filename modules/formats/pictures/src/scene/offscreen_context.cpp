@@ -1,0 +1,135 @@
+#include "offscreen_context.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <thread>
+
+#include <GL/osmesa.h>
+#include <fmt/format.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <scree/error.hpp>
+#include <scree/threads.hpp>
+
+namespace scree::pictures {
+namespace {
+
+// Averages blocks of scale x scale pixels and flips the rows, from bottom-up to top-down.
+Picture average_down(const std::uint8_t* rgb, int width, int height, int scale) {
+  Picture picture{width, height, std::vector<std::uint8_t>(3 * std::size_t(width) * height)};
+  const std::size_t row_bytes = 3 * std::size_t(width) * scale;
+  std::vector<int> sums(3 * std::size_t(width));
+  for (int y = 0; y < height; ++y) {
+    std::fill(sums.begin(), sums.end(), 0);
+    for (int sub_row = 0; sub_row < scale; ++sub_row) {
+      const std::uint8_t* row = rgb + (std::size_t(y) * scale + sub_row) * row_bytes;
+      for (int x = 0; x < width; ++x)
+        for (int k = 0; k < 3 * scale; ++k) sums[3 * x + k % 3] += row[3 * scale * x + k];
+    }
+    std::uint8_t* out = picture.rgb.data() + 3 * std::size_t(height - 1 - y) * width;
+    const int pixels = scale * scale;
+    for (std::size_t k = 0; k < sums.size(); ++k) out[k] = std::uint8_t((sums[k] + pixels / 2) / pixels);
+  }
+  return picture;
+}
+
+// Mesa starts a thread per processor and waits for ever for one that did not start; told so, it draws in this
+// thread.
+void draw_without_threads_if_there_are_none() {
+  constexpr const char* variable = "LP_NUM_THREADS";
+  constexpr unsigned most_of_mesa = 32, of_its_cache = 1;
+  const char* chosen = std::getenv(variable);
+  const unsigned wanted =
+      chosen ? unsigned(std::strtoul(chosen, nullptr, 10)) : std::thread::hardware_concurrency();
+  if (wanted > 0 && !can_start_threads(std::min(wanted, most_of_mesa) + of_its_cache))
+    setenv(variable, "0", 1);
+}
+
+}  // namespace
+
+int supersampling(int width, int height) { return std::max(width, height) <= 4000 ? 2 : 1; }
+
+void check_size(int width, int height) {
+  if (std::min(width, height) < 200 || std::max(width, height) > 8000)
+    throw Error(fmt::format("picture: size {} x {} is out of range; choose 200 to 8000 pixels per side",
+                            width, height));
+}
+
+struct OffscreenContext::Window {
+  OSMesaContext context;
+  // VTK draws into its own frame buffers; OSMesa only requires some memory as its window.
+  std::array<std::uint8_t, 4 * 16 * 16> surface{};
+  vtkNew<vtkGenericOpenGLRenderWindow> vtk;
+
+  Window() : context(create_context()) {
+    make_current();
+    vtk->SetOwnContext(0);
+    vtk->SetOffScreenRendering(1);
+    vtk->SetShowWindow(false);
+    vtk->SetUseOffScreenBuffers(true);
+    vtk->SetReadyForRendering(true);
+    vtk->SetIsCurrent(true);
+    vtk->SetSupportsOpenGL(1);
+    vtk->SetMultiSamples(0);
+    vtk->SetDPI(72);  // makes font sizes pixels
+  }
+
+  ~Window() {
+    OSMesaMakeCurrent(context, surface.data(), GL_UNSIGNED_BYTE, 16, 16);
+    vtk->Finalize();
+    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    OSMesaDestroyContext(context);
+  }
+
+  static OSMesaContext create_context() {
+    draw_without_threads_if_there_are_none();
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              2,
+                              0};
+    OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
+    if (!context) throw Error("OSMesa: no OpenGL 3.2 core profile available; install a newer libosmesa6");
+    return context;
+  }
+
+  void make_current() {
+    if (!OSMesaMakeCurrent(context, surface.data(), GL_UNSIGNED_BYTE, 16, 16))
+      throw Error("OSMesa: the software OpenGL context cannot be used; check the installation of libosmesa6");
+  }
+};
+
+OffscreenContext::OffscreenContext() = default;
+OffscreenContext::~OffscreenContext() = default;
+
+Picture OffscreenContext::draw(int width, int height, const std::vector<vtkRenderer*>& renderers) {
+  if (!window_) window_ = std::make_unique<Window>();
+  window_->make_current();
+  vtkGenericOpenGLRenderWindow* vtk = window_->vtk;
+  const int scale = supersampling(width, height);
+  vtk->SetSize(width * scale, height * scale);
+  vtk->SetNumberOfLayers(int(renderers.size()));
+  for (std::size_t layer = 0; layer < renderers.size(); ++layer) {
+    renderers[layer]->SetLayer(int(layer));
+    vtk->AddRenderer(renderers[layer]);
+  }
+  vtk->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  const int front = 1;
+  const int right_eye = 0;
+  vtk->GetPixelData(0, 0, width * scale - 1, height * scale - 1, front, pixels, right_eye);
+  for (vtkRenderer* renderer : renderers) vtk->RemoveRenderer(renderer);
+  return average_down(pixels->GetPointer(0), width, height, scale);
+}
+
+}  // namespace scree::pictures

@@ -1,0 +1,137 @@
+#include "scene_picture.hpp"
+
+#include "arrow_glyphs.hpp"
+#include "contact_tubes.hpp"
+#include "files/frame_check.hpp"
+#include "panel.hpp"
+#include "particle_actors.hpp"
+#include "scene_camera.hpp"
+#include "sphere_visibility.hpp"
+#include "wall_actors.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+namespace scree::pictures {
+namespace {
+
+// Spheres of full size would hide the contacts between them.
+constexpr double sphere_scale_among_contacts = 0.4;
+constexpr double sphere_scale_among_arrows = 0.15;
+
+bool shrinks_spheres(const Frame& frame, const RenderOptions& options) {
+  return options.show_contacts && frame.dimension == 3;
+}
+
+// Times of pictures are those of steps, which need not be multiples of the spacing.
+std::string time_text(double time, double spacing) {
+  if (!(spacing > 0)) return fmt::format("{:.6g}", time);
+  const double unit = std::pow(10.0, std::floor(std::log10(spacing) + 1e-9) - 2);
+  return fmt::format("{:.12g}", std::round(time / unit) * unit);
+}
+
+void add_panel(vtkRenderer* renderer, Panel* panel) {
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->SetRenderer(renderer);
+  actor->GetScene()->AddItem(panel);
+  renderer->AddActor(actor);
+}
+
+vtkNew<Panel> make_panel(const Frame& frame, const RenderOptions& options, const SceneLayout& layout,
+                         const ViewAxes& axes) {
+  vtkNew<Panel> panel;
+  panel->layout = layout;
+  panel->axes = axes;
+  panel->title = frame.title;
+  panel->time = fmt::format("t = {} s", time_text(frame.time, options.time_spacing));
+  if (options.show_contacts) panel->note = contact_note(frame);
+  if (shrinks_spheres(frame, options))
+    panel->note =
+        fmt::format("spheres: at {:g} of their radius; {}", sphere_scale_among_contacts, panel->note);
+  return panel;
+}
+
+void add_particles(vtkRenderer* renderer, const Frame& frame, const RenderOptions& options,
+                   const ColorField& field, const SceneCamera& camera, const SceneLayout& layout) {
+  if (frame.particle_count() == 0) return;
+  if (frame.dimension == 2) return add_discs(renderer, frame, field, layout.pixel_scale);
+  std::vector<std::size_t> particles(frame.particle_count());
+  std::iota(particles.begin(), particles.end(), std::size_t{0});
+  if (shrinks_spheres(frame, options))
+    return add_spheres(renderer, frame, field, particles, sphere_scale_among_contacts);
+  particles = visible_spheres(frame, camera, int(std::lround(layout.scene_width())),
+                              int(std::lround(layout.scene_height())));
+  add_spheres(renderer, frame, field, particles, 1);
+}
+
+// Bodies among their arrows: small and of one pale grey.
+ColorField pale_bodies(const Frame& frame) {
+  const std::vector<double> none(frame.particle_count(), std::numeric_limits<double>::quiet_NaN());
+  return {.title = "", .values = none, .lower = 0, .upper = 1, .whole_numbers = false, .paleness = 0.5};
+}
+
+void add_bodies_with_arrows(vtkRenderer* renderer, const Frame& frame, const ArrowField& arrows,
+                            const ColorField& lengths, const SceneLayout& layout) {
+  const ColorField pale = pale_bodies(frame);
+  std::vector<std::size_t> particles(frame.particle_count());
+  std::iota(particles.begin(), particles.end(), std::size_t{0});
+  if (frame.dimension == 2)
+    add_discs(renderer, frame, pale, layout.pixel_scale);
+  else if (!particles.empty())
+    add_spheres(renderer, frame, pale, particles, sphere_scale_among_arrows);
+  add_arrows(renderer, frame, arrows, lengths);
+}
+
+// arrows: null without them.
+Picture picture_of(OffscreenContext& context, const Frame& frame, const ArrowField* arrows,
+                   const RenderOptions& options) {
+  check_size(options.width, options.height);
+  check_columns(frame);
+  check_drawable(frame);
+  const ColorField field = arrows ? arrow_lengths(frame, *arrows) : color_field(frame, options);
+  const ViewAxes axes = view_axes(options.view, frame.dimension);
+  const SceneBox box = scene_box(frame);
+  const SceneLayout layout = SceneLayout::of_size(options.width, options.height);
+
+  vtkNew<vtkRenderer> scene, overlay;
+  scene->SetBackground(1, 1, 1);
+  scene->SetViewport(0, layout.note() / layout.height, layout.scene_width() / layout.width,
+                     1 - layout.caption() / layout.height);
+  const auto camera = SceneCamera::fitting(box, axes, layout.scene_width() / layout.scene_height());
+  if (arrows)
+    add_bodies_with_arrows(scene, frame, *arrows, field, layout);
+  else
+    add_particles(scene, frame, options, field, camera, layout);
+  if (options.show_contacts) add_contacts(scene, frame);
+  if (options.show_walls) add_walls(scene, frame, box, axes, layout.pixel_scale);
+  camera.apply(scene);
+
+  vtkNew<vtkRenderer> background;  // white behind the parts outside the panel of the scene
+  background->SetBackground(1, 1, 1);
+  vtkNew<Panel> panel = make_panel(frame, options, layout, axes);
+  if (arrows) panel->note = arrows->note;
+  if (frame.particle_count() > 0) panel->field = &field;
+  add_panel(overlay, panel);
+  return context.draw(options.width, options.height, {background, scene, overlay});
+}
+
+}  // namespace
+
+Picture scene_picture(OffscreenContext& context, const Frame& frame, const RenderOptions& options) {
+  return picture_of(context, frame, nullptr, options);
+}
+
+Picture arrow_picture(OffscreenContext& context, const Frame& frame, const ArrowField& arrows,
+                      const RenderOptions& options) {
+  return picture_of(context, frame, &arrows, options);
+}
+
+}  // namespace scree::pictures

@@ -1,0 +1,104 @@
+#include "wall_actors.hpp"
+
+#include "flat_actor.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+
+namespace scree::pictures {
+namespace {
+
+// Sutherland-Hodgman step: the part of a convex polygon where normal . x >= offset.
+std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& normal, double offset) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point& a = polygon[k];
+    const Point& b = polygon[(k + 1) % polygon.size()];
+    const double height_a = dot(normal, a) - offset;
+    const double height_b = dot(normal, b) - offset;
+    if (height_a >= 0) kept.push_back(a);
+    if ((height_a < 0) == (height_b < 0)) continue;
+    const double fraction = height_a / (height_a - height_b);
+    kept.push_back(
+        {std::lerp(a[0], b[0], fraction), std::lerp(a[1], b[1], fraction), std::lerp(a[2], b[2], fraction)});
+  }
+  return kept;
+}
+
+// Part of the plane around the box, larger than the box.
+std::vector<Point> wide_patch(const Wall& wall, const SceneBox& box, int dimension) {
+  const Point center = box.center();
+  const double height = dot(wall.normal, moved(center, -1, wall.point));
+  const Point foot = moved(center, -height, wall.normal);
+  const double size = box.diagonal();
+  if (dimension == 2) {
+    const Point along = {-wall.normal[1], wall.normal[0], 0};
+    return {moved(foot, -size, along), moved(foot, size, along)};
+  }
+  const Point helper = std::abs(wall.normal[2]) < 0.9 ? Point{0, 0, 1} : Point{1, 0, 0};
+  const Point u = normalised(cross(helper, wall.normal));
+  const Point v = cross(wall.normal, u);
+  return {moved(moved(foot, -size, u), -size, v), moved(moved(foot, size, u), -size, v),
+          moved(moved(foot, size, u), size, v), moved(moved(foot, -size, u), size, v)};
+}
+
+// Corners of the part of wall number `index` that lies within the box and on the inner side of the other
+// walls: a polygon in 3D, the two ends of a line (possibly repeated) in 2D, empty if no part does.
+std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const SceneBox& box) {
+  // The slack keeps walls that coincide with a face of the box or with each other.
+  const double slack = 1e-6 * box.diagonal();
+  std::vector<Point> outline = wide_patch(frame.walls[index], box, frame.dimension);
+  for (int k = 0; k < frame.dimension; ++k) {
+    Point axis{};
+    axis[k] = 1;
+    outline = clipped(outline, axis, box.lower[k] - slack);
+    axis[k] = -1;
+    outline = clipped(outline, axis, -box.upper[k] - slack);
+  }
+  for (std::size_t other = 0; other < frame.walls.size(); ++other)
+    if (other != index)
+      outline = clipped(outline, frame.walls[other].normal,
+                        dot(frame.walls[other].normal, frame.walls[other].point) - slack);
+  return outline;
+}
+
+}  // namespace
+
+void add_walls(vtkRenderer* renderer, const Frame& frame, const SceneBox& box, const ViewAxes& axes,
+               int pixel_scale) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> faces, edges;
+  for (std::size_t wall = 0; wall < frame.walls.size(); ++wall) {
+    const std::vector<Point> outline = wall_outline(frame, wall, box);
+    if (outline.size() < 2) continue;
+    const vtkIdType first = points->GetNumberOfPoints();
+    const int corners = int(outline.size());
+    for (const Point& corner : outline) points->InsertNextPoint(corner.data());
+    edges->InsertNextCell(corners + 1);
+    for (int k = 0; k <= corners; ++k) edges->InsertCellPoint(first + k % corners);
+    if (frame.dimension == 2 || dot(frame.walls[wall].normal, axes.toward) <= 1e-9) continue;
+    faces->InsertNextCell(corners);
+    for (int k = 0; k < corners; ++k) faces->InsertCellPoint(first + k);
+  }
+  // Translucent faces and thin edges, drawn flat: walls must not hide the data behind them.
+  vtkNew<vtkPolyData> face_data, edge_data;
+  face_data->SetPoints(points);
+  face_data->SetPolys(faces);
+  edge_data->SetPoints(points);
+  edge_data->SetLines(edges);
+  vtkProperty* face = add_flat_actor(renderer, face_data);
+  face->SetColor(0.55, 0.62, 0.70);
+  face->SetOpacity(0.22);
+  vtkProperty* edge = add_flat_actor(renderer, edge_data);
+  edge->SetColor(0.25, 0.28, 0.32);
+  edge->SetLineWidth(float((frame.dimension == 2 ? 3.0 : 1.5) * pixel_scale));
+}
+
+}  // namespace scree::pictures
