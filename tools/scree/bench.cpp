@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/median.hpp>
 #include <scree/run/set_up.hpp>
 
 namespace scree::tool {

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <scree/charts/draw_chart.hpp>
 #include <scree/cycles/result_files.hpp>
 #include <scree/cycles/warnings.hpp>
 #include <scree/files/paths.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/pictures/load_backend.hpp>
 #include <scree/run/recorded_load.hpp>
 
 namespace scree::tool {
@@ -88,19 +88,14 @@ CyclesResult analyse(const CyclesArguments& arguments, CyclesRequest request) {
   return result;
 }
 
-// Writes the table, the record and, with pictures, the chart, and prints their names.
+// Writes the table, the record and the chart, and prints their names.
 void write_files(const AnalysisFolder& folder, const CyclesResult& result) {
   const fs::path table = folder.path_of(cycles::table_name), record = folder.path_of(cycles::record_name);
   files::write_atomically(table, cycles::cycles_table(result));
   files::write_atomically(record, cycles::cycles_record(result, folder.path()));
   fmt::print("{}\n{}\n", table.string(), record.string());
-  if (!pictures::has_pictures()) {
-    report(fmt::format("{}, so there is no chart; {}", pictures::no_pictures, pictures::no_pictures_cure),
-           ExitStatus::success);
-    return;
-  }
   const fs::path chart = folder.path_of(cycles::chart_name);
-  pictures::load_backend()->chart(cycles::cycles_chart(result), chart);
+  charts::draw_chart(cycles::cycles_chart(result), chart);
   fmt::print("{}\n", chart.string());
 }
 

@@ -73,8 +73,7 @@ class LockIn {
         model_(lock_in_columns::of_model(options)),
         columns_(lock_in_columns::of_all(options)) {
     if (state.size() != state_size(options))
-      throw Error(
-          formatted("lock-in: a state of %zu numbers; give %zu", state.size(), state_size(options)));
+      throw Error(formatted("lock-in: a state of %zu numbers; give %zu", state.size(), state_size(options)));
   }
 
   // Adds a sample, at any time (s); value below 1e150 in size. Inlined, so that its loops have the flags of

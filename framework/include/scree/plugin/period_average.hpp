@@ -40,8 +40,8 @@ class PeriodAverage {
     if (!(period > 0 && std::isfinite(period)))
       throw Error(formatted("period average: period %.10g; give a period above 0 in s", period));
     if (state.size() < state_size(2))
-      throw Error(formatted("period average: a state of %zu numbers; give %zu or more", state.size(),
-                            state_size(2)));
+      throw Error(
+          formatted("period average: a state of %zu numbers; give %zu or more", state.size(), state_size(2)));
     check_counts();
   }
 

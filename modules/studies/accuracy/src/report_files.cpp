@@ -52,7 +52,7 @@ std::array<double, 3> color_of(Integration integration) {
 }
 
 charts::ChartSpec chart_of(const Convergence& study, const std::string& title, const std::string& label,
-                             std::optional<std::size_t> quantity) {
+                           std::optional<std::size_t> quantity) {
   charts::ChartSpec chart;
   chart.title = title;
   chart.x_label = "wall time (s)";

@@ -36,8 +36,8 @@ Json record_of(const FollowedLoad& load) {
 namespace {
 
 // The part of a load between two times (s), over the time since `zero`.
-charts::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains,
-                              double from, double to, double zero) {
+charts::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains, double from,
+                            double to, double zero) {
   charts::ChartSeries curve;
   for (std::size_t k = 0; k < times.size(); ++k)
     if (times[k] >= from && times[k] <= to) curve.x.push_back(times[k] - zero), curve.y.push_back(strains[k]);

@@ -20,7 +20,7 @@ bool is_sweep(const MethodSpectrum& spectrum) { return spectrum.method.starts_wi
 
 // In a chart with other methods, pulses are dashed lines over those below them.
 charts::ChartSeries curve_of(const MethodSpectrum& spectrum, std::size_t c, double scale,
-                               bool beside_others) {
+                             bool beside_others) {
   charts::ChartSeries curve;
   curve.name = spectrum.method == "sweep_down" ? "sweep down" : spectrum.method;
   if (spectrum.method == "pulse" && beside_others) curve.line = charts::LineStyle::dashed;

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <scree/charts/chart_spec.hpp>
 #include <scree/cycles/classification.hpp>
 #include <scree/cycles/cycles_source.hpp>
 #include <scree/cycles/rattlers.hpp>
-#include <scree/charts/chart_spec.hpp>
 
 namespace scree::cycles {
 
