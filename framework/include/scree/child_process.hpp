@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <functional>
 #include <limits>
 #include <string>
@@ -45,6 +46,7 @@ struct ProgramOptions {
   std::vector<int> inherited = {};  // further descriptors that stay open in the program
   // In its own process group and without standard input, so that Ctrl-C on the terminal does not reach it.
   bool own_group = false;
+  int end_signal = SIGTERM;  // that it receives when the thread that started it ends
 };
 
 struct StartedProgram {
@@ -54,7 +56,7 @@ struct StartedProgram {
 };
 
 // Starts the program words[0], a path or a name in PATH, with the other words as arguments. It has the
-// default handlers of signals, and receives SIGTERM when the thread that started it ends.
+// default handlers of signals.
 StartedProgram start_program(const std::vector<std::string>& words, const ProgramOptions& options = {});
 
 // Waits for the end of a process; its status, as of waitpid().

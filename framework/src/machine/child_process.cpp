@@ -254,7 +254,7 @@ StartedProgram start_program(const std::vector<std::string>& words, const Progra
   const pid_t parent = getpid(), child = fork();
   if (child < 0) started.no_process = errno;
   if (child == 0) {
-    begin_child(parent, SIGTERM);
+    begin_child(parent, options.end_signal);
     signals.restore();
     execute(pointers.data(), options, ends[1]);
   }

@@ -1,5 +1,6 @@
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
@@ -53,8 +54,10 @@ bool is_whole(const fs::path& library) {
 // is no ninja. ninja and the compilers that it starts inherit the lock: if this process ends before them, no
 // other process builds until they have ended too.
 bool run_build(const std::string& tree, const char* target, const Descriptor& lock) {
+  // SIGKILL, since ninja would end its compilers after another signal.
   const StartedProgram ninja =
-      start_program({"ninja", "-C", tree, target}, {.output = STDERR_FILENO, .inherited = {lock.get()}});
+      start_program({"ninja", "-C", tree, target},
+                    {.output = STDERR_FILENO, .inherited = {lock.get()}, .end_signal = SIGKILL});
   if (ninja.process < 0)
     throw Error(
         "ninja",
