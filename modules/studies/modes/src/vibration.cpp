@@ -229,7 +229,8 @@ class VibrationStudy : public run::Study {
     for (const DensityPoint& point : result_.density)
       if (!point.certain) uncertain += fmt::format("{}{:.6g}", uncertain.empty() ? "" : ", ", point.to_hz);
     if (!uncertain.empty())
-      warn(response::uncertain_warning(fmt::format("the counts below {} Hz in density.csv", uncertain)));
+      session_.warn(
+          response::uncertain_warning(fmt::format("the counts below {} Hz in density.csv", uncertain)));
   }
 
   const scenario::Plan& plan_;
