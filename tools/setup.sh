@@ -81,6 +81,8 @@ install_missing() {
 configure_scree() {
   local preset=$1 build="$scree_root/build/$1"
   if [[ -f $build/build.ninja ]]; then
+    # What a newer version needs besides.
+    [[ ! $scree_root/tools/setup.sh -nt $build/build.ninja ]] || install_missing "$preset"
     [[ $levels == all ]] && grep -q '^SCREE_LEVELS:STRING=native' "$build/CMakeCache.txt" || return 0
   fi
   install_missing "$preset"
