@@ -26,8 +26,8 @@ class Cadence {
 
  private:
   double multiple_of(double time) const {
-    constexpr double round_off = 1e-9;  // of a time that is a sum of steps
-    return std::floor(time / *every_time_ + round_off);
+    constexpr double slack = 1e-9;  // round-off of a time that is a sum of steps
+    return std::floor(time / *every_time_ + slack);
   }
 
   std::optional<double> every_, every_time_;  // (s)
