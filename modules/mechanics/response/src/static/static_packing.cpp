@@ -5,8 +5,6 @@
 
 namespace scree::response {
 
-using Vector = Eigen::VectorXd;
-
 StaticPacking::StaticPacking(const Simulation& simulation, const AssemblyOptions& options,
                              const std::function<bool()>& proceed)
     : system_(assemble(simulation, options)),
@@ -21,16 +19,16 @@ StaticPacking::StaticPacking(const Simulation& simulation, const AssemblyOptions
                                    Eigen::Index(found.first_vibrating - found.first_floppy));
 }
 
-PackingMotion StaticPacking::displace(const Vector& walls) const {
+PackingMotion StaticPacking::displace(const Eigen::VectorXd& walls) const {
   return solve(-(system_.wall_stiffness * walls), walls);
 }
 
 PackingMotion StaticPacking::load(std::size_t wall) const {
-  return solve(Vector::Unit(system_.freedom.size(), system_.freedom.wall(wall)),
-               Vector::Zero(system_.wall_stiffness.cols()));
+  return solve(Eigen::VectorXd::Unit(system_.freedom.size(), system_.freedom.wall(wall)),
+               Eigen::VectorXd::Zero(system_.wall_stiffness.cols()));
 }
 
-PackingMotion StaticPacking::solve(const Vector& force, const Vector& walls) const {
+PackingMotion StaticPacking::solve(const Eigen::VectorXd& force, const Eigen::VectorXd& walls) const {
   StaticSolution solution = solve_static(undamped_, *inverse_, floppy_, force);
   return {.motion = std::move(solution.displacement), .walls = walls, .residual = solution.residual};
 }
@@ -54,9 +52,9 @@ double StaticPacking::component(const PackingMotion& motion, std::uint32_t end, 
   return number == DegreesOfFreedom::none ? 0 : motion.motion[number];
 }
 
-Vector StaticPacking::force_change(const PackingMotion& motion, const ContactTerms& contact) const {
+Eigen::VectorXd StaticPacking::force_change(const PackingMotion& motion, const ContactTerms& contact) const {
   const int dimension = system_.freedom.dimension(), of_body = dimension + system_.freedom.spins();
-  Vector moved(2 * of_body);
+  Eigen::VectorXd moved(2 * of_body);
   for (int k = 0; k < of_body; ++k) {
     moved[k] = component(motion, contact.a, k);
     moved[of_body + k] = component(motion, contact.b, k);
