@@ -43,8 +43,8 @@ struct SnapshotKeys : TableKeys {
   SnapshotKeys()
       : TableKeys("snapshot", "[snapshot]", "files for ParaView and pictures of the whole scene") {}
   Key every = other("every", "number", Range::positive("s"), "default never", "time between .vtp files");
-  Key image_every =
-      other("image_every", "number", Range::positive("s"), "default never", "time between pictures");
+  Key image_every = other("image_every", "number", Range::positive("s"), "default never",
+                          "time between pictures, from the start of each stage; each stage ends with one");
   ChoiceKey color_by =
       choice_or_first("color_by", {pictures::color_fields.begin(), pictures::color_fields.end()},
                       "quantity that colours bodies");

@@ -11,9 +11,11 @@ struct ParticlesKeys : TableKeys {
   NumberKey radius =
       number("radius", Range::positive("m"), "of bodies on a lattice; or a table, see particles.radius",
              "required with lattice");
-  StringKey file =
-      string("file", "CSV, or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
-             "this, state or lattice");
+  StringKey file = string(
+      "file",
+      "CSV with a header (x, y, z, radius or diameter; also id, material, density, mass, vx, spin_x, ...; SI), "
+      "or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
+      "this, state or lattice");
   IntegerKey timestep = integer("timestep", Range::any(), "frame of a dump", "default the last");
   Key repeat = other("repeat", "[nx, ny, nz]", Range::between(1, 1e4), "optional",
                      "copies of the file's bodies along each axis");
