@@ -38,7 +38,7 @@ struct SimulationParts {
   void transfer_pairs(const class StateTransfer& state);
   // The sums of contacts in a state.
   static ContactSums contact_sums_in(const State& state);
-  // Puts bodies, walls and contacts where those of a packing at rest are.
+  // Moves bodies, walls and contacts to their places in a packing at rest.
   void come_to_rest(const RestingPacking& packing);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
 

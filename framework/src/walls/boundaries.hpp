@@ -58,7 +58,7 @@ class Boundaries {
   // How forces move planes at a time (s), with the planes where they are given. Throws Error as Simulation::linear_walls does.
   WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
   void add_to_hash(class StateHash& hash) const;
-  // The planes of boundary `boundary` among those of a state, and how many planes a state has.
+  // The planes that a state has of boundary `boundary`, and the number of all its planes.
   struct StoredPlanes {
     std::uint64_t first, count;
   };

@@ -117,7 +117,7 @@ class LockIn {
   }
 
  private:
-  // The state: these numbers, then the sums of columns times value, then those of columns times columns.
+  // The state: these numbers, then the sums of columns times value, then the sums of columns times columns.
   enum Place : std::size_t { count, start, last, reference, square, head };
 
   // A phase in (-pi, pi].

@@ -83,7 +83,7 @@ class PeriodAverage {
   // then a ring of samples.
   enum Place : std::size_t { count, oldest, centre, reference, head };
   static constexpr std::size_t sample_size = 3;
-  // Samples in the ring beside those of a period: one beyond each end, and the new one.
+  // The ring holds a period and three samples more: one beyond each end, and the new one.
   static constexpr std::size_t spare = 3;
 
   struct Sample {
