@@ -25,7 +25,7 @@ struct BackgroundDamping {
     return turning > translational / mass ? turning : translational / mass;
   }
 
-  void act(const scree::BodyState& body, scree::BodyResponse& out) const {
+  void act(const scree::BodyState& body, scree::BodyForceOutput& out) const {
     const double turning = rotational * body.radius * body.radius;
     out.force = -translational * body.velocity;
     out.torque = -turning * body.spin;

@@ -14,7 +14,7 @@ struct Gravity {
     d.vector("acceleration", acceleration, "m/s^2", "g, for example [0, 0, -9.81]").required();
   }
 
-  void act(const scree::BodyState& body, scree::BodyResponse& out) const {
+  void act(const scree::BodyState& body, scree::BodyForceOutput& out) const {
     const scree::Vec3 g = {{acceleration[0], acceleration[1], acceleration[2]}};
     out.force = body.mass * g;
     out.potential = -dot(out.force, body.position);

@@ -102,7 +102,7 @@ struct Box {
     layout.still = true;
     for (int w = 0; w < walls(); ++w) {
       if (pressed(w)) layout.damping_rate = viscosity / mass;
-      layout.trial_speed = std::max(layout.trial_speed, motions[w].trial_speed(limits));
+      layout.displacement_speed = std::max(layout.displacement_speed, motions[w].displacement_speed(limits));
       if (motions[w].moves()) layout.still = false;
     }
   }
@@ -134,15 +134,15 @@ struct Box {
     WallMotion::Forces forces[max_walls];
     for (int w = 0; w < walls(); ++w) {
       prescribed[w] = prescribed_of(w, s, s.step);
-      forces[w] = forces_on(w, s, motions[w].tries() ? s.time + s.step : s.time);
+      forces[w] = forces_on(w, s, motions[w].seeks_load() ? s.time + s.step : s.time);
     }
     for (int w = 0; w < walls(); ++w) {
       if (!motions[w].moves()) continue;
-      const auto course = motions[w].tries() ? try_displacements(w, s, prescribed[w], forces[w])
-                                             : motions[w].begin(free_speed_of(w, s), prescribed[w], forces[w],
-                                                                s.step, s.energy);
-      s.walls[std::size_t(w)].point[w / 2] += sign(w) * course.distance;
-      set(w, s, course);
+      const auto motion = motions[w].seeks_load() ? begin_by_load(w, s, prescribed[w], forces[w])
+                                                  : motions[w].begin(free_speed_of(w, s), prescribed[w],
+                                                                     forces[w], s.step, s.energy);
+      s.walls[std::size_t(w)].point[w / 2] += sign(w) * motion.distance;
+      set(w, s, motion);
     }
   }
 
@@ -151,8 +151,8 @@ struct Box {
       const WallMotion::Forces forces = forces_on(w, s, s.time + s.step);
       s.state[std::size_t(w)] = forces.press;
       if (!motions[w].moves()) continue;
-      const WallMotion::Course begun = {0, sign(w) * s.walls[std::size_t(w)].mid_velocity[w / 2],
-                                        speed_of(w, s), 0};
+      const WallMotion::StepMotion begun = {0, sign(w) * s.walls[std::size_t(w)].mid_velocity[w / 2],
+                                            speed_of(w, s), 0};
       set(w, s, motions[w].finish(begun, forces, s.time, s.step, s.energy));
     }
   }
@@ -204,7 +204,7 @@ struct Box {
     motion.viscosity = viscosity;
     masses[w] = pressed(w) ? mass : 0;
     superposes = superposes || motion.superposes();
-    tries = tries || motion.tries();
+    tries = tries || motion.seeks_load();
     if (!wall_stress[w].given())
       wall_stress[w] = axis_stress[w / 2].given() ? axis_stress[w / 2] : all_stress;
 
@@ -217,7 +217,7 @@ struct Box {
     if (control[w] >= 0 && of_axis >= 0)
       std::snprintf(line, sizeof(line), "%s and %s both say what moves a wall; keep one of them",
                     wall_names[w], axis_keys[w / 2].control);
-    if (motion.tries()) need(limits.speed_limit > 0, "speed limit", "speed_limit", "m/s");
+    if (motion.seeks_load()) need(limits.speed_limit > 0, "speed limit", "speed_limit", "m/s");
     if (motion.moved_by_forces() && !wall_stress[w].given())
       std::snprintf(line, sizeof(line),
                     "a stress-controlled wall has no stress; give stress = <Pa>, or set %s to \"fixed\"",
@@ -249,15 +249,15 @@ struct Box {
             motions[w].moved_by_forces() ? wall_stress[w](time) * area(w, s) : 0};
   }
 
-  WallMotion::Course try_displacements(int w, const BoundaryStep& s, const WallMotion::Prescribed& prescribed,
+  WallMotion::StepMotion begin_by_load(int w, const BoundaryStep& s, const WallMotion::Prescribed& prescribed,
                                        const WallMotion::Forces& forces) const {
     const scree::Vec3 inwards = s.walls[std::size_t(w)].normal;
     const auto load_after = [&](double x) {
-      return dot(inwards, s.trial_load(std::size_t(w), x * inwards).force);
+      return dot(inwards, s.load_after(std::size_t(w), x * inwards).force);
     };
     const double mid_speed = dot(inwards, s.walls[std::size_t(w)].mid_velocity);
-    return motions[w].begin_trying(limits, mid_speed, stiffness_of(w, s), prescribed, forces, s.step,
-                                   load_after, s.energy);
+    return motions[w].begin_by_load(limits, mid_speed, stiffness_of(w, s), prescribed, forces, s.step,
+                                    load_after, s.energy);
   }
   // Stiffness of the contacts of a wall that tries displacements: the last part of the state.
   double& stiffness_of(int w, const BoundaryStep& s) const {
@@ -292,11 +292,11 @@ struct Box {
       s.walls[std::size_t(w)].velocity[w / 2] = s.walls[std::size_t(w)].mid_velocity[w / 2] = 0;
     }
   }
-  void set(int w, const BoundaryStep& s, const WallMotion::Course& course) const {
+  void set(int w, const BoundaryStep& s, const WallMotion::StepMotion& motion) const {
     scree::Wall& wall = s.walls[std::size_t(w)];
-    wall.mid_velocity[w / 2] = sign(w) * course.mid_speed;
-    wall.velocity[w / 2] = sign(w) * course.speed;
-    if (motions[w].superposes()) s.state[std::size_t(walls() + w)] = course.free_speed;
+    wall.mid_velocity[w / 2] = sign(w) * motion.mid_speed;
+    wall.velocity[w / 2] = sign(w) * motion.speed;
+    if (motions[w].superposes()) s.state[std::size_t(walls() + w)] = motion.free_speed;
   }
 };
 

@@ -107,10 +107,10 @@ struct Plane {
 
   void describe(scree::BoundaryLayout& layout) const {
     layout.walls = 1;
-    layout.state = motion.superposes() || motion.tries() ? state_width : free_speed;
+    layout.state = motion.superposes() || motion.seeks_load() ? state_width : free_speed;
     layout.masses = &mass;
     layout.damping_rate = mass > 0 ? motion.viscosity / mass : 0;
-    layout.trial_speed = motion.trial_speed(limits);
+    layout.displacement_speed = motion.displacement_speed(limits);
     layout.still = !motion.moves();
   }
 
@@ -128,8 +128,8 @@ struct Plane {
 
   void begin_step(const scree::BoundaryStep& s) const {
     const auto prescribed = motion.prescribed(s.time, s.step);
-    const auto c = motion.tries()
-                       ? try_displacements(prescribed, s)
+    const auto c = motion.seeks_load()
+                       ? begin_by_load(prescribed, s)
                        : motion.begin(free_speed_of(s), prescribed, forces(s, s.time), s.step, s.energy);
     s.walls[0].point += c.distance * vector(direction);
     set(s, c);
@@ -137,8 +137,8 @@ struct Plane {
 
   void finish_step(const scree::BoundaryStep& s) const {
     const scree::Vec3 e = vector(direction);
-    const scree::WallMotion::Course begun = {0, dot(e, s.walls[0].mid_velocity), dot(e, s.walls[0].velocity),
-                                             0};
+    const scree::WallMotion::StepMotion begun = {0, dot(e, s.walls[0].mid_velocity),
+                                                 dot(e, s.walls[0].velocity), 0};
     const auto c = motion.finish(begun, forces(s, s.time + s.step), s.time, s.step, s.energy);
     if (mass > 0) set(s, c);
     for (int k = 0; k < 3; ++k) s.state[std::size_t(load + k)] = s.loads[0].force[k];
@@ -162,13 +162,13 @@ struct Plane {
     return true;
   }
 
-  scree::WallMotion::Course try_displacements(const scree::WallMotion::Prescribed& prescribed,
+  scree::WallMotion::StepMotion begin_by_load(const scree::WallMotion::Prescribed& prescribed,
                                               const scree::BoundaryStep& s) const {
     const scree::Vec3 e = vector(direction);
-    const auto load_after = [&](double x) { return dot(e, s.trial_load(0, x * e).force); };
-    return motion.begin_trying(limits, dot(e, s.walls[0].mid_velocity), s.state[stiffness], prescribed,
-                               {dot(e, s.loads[0].force), forces(s, s.time + s.step).press}, s.step,
-                               load_after, s.energy);
+    const auto load_after = [&](double x) { return dot(e, s.load_after(0, x * e).force); };
+    return motion.begin_by_load(limits, dot(e, s.walls[0].mid_velocity), s.state[stiffness], prescribed,
+                                {dot(e, s.loads[0].force), forces(s, s.time + s.step).press}, s.step,
+                                load_after, s.energy);
   }
 
   scree::WallMotion::Forces forces(const scree::BoundaryStep& s, double time) const {
@@ -185,9 +185,9 @@ struct Plane {
     if (!motion.moves()) return;
     const double speed = free + motion.prescribed(s.time, 0).speed;
     set(s, {0, speed, speed, free});
-    if (motion.tries()) s.state[stiffness] = 0;
+    if (motion.seeks_load()) s.state[stiffness] = 0;
   }
-  void set(const scree::BoundaryStep& s, const scree::WallMotion::Course& c) const {
+  void set(const scree::BoundaryStep& s, const scree::WallMotion::StepMotion& c) const {
     s.walls[0].mid_velocity = c.mid_speed * vector(direction);
     s.walls[0].velocity = c.speed * vector(direction);
     if (motion.superposes()) s.state[free_speed] = c.free_speed;

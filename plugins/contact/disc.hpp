@@ -15,7 +15,7 @@
 namespace disc {
 
 using scree::Contact;
-using scree::Response;
+using scree::LawOutput;
 using scree::Vec;
 
 enum class Normal { overlap, area };
@@ -188,7 +188,7 @@ struct Kernel : Parameters {
   }
 
  protected:
-  // Sets the normal part of the response. Returns the force that limits friction (N).
+  // Sets the normal part of the output. Returns the force that limits friction (N).
   template <class T, class AnyContact, class AnyResponse>
   T normal_force(const AnyContact& c, AnyResponse& out) const {
     NormalSpring<T> spring;
@@ -240,7 +240,7 @@ struct Frictionless : Kernel<Parameters, kind> {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const Contact<D, T, reads>& c, History<D, T>&, Response<D, T>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>&, LawOutput<D, T>& out) const {
     this->template normal_force<T>(c, out);
   }
 };

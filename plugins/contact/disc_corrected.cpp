@@ -29,7 +29,8 @@ struct Kernel : disc::Kernel<Corrected, kind> {
   using History = disc::SpringHistory<T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T, true>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>& h,
+             scree::LawOutput<D, T, true>& out) const {
     const T f_n = this->template normal_force<T>(c, out);
     const auto t = disc::tangent(c.normal);
     const auto rate = tangential::SpringRate<T>::of(c);

@@ -26,7 +26,7 @@ struct Kernel : disc::Kernel<CundallStrack, kind> {
   using History = disc::SpringHistory<T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::LawOutput<D, T>& out) const {
     const T f_n = this->template normal_force<T>(c, out);
     const auto t = disc::tangent(c.normal);
     const T force = this->slide_or_stick(T(h.spring + dot(c.tangential_increment, t)),

@@ -10,7 +10,7 @@
 namespace {
 
 using scree::Contact;
-using scree::Response;
+using scree::LawOutput;
 using scree::Vec;
 
 enum HistoryForm { displacement, rescaled, potential };
@@ -110,7 +110,7 @@ struct Kernel : HertzMindlin {
   }
 
   template <int D, class T>
-  void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, writes_couple>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>& h, LawOutput<D, T, writes_couple>& out) const {
     const normal::Force<T> f_n = along_normal.force(c, out);
     if constexpr (!frictional) out.force = f_n.total * c.normal;
     if constexpr (frictional) slide_or_stick(c, f_n, h, out);
@@ -129,7 +129,7 @@ struct Kernel : HertzMindlin {
 
   template <int D, class T>
   void slide_or_stick(const Contact<D, T, reads>& c, const normal::Force<T>& f_n, Friction<D, T>& h,
-                      Response<D, T, writes_couple>& out) const {
+                      LawOutput<D, T, writes_couple>& out) const {
     const T k_t = along_normal.tangential_stiffness(c.contact_radius.value);
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal);
     const T inverse_k_t = T(along_normal.inverse_shear_stiffness) * c.contact_radius.inverse;
@@ -173,7 +173,7 @@ struct Kernel : HertzMindlin {
   template <int D, class T>
   void add_dissipation(const Friction<D, T>& before, const Friction<D, T>& after, const Vec<D, T>& trial,
                        const T& growth, const T& mean, const T& k_t,
-                       Response<D, T, writes_couple>& out) const {
+                       LawOutput<D, T, writes_couple>& out) const {
     const T k_before = along_normal.tangential_stiffness(before.contact_radius()), inverse_mean = T(1) / mean;
     const Vec<D, T> mean_force = T(0.5) * (k_before * before.spring + k_t * after.spring);
     out.dissipated_friction = std::max(dot(mean_force, trial - after.spring), T(0)) * inverse_mean;

@@ -93,7 +93,7 @@ struct Hertz {
 
   // Sets the energies of the normal direction.
   template <int D, class T, std::uint32_t reads, bool couple>
-  Force<T> force(const scree::Contact<D, T, reads>& c, scree::Response<D, T, couple>& out) const {
+  Force<T> force(const scree::Contact<D, T, reads>& c, scree::LawOutput<D, T, couple>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
     const T spring = T(4.0 / 3.0 * effective_modulus) * c.contact_radius.value * c.overlap;
     const T stiffness = T(2 * effective_modulus) * c.contact_radius.value;  // of the normal spring

@@ -75,7 +75,7 @@ struct Linear {
 
   // Sets the energies of the normal direction. [D1], δ' = −v_n
   template <bool by_restitution, int D, class T, std::uint32_t reads, bool couple>
-  Force<T> force(const scree::Contact<D, T, reads>& c, scree::Response<D, T, couple>& out) const {
+  Force<T> force(const scree::Contact<D, T, reads>& c, scree::LawOutput<D, T, couple>& out) const {
     const T spring = T(stiffness) * c.overlap;
     const T total = scree::fused(-c.onset_weight, damping_force<by_restitution>(c), spring);
     out.elastic_normal = T(0.5) * spring * c.overlap;

@@ -10,7 +10,7 @@
 namespace {
 
 using scree::Contact;
-using scree::Response;
+using scree::LawOutput;
 using scree::Vec;
 
 enum class Friction { none, undamped, spring, total };  // undamped: both slip rules are the same
@@ -128,7 +128,7 @@ struct Kernel : LinearSpringDashpot {
   }
 
   template <int D, class T>
-  void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, writes_couple>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>& h, LawOutput<D, T, writes_couple>& out) const {
     const normal::Force<T> f_n = along_normal.template force<by_restitution>(c, out);
     if constexpr (friction == Friction::undamped || friction == Friction::spring)
       slide_or_stick(c, f_n.repulsive, h, out);
@@ -166,7 +166,7 @@ struct Kernel : LinearSpringDashpot {
 
   // Stores spring and force. Returns the mean of the spring forces before and after the step.
   template <int D, class T>
-  Vec<D, T> store(const scree::Slip<D, T>& slip, Spring<D, T>& h, Response<D, T, writes_couple>& out) const {
+  Vec<D, T> store(const scree::Slip<D, T>& slip, Spring<D, T>& h, LawOutput<D, T, writes_couple>& out) const {
     const Vec<D, T> mean_force = T(0.5 * tangent.stiffness) * (h.spring + slip.spring);
     h.spring = slip.spring;
     h.sliding = slip.slides ? T(1) : T(0);
@@ -177,7 +177,7 @@ struct Kernel : LinearSpringDashpot {
 
   template <int D, class T>
   void slide_or_stick(const Contact<D, T, reads>& c, const T& f_n, Spring<D, T>& h,
-                      Response<D, T, writes_couple>& out) const {
+                      LawOutput<D, T, writes_couple>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     constexpr bool damped = friction != Friction::undamped;
     const scree::SlipStep<D, T> step = step_of(c, h, trial, v_t, f_n, c.onset_weight);
@@ -201,7 +201,7 @@ struct Kernel : LinearSpringDashpot {
 
   template <int D, class T>
   void slide_or_stick_by_total(const Contact<D, T, reads>& c, const T& f_n, const T& unweighted_f_n,
-                               Spring<D, T>& h, Response<D, T, writes_couple>& out) const {
+                               Spring<D, T>& h, LawOutput<D, T, writes_couple>& out) const {
     const Vec<D, T> v_t = tangential_part(c.relative_velocity, c.normal), trial = trial_spring(c, h);
     const T weighted_sliding_limit = T(tangent.dynamic_friction) * f_n;
     const T weighted_limit = h.sliding > T(0) ? weighted_sliding_limit : T(tangent.static_friction) * f_n;

@@ -19,7 +19,7 @@ struct Force {
 // Sets the dissipated power of the dashpot. total: of spring and dashpot (N).
 template <int D, class T, bool couple>
 Force<T> with_tension(scree::Tension tension, const T& spring, const T& total, const T& v_n,
-                      scree::Response<D, T, couple>& out) {
+                      scree::LawOutput<D, T, couple>& out) {
   const T repulsive = std::max(total, T(0));
   const T f_n = tension == scree::Tension::cut ? repulsive : total;
   out.dissipation_rate_normal = (spring - f_n) * v_n;

@@ -9,7 +9,7 @@
 namespace {
 
 using scree::Contact;
-using scree::Response;
+using scree::LawOutput;
 using scree::Vec;
 using sphere::Normal;
 using tangential::choose;
@@ -65,7 +65,7 @@ struct Frictionless : SpherePathIndependent {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const Contact<D, T, reads>& c, History<D, T>&, Response<D, T>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>&, LawOutput<D, T>& out) const {
     out.force = normal_force(c, out).total * c.normal;
   }
 
@@ -115,7 +115,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
   }
 
   template <int D, class T>
-  void force(const Contact<D, T, reads>& c, History<D, T>& h, Response<D, T, true>& out) const {
+  void force(const Contact<D, T, reads>& c, History<D, T>& h, LawOutput<D, T, true>& out) const {
     const normal::Force<T> f_n = this->normal_force(c, out);
     const tangential::PaintedPair<T, Contact<D, T, reads>> pair(c);
     const Vec<D, T> rate =

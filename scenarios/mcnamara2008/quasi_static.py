@@ -1,7 +1,7 @@
 """Speed against error of a cyclic load by dynamics and without them, for a packing of biaxial.toml with slip.
 
 Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
-Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE response --quasi-static` with 10
+Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE quasi-static` with 10
 to 640 increments a cycle, 30 cycles each or stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle
 and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their differences from the numbers of the most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib."""
 import json
@@ -86,10 +86,10 @@ def by_dynamics(scree, folder, overrides, period):
 
 def without_dynamics(scree, folder, overrides, increments):
     out = os.path.join(folder, f"increments-{increments}")
-    verb = ["response", SCENARIO, "--quasi-static", "--increments", str(increments)]
+    verb = ["quasi-static", SCENARIO, "--increments", str(increments)]
     call(scree, verb, out, overrides)
     rows = read(os.path.join(out, "series", "quasi_static.csv"))[::increments]
-    return Load(f"{increments}", rows, record(out, "response.json")["wall"]["all"] / cycles_of(overrides))
+    return Load(f"{increments}", rows, record(out, "quasi_static.json")["wall"]["all"] / cycles_of(overrides))
 
 
 def draw(axes, methods, exact, value, title, unit):

@@ -88,7 +88,7 @@ TEST_CASE("invalid options are reported in one line", "[tools]") {
 TEST_CASE("files of another kind are named with the command that takes them", "[tools]") {
   const Workspace w;
   w.write("many.toml", "[campaign]\nscenario = 'scene.toml'\nseeds = [1]\n");
-  for (const char* verb : {"run many.toml --out out", "check many.toml", "response many.toml --out out"})
+  for (const char* verb : {"run many.toml --out out", "check many.toml", "modes many.toml --out out"})
     check_refused(w, w.scree(verb), "many.toml:1:1: the file is a campaign, not a scenario; ",
                   "scree campaign many.toml");
   w.write("series.csv", "time [s],x\n0,1\n");
@@ -229,20 +229,19 @@ TEST_CASE("a full disk leaves a quasi-static load that is told to have failed, a
   // Something else fills the disk once the load is followed; then it is gone.
   const Outcome full = on_small_disk(
       w, "2M",
-      "response scene.toml --quasi-static --set scene.seed=12 --set stage.cycles.cycles=300 --out disk/load --quiet &\n"
+      "quasi-static scene.toml --set scene.seed=12 --set stage.cycles.cycles=300 --out disk/load --quiet &\n"
       "until test -e disk/load/state.h5; do sleep 0.01; done; cat /dev/zero > disk/more 2> no; wait $!; status=$?\n"
-      "grep -q failed disk/load/response.json && test ! -e disk/load/.room && echo failed\n"
+      "grep -q failed disk/load/quasi_static.json && test ! -e disk/load/.room && echo failed\n"
       "rm disk/more; \"" SCREE_TEST_PROGRAM "\" resume disk/load --quiet; (exit $status)");
   if (full.status == 77) return;
   INFO(full.err);
   CHECK(full.status == 1);
   CHECK_THAT(full.err, Catch::Contains("quasi_static.csv: cannot be written; free disk space"));
   CHECK_THAT(full.out, Catch::StartsWith("failed\n"));
-  CHECK(w.record("out/load", "response.json")["status"] == "finished");
+  CHECK(w.record("out/load", "quasi_static.json")["status"] == "finished");
   fs::remove_all(w / "out");
-  for (const char* kind : {"--quasi-static", "--modes 5"}) {
-    const Outcome tiny =
-        on_small_disk(w, "40k", std::string("response scene.toml --out disk/load --quiet ") + kind);
+  for (const char* call : {"quasi-static scene.toml", "modes scene.toml --modes 5"}) {
+    const Outcome tiny = on_small_disk(w, "40k", std::string(call) + " --out disk/load --quiet");
     CHECK(tiny.status == 1);
     CHECK_THAT(tiny.err, Catch::EndsWith(
                              "disk/load/.room: cannot be written; free disk space, or give another --out\n"));

@@ -142,21 +142,21 @@ TEST_CASE("cycles takes a ramp that was followed after a cycle for no cycle", "[
       "[[stage]]\nname = 'ramp'\nduration = 300\nset.box.stress_y_high = { from = 1, to = 1.01, duration = 300 }\n";
   const Workspace w(with(biaxial, "[[probe]]", ramp + "[[probe]]"));
   const auto followed =
-      w.scree("response scene.toml --quasi-static --set stage.cycles.cycles=1 --increments 60 --out ramp");
+      w.scree("quasi-static scene.toml --set stage.cycles.cycles=1 --increments 60 --out ramp");
   INFO(followed.out << followed.err);
   REQUIRE(followed.status == 0);
-  REQUIRE(w.record("ramp", "response.json")["period"] == 0);
+  REQUIRE(w.record("ramp", "quasi_static.json")["period"] == 0);
   check_refused(w, w.scree("cycles ramp --drop 0 --out out"),
                 "ramp: the last stage, which was followed, has no period; ", "with --period");
   const auto given = w.scree("cycles ramp --drop 0 --period 10 --out out");
   INFO(given.err);
   CHECK(given.status == 0);
   CHECK(double(w.record("out", "cycles.json")["first_minimum"]) ==
-        double(w.record("ramp", "response.json")["start"]));
-  w.write("ramp/response.json", R"({"start": 0, "end": 1})");
+        double(w.record("ramp", "quasi_static.json")["start"]));
+  w.write("ramp/quasi_static.json", R"({"start": 0, "end": 1})");
   const auto without = w.scree("cycles ramp");
   CHECK(without.status == 2);
-  CHECK(without.err == "scree: ramp/response.json: has no period; analyse a series with --csv\n");
+  CHECK(without.err == "scree: ramp/quasi_static.json: has no period; analyse a series with --csv\n");
 }
 
 TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {

@@ -74,7 +74,7 @@ std::string scenario(bool loaded) {
 // and after it; the response bends by 1e-4.
 TEST_CASE("the straight paths of a linear response are those of a packing under a small load", "[tools]") {
   Workspace w(scenario(false));
-  const Outcome response = w.scree("response scene.toml --loads --modes 1 --set time.step=1.4e-3 --out out");
+  const Outcome response = w.scree("modes scene.toml --loads --modes 1 --set time.step=1.4e-3 --out out");
   INFO(response.err);
   REQUIRE(response.status == 0);
   Workspace under_load(scenario(true));
@@ -114,7 +114,7 @@ TEST_CASE("the straight paths of a linear response are those of a packing under 
 
 TEST_CASE("a packing without walls that forces move has no response to loads", "[tools]") {
   const Workspace w(text_of(SCREE_TEST_SOURCE "/scenarios/sound/chain.toml"));
-  const Outcome outcome = w.scree("response scene.toml --loads --fewest-contacts 1 --modes 1 --out out");
+  const Outcome outcome = w.scree("modes scene.toml --loads --fewest-contacts 1 --modes 1 --out out");
   INFO(outcome.err);
   CHECK(outcome.status == 2);
   CHECK(

@@ -8,14 +8,14 @@ const std::string biaxial = text_of(SCREE_TEST_SOURCE "/scenarios/mcnamara2008/b
 
 }  // namespace
 
-TEST_CASE("response --quasi-static follows the last stage, and cycles reads it", "[tools]") {
+TEST_CASE("quasi-static follows the last stage, and cycles reads it", "[tools]") {
   const Workspace w(biaxial);
-  const Outcome outcome = w.scree(
-      "response scene.toml --quasi-static --set scene.seed=12 --set stage.cycles.cycles=50 --out out");
+  const Outcome outcome =
+      w.scree("quasi-static scene.toml --set scene.seed=12 --set stage.cycles.cycles=50 --out out");
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);
   CHECK(outcome.out.starts_with("16 bodies, 50 degrees of freedom; "));
-  const nlohmann::json record = w.record("out", "response.json");
+  const nlohmann::json record = w.record("out", "quasi_static.json");
   CHECK(record["status"] == "finished");
   CHECK(record["period"] == 10);
   CHECK(record["hand_overs"].empty());
@@ -36,17 +36,15 @@ TEST_CASE("response --quasi-static follows the last stage, and cycles reads it",
 
   // What cycles has written goes with the results that it is of, and is replaced while they stay.
   REQUIRE(w.scree("cycles out").status == 0);
-  REQUIRE(w.scree("response scene.toml --quasi-static --set stage.cycles.cycles=1 --overwrite --out out")
-              .status == 0);
-  CHECK(w.has("out/response.json"));
+  REQUIRE(w.scree("quasi-static scene.toml --set stage.cycles.cycles=1 --overwrite --out out").status == 0);
+  CHECK(w.has("out/quasi_static.json"));
   for (const char* name : {"out/cycles.csv", "out/cycles.json", "out/cycles.png"}) CHECK_FALSE(w.has(name));
 }
 
 TEST_CASE("resume goes on with quasi-static loads that were interrupted, and names what it cannot go on with",
           "[tools]") {
   const Workspace w(biaxial);
-  const std::string follow =
-      "response scene.toml --quasi-static --set scene.seed=12 --set stage.cycles.cycles=";
+  const std::string follow = "quasi-static scene.toml --set scene.seed=12 --set stage.cycles.cycles=";
   REQUIRE(w.scree(follow + "200 --out whole").status == 0);
   const Outcome interrupted = w.shell(
       "'" SCREE_TEST_PROGRAM "' " + follow +
@@ -61,59 +59,59 @@ TEST_CASE("resume goes on with quasi-static loads that were interrupted, and nam
     CHECK(outcome.err.find(problem) != std::string::npos);
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
   };
-  refused("whole", "whole: the response is finished; give --overwrite with the scenario");
-  refused("out --until 3", "out: holds a response, which goes on as it began; give no --set, --until");
+  refused("whole", "whole: the quasi-static load is finished; give --overwrite with the scenario");
+  refused("out --until 3",
+          "out: holds a quasi-static load, which goes on as it began; give no --set, --until");
   // As one that was killed leaves it behind.
   w.write("out/series/quasi_static.csv", w.text("out/series/quasi_static.csv") + "1e9,1,1");
-  nlohmann::json record = w.record("out", "response.json");
+  nlohmann::json record = w.record("out", "quasi_static.json");
   const std::string scenario = record["scenario"];
   record["status"] = "running";
   record["scenario"] = scenario + "# of another load\n";
-  w.write("out/response.json", record.dump());
-  refused("out", "state.h5: is the state of another response than that in response.json; put back");
+  w.write("out/quasi_static.json", record.dump());
+  refused("out",
+          "state.h5: is the state of another quasi-static load than that in quasi_static.json; put back");
   record["scenario"] = scenario;
-  w.write("out/response.json", record.dump());
+  w.write("out/quasi_static.json", record.dump());
   CHECK(w.scree(follow + "200 --out out")
-            .err.find("already contains a response; go on with it: scree resume out, or ") !=
+            .err.find("already contains a quasi-static load; go on with it: scree resume out, or ") !=
         std::string::npos);
   const Outcome resumed = w.scree("resume out");
   INFO(resumed.err << resumed.out);
   CHECK(resumed.status == 0);
   CHECK(w.text("out/series/quasi_static.csv") == w.text("whole/series/quasi_static.csv"));
-  CHECK(w.record("out", "response.json")["status"] == "finished");
+  CHECK(w.record("out", "quasi_static.json")["status"] == "finished");
   // The state of a run.
-  w.write("out/response.json", record.dump());
+  w.write("out/quasi_static.json", record.dump());
   std::filesystem::copy_file(w / "out/final_state.h5", w / "out/state.h5");
-  refused("out", "state.h5: is not the state of a response; put back that of this directory");
+  refused("out", "state.h5: is not the state of a quasi-static load; put back that of this directory");
   // Modes have none.
   std::filesystem::remove(w / "out/state.h5");
-  refused("out", "out: no saved state to resume the response from; give --overwrite");
+  refused("out", "out: no saved state to resume the quasi-static load from; give --overwrite");
 }
 
-TEST_CASE("where a packing has no equilibrium nearby, response --quasi-static goes on by dynamics",
-          "[tools]") {
+TEST_CASE("where a packing has no equilibrium nearby, quasi-static goes on by dynamics", "[tools]") {
   const Workspace w(biaxial);
   const Outcome outcome =
-      w.scree("response scene.toml --quasi-static --set scene.seed=13 --set stage.cycles.cycles=2 --out out");
+      w.scree("quasi-static scene.toml --set scene.seed=13 --set stage.cycles.cycles=2 --out out");
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);
   CHECK(outcome.out.find(" s by dynamics, in ") != std::string::npos);
-  const nlohmann::json record = w.record("out", "response.json");
+  const nlohmann::json record = w.record("out", "quasi_static.json");
   REQUIRE(!record["hand_overs"].empty());
   CHECK(double(record["hand_overs"][0]["to"]) > double(record["hand_overs"][0]["from"]));
   CHECK(std::uint64_t(record["dynamic_steps"]) > 0);
 }
 
-TEST_CASE("a load that jumps, that does not change, or is hardly seen is named by response --quasi-static",
-          "[tools]") {
+TEST_CASE("a load that jumps, that does not change, or is hardly seen is named by quasi-static", "[tools]") {
   const Workspace w(biaxial);
   const auto warned = [&](const std::string& arguments, const std::string& problem) {
-    const Outcome outcome = w.scree(
-        "response scene.toml --quasi-static --set stage.cycles.cycles=1 --overwrite --out out " + arguments);
+    const Outcome outcome =
+        w.scree("quasi-static scene.toml --set stage.cycles.cycles=1 --overwrite --out out " + arguments);
     INFO(outcome.err << outcome.out);
     CHECK(outcome.status == 0);
     CHECK(outcome.err.find(problem) != std::string::npos);
-    return w.record("out", "response.json");
+    return w.record("out", "quasi_static.json");
   };
   const nlohmann::json jump =
       warned("--set stage.cycles.set.box.stress_y_high.from=5",
@@ -127,27 +125,29 @@ TEST_CASE("a load that jumps, that does not change, or is hardly seen is named b
   CHECK(once["warnings"].size() == 1);  // none of loads that do not change
 }
 
-TEST_CASE("response --quasi-static refuses what it cannot follow in one line and writes nothing", "[tools]") {
+TEST_CASE("quasi-static refuses what it cannot follow in one line and writes nothing", "[tools]") {
   const Workspace w(biaxial);
   const auto refused = [&](const std::string& arguments, const std::string& problem) {
-    const Outcome outcome = w.scree("response scene.toml --quasi-static --out out " + arguments);
+    const Outcome outcome = w.scree("quasi-static scene.toml --out out " + arguments);
     INFO(outcome.err);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find(problem) != std::string::npos);
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
     CHECK(!w.has("out"));
   };
-  refused("--elastic", "--quasi-static follows a load and finds no modes; leave --elastic out");
+  refused("--elastic", "--elastic belongs to scree modes, which finds modes; leave it out");
   refused("--set time.precision=mixed", "a quasi-static load takes double precision");
   refused("--set stage.cycles.set.box.x_low=velocity --set stage.cycles.set.box.velocity_x_low=1e-3",
           "wall box.x_low is moved with 0.001 m/s");
-  refused("--sliding", "--quasi-static follows a load and finds no modes; leave --sliding out");
+  refused("--near 5", "--near belongs to scree modes, which finds modes; leave it out");
   refused(
       "--set stage.cycles.set.box.y_high=displacement "
       "--set 'stage.cycles.set.box.displacement_y_high={from=0,to=1e-3,period=10}'",
       "wall box.y_high is moved with ");
-  CHECK(w.scree("response scene.toml --increments 9").err ==
-        "scree: --increments belongs to --quasi-static; add it, or leave --increments out\n");
+  CHECK(w.scree("modes scene.toml --quasi-static").err ==
+        "scree: --quasi-static is a command of its own: scree quasi-static SCENARIO\n");
+  CHECK(w.scree("response scene.toml").err ==
+        "scree: scree response is now scree modes, or for quasi-static loads scree quasi-static\n");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));
   refused("", "the last stage is followed, and has no duration");
 }

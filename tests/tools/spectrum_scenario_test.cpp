@@ -20,15 +20,15 @@ TEST_CASE("spectrum measures a scenario by all methods and prints what they foun
   CHECK(outcome.err.empty());
   CHECK(lines_of(outcome.out).size() <= 27);
   for (const char* part : {"linear ", "pulse ", "sweep ", "particles.z_8, linear:",
-                           "results in out: spectrum.csv, peaks.csv, sweep.csv, roads.csv"})
+                           "results in out: spectrum.csv, peaks.csv, sweep.csv, methods.csv"})
     CHECK(outcome.out.find(part) != std::string::npos);
   CHECK(w.text("out/spectrum.csv")
-            .starts_with("road,frequency [Hz],particles.z_1.amplitude [1],particles.z_1.phase [rad],"));
+            .starts_with("method,frequency [Hz],particles.z_1.amplitude [1],particles.z_1.phase [rad],"));
   // Three methods with two columns each; the header.
   CHECK(lines_of(w.text("out/peaks.csv")).size() == 7);
   CHECK(lines_of(w.text("out/spectrum.csv")).size() == 1 + 3 * 71);
   CHECK(lines_of(w.text("out/sweep.csv")).size() == 1 + 71);
-  CHECK(lines_of(w.text("out/roads.csv")).size() == 4);
+  CHECK(lines_of(w.text("out/methods.csv")).size() == 4);
   CHECK(nlohmann::json::parse(w.text("out/spectrum.json"))["status"] == "finished");
   CHECK(w.has("out/charts/particles_z_8.png"));
 }

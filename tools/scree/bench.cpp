@@ -14,14 +14,14 @@ namespace scree::tool {
 namespace {
 
 // A scene that goes on for as long as one likes.
-class Course {
+class RepeatedScene {
  public:
-  Course(const scenario::Plan& plan, const BenchOptions& options) : plan_(plan), options_(options) {
+  RepeatedScene(const scenario::Plan& plan, const BenchOptions& options) : plan_(plan), options_(options) {
     begin();
   }
 
   // Wall time of so many steps (s).
-  double run(std::uint64_t steps) {
+  double advance(std::uint64_t steps) {
     double seconds = 0;
     while (steps > 0) {
       if (stages_->finished()) begin();
@@ -63,17 +63,17 @@ class Course {
 };
 
 // Warms caches and fills lists, with the steps of a repeat, which it returns.
-std::uint64_t warm(Course& course, const BenchOptions& options) {
+std::uint64_t warm(RepeatedScene& scene, const BenchOptions& options) {
   if (options.steps > 0) {
-    course.run(options.steps);
+    scene.advance(options.steps);
     return options.steps;
   }
   // A scene that ends soon takes longer to set up than to run.
   const auto start = std::chrono::steady_clock::now();
   const auto patient = [&] { return std::chrono::steady_clock::now() - start < std::chrono::seconds(2); };
   std::uint64_t steps = 1;
-  double wall = course.run(steps);
-  while (wall < 0.2 * options.seconds && (patient() || course.begun() < 2)) wall = course.run(steps *= 2);
+  double wall = scene.advance(steps);
+  while (wall < 0.2 * options.seconds && (patient() || scene.begun() < 2)) wall = scene.advance(steps *= 2);
   if (wall < 0.2 * options.seconds) return steps;
   return std::max<std::uint64_t>(1, std::uint64_t(double(steps) * options.seconds / wall));
 }
@@ -83,17 +83,17 @@ std::uint64_t warm(Course& course, const BenchOptions& options) {
 double BenchResult::median() const { return scree::median(s_per_step); }
 
 BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) {
-  Course course(plan, options);
+  RepeatedScene scene(plan, options);
   BenchResult r{};
-  r.steps = warm(course, options);
-  r.first_time = course.simulation().time();
+  r.steps = warm(scene, options);
+  r.first_time = scene.simulation().time();
   for (unsigned n = 0; n < options.repeats; ++n)
-    r.s_per_step.push_back(course.run(r.steps) / double(r.steps));
-  r.searches = course.searches();
-  course.measure(r.profile);
-  course.run(r.steps);
-  r.searches = course.searches() - r.searches;
-  const Simulation& s = course.simulation();
+    r.s_per_step.push_back(scene.advance(r.steps) / double(r.steps));
+  r.searches = scene.searches();
+  scene.measure(r.profile);
+  scene.advance(r.steps);
+  r.searches = scene.searches() - r.searches;
+  const Simulation& s = scene.simulation();
   r.particles = s.particles().size();
   r.contacts = s.contact_list().size();
   r.bytes_per_particle = s.footprint().bytes_per_body;

@@ -33,6 +33,7 @@ ExitStatus main_of(int argc, char** argv) {
     add_campaign_verb(line);
     add_bench_verb(line);
     for (const StudyVerb& study : study_verbs) line.verb(study.name, study.help);
+    line.moved("response", "is now scree modes, or for quasi-static loads scree quasi-static");
     add_new_plugin_verb(line);
     add_test_plugin_verb(line);
   });

@@ -36,7 +36,7 @@ void add_resume_verb(CommandLine& line, const std::function<ExitStatus()>& resum
   Verb verb = add_resume_options(line, *arguments);
   verb.action([arguments, resume_study] {
     const bool of_study = run::has_results(arguments->directory, run::spectrum_results) ||
-                          run::has_results(arguments->directory, run::response_results);
+                          run::has_results(arguments->directory, run::quasi_static_results);
     return of_study ? resume_study() : resume(*arguments);
   });
 }

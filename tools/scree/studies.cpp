@@ -19,7 +19,7 @@ ExitStatus run_study(int argc, char** argv) {
   constexpr files::CompanionLibrary library = {
       .target = "scree_studies",
       .factory = "scree_create_studies",
-      .purpose = "accuracy, spectrum, cycles and response",
+      .purpose = "accuracy, spectrum, cycles, modes and quasi-static",
       .without = "use other commands",
       .needs = "the run-time libraries of KLU and METIS",
       .built_on_demand = true,

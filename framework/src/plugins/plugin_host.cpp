@@ -1,6 +1,6 @@
 #include "machine/instruction_levels.hpp"
+#include "plugins/load_check.hpp"
 #include "plugins/manifest.hpp"
-#include "plugins/trial_load.hpp"
 
 #include <algorithm>
 #include <cfenv>

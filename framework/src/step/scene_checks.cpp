@@ -16,7 +16,7 @@ namespace {
 // Points and velocities of the walls of a boundary after the first step, in which they meet a spring where they try displacements.
 std::vector<double> after_step(const Scene& scene, const Parameters& boundary) {
   Boundaries alone({{"alone", 0, boundary}}, scene.dimension, bounds_of(scene.bodies, scene.dimension));
-  const double length = alone.trial_speed() * scene.step;
+  const double length = alone.displacement_speed() * scene.step;
   alone.begin_step(0, scene.step, [length](std::size_t, const double* displacement) {
     scree_load load = {};
     for (int k = 0; k < 3; ++k) load.force[k] = -displacement[k] / length;  // 1 N at the largest displacement

@@ -3,9 +3,9 @@
 #include "audit/energy_audit.hpp"
 #include "audit/momentum_audit.hpp"
 #include "contacts/contacts.hpp"
+#include "contacts/displaced_loads.hpp"
 #include "contacts/forces.hpp"
 #include "contacts/touching_contacts.hpp"
-#include "contacts/trial_loads.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
 #include "search/neighbour_list.hpp"
@@ -51,7 +51,7 @@ struct SimulationParts {
   Contacts contacts;
   NeighbourList neighbours;
   Forces forces;
-  std::optional<TrialLoads> trial_loads;  // once a boundary tries displacements
+  std::optional<DisplacedLoads> displaced_loads;  // once a boundary asks for loads after displacements
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<ThreadPool> threads;
   Profile* profile = nullptr;

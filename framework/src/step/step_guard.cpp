@@ -135,7 +135,7 @@ void add_body_forces(const Simulation& s, std::vector<StepLimit>& limits) {
 }
 
 void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
-  double fastest = s.boundaries().trial_speed();
+  double fastest = s.boundaries().displacement_speed();
   const Vec3 drift = drift_velocity(s.scene());
   for (std::size_t i = 0; i < s.particles().size(); ++i)
     fastest = std::max(fastest, norm(s.particles().body(i).velocity - drift));

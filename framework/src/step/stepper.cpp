@@ -14,7 +14,7 @@
 //   bodies begin      Integrator::begin_step       positions to t + h, velocities predicted there
 //                     Orientations::rotate         only if the scene carries them
 //   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
-//                     TrialLoads::load             only for boundaries that try displacements
+//                     DisplacedLoads::load             only for boundaries that try displacements
 //   search            NeighbourList::update        only when the skin may be used up
 //   each tile         kernel::evaluate_tile        gather, geometry, law, scatter, block by block
 //   each part         Forces::collect              adds loads computed by other tiles to its bodies
@@ -61,9 +61,9 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   if (!std::isfinite(square_speed)) return std::nullopt;
 
   Laps laps(p.profile);
-  if (const double trial_speed = p.boundaries.trial_speed(); trial_speed > 0)
-    p.neighbours.extend(speed * std::abs(step), trial_speed * std::abs(elapsed), p.particles, p.boundaries,
-                        p.contacts, *p.threads);
+  if (const double displacement_speed = p.boundaries.displacement_speed(); displacement_speed > 0)
+    p.neighbours.extend(speed * std::abs(step), displacement_speed * std::abs(elapsed), p.particles,
+                        p.boundaries, p.contacts, *p.threads);
   laps.lap(Profile::neighbours);
   begin_walls(elapsed, step);
   const double plane_speed = p.boundaries.largest_speed();
@@ -90,10 +90,10 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
 
 void Stepper::begin_walls(double step, double kick) {
   SimulationParts& p = parts_;
-  if (p.boundaries.trial_speed() == 0) return p.boundaries.begin_step(force_time_, step);
-  if (!p.trial_loads) p.trial_loads.emplace(p.forces.features());
+  if (p.boundaries.displacement_speed() == 0) return p.boundaries.begin_step(force_time_, step);
+  if (!p.displaced_loads) p.displaced_loads.emplace(p.forces.features());
   p.boundaries.begin_step(force_time_, step, [&](std::size_t plane, const double* displacement) {
-    return p.trial_loads->load(
+    return p.displaced_loads->load(
         {p.particles, p.contacts, p.laws, p.boundaries.planes(), p.boundaries.domain(), step, kick}, plane,
         displacement);
   });

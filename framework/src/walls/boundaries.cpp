@@ -23,7 +23,7 @@ Boundaries::Boundaries(const std::vector<Scene::Boundary>& entries, int dimensio
     shared_.upper[k] = upper_[k] = bodies.upper[k];
   }
   for (const Scene::Boundary& entry : entries) add(entry);
-  set_trial_speed();
+  set_displacement_speed();
   check_walls_against_domain();
 }
 
@@ -150,7 +150,7 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
           "boundary '{}': these parameters change its number of walls, which must be the same in all stages",
           name));
     std::swap(member.plugin, changed);
-    set_trial_speed();
+    set_displacement_speed();
     change(member, changed, time);
     return;
   }
@@ -181,10 +181,10 @@ void Boundaries::change(Member& member, const ConfiguredBoundary& before, double
   check_finite(member, time);
 }
 
-void Boundaries::set_trial_speed() {
-  trial_speed_ = 0;
+void Boundaries::set_displacement_speed() {
+  displacement_speed_ = 0;
   for (const Member& member : members_)
-    trial_speed_ = std::max(trial_speed_, member.plugin.instance().trial_speed);
+    displacement_speed_ = std::max(displacement_speed_, member.plugin.instance().displacement_speed);
 }
 
 double Boundaries::largest_damping_rate() const {

@@ -22,12 +22,12 @@ class Boundaries {
   Boundaries(const std::vector<Scene::Boundary>& entries, int dimension, const BodyBounds& bodies);
 
   // Load of a plane (N) at the end of a step after a displacement (m) in it.
-  using TrialLoad = std::function<scree_load(std::size_t plane, const double* displacement)>;
+  using LoadAfter = std::function<scree_load(std::size_t plane, const double* displacement)>;
 
   // First half of a step: moves the planes from t to t + step (s) with the loads at t. Both halves throw
-  // Error(blow_up) with plug-in, plane and time if a plane is not finite. trial_load: needed if trial_speed is
+  // Error(blow_up) with plug-in, plane and time if a plane is not finite. load_after: needed if displacement_speed is
   // above 0.
-  void begin_step(double time, double step, const TrialLoad& trial_load = {});
+  void begin_step(double time, double step, const LoadAfter& load_after = {});
   // Second half: completes velocities and energies with the loads at t + step.
   void finish_step(double time, double step);
   // For integrators that evaluate forces at mid-step: moves the planes ahead by a time (s) at constant
@@ -48,7 +48,7 @@ class Boundaries {
   // Mass of each plane (kg); 0 for planes that forces do not move.
   const std::vector<double>& plane_masses() const { return masses_; }
   // Largest speed with which boundaries try displacements of planes (m/s); 0: none does.
-  double trial_speed() const { return trial_speed_; }
+  double displacement_speed() const { return displacement_speed_; }
   // Largest rate at which a boundary's own viscosity damps a plane (1/s); 0 without viscosity.
   double largest_damping_rate() const;
   // Sum over all boundaries.
@@ -103,7 +103,7 @@ class Boundaries {
   static void add_energy(Member& member, const scree_boundary_energy& energy);
   void check_finite(const Member& member, double time);
   void show_domain();
-  void set_trial_speed();
+  void set_displacement_speed();
 
   int dimension_;
   double lower_[3], upper_[3];
@@ -116,7 +116,7 @@ class Boundaries {
   std::vector<std::string> names_;
   std::vector<const char*> name_pointers_;
   std::vector<double> masses_;
-  double trial_speed_ = 0;
+  double displacement_speed_ = 0;
 };
 
 // The boundaries of a scene at the start.

@@ -34,8 +34,8 @@ void check_layout(const std::string& plugin, const scree_boundary_instance& i, i
     if (!(i.plane_masses[w] >= 0 && std::isfinite(i.plane_masses[w])))
       refuse(plugin, fmt::format("the mass of wall {} is {:g} kg", w + 1, i.plane_masses[w]));
   if (!(i.damping_rate >= 0)) refuse(plugin, fmt::format("its damping rate is {:g}/s", i.damping_rate));
-  if (!(i.trial_speed >= 0 && std::isfinite(i.trial_speed)))
-    refuse(plugin, fmt::format("its trial speed is {:g} m/s", i.trial_speed));
+  if (!(i.displacement_speed >= 0 && std::isfinite(i.displacement_speed)))
+    refuse(plugin, fmt::format("its displacement_speed is {:g} m/s", i.displacement_speed));
   for (int k = 0; k < dimension; ++k)
     if (i.periodic[k] && !(std::isfinite(i.upper[k] - i.lower[k]) && i.upper[k] > i.lower[k]))
       refuse(plugin, fmt::format("the periodic axis {} reaches from {:g} to {:g} m", "xyz"[k], i.lower[k],

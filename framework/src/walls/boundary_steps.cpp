@@ -9,27 +9,27 @@ namespace scree {
 
 namespace {
 
-// The planes of one boundary in trials.
-struct Trials {
-  const Boundaries::TrialLoad& trial_load;
+// The planes of one boundary, which asks for their loads.
+struct PlaneLoads {
+  const Boundaries::LoadAfter& load_after;
   std::size_t first_plane;
 
   static void load(void* host, std::uint32_t plane, const double* displacement, scree_load* load) {
-    const Trials& trials = *static_cast<const Trials*>(host);
-    *load = trials.trial_load(trials.first_plane + plane, displacement);
+    const PlaneLoads& planes = *static_cast<const PlaneLoads*>(host);
+    *load = planes.load_after(planes.first_plane + plane, displacement);
   }
 };
 
 }  // namespace
 
-void Boundaries::begin_step(double time, double step, const TrialLoad& trial_load) {
+void Boundaries::begin_step(double time, double step, const LoadAfter& load_after) {
   for (Member& member : members_) {
     if (member.still()) continue;
     scree_boundary_energy energy = {};
     scree_boundary_step s = step_of(member, time, step, energy);
-    Trials host = {trial_load, member.first_plane};
-    const scree_trials trials = {sizeof(trials), &host, &Trials::load};
-    if (member.plugin.instance().trial_speed > 0) s.trials = &trials;
+    PlaneLoads host = {load_after, member.first_plane};
+    const scree_displaced_loads displaced_loads = {sizeof(displaced_loads), &host, &PlaneLoads::load};
+    if (member.plugin.instance().displacement_speed > 0) s.displaced_loads = &displaced_loads;
     member.plugin.interface().begin_step(member.plugin.storage(), &s);
     add_energy(member, energy);
     check_finite(member, time + step);

@@ -7,7 +7,7 @@ struct Contracted {
   static constexpr scree::About about = {"contracted", "compiled so that products and sums are fused",
                                          "f = 0", "—"};
   void declare(scree::Declaration&) {}
-  void act(const scree::BodyState&, scree::BodyResponse&) const {}
+  void act(const scree::BodyState&, scree::BodyForceOutput&) const {}
 };
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 struct FastMath {
   static constexpr scree::About about = {"fast_math", "compiled with -ffast-math", "f = 0", "—"};
   void declare(scree::Declaration&) {}
-  void act(const scree::BodyState&, scree::BodyResponse&) const {}
+  void act(const scree::BodyState&, scree::BodyForceOutput&) const {}
 };
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 struct NeedsFeatures {
   static constexpr scree::About about = {"needs_features", "requires too much", "f = 0", "—"};
   void declare(scree::Declaration&) {}
-  void act(const scree::BodyState&, scree::BodyResponse&) const {}
+  void act(const scree::BodyState&, scree::BodyForceOutput&) const {}
 };
 
 const scree_body_force body_force = {sizeof(scree_body_force), sizeof(NeedsFeatures),

@@ -6,7 +6,7 @@ namespace {
 struct OtherSize {
   static constexpr scree::About about = {"other_size", "has another interface", "f = 0", "—"};
   void declare(scree::Declaration&) {}
-  void act(const scree::BodyState&, scree::BodyResponse&) const {}
+  void act(const scree::BodyState&, scree::BodyForceOutput&) const {}
 };
 
 const scree_body_force body_force = {sizeof(scree_body_force) + 8, sizeof(OtherSize),

@@ -20,7 +20,7 @@ struct Kernel : Throwing {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::Response<D, T>&) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::LawOutput<D, T>&) const {
     if (c.overlap > T(limit)) throw std::runtime_error("boo");
   }
 };

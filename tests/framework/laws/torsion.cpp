@@ -28,7 +28,7 @@ struct Kernel : Torsion {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::Response<D, T, true>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::LawOutput<D, T, true>& out) const {
     if constexpr (D == 2) {
       const T angle = c.orientation_a[0] - c.orientation_b[0];
       out.couple[0] = -T(stiffness) * angle;

@@ -34,10 +34,10 @@ struct Kernel : Law {
 
 #ifdef SCREE_WRONG_SIGNATURE
   template <int D, class T>
-  void force(const scree::Contact<D, T, 0>&, History<D, T>&, scree::Response<D, T>&) const {}
+  void force(const scree::Contact<D, T, 0>&, History<D, T>&, scree::LawOutput<D, T>&) const {}
 #else
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::Response<D, T>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::LawOutput<D, T>& out) const {
     h.largest_overlap = std::max(h.largest_overlap, c.overlap);
     out.force = T(stiffness) * c.overlap * c.normal;
 #ifdef SCREE_UNDECLARED_INPUT

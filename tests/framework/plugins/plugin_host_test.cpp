@@ -1,5 +1,5 @@
 #include "instruction_level.hpp"
-#include "plugins/trial_load.hpp"
+#include "plugins/load_check.hpp"
 #include "scenes.hpp"
 
 #include <cstdlib>

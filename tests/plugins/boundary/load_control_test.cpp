@@ -137,7 +137,7 @@ TEST_CASE("a wall that keeps its load leaves a body that presses more, and stays
   }
 }
 
-// The trial is the evaluation that follows, so that the load itself has no error but that of the trials. The
+// The displaced load is the evaluation that follows, so that the load itself has no error but that of the search. The
 // speed of the wall at the end of a step is displacement / step: first order with dashpots, second without.
 TEST_CASE("a massless wall behind a driven row keeps its force, to first order in its motion", "[plane]") {
   for (const double damping : {0.0, 4.0}) {
@@ -151,7 +151,8 @@ TEST_CASE("a massless wall behind a driven row keeps its force, to first order i
   }
 }
 
-TEST_CASE("a servo wall behind a driven row keeps its force to the resolution of its trials", "[plane]") {
+TEST_CASE("a servo wall behind a driven row keeps its force to the resolution of its displacements",
+          "[plane]") {
   const double h = 1e-5;
   const End servo = end_of(plane_servo, 4, h), massless = end_of(plane_massless, 4, h);
   // Half a displacement of the grid changes the spring, and the dashpot by its speed.

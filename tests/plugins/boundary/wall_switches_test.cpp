@@ -18,7 +18,7 @@ namespace {
 constexpr double u = 1.2e-16;
 const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
 
-struct Mode {
+struct Control {
   std::string name;
   Values values;
   double starts_with;  // (m/s) the speed at once; NaN: the speed that the wall has
@@ -26,12 +26,12 @@ struct Mode {
 
 const Values base = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"mass", {2}}};
 const double same = std::nan("");
-const Mode modes[] = {{"fixed", {{"control", {0}}}, 0},
-                      {"displacement", {{"control", {1}}, {"displacement", {3, 0.5, 0.7, 0.1}}}, 2},
-                      {"velocity", {{"control", {2}}, {"velocity", {0, -3}}}, -3},
-                      {"velocity from rest", {{"control", {2}}, {"velocity", {3, 0, 1, 0.1}}}, 0},
-                      {"stress", {{"control", {3}}, {"stress", {0, 500}}, {"area", {0.02}}}, same},
-                      {"force", {{"control", {4}}, {"force", {0, -30}}, {"viscosity", {3}}}, same}};
+const Control controls[] = {{"fixed", {{"control", {0}}}, 0},
+                            {"displacement", {{"control", {1}}, {"displacement", {3, 0.5, 0.7, 0.1}}}, 2},
+                            {"velocity", {{"control", {2}}, {"velocity", {0, -3}}}, -3},
+                            {"velocity from rest", {{"control", {2}}, {"velocity", {3, 0, 1, 0.1}}}, 0},
+                            {"stress", {{"control", {3}}, {"stress", {0, 500}}, {"area", {0.02}}}, same},
+                            {"force", {{"control", {4}}, {"force", {0, -30}}, {"viscosity", {3}}}, same}};
 
 Values with(const Values& added) {
   Values all = base;
@@ -47,11 +47,12 @@ double speed(const Simulation& s) { return s.planes()[0].velocity[2]; }
 
 }  // namespace
 
-TEST_CASE("between any two modes the position is continuous and the energy balance stays closed", "[plane]") {
+TEST_CASE("between any two controls the position is continuous and the energy balance stays closed",
+          "[plane]") {
   constexpr double step = 1e-4, m = 2, gamma = 3, strongest = 30, acceleration = strongest / m;
   for (const Integration integration : {Integration::velocity_verlet, Integration::position_verlet})
-    for (const Mode& before : modes)
-      for (const Mode& after : modes) {
+    for (const Control& before : controls)
+      for (const Control& after : controls) {
         INFO(before.name << " to " << after.name);
         Scene sc = scene(3, step, {body(1, 0.01, 0.01, {{0, 0, 9}})}, elastic);
         sc.integration = integration;
@@ -139,7 +140,7 @@ TEST_CASE("a loaded wall of a box goes from stress to strain rate and back", "[b
   }
   const scree_energy e = s.energy();
   REQUIRE(e.work != 0);
-  // The fastest mode has ω² = 2k/M = (4.5e3/s)²: (ωh)²/4 of energies of up to k (2δ)².
+  // The fastest control has ω² = 2k/M = (4.5e3/s)²: (ωh)²/4 of energies of up to k (2δ)².
   CHECK(std::abs(e.residual) < 0.25 * std::pow(4.5e3 * step, 2) * k * std::pow(2 * (radius - half), 2));
 }
 

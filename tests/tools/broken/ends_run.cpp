@@ -25,7 +25,7 @@ struct Kernel : EndsRun {
   template <int D, class T>
   using History = scree::NoHistory<D, T>;
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>&, History<D, T>&, scree::Response<D, T>&) const {
+  void force(const scree::Contact<D, T, reads>&, History<D, T>&, scree::LawOutput<D, T>&) const {
     if (where == 0) _exit(0);
   }
 };

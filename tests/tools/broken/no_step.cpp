@@ -19,7 +19,7 @@ struct Kernel : NoStep {
   template <int D, class T>
   using History = scree::NoHistory<D, T>;
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>&, History<D, T>&, scree::Response<D, T>&) const {}
+  void force(const scree::Contact<D, T, reads>&, History<D, T>&, scree::LawOutput<D, T>&) const {}
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 std::string written_in(const std::filesystem::path& directory) {
   std::string names;
-  for (const char* name : {"spectrum.csv", "peaks.csv", "shapes.csv", "sweep.csv", "roads.csv", "charts"})
+  for (const char* name : {"spectrum.csv", "peaks.csv", "shapes.csv", "sweep.csv", "methods.csv", "charts"})
     if (std::filesystem::exists(directory / name))
       names += fmt::format("{}{}", names.empty() ? ": " : ", ", name);
   return names;

@@ -13,7 +13,8 @@ Verb add_study_verb(CommandLine& line, std::string_view name);
 void add_accuracy_verb(CommandLine& line);
 void add_spectrum_verb(CommandLine& line);
 void add_cycles_verb(CommandLine& line);
-void add_response_verb(CommandLine& line);
+void add_modes_verb(CommandLine& line);
+void add_quasi_static_verb(CommandLine& line);
 void add_study_resume_verb(CommandLine& line);
 
 }  // namespace scree::tool

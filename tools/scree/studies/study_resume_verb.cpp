@@ -27,7 +27,7 @@ ExitStatus resume(const ResumeArguments& arguments) {
       return spectrum::resume_measurement(in_place_of(arguments, options), host);
     });
   }
-  refuse_changes(arguments, "response");
+  refuse_changes(arguments, "quasi-static load");
   return report_load(arguments.quiet, [&](quasi_static::FollowOptions options) {
     return quasi_static::resume_following(in_place_of(arguments, options), host);
   });

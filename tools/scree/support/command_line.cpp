@@ -128,12 +128,16 @@ Verb CommandLine::verb(const std::string& name, const std::string& help) {
   return Verb(app_->add_subcommand(name, help), status_);
 }
 
+void CommandLine::moved(const std::string& name, const std::string& line) { moved_[name] = line; }
+
 // For a verb that does not exist the nearest one is named, in place of "unexpected argument".
 void CommandLine::check_verb_name(const std::string& name) const {
   std::vector<std::string> verbs;
   for (const CLI::App* verb : app_->get_subcommands([](const CLI::App*) { return true; }))
     verbs.push_back(verb->get_name());
   if (std::find(verbs.begin(), verbs.end(), name) != verbs.end()) return;
+  if (const auto moved = moved_.find(name); moved != moved_.end())
+    throw Error(fmt::format("scree {} {}", name, moved->second));
   throw Error(fmt::format("unknown command '{}'; {}", name, document::name_cure(name, verbs)));
 }
 

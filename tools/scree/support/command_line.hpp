@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,6 +75,8 @@ class CommandLine {
   CommandLine(const std::string& description, const std::string& version, const std::string& footer);
   ~CommandLine();
   Verb verb(const std::string& name, const std::string& help);
+  // For a verb of an earlier version: `scree NAME` is answered with "scree NAME <line>".
+  void moved(const std::string& name, const std::string& line);
   // Does what the arguments ask for: a verb's action, help, or the version. Throws Error for wrong usage.
   ExitStatus run(int argc, char** argv);
 
@@ -81,6 +84,7 @@ class CommandLine {
   void check_verb_name(const std::string& name) const;
 
   std::unique_ptr<CLI::App> app_;
+  std::map<std::string, std::string> moved_;
   ExitStatus status_ = ExitStatus::success;
 };
 

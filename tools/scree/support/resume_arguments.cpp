@@ -6,7 +6,8 @@ Verb add_resume_options(CommandLine& line, ResumeArguments& arguments) {
   Verb verb = line.verb(
       "resume",
       "Go on with a run, a spectrum or a quasi-static load from its latest state, to the same bits");
-  verb.option("directory", arguments.directory, "Directory of the run, spectrum or response").required();
+  verb.option("directory", arguments.directory, "Directory of the run, spectrum or quasi-static load")
+      .required();
   verb.option("--until", arguments.until,
               "Time (s) at which the last stage is to end; prolongs a finished run")
       .above_zero()

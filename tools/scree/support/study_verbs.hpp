@@ -18,8 +18,9 @@ inline constexpr std::array study_verbs = {
     StudyVerb{"spectrum",
               "Response of a packing to a driven wall over frequency; or the lines of a time series"},
     StudyVerb{"cycles", "Strain over the cycles of a load: ratcheting, shakedown, creep or none of them"},
-    StudyVerb{"response",
-              "Modes and elastic constants of a packing at rest, or a load on it without dynamics"},
+    StudyVerb{"modes",
+              "Modes and elastic constants of a packing at rest, and its straight paths under growing loads"},
+    StudyVerb{"quasi-static", "The last stage of a scenario through states of equilibrium, without dynamics"},
 };
 
 // The interface of that library.

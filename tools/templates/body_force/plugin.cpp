@@ -17,7 +17,7 @@ struct PluginName {
     d.vector("centre", centre, "m", "x_0").optional();
   }
 
-  void act(const scree::BodyState& body, scree::BodyResponse& out) const {
+  void act(const scree::BodyState& body, scree::BodyForceOutput& out) const {
     const scree::Vec3 arm = body.position - scree::Vec3{{centre[0], centre[1], centre[2]}};
     out.force = -stiffness * arm;
     out.potential = 0.5 * stiffness * dot(arm, arm);

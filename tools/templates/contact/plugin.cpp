@@ -43,7 +43,7 @@ struct PluginNameKernel : PluginName {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::Response<D, T>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::LawOutput<D, T>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal);
     const T spring = T(stiffness) * c.overlap;
     // The dashpot jumps at first touch and at parting: with the weight the result is of second order.

@@ -9,7 +9,7 @@
 //   static constexpr scree::About about;
 //   void declare(scree::Declaration&);
 //   void prepare(const scree::Setup&);                          optional: derived values, refusals
-//   void act(const scree::BodyState&, scree::BodyResponse&) const;
+//   void act(const scree::BodyState&, scree::BodyForceOutput&) const;
 //   double damping_rate(double mass, double inertia, double radius) const;
 //                                               optional: rate at which drag slows a body (1/s), for the
 //                                               step guard
@@ -26,7 +26,7 @@ struct BodyState {
 };
 
 // Output of a body force. All members are initialised to 0.
-struct BodyResponse {
+struct BodyForceOutput {
   Vec3 force;                           // (N)
   Vec3 torque;                          // (N m) ignored in a scene without spin
   double potential;                     // (J)
@@ -53,7 +53,7 @@ template <class Author, int D, bool with_spin, bool audit>
   const scree_body_batch batch = sums;
   const std::uint64_t state_stride = batch.radius.stride, load_stride = batch.force[0].stride;
   std::uint64_t state = 0, load = 0;
-  BodyResponse all{};
+  BodyForceOutput all{};
   for (std::uint32_t i = 0; i < batch.count; ++i, state += state_stride, load += load_stride) {
     BodyState body{vector_at<0, D>(batch.position, state),
                    vector_at<0, D>(batch.velocity, state),
@@ -63,14 +63,14 @@ template <class Author, int D, bool with_spin, bool audit>
                    with_spin ? batch.inertia.data[i] : 0};
     for (int k = 0; k < D; ++k)
       if (batch.image[k]) body.position[k] += batch.image[k][i] * batch.period[k];
-    BodyResponse response{};
-    author.act(body, response);
-    for (int k = 0; k < D; ++k) batch.force[k].data[load] += response.force[k];
-    for (int k = first_spin; k < 3; ++k) batch.torque[k].data[load] += response.torque[k];
+    BodyForceOutput out{};
+    author.act(body, out);
+    for (int k = 0; k < D; ++k) batch.force[k].data[load] += out.force[k];
+    for (int k = first_spin; k < 3; ++k) batch.torque[k].data[load] += out.torque[k];
     if constexpr (audit) {
-      all.potential += response.potential;
-      all.dissipation_rate_translation += response.dissipation_rate_translation;
-      all.dissipation_rate_rotation += response.dissipation_rate_rotation;
+      all.potential += out.potential;
+      all.dissipation_rate_translation += out.dissipation_rate_translation;
+      all.dissipation_rate_rotation += out.dissipation_rate_rotation;
     }
   }
   sums.potential += all.potential;

@@ -68,12 +68,12 @@ struct BoundaryStep {
   std::span<double> state;          // kept by the host between calls
   BoundaryEnergy& energy;
   const scree_boundary_scene* shared;
-  const scree_trials* trials;
+  const scree_displaced_loads* displaced_loads;
 
   BoundaryScene scene() const;
-  // In `begin_step` with a trial_speed: the load of a wall at the end of the step after a displacement (m) at
+  // In `begin_step` with a displacement_speed: the load of a wall at the end of the step after a displacement (m) at
   // constant velocity, where `walls` does not have it yet.
-  WallLoad trial_load(std::size_t wall, const Vec3& displacement) const;
+  WallLoad load_after(std::size_t wall, const Vec3& displacement) const;
 };
 
 // What a boundary consists of with its present parameters.
@@ -86,8 +86,8 @@ struct BoundaryLayout {
   const char* const* names = nullptr;    // of the walls, if they have names
   const double* masses = nullptr;        // (kg) of the walls, a member of the struct; 0: not moved by forces
   double damping_rate = 0;               // (1/s) at which viscosity slows the lightest wall
-  double trial_speed = 0;                // (m/s) largest speed of displacements for which begin_step asks
-                                         // trial_load; 0: it does not
+  double displacement_speed = 0;         // (m/s) largest speed of displacements for which begin_step asks
+                                         // load_after; 0: it does not
   bool still = false;                    // no wall moves, and begin_step and finish_step are not called
   std::optional<Axis> periodic[3] = {};  // the same in all stages
 };
@@ -142,7 +142,7 @@ inline BoundaryStep step_of(const scree_boundary_step& s) {
           {s.state, s.state_width},
           *s.energy,
           s.scene,
-          s.trials};
+          s.displaced_loads};
 }
 
 inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layout) {
@@ -153,7 +153,7 @@ inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layo
   instance.plane_names = layout.names;
   instance.plane_masses = layout.masses;
   instance.damping_rate = layout.damping_rate;
-  instance.trial_speed = layout.trial_speed;
+  instance.displacement_speed = layout.displacement_speed;
   instance.still = layout.still;
   for (int k = 0; k < 3; ++k) {
     if (!layout.periodic[k]) continue;
@@ -234,9 +234,9 @@ inline BoundaryScene BoundaryStep::scene() const {
           detail::vector_of(s.domain_upper)};
 }
 
-inline WallLoad BoundaryStep::trial_load(std::size_t wall, const Vec3& displacement) const {
+inline WallLoad BoundaryStep::load_after(std::size_t wall, const Vec3& displacement) const {
   scree_load load;
-  trials->load(trials->host, std::uint32_t(wall), displacement.component, &load);
+  displaced_loads->load(displaced_loads->host, std::uint32_t(wall), displacement.component, &load);
   return {detail::vector_of(load.force)};
 }
 

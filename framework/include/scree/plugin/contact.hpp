@@ -72,7 +72,7 @@ struct NotDeclaredByWritesCouple {};
 
 // Output of a law. All members are initialised to 0.
 template <int D, class T, bool writes_couple = false>
-struct Response {
+struct LawOutput {
   Vec<D, T> force;  // (N) on a, the opposite on b
   // (N m) on a in addition to arm × force, the opposite on b
   std::conditional_t<writes_couple, Vec<spin_components<D>, T>, NotDeclaredByWritesCouple> couple;

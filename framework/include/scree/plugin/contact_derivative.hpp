@@ -25,15 +25,15 @@ void differentiate_contacts(const void* storage, const scree_contact_batch* batc
     History history{};
     each_component<history_width<Kernel, D>, Dual>(
         history, [&](std::uint32_t k, Dual& value) { value = batch->history[k][i]; });
-    Response<D, Dual, Kernel::writes_couple> response{};
-    kernel.force(contact, history, response);
+    LawOutput<D, Dual, Kernel::writes_couple> out{};
+    kernel.force(contact, history, out);
 
     const auto write = [&](std::uint32_t column, const Dual& value) {
       tangent->output[column][i] = contact.overlap > 0 ? value.derivative : 0;
     };
-    for (std::uint32_t k = 0; k < D; ++k) write(SCREE_FORCE + k, response.force[int(k)]);
+    for (std::uint32_t k = 0; k < D; ++k) write(SCREE_FORCE + k, out.force[int(k)]);
     if constexpr (Kernel::writes_couple)
-      for (std::uint32_t k = 0; k < spin_components<D>; ++k) write(SCREE_COUPLE + k, response.couple[int(k)]);
+      for (std::uint32_t k = 0; k < spin_components<D>; ++k) write(SCREE_COUPLE + k, out.couple[int(k)]);
   }
 }
 

@@ -60,10 +60,8 @@ constexpr void check_kernel() {
                 "`tangential = true`, so that bodies carry spin");
   static_assert(
       requires(const Kernel& kernel, const Contact<D, double, Kernel::reads>& contact, History& history,
-               Response<D, double, Kernel::writes_couple>& response) {
-        kernel.force(contact, history, response);
-      },
-      "a kernel has force(const Contact<D, T, reads>&, History<D, T>&, Response<D, T, writes_couple>&) const");
+               LawOutput<D, double, Kernel::writes_couple>& out) { kernel.force(contact, history, out); },
+      "a kernel has force(const Contact<D, T, reads>&, History<D, T>&, LawOutput<D, T, writes_couple>&) const");
   check_history<Kernel, D>();
 }
 

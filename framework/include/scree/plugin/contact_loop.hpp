@@ -104,24 +104,23 @@ template <class Parameters, class Kernel, int D, bool audit, class T>
     each_component<width, T>(history, [&](std::uint32_t k, T& value) { value = batch.history[k][i]; });
     const T released = audit ? released_energy<T>(kernel, history) : T(0);
 
-    Response<D, T, Kernel::writes_couple> response{};
-    kernel.force(contact, history, response);
+    LawOutput<D, T, Kernel::writes_couple> out{};
+    kernel.force(contact, history, out);
 
     const bool touching = contact.overlap > T(0);
     const KeepIf<T> keep(touching);
     each_component<width, T>(history, [&](std::uint32_t k, T& value) { batch.history[k][i] = keep(value); });
-    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = keep(response.force[k]);
+    for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = keep(out.force[k]);
     if constexpr (Kernel::writes_couple)
-      for (int k = 0; k < spin_components<D>; ++k)
-        batch.output[SCREE_COUPLE + k][i] = keep(response.couple[k]);
+      for (int k = 0; k < spin_components<D>; ++k) batch.output[SCREE_COUPLE + k][i] = keep(out.couple[k]);
     if constexpr (audit) {
-      batch.output[SCREE_ELASTIC_NORMAL][i] = keep(response.elastic_normal);
-      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = keep(response.elastic_tangential);
-      batch.output[SCREE_DISSIPATION_RATE_NORMAL][i] = keep(response.dissipation_rate_normal);
-      batch.output[SCREE_DISSIPATION_RATE_TANGENTIAL][i] = keep(response.dissipation_rate_tangential);
-      batch.output[SCREE_DISSIPATION_RATE_ROLLING][i] = keep(response.dissipation_rate_rolling);
-      batch.output[SCREE_DISSIPATED_FRICTION][i] = keep(response.dissipated_friction);
-      batch.output[SCREE_DISSIPATED_RELEASE][i] = touching ? response.dissipated_release : released;
+      batch.output[SCREE_ELASTIC_NORMAL][i] = keep(out.elastic_normal);
+      batch.output[SCREE_ELASTIC_TANGENTIAL][i] = keep(out.elastic_tangential);
+      batch.output[SCREE_DISSIPATION_RATE_NORMAL][i] = keep(out.dissipation_rate_normal);
+      batch.output[SCREE_DISSIPATION_RATE_TANGENTIAL][i] = keep(out.dissipation_rate_tangential);
+      batch.output[SCREE_DISSIPATION_RATE_ROLLING][i] = keep(out.dissipation_rate_rolling);
+      batch.output[SCREE_DISSIPATED_FRICTION][i] = keep(out.dissipated_friction);
+      batch.output[SCREE_DISSIPATED_RELEASE][i] = touching ? out.dissipated_release : released;
     }
   }
 }

@@ -27,7 +27,7 @@ struct LoadControl {
     const double tolerance = on_grid ? 0 : 1e-9 * std::abs(press),
                  narrow = on_grid ? 1.5 * spacing : 1e-14 * limit;
     double s = rounded(std::clamp(guess, -limit, limit), spacing), last = s, last_excess = 0;
-    for (int n = 0; n < most_trials; ++n) {
+    for (int n = 0; n < most_evaluations; ++n) {
       const double e = excess(s);
       const double slope = s != last ? (e - last_excess) / (s - last) : stiffness;
       if (slope > 0) stiffness = slope;
@@ -43,7 +43,7 @@ struct LoadControl {
   }
 
  private:
-  static constexpr int most_trials = 200;
+  static constexpr int most_evaluations = 200;
 
   static double rounded(double s, double spacing) {
     return spacing > 0 ? spacing * std::round(s / spacing) : s;

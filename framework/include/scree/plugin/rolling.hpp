@@ -27,7 +27,7 @@ struct RollingResistance {
 // spring_force: elastic part of the normal force (N). Sets the couple and the dissipated power of `out`.
 template <int D, class T, std::uint32_t reads>
 void resist_rolling(const Contact<D, T, reads>& c, const T& spring_force, RollingResistance rolling,
-                    Response<D, T, true>& out) {
+                    LawOutput<D, T, true>& out) {
   const T square_spin = dot(c.relative_spin, c.relative_spin);
   const T full = T(rolling.friction) * spring_force * c.effective_radius;
   const T root = c.reduced_mass_root * c.effective_radius;

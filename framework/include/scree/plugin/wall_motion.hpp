@@ -39,7 +39,7 @@ struct WallMotion {
     double press;
   };
   // x and s in a step: distance (m), mean speed, speed at the end, s' at the end (m/s).
-  struct Course {
+  struct StepMotion {
     double distance;
     double mid_speed;
     double speed;
@@ -47,13 +47,13 @@ struct WallMotion {
   };
 
   bool moves() const { return control != fixed; }
-  // Whether the wall tries displacements in each step, with `begin_trying`.
-  bool tries() const { return control == servo || control == massless; }
-  // Largest speed of x in trials (m/s); a superposed motion is assumed to be no faster than the limit of s'.
-  double trial_speed(const LoadControl& limits) const {
-    return tries() ? (superposed.given() ? 2 : 1) * limits.speed_limit : 0;
+  // Whether each step seeks the displacement with the wanted load, by `begin_by_load`.
+  bool seeks_load() const { return control == servo || control == massless; }
+  // Largest speed of the displacements x for which it asks the load (m/s); a superposed motion is assumed to be no faster than the limit of s'.
+  double displacement_speed(const LoadControl& limits) const {
+    return seeks_load() ? (superposed.given() ? 2 : 1) * limits.speed_limit : 0;
   }
-  bool moved_by_forces() const { return control == pressed || tries(); }
+  bool moved_by_forces() const { return control == pressed || seeks_load(); }
   // Whether s' must be kept between steps, because it is not the speed of the wall.
   bool superposes() const { return control == pressed && superposed.given(); }
 
@@ -66,8 +66,8 @@ struct WallMotion {
   }
 
   // First half of a step, with s' and the forces at its start.
-  Course begin(double free_speed, const Prescribed& p, const Forces& forces, double step,
-               BoundaryEnergy& energy) const {
+  StepMotion begin(double free_speed, const Prescribed& p, const Forces& forces, double step,
+                   BoundaryEnergy& energy) const {
     energy.work -= 0.5 * forces.load * p.distance;
     if (control != pressed) return {p.distance, p.distance / step, p.speed, 0};
     const double change = step * (forces.load + forces.press - viscosity * free_speed) / mass;
@@ -77,12 +77,13 @@ struct WallMotion {
     return {step * mid + p.distance, mid + p.distance / step, end + p.speed, end};
   }
 
-  // First half of a step of a wall that tries displacements. forces: load at the start, pressing force at the end
+  // First half of a step of a wall that seeks a load. forces: load at the start, pressing force at the end
   // of the step; load(x): load at the end after a displacement x (m); mid_speed: of the last step, stiffness: of the
   // contacts (N/m), kept from one step to the next.
   template <class Load>
-  Course begin_trying(const LoadControl& limits, double mid_speed, double& stiffness, const Prescribed& p,
-                      const Forces& forces, double step, const Load& load, BoundaryEnergy& energy) const {
+  StepMotion begin_by_load(const LoadControl& limits, double mid_speed, double& stiffness,
+                           const Prescribed& p, const Forces& forces, double step, const Load& load,
+                           BoundaryEnergy& energy) const {
     const auto excess = [&](double s) { return -load(s + p.distance) - forces.press; };
     const double guess = step * mid_speed - p.distance;
     const double s = limits.displacement(excess, guess, step, forces.press, control == servo, stiffness);
@@ -92,9 +93,9 @@ struct WallMotion {
   }
 
   // Second half of the step that began at `time`, with the mean speed from `begin` and the forces at its end.
-  // Returns the course with speeds at the end; `distance` is 0.
-  Course finish(const Course& begun, const Forces& forces, double time, double step,
-                BoundaryEnergy& energy) const {
+  // Returns the motion with speeds at the end; `distance` is 0.
+  StepMotion finish(const StepMotion& begun, const Forces& forces, double time, double step,
+                    BoundaryEnergy& energy) const {
     if (control != pressed) {
       energy.work -= 0.5 * forces.load * step * begun.mid_speed;
       return {0, begun.mid_speed, begun.speed, 0};
@@ -120,7 +121,7 @@ struct WallMotion {
     if (!moved_by_forces()) return {.direction = direction, .speed = now.speed};
     LinearWall wall = {
         .free = 1, .direction = direction, .pressing_force = pressing_force, .speed = now.speed};
-    if (!tries()) wall.mass = mass, wall.viscosity = viscosity;
+    if (!seeks_load()) wall.mass = mass, wall.viscosity = viscosity;
     return wall;
   }
 

@@ -1,5 +1,5 @@
 #include "contacts/kernel/evaluate.hpp"
-#include "contacts/kernel/trial.hpp"
+#include "contacts/kernel/plane_load.hpp"
 #include "machine/instruction_levels.hpp"
 
 #include <utility>
@@ -37,9 +37,9 @@ EvaluateTile tile_evaluation(const Forces::Features& features) {
                                      Built());
 }
 
-EvaluateTrial trial_evaluation(const Forces::Features& features) {
-  return at_best_level<EvaluateTrial>([&]<int level>() { return trial_evaluation_at<level>(features); },
-                                      Built());
+EvaluatePlaneLoad plane_load_evaluation(const Forces::Features& features) {
+  return at_best_level<EvaluatePlaneLoad>(
+      [&]<int level>() { return plane_load_evaluation_at<level>(features); }, Built());
 }
 
 }  // namespace scree::kernel

@@ -155,11 +155,11 @@ void let_decay(Wave& wave, std::span<const double> times, std::span<const double
   Wave best = wave;
   double least = steady.square;
   for (const double decay : decays) {
-    Wave trial = wave;
-    trial.decay = decay / duration;
-    const double square = Expansion(trial, times, values).square;
+    Wave candidate = wave;
+    candidate.decay = decay / duration;
+    const double square = Expansion(candidate, times, values).square;
     if (pass_done) pass_done();
-    if (square < least) least = square, best = trial;
+    if (square < least) least = square, best = candidate;
   }
   if (best.decay > 0 && improve(best, true, most_rounds_of_decay, times, values, pass_done) &&
       Expansion(best, times, values).square < steady.square)

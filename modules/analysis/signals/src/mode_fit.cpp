@@ -53,9 +53,9 @@ bool descend(const ModeModel& model, Eigen::VectorXd& at) {
     double change = 0;
     while (!better && damping < most_damping) {
       const Eigen::VectorXd next = at + equations.step(damping);
-      const Eigen::VectorXd trial =
+      const Eigen::VectorXd candidate =
           is_valid(model, next) ? model.evaluate(next, nullptr) : Eigen::VectorXd(rest * 2);
-      better = trial.squaredNorm() < rest.squaredNorm();  // not if it is NaN
+      better = candidate.squaredNorm() < rest.squaredNorm();  // not if it is NaN
       damping = better ? std::max(least_damping, damping / 10) : damping * 10;
       if (!better) continue;
       change = (next - at).cwiseProduct(equations.scale).norm() / at.cwiseProduct(equations.scale).norm();

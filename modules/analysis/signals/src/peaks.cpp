@@ -139,8 +139,9 @@ ModeFit with_another_pole(const ModeFit& fit, const ResponseSpectrum& response) 
         poles[k] = {split.frequency - distance * split.width, share * split.width};
         poles.push_back({split.frequency + distance * split.width, share * split.width});
         if (!(poles[k].frequency > 0)) continue;
-        ModeFit trial = fit_modes(response, poles);
-        if (trial.criterion < best.criterion && is_sound(trial, response)) best = std::move(trial);
+        ModeFit candidate = fit_modes(response, poles);
+        if (candidate.criterion < best.criterion && is_sound(candidate, response))
+          best = std::move(candidate);
       }
   return best;
 }

@@ -94,7 +94,7 @@ std::string printed_number(const std::string& number) {
   return with_minus(mantissa) + "·" + power;
 }
 
-Range padded(double lower, double upper, double fraction) {
+AxisSpan padded(double lower, double upper, double fraction) {
   const double size = std::max(std::abs(lower), std::abs(upper));
   const double room = !almost_equal(lower, upper) ? fraction * (upper - lower) : size > 0 ? 0.1 * size : 1.0;
   return {lower - room, upper + room};

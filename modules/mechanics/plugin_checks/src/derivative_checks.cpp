@@ -63,7 +63,7 @@ void change(const LawUnderCheck& law, ContactColumns& contact, PairMotion motion
   }
 }
 
-// Response of a contact at a step of the passage, with a given history.
+// Output of the law at a step of the passage, with a given history.
 std::vector<double> response(const LawUnderCheck& law, int variant, int step,
                              const std::vector<double>& history, PairMotion motion, int k, double amount) {
   ContactColumns contact(1);

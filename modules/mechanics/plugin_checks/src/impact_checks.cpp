@@ -31,7 +31,7 @@ constexpr double phases[] = {0.1, 0.3, 0.5, 0.7, 0.9};
 constexpr Impact impacts[] = {{0, 0}, {0.4, 0}, {0.8, 0.7}, {0.8, -1.5}, {1.3, 0}};
 
 // Residuals are the largest of an impact, relative to the energy turned over.
-struct Outcome {
+struct Residuals {
   double residual, created, momentum, kinetic_ratio, duration;
 };
 
@@ -39,7 +39,7 @@ struct Outcome {
 struct Errors {
   double residual = 0, created = 0, momentum = 0;
 
-  void add(const Outcome& o) {
+  void add(const Residuals& o) {
     raise(residual, o.residual);
     raise(created, o.created);
     raise(momentum, o.momentum);
@@ -81,9 +81,9 @@ Scene scene_of(const Parameters& law, const CheckedPair& pair, int dimension, co
 double kinetic(const scree_energy& e) { return e.kinetic_translation + e.kinetic_rotation; }
 
 // Nothing if the bodies do not part within 20 contact times.
-std::optional<Outcome> outcome_of(const Parameters& law, const CheckedPair& pair, int dimension,
-                                  const Impact& impact, double phase, double contact_time,
-                                  int steps_per_contact) {
+std::optional<Residuals> residuals_of(const Parameters& law, const CheckedPair& pair, int dimension,
+                                      const Impact& impact, double phase, double contact_time,
+                                      int steps_per_contact) {
   const double step = contact_time / steps_per_contact;
   Simulation simulation(scene_of(law, pair, dimension, impact, phase, step));
   const double before = kinetic(simulation.energy());
@@ -94,8 +94,8 @@ std::optional<Outcome> outcome_of(const Parameters& law, const CheckedPair& pair
     Errors::raise(residual, simulation.energy_residual());
     const bool touches = !simulation.contact_list().a.empty();
     if (!touches && touching > 0)
-      return Outcome{residual, simulation.energy_created(), simulation.momentum_residual(),
-                     kinetic(simulation.energy()) / before, touching * step};
+      return Residuals{residual, simulation.energy_created(), simulation.momentum_residual(),
+                       kinetic(simulation.energy()) / before, touching * step};
     touching += touches;
   }
   return std::nullopt;
@@ -142,12 +142,12 @@ Checks check_impacts(const Parameters& law, const CheckedPair& pair, int dimensi
     return none;
   }
   Errors coarse, fine;
-  std::optional<Outcome> head_on;
+  std::optional<Residuals> head_on;
   try {
     for (const Impact& impact : impacts)
       for (const double phase : phases) {
         const auto follow = [&](int steps) {
-          return outcome_of(law, pair, dimension, impact, phase, contact_time, steps);
+          return residuals_of(law, pair, dimension, impact, phase, contact_time, steps);
         };
         // Nothing if the bodies stay together.
         if (const auto o = follow(coarse_steps)) coarse.add(*o);

@@ -247,7 +247,7 @@ class VibrationStudy : public run::Study {
 }  // namespace
 
 Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options) {
-  run::Session session(run::response_results, plan, run::session_options(options));
+  run::Session session(run::modes_results, plan, run::session_options(options));
   VibrationStudy study(plan, options, session);
   session.begin(study);
   return study.result();

@@ -7,7 +7,7 @@
 
 namespace scree::modes {
 
-// The entries of response.json between its status and its warnings.
+// The entries of modes.json between its status and its warnings.
 nlohmann::ordered_json record_of(const Vibration& vibration);
 
 // modes.csv, floppy.csv, elastic.csv and density.csv, those that there are.

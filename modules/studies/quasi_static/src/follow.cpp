@@ -89,7 +89,7 @@ class LoadStudy : public run::Study {
 
   void restore(const State& state) override {
     check_plan();
-    const StateTransfer from = StateTransfer::restoring_from(state).below(run::response_results.group);
+    const StateTransfer from = StateTransfer::restoring_from(state).below(run::quasi_static_results.group);
     session_.transfer(from);
     check_restored(from);
     box_.emplace(lengths_at_start_);
@@ -278,7 +278,7 @@ void LoadStudy::check_restored(const StateTransfer& state) const {
 
 FollowedLoad follow(const scenario::Plan& plan, const FollowOptions& options) {
   if (options.increments == 0) throw Error("0 increments; give at least 1");
-  run::Session session(run::response_results, plan, run::session_options(options));
+  run::Session session(run::quasi_static_results, plan, run::session_options(options));
   LoadStudy study(plan, options, session);
   session.begin(study);
   return study.result();
@@ -286,8 +286,9 @@ FollowedLoad follow(const scenario::Plan& plan, const FollowOptions& options) {
 
 FollowedLoad resume_following(const FollowOptions& options, PluginHost& host) {
   return files::in_place([&] {
-    run::Unfinished from = run::unfinished_in(options.out, run::response_results, host, options.on_warning);
-    run::Session session(run::response_results, from.plan, run::session_options(options),
+    run::Unfinished from =
+        run::unfinished_in(options.out, run::quasi_static_results, host, options.on_warning);
+    run::Session session(run::quasi_static_results, from.plan, run::session_options(options),
                          std::move(from.directory));
     LoadStudy study(from.plan, options, session);
     session.resume(study, from.state);

@@ -9,7 +9,7 @@
 
 namespace scree::quasi_static {
 
-// The entries of response.json between its status and its warnings.
+// The entries of quasi_static.json between its status and its warnings.
 nlohmann::ordered_json record_of(const FollowedLoad& load);
 
 // With pictures: deviatoric strain over time.

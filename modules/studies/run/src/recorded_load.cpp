@@ -60,7 +60,7 @@ RecordedLoad stage_load(const fs::path& file, std::size_t stage, double period) 
 }  // namespace
 
 std::optional<RecordedLoad> recorded_load(const fs::path& directory) {
-  if (fs::exists(directory / "response.json")) return quasi_static_load(directory / "response.json");
+  if (fs::exists(directory / "quasi_static.json")) return quasi_static_load(directory / "quasi_static.json");
   const document::Document scenario = document::Document::load(directory / "scenario.toml");
   const std::vector<document::Table> stages = scenario.root().tables("stage");
   for (std::size_t k = stages.size(); k-- > 0;)
@@ -71,7 +71,7 @@ std::optional<RecordedLoad> recorded_load(const fs::path& directory) {
 }
 
 std::string unfinished_status(const fs::path& directory) {
-  for (const char* name : {"response.json", "run.json"}) {
+  for (const char* name : {"quasi_static.json", "run.json"}) {
     std::error_code failed;
     if (fs::exists(directory / name, failed))
       return unfinished(parse_record(files::read_text(directory / name)), "status");

@@ -28,7 +28,8 @@ const Layout& layout_of(RunDirectory::Kind kind) {
   static const Layout accuracy = {"accuracy study", "accuracy.json", {"charts"}, {}};
   static const Layout campaign = {"campaign", "campaign.json", {}, {"table.csv", "means.csv"}};
   static const Layout spectrum = {"spectrum", "spectrum.json", {"charts"}, {}};
-  static const Layout response = {"response", "response.json", {"charts", "images"}, {}};
+  static const Layout modes = {"table of modes", "modes.json", {"charts", "images"}, {}};
+  static const Layout quasi_static = {"quasi-static load", "quasi_static.json", {"charts"}, {}};
   switch (kind) {
     case RunDirectory::Kind::run:
       return run;
@@ -36,8 +37,10 @@ const Layout& layout_of(RunDirectory::Kind kind) {
       return accuracy;
     case RunDirectory::Kind::campaign:
       return campaign;
-    case RunDirectory::Kind::response:
-      return response;
+    case RunDirectory::Kind::modes:
+      return modes;
+    case RunDirectory::Kind::quasi_static:
+      return quasi_static;
     default:
       return spectrum;
   }
@@ -295,7 +298,8 @@ fs::path RunDirectory::default_for(const fs::path& scenario, Kind kind) {
   fs::path path = "runs" / name;
   if (kind == Kind::accuracy) path += "-accuracy";
   if (kind == Kind::spectrum) path += "-spectrum";
-  if (kind == Kind::response) path += "-response";
+  if (kind == Kind::modes) path += "-modes";
+  if (kind == Kind::quasi_static) path += "-quasi-static";
   return path;
 }
 

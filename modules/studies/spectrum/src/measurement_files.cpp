@@ -24,7 +24,7 @@ void add_numbers(Cells& cells, std::initializer_list<double> numbers) {
 }
 
 std::string spectrum_table(const Measurement& m) {
-  Cells head = {"road", "frequency [Hz]"};
+  Cells head = {"method", "frequency [Hz]"};
   const std::size_t columns = responding(m.observed);
   for (std::size_t c = 0; c < columns; ++c)
     for (const char* what : {"amplitude", "phase", "error", "linearity"})
@@ -45,7 +45,7 @@ std::string spectrum_table(const Measurement& m) {
 }
 
 std::string peak_table(const Measurement& m) {
-  std::string text = csv_line({"road", "column", "frequency [Hz]", "frequency_error [Hz]", "width [Hz]",
+  std::string text = csv_line({"method", "column", "frequency [Hz]", "frequency_error [Hz]", "width [Hz]",
                                "width_error [Hz]", "quality", "quality_error", "amplitude", "amplitude_error",
                                "amplitude_unit", "phase [rad]", "difference [Hz]", "wavelengths"});
   for (const Resonance& r : m.resonances) {
@@ -76,7 +76,7 @@ Json peaks_of(const Measurement& m) {
 }
 
 std::string shape_table(const Measurement& m) {
-  std::string text = csv_line({"road", "column", "frequency [Hz]", "wavelengths", "layer", "displacement",
+  std::string text = csv_line({"method", "column", "frequency [Hz]", "wavelengths", "layer", "displacement",
                                "amplitude [m/m]", "phase [rad]"});
   for (const Resonance& r : m.resonances)
     for (std::size_t k = 0; k < r.shape.size(); ++k)
@@ -92,7 +92,7 @@ bool has_shapes(const Measurement& m) {
 }
 
 std::string method_table(const Measurement& m) {
-  std::string text = csv_line({"road", "frequencies", "steps", "wall [s]"});
+  std::string text = csv_line({"method", "frequencies", "steps", "wall [s]"});
   for (const MethodSpectrum& spectrum : m.spectra)
     text += csv_line({spectrum.method, fmt::format("{}", spectrum.frequencies.size()),
                       fmt::format("{}", spectrum.steps), csv_number(spectrum.wall)});
@@ -119,11 +119,11 @@ Json record_of(const Measurement& m) {
   Json json = {{"title", m.title}};
   for (const ObservedColumn& column : m.observed) json["observed"].push_back(column.name);
   for (const MethodSpectrum& spectrum : m.spectra)
-    json["roads"].push_back({{"road", spectrum.method},
-                             {"frequencies", spectrum.frequencies.size()},
-                             {"steps", spectrum.steps},
-                             {"wall", spectrum.wall},
-                             {"notes", spectrum.notes}});
+    json["methods"].push_back({{"method", spectrum.method},
+                               {"frequencies", spectrum.frequencies.size()},
+                               {"steps", spectrum.steps},
+                               {"wall", spectrum.wall},
+                               {"notes", spectrum.notes}});
   json["peaks"] = peaks_of(m);
   json["expect"] = run::json_of(m.verdicts);
   return json;
@@ -157,7 +157,7 @@ std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::
 void write_tables(const Measurement& m, const run::RunDirectory& directory) {
   directory.write_file("spectrum.csv", spectrum_table(m));
   directory.write_file("peaks.csv", peak_table(m));
-  directory.write_file("roads.csv", method_table(m));
+  directory.write_file("methods.csv", method_table(m));
   if (has_shapes(m)) directory.write_file("shapes.csv", shape_table(m));
 }
 

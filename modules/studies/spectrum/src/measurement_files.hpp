@@ -18,7 +18,7 @@ nlohmann::ordered_json record_of(const Measurement& measurement);
 // sweep.csv: one row per frequency, in the order of the sweep.
 std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::vector<SweepPoint>& points);
 
-// spectrum.csv, peaks.csv, roads.csv and, if there are any, shapes.csv.
+// spectrum.csv, peaks.csv, methods.csv and, if there are any, shapes.csv.
 void write_tables(const Measurement& measurement, const run::RunDirectory& directory);
 
 // Whether a peak has a name that no larger one of the same method and column has.

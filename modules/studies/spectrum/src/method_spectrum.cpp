@@ -47,7 +47,7 @@ void MethodSpectrum::note_silent(const std::vector<ObservedColumn>& observed) {
 }
 
 void MethodSpectrum::transfer(const StateTransfer& state, std::size_t observed) {
-  state.value("road", "", method);
+  state.value("method", "", method);
   state.rows("frequencies", "1/s", frequencies, 1, stored::positive);
   if (!std::is_sorted(frequencies.begin(), frequencies.end())) state.refuse("frequencies", "do not increase");
   state.value("steps", "1", steps);

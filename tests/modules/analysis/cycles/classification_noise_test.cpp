@@ -12,9 +12,9 @@ using scree::cycles::ClassOptions;
 
 namespace {
 
-constexpr int trials = 500;
+constexpr int samples = 500;
 
-// Number of trials with a wrong class.
+// Number of samples with a wrong class.
 struct Called {
   int ratcheting = 0, periodic = 0, falls = 0;  // falls: shakedown, creep or settling
 };
@@ -25,7 +25,7 @@ Called called(std::size_t count, const Series& series) {
   ClassOptions options;
   options.drop = 0;
   Called sum;
-  for (unsigned seed = 1; seed <= trials; ++seed) {
+  for (unsigned seed = 1; seed <= samples; ++seed) {
     std::mt19937_64 random(seed);
     std::vector<double> values = series(random, count);
     for (double& value : values) value *= 1e-7;
@@ -37,8 +37,8 @@ Called called(std::size_t count, const Series& series) {
   return sum;
 }
 
-// The number of trials for a share, plus three standard deviations.
-int at_most(double share) { return int(share * trials + 3 * std::sqrt(share * trials)); }
+// The number of samples for a share, plus three standard deviations.
+int at_most(double share) { return int(share * samples + 3 * std::sqrt(share * samples)); }
 
 // Independent values from a distribution.
 template <class Distribution>

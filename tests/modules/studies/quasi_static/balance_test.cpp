@@ -68,7 +68,7 @@ void check_balance(const Prepared& prepared, double period, const std::vector<do
 
 }  // namespace
 
-TEST_CASE("what the quasi-static road finds is at rest for the kernel: discs") {
+TEST_CASE("what the quasi-static solver finds is at rest for the kernel: discs") {
   for (const std::string law : {"disc_cundall_strack", "disc_corrected", "disc_angular"}) {
     INFO(law);
     const Prepared prepared(box_of_discs, {"scene.seed=5", "contact.discs.plugin=" + law});
@@ -79,7 +79,7 @@ TEST_CASE("what the quasi-static road finds is at rest for the kernel: discs") {
   }
 }
 
-TEST_CASE("what the quasi-static road finds is at rest for the kernel: spheres") {
+TEST_CASE("what the quasi-static solver finds is at rest for the kernel: spheres") {
   const std::string text = text_of(box_of_spheres);
   const std::size_t contact = text.find("[[contact]]"), boundary = text.find("[[boundary]]");
   // With this seed the packing is at rest within 10 s with each law; others creep for up to 200 s.
@@ -105,7 +105,7 @@ TEST_CASE("what the quasi-static road finds is at rest for the kernel: spheres")
 
 // Some beads cross the period, and their contacts join images.
 TEST_CASE(
-    "what the quasi-static road finds is at rest for the kernel: spheres between walls, periodic otherwise") {
+    "what the quasi-static solver finds is at rest for the kernel: spheres between walls, periodic otherwise") {
   const std::string text = text_of(box_of_spheres);
   const std::size_t particles = text.find("[particles]"), material = text.find("[[material]]"),
                     box = text.find("[[boundary]]"), forces = text.find("[[body_force]]"),

@@ -134,7 +134,7 @@ TEST_CASE("a quasi-static load that is interrupted says how far it came") {
   const auto rows = rows_of(folder / "out/series/quasi_static.csv");
   REQUIRE(rows.size() > 5);
   CHECK(rows.back()[time_column] == load.reached);
-  const auto record = nlohmann::json::parse(text_of(folder / "out/response.json"));
+  const auto record = nlohmann::json::parse(text_of(folder / "out/quasi_static.json"));
   CHECK(record["status"] == "interrupted");
   CHECK(record["end"] == load.reached);
   CHECK(record["planned_end"] == load.end);
@@ -194,7 +194,7 @@ TEST_CASE(
   stop = false;
   options.on_progress = {};
   const std::string began = text_of(folder / "out/scenario.toml"),
-                    record = text_of(folder / "out/response.json");
+                    record = text_of(folder / "out/quasi_static.json");
   const State good = state_file::read_state(folder / "out/state.h5");
   State bad = good;
   StateArray integrator = good.at("scene/integrator");
@@ -207,7 +207,7 @@ TEST_CASE(
   } catch (const Error& error) {
     CHECK(error.status() == ExitStatus::bad_input);
   }
-  CHECK(text_of(folder / "out/response.json") == record);
+  CHECK(text_of(folder / "out/quasi_static.json") == record);
   state_file::write_state(folder / "out/state.h5", good);
   CHECK(warnings.empty());
   folder.write("out/scenario.toml", with(began, "seed = 12", "seed = 13"));
@@ -280,7 +280,7 @@ TEST_CASE("a quasi-static load that goes on and fails records the cure for its p
   folder.write("out/final_state.h5", "of another");
   const std::string line = "final_state.h5: is there and was not written by a run; move it elsewhere";
   CHECK_THROWS_WITH(quasi_static::resume_following(options, host()), Catch::EndsWith(line));
-  const auto record = nlohmann::json::parse(text_of(folder / "out/response.json"));
+  const auto record = nlohmann::json::parse(text_of(folder / "out/quasi_static.json"));
   CHECK(record["status"] == "failed");
   CHECK_THAT(std::string(record["error"]), Catch::EndsWith(line));
   std::filesystem::remove(folder / "out/final_state.h5");
@@ -293,7 +293,7 @@ TEST_CASE("quasi-static strains count from the balance at the start") {
   const auto rows = rows_of(folder / "out/series/quasi_static.csv");
   CHECK(rows.front()[strain_xx] == 0);
   CHECK(rows.front()[strain_yy] == 0);
-  CHECK(nlohmann::json::parse(text_of(folder / "out/response.json")).contains("planned_end") == false);
+  CHECK(nlohmann::json::parse(text_of(folder / "out/quasi_static.json")).contains("planned_end") == false);
 }
 
 TEST_CASE("a quasi-static load that is interrupted before the load writes nothing and says so") {

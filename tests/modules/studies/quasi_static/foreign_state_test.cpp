@@ -27,13 +27,13 @@ TEST_CASE("a state of a quasi-static load that does not fit is refused, and noth
   REQUIRE(quasi_static::follow(plan, options).interrupted);
   options.on_progress = {};
   const std::filesystem::path file = folder / "out/state.h5";
-  const std::string sound = text_of(file), record = text_of(folder / "out/response.json");
+  const std::string sound = text_of(file), record = text_of(folder / "out/quasi_static.json");
   const auto refused = [&](const auto& change) {
     folder.write("out/state.h5", sound);
     change();
     const std::string line = message([&] { quasi_static::resume_following(options, host()); });
     CHECK(line.find("; ") != std::string::npos);
-    CHECK(text_of(folder / "out/response.json") == record);
+    CHECK(text_of(folder / "out/quasi_static.json") == record);
     return line;
   };
   CHECK(refused([&] {

@@ -28,8 +28,8 @@ double strain(const std::vector<scree_plane>& box, const std::vector<scree_plane
 
 }  // namespace
 
-// The strain that dynamics leave after a cycle approaches that of the quasi-static road as the period grows.
-TEST_CASE("slow cycles end in the strain of the quasi-static road") {
+// The strain that dynamics leave after a cycle approaches that of the quasi-static solver as the period grows.
+TEST_CASE("slow cycles end in the strain of the quasi-static solver") {
   const auto prepared = [](double period) {
     return Prepared(box_of_discs, {"scene.seed=5", fmt::format("stage.cycles.period={}", period),
                                    fmt::format("stage.cycles.set.box.stress_y_high.period={}", period)});

@@ -45,7 +45,7 @@ TEST_CASE("a run without a period has no recorded load, a quasi-static one has i
   run.write("run.json", R"({"status": "finished", "stages": [{"start": 0, "end": 1}]})");
   CHECK_FALSE(recorded_load(run.path()));
   CHECK(unfinished_status(run.path()).empty());
-  run.write("response.json", R"({"status": "failed", "period": 0, "start": 1, "end": 5})");
+  run.write("quasi_static.json", R"({"status": "failed", "period": 0, "start": 1, "end": 5})");
   const auto load = recorded_load(run.path());
   REQUIRE(load);
   CHECK(load->period == 0);

@@ -61,20 +61,20 @@ struct Counted {
   }
 
   void begin(const std::function<void(Counting&)>& change = [](Counting&) {}) {
-    Session session(response_results, plan, options);
+    Session session(quasi_static_results, plan, options);
     Counting study(session, plan);
     change(study);
     session.begin(study);
   }
   void resume(const std::function<void(Counting&)>& change = [](Counting&) {}) {
-    Unfinished from = unfinished_in(options.out, response_results, host(), options.on_warning);
-    Session session(response_results, from.plan, options, std::move(from.directory));
+    Unfinished from = unfinished_in(options.out, quasi_static_results, host(), options.on_warning);
+    Session session(quasi_static_results, from.plan, options, std::move(from.directory));
     Counting study(session, from.plan);
     change(study);
     session.resume(study, from.state);
   }
   bool has(const std::string& file) const { return std::filesystem::exists(options.out / file); }
-  nlohmann::json record() const { return nlohmann::json::parse(text_of(options.out / "response.json")); }
+  nlohmann::json record() const { return nlohmann::json::parse(text_of(options.out / "quasi_static.json")); }
   // In the file of the state.
   std::uint64_t count() const {
     std::uint64_t count = 0;
@@ -211,8 +211,8 @@ TEST_CASE("a study that goes on keeps its warnings, and its wall time", "[run]")
   to.value("wall", "s", wall);
   state_file::write_state(c.options.out / "state.h5", state);
   c.stop = false;
-  Unfinished from = unfinished_in(c.options.out, response_results, host(), {});
-  Session session(response_results, from.plan, c.options, std::move(from.directory));
+  Unfinished from = unfinished_in(c.options.out, quasi_static_results, host(), {});
+  Session session(quasi_static_results, from.plan, c.options, std::move(from.directory));
   Counting study(session, from.plan);
   session.resume(study, from.state);
   CHECK(session.warnings() == warnings);

@@ -32,8 +32,8 @@ TEST_CASE("three methods find the same peak of a chain", "[spectrum]") {
     CAPTURE(m.spectra[r.spectrum].method, r.column, r.mode.frequency, exact, r.mode.frequency_error);
     CHECK(std::abs(r.mode.frequency / exact - 1) < 1e-4);
   }
-  for (const char* file :
-       {"sweep.csv", "spectrum.csv", "peaks.csv", "roads.csv", "spectrum.json", "scenario.toml", "state.h5"})
+  for (const char* file : {"sweep.csv", "spectrum.csv", "peaks.csv", "methods.csv", "spectrum.json",
+                           "scenario.toml", "state.h5"})
     CHECK(bench.has(file));
   const std::string report = text_report(m);
   INFO(report);

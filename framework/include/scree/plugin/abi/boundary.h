@@ -44,14 +44,14 @@ typedef struct scree_boundary_scene {
 } scree_boundary_scene;
 
 /* What contacts would exert on a plane at the end of the step, if it were displaced in the step. */
-typedef struct scree_trials {
+typedef struct scree_displaced_loads {
   uint32_t struct_size;
   void* host; /* first argument of `load` */
   /* Load of a plane of the boundary after a displacement (m) at constant velocity since the start of the step,
    * from where the bodies are at its end: that of the force evaluation which follows, up to round-off, if
    * `begin_step` then sets velocity and mid_velocity to displacement / step. Keeps nothing. */
   void (*load)(void* host, uint32_t plane, const double* displacement, scree_load* load);
-} scree_trials;
+} scree_displaced_loads;
 
 typedef struct scree_boundary_step {
   uint32_t struct_size;
@@ -65,7 +65,8 @@ typedef struct scree_boundary_step {
   double* state;           /* state_width doubles, which the host stores and hashes */
   scree_boundary_energy* energy;
   const scree_boundary_scene* scene;
-  const scree_trials* trials; /* (optional) only in `begin_step`, if the instance has a trial_speed */
+  const scree_displaced_loads*
+      displaced_loads; /* (optional) only in `begin_step`, if the instance has a displacement_speed */
 } scree_boundary_step;
 
 typedef struct scree_boundary_instance {
@@ -78,8 +79,9 @@ typedef struct scree_boundary_instance {
   const double* plane_masses; /* (optional) plane_count masses (kg), in the plug-in's storage; 0 for planes
                                  that forces do not move */
   double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
-  double trial_speed;  /* (m/s) above 0: `begin_step` tries displacements, of at most this speed * |step| */
-  uint32_t still;      /* nonzero: no plane moves, and `begin_step` and `finish_step` are not called */
+  double
+      displacement_speed; /* (m/s) above 0: `begin_step` asks for loads after displacements of at most this speed * |step| */
+  uint32_t still; /* nonzero: no plane moves, and `begin_step` and `finish_step` are not called */
 } scree_boundary_instance;
 
 /* Equation of small motions of a plane about its present state, along one direction:

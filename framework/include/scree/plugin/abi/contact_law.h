@@ -82,7 +82,7 @@ typedef struct scree_contact_batch_single {
   float* output[SCREE_CONTACT_OUTPUT_COUNT];
 } scree_contact_batch_single;
 
-/* A direction in the space of a batch's inputs, and the derivative of the response along it. */
+/* A direction in the space of a batch's inputs, and the derivative of the outputs along it. */
 typedef struct scree_contact_tangent {
   uint32_t struct_size;
   const double* input[SCREE_CONTACT_INPUT_COUNT]; /* (optional) derivative of each input; NULL: 0 */

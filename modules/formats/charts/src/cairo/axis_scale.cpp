@@ -5,7 +5,7 @@
 namespace scree::charts {
 
 AxisScale::AxisScale(double lower, double upper, bool logarithmic, double pad) : logarithmic_(logarithmic) {
-  const Range range = padded(raw(lower), raw(upper), pad);
+  const AxisSpan range = padded(raw(lower), raw(upper), pad);
   lower_ = range.lower;
   upper_ = range.upper;
 }

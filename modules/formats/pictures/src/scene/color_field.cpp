@@ -15,7 +15,7 @@
 namespace scree::pictures {
 namespace {
 
-using charts::Range;
+using charts::AxisSpan;
 
 // Discs must not hide the bars of contacts on them.
 constexpr double paleness_among_contacts = 0.6;
@@ -42,20 +42,20 @@ RawField raw_field(const Frame& frame, const std::string& name) {
       fmt::format("color_by: unknown field \"{}\"; choose one of {}", name, fmt::join(color_fields, ", ")));
 }
 
-Range value_range(const RawField& field) {
+AxisSpan value_range(const RawField& field) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Range range{infinity, -infinity};
+  AxisSpan range{infinity, -infinity};
   for (double value : field.values)
     if (std::isfinite(value)) range = {std::min(range.lower, value), std::max(range.upper, value)};
   if (range.lower > range.upper) return {0, 1};
   const double size = std::max(std::abs(range.lower), std::abs(range.upper));
   if (range.upper - range.lower > 1e-12 * size) return range;
   if (range.lower == 0) return {0, 1};
-  return field.whole_numbers ? Range{range.lower - 1, range.upper + 1}
+  return field.whole_numbers ? AxisSpan{range.lower - 1, range.upper + 1}
                              : charts::padded(range.lower, range.upper, 0);
 }
 
-Range given_range(const std::array<double, 2>& range) {
+AxisSpan given_range(const std::array<double, 2>& range) {
   if (std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]) return {range[0], range[1]};
   throw Error(fmt::format("color_range: [{}, {}] is not a range; give a lower and a greater upper value",
                           range[0], range[1]));
@@ -88,7 +88,7 @@ ColorField color_field(const Frame& frame, const RenderOptions& options) {
   if (raw.values.size() != frame.particle_count())
     throw Error(fmt::format("color_by: this scene has no {}; choose another of {}", options.color_by,
                             fmt::join(color_fields, ", ")));
-  const Range range = options.color_range ? given_range(*options.color_range) : value_range(raw);
+  const AxisSpan range = options.color_range ? given_range(*options.color_range) : value_range(raw);
   const charts::ScaledUnit unit =
       charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
   for (double& value : raw.values) value *= unit.factor;

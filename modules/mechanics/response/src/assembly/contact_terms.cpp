@@ -16,7 +16,7 @@ namespace scree::response {
 namespace {
 
 // The branch. At the limit of friction a law has two derivatives, and only the law knows on which branch it is: by its
-// trial force, its own limit and its history. So it is asked: the contact is moved a little along its slip (to slide) or
+// force without slip, its own limit and its history. So it is asked: the contact is moved a little along its slip (to slide) or
 // against it (to stick) and evaluated, and its sliding column tells. The first motion is above the round-off of a spring
 // at the limit, and far too small to change the derivatives. At rest the normal force may lack a part by velocity that
 // it had in the last step, so that the spring is short of the limit, or beyond it, by that part: the motion grows until

@@ -56,7 +56,7 @@ struct Kernel : Faulty {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::Response<D, T>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::LawOutput<D, T>& out) const {
     const T v_n = dot(c.relative_velocity, c.normal), spring = T(stiffness) * c.overlap;
     const T dashpot = T(fault == creates_energy ? -damping : damping) * c.onset_weight * v_n;
     out.force = (spring - dashpot) * c.normal;

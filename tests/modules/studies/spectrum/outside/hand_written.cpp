@@ -20,7 +20,7 @@ struct Spring : HandWritten {
   using History = scree::NoHistory<D, T>;
 
   template <int D, class T>
-  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::Response<D, T>& out) const {
+  void force(const scree::Contact<D, T, reads>& c, History<D, T>&, scree::LawOutput<D, T>& out) const {
     out.force = T(stiffness) * c.overlap * c.normal;
   }
 };

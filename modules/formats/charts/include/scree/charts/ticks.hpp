@@ -21,10 +21,10 @@ Ticks logarithmic_ticks(double lower, double upper, int target);
 std::string printed_number(const std::string& number);
 
 // The range with a margin on both sides: a fraction of its length, or of the value if all values are equal.
-struct Range {
+struct AxisSpan {
   double lower;
   double upper;
 };
-Range padded(double lower, double upper, double fraction);
+AxisSpan padded(double lower, double upper, double fraction);
 
 }  // namespace scree::charts

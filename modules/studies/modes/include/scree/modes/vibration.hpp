@@ -16,7 +16,7 @@
 namespace scree::modes {
 
 struct VibrationOptions {
-  std::filesystem::path out;  // empty: runs/<stem of the scenario>-response, numbered if it exists
+  std::filesystem::path out;  // empty: runs/<stem of the scenario>-modes, numbered if it exists
   bool overwrite = false;
   unsigned threads = 1;
   unsigned modes = 20;             // that vibrate
@@ -62,7 +62,7 @@ struct Vibration {
 
 // Runs the stages of a plan, if it has any, takes the packing at their end as at rest, and writes the
 // directory: modes.csv, floppy.csv, density.csv, elastic.csv, loads.csv, load_bodies.csv, load_contacts.csv,
-// charts/, images/, response.json. Throws Error (bad_input) before anything is written if the packing has no
+// charts/, images/, modes.json. Throws Error (bad_input) before anything is written if the packing has no
 // contacts, a law no derivative, or, for elastic constants, other walls; or as a run does.
 Vibration vibrate(const scenario::Plan& plan, const VibrationOptions& options);
 

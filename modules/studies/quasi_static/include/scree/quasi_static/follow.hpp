@@ -14,7 +14,7 @@ namespace scree::quasi_static {
 struct FollowOptions {
   static constexpr unsigned increments_per_cycle = 40, fewest_per_cycle = 8;
 
-  std::filesystem::path out;  // empty: runs/<stem of the scenario>-response, numbered if it exists
+  std::filesystem::path out;  // empty: runs/<stem of the scenario>-quasi-static, numbered if it exists
   bool overwrite = false;
   unsigned threads = 1;  // of the stages before
   unsigned increments =
@@ -55,7 +55,7 @@ struct FollowedLoad {
 
 // Runs the stages of a plan but the last, follows the last one through states of equilibrium
 // (response::QuasiStatic), and writes the directory: series/quasi_static.csv, a chart, final_state.h5,
-// response.json. Where there is no equilibrium next to the present one, also at the start, dynamics go on
+// quasi_static.json. Where there is no equilibrium next to the present one, also at the start, dynamics go on
 // until there is. Throws Error (bad_input) before anything is written if the last stage has no duration, a
 // law no derivative, or walls are moved otherwise than by stresses and forces; or as a run does.
 FollowedLoad follow(const scenario::Plan& plan, const FollowOptions& options);

@@ -19,8 +19,10 @@ struct ResultKind {
 inline constexpr ResultKind run_results{RunDirectory::Kind::run, "run", "run.json", nullptr, "run"};
 inline constexpr ResultKind spectrum_results{
     RunDirectory::Kind::spectrum, "spectrum", "spectrum.json", "state.h5", "spectrum", true};
-inline constexpr ResultKind response_results{RunDirectory::Kind::response, "response", "response.json",
-                                             "state.h5", "quasi_static"};
+inline constexpr ResultKind modes_results{RunDirectory::Kind::modes, "table of modes", "modes.json", nullptr,
+                                          ""};
+inline constexpr ResultKind quasi_static_results{RunDirectory::Kind::quasi_static, "quasi-static load",
+                                                 "quasi_static.json", "state.h5", "quasi_static"};
 inline constexpr ResultKind accuracy_results{RunDirectory::Kind::accuracy, "accuracy study", "accuracy.json",
                                              nullptr, ""};
 

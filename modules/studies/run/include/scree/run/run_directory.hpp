@@ -18,7 +18,7 @@ namespace scree::run {
 // study writes is listed in written.txt, and nothing else is ever removed; a campaign removes nothing.
 class RunDirectory {
  public:
-  enum class Kind { run, accuracy, campaign, spectrum, response };
+  enum class Kind { run, accuracy, campaign, spectrum, modes, quasi_static };
   // What becomes of a run, study or campaign that is in the directory already.
   enum class Existing { refuse, replace, keep };
   // File for the terminal output of a run, written by its caller; not counted as foreign, and not removed.
@@ -69,8 +69,8 @@ class RunDirectory {
   // readers never see an incomplete file.
   void write_file(const std::string& name, const std::string& text) const;
 
-  // runs/<stem of the scenario>, runs/<stem>-accuracy, runs/<stem>-spectrum, runs/<stem>-response,
-  // campaigns/<stem>.
+  // runs/<stem of the scenario>, runs/<stem>-accuracy, runs/<stem>-spectrum, runs/<stem>-modes,
+  // runs/<stem>-quasi-static, campaigns/<stem>.
   static std::filesystem::path default_for(const std::filesystem::path& scenario, Kind kind = Kind::run);
 
  private:

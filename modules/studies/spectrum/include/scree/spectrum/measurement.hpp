@@ -39,7 +39,7 @@ struct Measurement {
 };
 
 // Runs the stages of a plan with [spectrum], measures by each method and writes the directory: sweep.csv while
-// a sweep runs; spectrum.csv, peaks.csv, roads.csv, charts/, spectrum.json. Throws Error (bad_input) before
+// a sweep runs; spectrum.csv, peaks.csv, methods.csv, charts/, spectrum.json. Throws Error (bad_input) before
 // anything is written, or as a run does.
 Measurement measure(const scenario::Plan& plan, const MeasurementOptions& options);
 

@@ -1,4 +1,4 @@
-#include "plugins/trial_load.hpp"
+#include "plugins/load_check.hpp"
 
 #include <dlfcn.h>
 

@@ -1,4 +1,3 @@
-#include "studies/load_report.hpp"
 #include "studies/studies.hpp"
 #include "support/study_tables.hpp"
 #include "support/verbs.hpp"
@@ -19,7 +18,7 @@ namespace scree::tool {
 
 namespace {
 
-struct ResponseArguments {
+struct ModesArguments {
   std::string scenario, out;
   std::string pictures, view;
   std::vector<std::string> overrides;
@@ -27,8 +26,7 @@ struct ResponseArguments {
   double near_hz = 0, density_to_hz = 0, residual_limit = 0.01;
   int fewest_contacts = 0;
   bool contacts_slide = false;
-  bool elastic = false, loads = false, quasi_static = false, overwrite = false, quiet = false;
-  unsigned increments = 0;  // 0: not given
+  bool elastic = false, loads = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
 
@@ -47,7 +45,7 @@ std::vector<unsigned> numbers_of(const std::string& text) {
   return numbers;
 }
 
-modes::VibrationOptions options_of(const ResponseArguments& a) {
+modes::VibrationOptions options_of(const ModesArguments& a) {
   modes::VibrationOptions options;
   options.out = a.out;
   options.overwrite = a.overwrite;
@@ -66,7 +64,7 @@ modes::VibrationOptions options_of(const ResponseArguments& a) {
   return options;
 }
 
-modes::Vibration solve_with_progress(const ResponseArguments& arguments) {
+modes::Vibration solve_with_progress(const ModesArguments& arguments) {
   ProgressBar bar(arguments.quiet);
   PluginHost host = make_host(arguments.plugins);
   const scenario::Plan plan =
@@ -79,7 +77,7 @@ modes::Vibration solve_with_progress(const ResponseArguments& arguments) {
   return modes::vibrate(plan, watched(std::move(options), bar));
 }
 
-ExitStatus respond(const ResponseArguments& arguments) {
+ExitStatus find_modes(const ModesArguments& arguments) {
   const modes::Vibration vibration = solve_with_progress(arguments);
   if (!arguments.quiet)
     fmt::print("{}", files::escaped(modes::text_report(vibration), files::Escapes::lines));
@@ -88,47 +86,11 @@ ExitStatus respond(const ResponseArguments& arguments) {
   return vibration.interrupted ? ExitStatus::interrupted : ExitStatus::success;
 }
 
-// What belongs to the other kind of response.
-void refuse_mixture(const ResponseArguments& a) {
-  if (!a.quasi_static && a.increments > 0)
-    throw Error("--increments belongs to --quasi-static; add it, or leave --increments out");
-  if (!a.quasi_static) return;
-  const ResponseArguments none;
-  const std::pair<const char*, bool> of_modes[] = {
-      {"--elastic", a.elastic},
-      {"--loads", a.loads},
-      {"--density", a.density != none.density},
-      {"--density-to", a.density_to_hz != none.density_to_hz},
-      {"--picture", !a.pictures.empty()},
-      {"--view", !a.view.empty()},
-      {"--modes", a.modes != none.modes},
-      {"--near", a.near_hz != none.near_hz},
-      {"--fewest-contacts", a.fewest_contacts != none.fewest_contacts},
-      {"--sliding", a.contacts_slide},
-      {"--residual", a.residual_limit != none.residual_limit}};
-  for (const auto& [name, given] : of_modes)
-    if (given)
-      throw Error(
-          fmt::format("--quasi-static follows a load and finds no modes; leave {} out, or call twice", name));
-}
-
-ExitStatus follow(const ResponseArguments& arguments) {
-  return report_load(arguments.quiet, [&](quasi_static::FollowOptions options) {
-    options.out = arguments.out;
-    options.overwrite = arguments.overwrite;
-    options.threads = arguments.threads;
-    if (arguments.increments > 0) options.increments = arguments.increments;
-    PluginHost host = make_host(arguments.plugins);
-    return quasi_static::follow(
-        scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables()), options);
-  });
-}
-
 }  // namespace
 
-void add_response_verb(CommandLine& line) {
-  Verb verb = add_study_verb(line, "response");
-  auto a = std::make_shared<ResponseArguments>();
+void add_modes_verb(CommandLine& line) {
+  Verb verb = add_study_verb(line, "modes");
+  auto a = std::make_shared<ModesArguments>();
   const std::vector<std::string> views(pictures::view_names.begin(), pictures::view_names.end());
   verb.option("scenario", a->scenario,
               "Scenario file (TOML), which begins from a state, or comes to rest in its stages")
@@ -142,11 +104,7 @@ void add_response_verb(CommandLine& line) {
   verb.flag(
       "--loads", a->loads,
       "Straight paths of walls, bodies and contact forces under growing loads on walls that forces move");
-  verb.flag("--quasi-static", a->quasi_static,
-            "Follow the last stage through states of equilibrium instead, without inertia and dashpots");
-  verb.option("--increments", a->increments,
-              "Increments of each period of that stage, or of all of it if it has none (default 40)")
-      .between(1, 1000000);
+  verb.moved("--quasi-static", "--quasi-static is a command of its own: scree quasi-static SCENARIO");
   verb.option("--density", a->density,
               "Count the modes at this number of frequencies too, for the density of states")
       .between(2, 100000);
@@ -168,20 +126,15 @@ void add_response_verb(CommandLine& line) {
   verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
   verb.option("--threads", a->threads, "Number of threads, for stages and counts (default 1)")
       .between(1, 1024);
-  verb.option("--out", a->out, "Directory of the results; default runs/<scenario>-response").shown_as("DIR");
-  verb.flag("--overwrite", a->overwrite, "Replace an existing response in the directory");
+  verb.option("--out", a->out, "Directory of the results; default runs/<scenario>-modes").shown_as("DIR");
+  verb.flag("--overwrite", a->overwrite, "Replace existing results in the directory");
   verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
   add_plugin_options(verb, a->plugins);
   verb.footer(
       "The packing is taken as it is at the end of the stages, with its contacts sticking (--sliding: sliding on).\n"
-      "Modes are those of the symmetric part of its stiffness; residuals are those with all of it. --quasi-static\n"
-      "takes the packing at the start of the last stage.\n"
-      "Example: scree response scenarios/lemrich2017/spectrum.toml --elastic --modes 40\n"
-      "         scree response scenarios/mcnamara2008/biaxial.toml --quasi-static");
-  verb.action([a] {
-    refuse_mixture(*a);
-    return a->quasi_static ? follow(*a) : respond(*a);
-  });
+      "Modes are those of the symmetric part of its stiffness; residuals are those with all of it.\n"
+      "Example: scree modes scenarios/lemrich2017/spectrum.toml --elastic --modes 40");
+  verb.action([a] { return find_modes(*a); });
 }
 
 }  // namespace scree::tool

@@ -1,4 +1,4 @@
-#include "contacts/kernel/trial.hpp"
+#include "contacts/kernel/plane_load.hpp"
 
 #include "contacts/kernel/block_task.hpp"
 #include "contacts/kernel/levels.hpp"
@@ -24,7 +24,7 @@ struct LaneSums {
 };
 
 template <int D, bool spin, class T>
-SCREE_HOT void evaluate_trial(const TileJob& job, scree_load& load) {
+SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
   BlockColumns<T> work;
   begin_batch(*job.input, work);
   LaneSums on_bodies;
@@ -50,16 +50,16 @@ SCREE_HOT void evaluate_trial(const TileJob& job, scree_load& load) {
 }
 
 template <int D, bool spin, class T>
-SCREE_AT_KERNEL_LEVEL void trial(const TileJob& job, scree_load& load) {
-  evaluate_trial<D, spin, T>(job, load);
+SCREE_AT_KERNEL_LEVEL void plane_load(const TileJob& job, scree_load& load) {
+  evaluate_plane_load<D, spin, T>(job, load);
 }
 
 }  // namespace
 
 template <>
-EvaluateTrial trial_evaluation_at<SCREE_KERNEL_LEVEL>(const Forces::Features& features) {
-  EvaluateTrial evaluate = nullptr;
-  specialise(features, [&]<int D, bool spin, class T>() { evaluate = &trial<D, spin, T>; });
+EvaluatePlaneLoad plane_load_evaluation_at<SCREE_KERNEL_LEVEL>(const Forces::Features& features) {
+  EvaluatePlaneLoad evaluate = nullptr;
+  specialise(features, [&]<int D, bool spin, class T>() { evaluate = &plane_load<D, spin, T>; });
   return evaluate;
 }
 

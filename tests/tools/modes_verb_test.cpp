@@ -4,15 +4,15 @@
 
 using namespace scree::test;
 
-TEST_CASE("response tells the modes of a chain and writes them", "[tools]") {
+TEST_CASE("modes tells the modes of a chain and writes them", "[tools]") {
   const Workspace w(chain);
-  const Outcome outcome = w.scree("response scene.toml --modes 3 --density 10 --out out");
+  const Outcome outcome = w.scree("modes scene.toml --modes 3 --density 10 --out out");
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);
   // Across the chain its beads are held by nothing: gravity presses them, which makes them turn over.
   CHECK(outcome.err.find("scree: warning: the packing is unstable: ") == 0);
   CHECK(outcome.out.find("8 bodies with 8 contacts") != std::string::npos);
-  const nlohmann::json record = w.record("out", "response.json");
+  const nlohmann::json record = w.record("out", "modes.json");
   CHECK(record["status"] == "finished");
   CHECK(record["complete"] == true);
   const double exact[] = {29.370, 87.110, 141.883};
@@ -22,18 +22,18 @@ TEST_CASE("response tells the modes of a chain and writes them", "[tools]") {
   CHECK(w.text("out/modes.csv").starts_with("kind,number,frequency [Hz],"));
   CHECK(lines_of(w.text("out/density.csv")).size() == 11);
   CHECK(w.has("out/charts/density.png"));
-  CHECK(w.scree("response scene.toml --out out").err ==
-        "scree: out: already contains a response; give another --out, or --overwrite to replace it\n");
-  CHECK(w.scree("response scene.toml --out out --overwrite --quiet --near 88 --modes 1").status == 0);
-  CHECK(double(w.record("out", "response.json")["modes"]["mode_1"]["frequency"]) ==
+  CHECK(w.scree("modes scene.toml --out out").err ==
+        "scree: out: already contains a table of modes; give another --out, or --overwrite to replace it\n");
+  CHECK(w.scree("modes scene.toml --out out --overwrite --quiet --near 88 --modes 1").status == 0);
+  CHECK(double(w.record("out", "modes.json")["modes"]["mode_1"]["frequency"]) ==
         Approx(87.110).epsilon(1e-4));
   CHECK(!w.has("out/density.csv"));
 }
 
 #if SCREE_TEST_PICTURES
-TEST_CASE("response draws the modes that are asked for", "[tools]") {
+TEST_CASE("modes draws the modes that are asked for", "[tools]") {
   const Workspace w(chain);
-  const Outcome outcome = w.scree("response scene.toml --modes 2 --picture 1,2 --view x --quiet --out out");
+  const Outcome outcome = w.scree("modes scene.toml --modes 2 --picture 1,2 --view x --quiet --out out");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   CHECK(w.has("out/images/mode_1.png"));
@@ -41,47 +41,47 @@ TEST_CASE("response draws the modes that are asked for", "[tools]") {
 }
 #endif
 
-TEST_CASE("response refuses what it cannot do in one line and writes nothing", "[tools]") {
+TEST_CASE("modes refuses what it cannot do in one line and writes nothing", "[tools]") {
   const Workspace w(chain);
   const auto refused = [&](const std::string& arguments, const std::string& begin, const std::string& end) {
-    check_refused(w, w.scree("response " + arguments), begin, end);
+    check_refused(w, w.scree("modes " + arguments), begin, end);
     CHECK(!w.has("out"));
   };
-  refused("--out out", "scenario is required", "see scree response --help");
+  refused("--out out", "scenario is required", "see scree modes --help");
   refused("scene.toml --out out --elastic", "scene.toml: elastic constants need two parallel walls",
           "or prepare such a packing");
   refused("scene.toml --out out --fewest-contacts 9", "scene.toml: no body is held",
           "compress the packing, or give a fewest_contacts below 9");
   refused("scene.toml --out out --picture 1,x", "--picture 1,x: 'x' is not the number of a mode", "as 1,4,7");
-  refused("scene.toml --out out --near -3", "--near:", "see scree response --help");
+  refused("scene.toml --out out --near -3", "--near:", "see scree modes --help");
 }
 
-TEST_CASE("Ctrl-C in response saves what is complete and gives status 130", "[tools]") {
+TEST_CASE("Ctrl-C in modes saves what is complete and gives status 130", "[tools]") {
   const Workspace w(chain);
   const Outcome outcome =
       w.shell("'" SCREE_TEST_PROGRAM
-              "' response scene.toml --modes 3 --density 100000 --quiet --out out &\nrun=$!\n"
+              "' modes scene.toml --modes 3 --density 100000 --quiet --out out &\nrun=$!\n"
               "(sleep 30; kill -KILL $run) > /dev/null 2>&1 &\ntrap \"kill $!\" EXIT\n"
-              "until grep -q running out/response.json 2> /dev/null; do sleep 0.01; done; sleep 0.3\n"
+              "until grep -q running out/modes.json 2> /dev/null; do sleep 0.01; done; sleep 0.3\n"
               "kill -TERM $run; wait $run");
   INFO(outcome.err << outcome.out);
   CHECK(outcome.status == 130);
   CHECK(outcome.out == "interrupted; what was complete is saved\nresults in out\n");
-  const nlohmann::json record = w.record("out", "response.json");
+  const nlohmann::json record = w.record("out", "modes.json");
   CHECK(record["status"] == "interrupted");
   CHECK(record["modes"].size() == 3);
   CHECK(lines_of(w.text("out/modes.csv")).size() > 3);
   // What was counted before; all counts would take seconds.
   CHECK(lines_of(w.text("out/density.csv")).size() < 100001);
-  CHECK(w.scree("response scene.toml --modes 3 --quiet --out out --overwrite").status == 0);
-  CHECK(w.record("out", "response.json")["status"] == "finished");
+  CHECK(w.scree("modes scene.toml --modes 3 --quiet --out out --overwrite").status == 0);
+  CHECK(w.record("out", "modes.json")["status"] == "finished");
 }
 
-TEST_CASE("response refuses frequencies at which there is no mode to find", "[tools]") {
+TEST_CASE("modes refuses frequencies at which there is no mode to find", "[tools]") {
   const Workspace w(chain);
   const auto refused = [&](const std::string& arguments, const std::string& problem,
                            const std::string& cure) {
-    const Outcome outcome = w.scree("response scene.toml --quiet --out out " + arguments);
+    const Outcome outcome = w.scree("modes scene.toml --quiet --out out " + arguments);
     check_refused(w, outcome, "scene.toml: " + problem, cure);
   };
   refused("--near 1e300", "all modes are below ", "give a lower --near");
@@ -96,17 +96,17 @@ TEST_CASE("what a plan cannot give is refused before a step is taken", "[tools]"
       "[[stage]]\nname = 'falls'\nduration = 0.01\nset.gravity.acceleration = [0, 0, -20]\n";
   const Workspace w(with(with(chain, "[spectrum]\n", falls + "[spectrum]\n"), "ids = [1, 8]\n",
                          "ids = [1, 8]\nevery = 1\n"));
-  const Outcome late = w.scree("response scene.toml --quiet --out out");
+  const Outcome late = w.scree("modes scene.toml --quiet --out out");
   INFO(late.err);
   REQUIRE(late.status == 3);
   const auto refused = [&](const std::string& arguments, const std::string& problem,
                            const std::string& cure) {
     check_refused(w, w.scree(arguments + " --quiet --out out"), problem, cure);
   };
-  refused("response scene.toml --elastic", "scene.toml: elastic constants need two parallel walls",
+  refused("modes scene.toml --elastic", "scene.toml: elastic constants need two parallel walls",
           "or prepare such a packing");
-  refused("response scene.toml --loads", "scene.toml: no wall is moved by forces", "or leave --loads out");
-  refused("response scene.toml --density 5 --density-to 1e200", "scene.toml: 1e+200 Hz is above",
+  refused("modes scene.toml --loads", "scene.toml: no wall is moved by forces", "or leave --loads out");
+  refused("modes scene.toml --density 5 --density-to 1e200", "scene.toml: 1e+200 Hz is above",
           "give a lower --density-to");
   refused("spectrum scene.toml --by linear --set \"spectrum.observe=['energy.kinetic_translation']\"",
           "--set spectrum.observe=", "or leave the method linear out");
@@ -115,12 +115,12 @@ TEST_CASE("what a plan cannot give is refused before a step is taken", "[tools]"
   const std::string moved =
       "[[stage]]\nname = 'moves'\nduration = 1\nset.floor.displacement = { from = 0, to = 1e-6, duration = 1 }\n";
   w.write("scene.toml", with(w.text("scene.toml"), "[spectrum]\n", moved + "[spectrum]\n"));
-  refused("response scene.toml --quasi-static", "scene.toml: wall floor is moved with",
+  refused("quasi-static scene.toml", "scene.toml: wall floor is moved with",
           "a quasi-static load is by these");
 }
 
 // A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a load.
-TEST_CASE("response and the linear method warn of laws without a derivative at rest", "[tools]") {
+TEST_CASE("modes and the linear method warn of laws without a derivative at rest", "[tools]") {
   const std::string inclined =
       "[time]\nstep = 1e-6\n[[material]]\nname = 'glass'\ndensity = 2500\n"
       "[[contact]]\nplugin = 'hertz_mindlin'\nyoungs_modulus = 1e9\npoissons_ratio = 0.25\nrestitution = 0.5\n"
@@ -132,7 +132,7 @@ TEST_CASE("response and the linear method warn of laws without a derivative at r
       "amplitude = 1e-9\nobserve = ['particles.z_1']\nfrom_hz = 100\nto_hz = 200\nstep_hz = 50\n"
       "linear.fewest_contacts = 1\n";
   const Workspace w(inclined);
-  for (const char* verb : {"response scene.toml --modes 1", "spectrum scene.toml --by linear"}) {
+  for (const char* verb : {"modes scene.toml --modes 1", "spectrum scene.toml --by linear"}) {
     CAPTURE(verb);
     const std::string call = std::string(verb) + " --quiet --overwrite --out ";
     const Outcome rescaled = w.scree(call + verb[0]);

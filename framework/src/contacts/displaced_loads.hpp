@@ -2,8 +2,8 @@
 
 #include "contacts/contacts.hpp"
 #include "contacts/forces.hpp"
+#include "contacts/kernel/plane_load.hpp"
 #include "contacts/kernel/plane_records.hpp"
-#include "contacts/kernel/trial.hpp"
 #include "contacts/pair_constants.hpp"
 
 #include <cstdint>
@@ -17,9 +17,9 @@ namespace scree {
 // Evaluates the contacts of single planes with displacements that the planes might have, without a trace in
 // bodies, histories or sums. By one thread and in the order of the pairs, so that the bits are the same for any
 // number of threads.
-class TrialLoads {
+class DisplacedLoads {
  public:
-  explicit TrialLoads(const Forces::Features& features);
+  explicit DisplacedLoads(const Forces::Features& features);
 
   // What the contacts follow from: bodies at the end of a step (s) with predicted velocities, planes.
   struct Scene {
@@ -46,8 +46,8 @@ class TrialLoads {
   void take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const;
 
   Forces::Features features_;
-  kernel::EvaluateTrial evaluate_;
-  std::vector<PlanePairs> pairs_;  // of each plane, filled when it is tried
+  kernel::EvaluatePlaneLoad evaluate_;
+  std::vector<PlanePairs> pairs_;  // of each plane, filled when its load is first asked for
   std::vector<scree_plane> planes_;
   kernel::PlaneRecords records_;
 };

@@ -10,13 +10,13 @@ struct TileJob;
 
 // Evaluates all pairs of a job, which are with one plane, and writes their force on it (N); changes histories,
 // and nothing else. Needs neither tiles nor slots.
-using EvaluateTrial = void (*)(const TileJob&, scree_load& load);
+using EvaluatePlaneLoad = void (*)(const TileJob&, scree_load& load);
 
 // As tile_evaluation.
-EvaluateTrial trial_evaluation(const Forces::Features& features);
+EvaluatePlaneLoad plane_load_evaluation(const Forces::Features& features);
 
 // As tile_evaluation_at.
 template <int level>
-EvaluateTrial trial_evaluation_at(const Forces::Features& features);
+EvaluatePlaneLoad plane_load_evaluation_at(const Forces::Features& features);
 
 }  // namespace scree::kernel

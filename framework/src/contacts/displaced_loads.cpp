@@ -1,14 +1,14 @@
-#include "contacts/trial_loads.hpp"
+#include "contacts/displaced_loads.hpp"
 
 #include "contacts/kernel/block.hpp"
 #include "contacts/kernel/evaluate.hpp"
 
 namespace scree {
 
-TrialLoads::TrialLoads(const Forces::Features& features)
-    : features_(features), evaluate_(kernel::trial_evaluation(features)) {}
+DisplacedLoads::DisplacedLoads(const Forces::Features& features)
+    : features_(features), evaluate_(kernel::plane_load_evaluation(features)) {}
 
-scree_load TrialLoads::load(const Scene& scene, std::size_t plane, const double* displacement) {
+scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const double* displacement) {
   PlanePairs& pairs = pairs_of(scene, plane);
   std::size_t next = 0;
   for (const PairGroup& all : scene.contacts.groups()) {
@@ -48,7 +48,7 @@ scree_load TrialLoads::load(const Scene& scene, std::size_t plane, const double*
   return load;
 }
 
-TrialLoads::PlanePairs& TrialLoads::pairs_of(const Scene& scene, std::size_t plane) {
+DisplacedLoads::PlanePairs& DisplacedLoads::pairs_of(const Scene& scene, std::size_t plane) {
   while (pairs_.size() <= plane)
     pairs_.push_back({.revision = 0,
                       .contacts = Contacts({}, features_.precision),
@@ -59,7 +59,7 @@ TrialLoads::PlanePairs& TrialLoads::pairs_of(const Scene& scene, std::size_t pla
   return pairs;
 }
 
-void TrialLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const {
+void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const {
   pairs.revision = scene.contacts.revision();
   std::vector<Contacts::Kind> kinds;
   for (const PairGroup& group : scene.contacts.groups())
