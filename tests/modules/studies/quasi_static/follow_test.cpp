@@ -139,7 +139,7 @@ TEST_CASE("a quasi-static load that is interrupted says how far it came") {
   CHECK(record["end"] == load.reached);
   CHECK(record["planned_end"] == load.end);
   CHECK_THAT(message([&] { quasi_static::follow(box_of_discs("12"), {.out = folder / "out"}); }),
-             Catch::Contains("already contains a response; go on with it: scree resume " +
+             Catch::Contains("already contains a quasi-static load; go on with it: scree resume " +
                              (folder / "out").string() + ", or give another --out"));
   // With those to the balance at the start, from the stages before and from the state of the first cycle, and those that ended at events.
   CHECK(record["increments"] >= rows.size() + 1);
@@ -176,7 +176,7 @@ TEST_CASE("a quasi-static load that is interrupted goes on to the same bits") {
   CHECK(text_of(folder / "parted/series/quasi_static.csv") ==
         text_of(folder / "whole/series/quasi_static.csv"));
   CHECK_THAT(message([&] { quasi_static::resume_following(options, host()); }),
-             Catch::Contains("parted: the response is finished; give --overwrite"));
+             Catch::Contains("parted: the quasi-static load is finished; give --overwrite"));
 }
 
 TEST_CASE(
