@@ -9,7 +9,6 @@
 #include <scree/packing/overlap.hpp>
 
 using namespace scree::packing;
-using Catch::Matchers::Contains;
 using scree::Vec3;
 
 namespace {
@@ -37,35 +36,6 @@ double deepest_by_brute_force(const Packing& packing) {
     }
   }
   return deepest;
-}
-
-Packing scattered(int dimension, std::array<bool, 3> periodic, double smallest, double largest,
-                  std::uint64_t seed) {
-  Random random(seed);
-  Packing packing;
-  packing.dimension = dimension;
-  packing.bounds = Bounds{{{-1.0, 2.0, 0.0}}, {{1.5, 4.0, 1.0}}};
-  packing.periodic = periodic;
-  for (int n = 0; n < 300; ++n) {
-    Body body;
-    body.id = n + 1;
-    body.radius = smallest * std::pow(largest / smallest, random.uniform());
-    for (int k = 0; k < dimension; ++k) {
-      body.position[k] = random.uniform(packing.bounds->lower[k], packing.bounds->upper[k]);
-    }
-    packing.bodies.push_back(body);
-  }
-  return packing;
-}
-
-Packing two(double distance) {
-  Packing packing;
-  packing.bodies.resize(2);
-  packing.bodies[0].id = 8;
-  packing.bodies[1].id = 3;
-  packing.bodies[0].radius = packing.bodies[1].radius = 1.0;
-  packing.bodies[1].position[0] = distance;
-  return packing;
 }
 
 }  // namespace
@@ -118,31 +88,4 @@ TEST_CASE("the search ends far from the origin and with coincident bodies", "[pa
   packing.bodies.resize(20'000, packing.bodies[0]);
   for (std::size_t k = 0; k < packing.bodies.size(); ++k) packing.bodies[k].id = std::int64_t(k) + 1;
   CHECK(find_overlap(packing)->depth == 2.0);
-}
-
-TEST_CASE("an invalid packing is refused with body and field", "[packing]") {
-  const auto refusal = [](const Packing& packing) { return error_of([&] { check(packing); }); };
-  Packing packing = two(3.0);
-  CHECK(refusal(packing).empty());
-  packing.bodies[0].id = 3;
-  CHECK_THAT(refusal(packing), Contains("body 3: the id is used twice"));
-  packing.bodies[0].id = 0;
-  CHECK_THAT(refusal(packing), Contains("id is not positive"));
-  packing = two(3.0);
-  packing.bodies[1].radius = -1.0;
-  CHECK_THAT(refusal(packing), Contains("body 3: the radius -1 m"));
-  packing = two(std::nan(""));
-  CHECK_THAT(refusal(packing), Contains("not finite"));
-  packing = two(3.0);
-  packing.bodies[0].mass = packing.bodies[0].density = 1.0;
-  CHECK_THAT(refusal(packing), Contains("density and mass are both given"));
-  packing = two(3.0);
-  packing.dimension = 2;
-  CHECK(refusal(packing).empty());
-  packing.bodies[0].spin[0] = 1.0;
-  CHECK_THAT(refusal(packing), Contains("in two dimensions"));
-  packing = two(3.0);
-  packing.periodic[1] = true;
-  CHECK_THAT(refusal(packing), Contains("y is periodic without a finite period"));
-  CHECK_THAT(refusal(Packing{}), Contains("no bodies"));
 }

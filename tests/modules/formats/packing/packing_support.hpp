@@ -79,4 +79,35 @@ inline Packing awkward_packing(int dimension, std::size_t count = 50) {
   return packing;
 }
 
+// Two bodies of radius 1, so far apart.
+inline Packing two(double distance) {
+  Packing packing;
+  packing.bodies.resize(2);
+  packing.bodies[0].id = 8;
+  packing.bodies[1].id = 3;
+  packing.bodies[0].radius = packing.bodies[1].radius = 1.0;
+  packing.bodies[1].position[0] = distance;
+  return packing;
+}
+
+// 300 bodies with radii of equal probability per logarithm, anywhere in a box.
+inline Packing scattered(int dimension, std::array<bool, 3> periodic, double smallest, double largest,
+                         std::uint64_t seed) {
+  Random random(seed);
+  Packing packing;
+  packing.dimension = dimension;
+  packing.bounds = Bounds{{{-1.0, 2.0, 0.0}}, {{1.5, 4.0, 1.0}}};
+  packing.periodic = periodic;
+  for (int n = 0; n < 300; ++n) {
+    Body body;
+    body.id = n + 1;
+    body.radius = smallest * std::pow(largest / smallest, random.uniform());
+    for (int k = 0; k < dimension; ++k) {
+      body.position[k] = random.uniform(packing.bounds->lower[k], packing.bounds->upper[k]);
+    }
+    packing.bodies.push_back(body);
+  }
+  return packing;
+}
+
 }  // namespace scree::packing

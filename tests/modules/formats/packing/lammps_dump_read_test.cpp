@@ -29,18 +29,6 @@ std::string refusal(const std::string& text, const ImportOptions& options = {}) 
 
 }  // namespace
 
-TEST_CASE("a dump keeps every bit", "[packing]") {
-  Packing packing = awkward_packing(GENERATE(2, 3));
-  CHECK(same_bits(parse(format_lammps_dump(packing), {.dimension = packing.dimension}), packing));
-  packing.periodic[2] = false;
-  const ImportOptions options{.dimension = packing.dimension, .periodic = packing.periodic};
-  CHECK(same_bits(parse(format_lammps_dump(packing), options), packing));
-  packing.time = 0.0;
-  const std::string text = format_lammps_dump(packing, {.dialect = Dialect::liggghts, .timestep = 12});
-  CHECK_THAT(text, StartsWith("ITEM: TIMESTEP\n12\n"));
-  CHECK(same_bits(parse(text, options), packing));
-}
-
 TEST_CASE("dump columns come in any order among others", "[packing]") {
   const Packing packing = parse(frame("5", "fx radius z c_1[2] y id x type vy omegax mass ",
                                       "nan 0.5 1 - 2 9 3 2 4 5 6\nnan 0.25 1 - 1 8 1 1 0 0 7\n"));
@@ -105,14 +93,6 @@ TEST_CASE("a two-dimensional dump needs no z", "[packing]") {
   CHECK(packing.periodic == std::array{true, false, false});
   CHECK_THAT(refusal(frame("0", "x y z radius", "1 1 1 1\n2 1 1 1\n"), {.dimension = 2}),
              StartsWith("d:10:5: z '1' is not 0"));
-}
-
-TEST_CASE("a dump is refused if only some bodies have a density", "[packing]") {
-  Packing packing = awkward_packing(3);
-  packing.bodies[3].density = unset;
-  CHECK_THAT(error_of([&] { format_lammps_dump(packing); }), Contains("49 of 50 bodies have a density"));
-  for (Body& body : packing.bodies) body.density = unset;
-  CHECK(same_bits(parse(format_lammps_dump(packing)), packing));
 }
 
 TEST_CASE("dump errors name the position and the cure", "[packing]") {
