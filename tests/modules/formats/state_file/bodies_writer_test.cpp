@@ -122,21 +122,3 @@ TEST_CASE("A scene without periods has a box without edges, and one without posi
   clock.put("clock/time", {std::vector<double>{1}, {}, "s"});
   CHECK_FALSE(File(clock).has("particles"));
 }
-
-TEST_CASE("Numbers lie in the file with the lowest byte first, in one piece", "[bodies_writer]") {
-  const File file(odd_state());
-  const std::pair<const char*, hid_t> types[] = {{"particles/bodies/position/value", H5T_IEEE_F64LE},
-                                                 {"scree/odd/floats", H5T_IEEE_F32LE},
-                                                 {"particles/bodies/id", H5T_STD_I64LE},
-                                                 {"scree/clock/steps", H5T_STD_U64LE},
-                                                 {"particles/bodies/image/value", H5T_STD_I32LE},
-                                                 {"particles/bodies/species", H5T_STD_U32LE},
-                                                 {"scree/odd/bytes", H5T_STD_U8LE}};
-  for (const auto& [path, type] : types) {
-    INFO(path);
-    const hid_t dataset = H5Dopen2(file.id, path, H5P_DEFAULT);
-    CHECK(H5Tequal(H5Dget_type(dataset), type) > 0);
-    CHECK(H5Pget_layout(H5Dget_create_plist(dataset)) == H5D_CONTIGUOUS);
-    H5Dclose(dataset);
-  }
-}
