@@ -186,3 +186,15 @@ TEST_CASE("values that are too large for their squares are refused", "[lock_in]"
           lock_in(equal_times(100, 1e-3), x, options_of(1));
         }) == "lock-in: a value is not finite or beyond 1e150; leave it out, or give another unit");
 }
+
+TEST_CASE("a drift that is no polynomial is left out by means over a period", "[lock_in]") {
+  const auto times = equal_times(4001, 1e-3);  // 20 periods of 200 samples
+  std::vector<double> x;
+  for (const double t : times) x.push_back(std::exp(-t) + sine(0.01, 5, 1, t));
+  LockInOptions options;
+  options.frequency = 5, options.drift_degree = 0;
+  const SpectralLine line = lock_in(times, x, options, Detrending::period_average).lines[0];
+  // Of exp(-t) it leaves P^2/24 exp(-t), as 1.7e-3 of a drift, of which the fit leaves 2/(20 pi) at most.
+  CHECK(std::abs(line.amplitude - 0.01) < 1.7e-3 * 2 / (std::numbers::pi * 20));
+  CHECK(std::abs(lock_in(times, x, options).lines[0].amplitude - 0.01) > 1e-3);
+}

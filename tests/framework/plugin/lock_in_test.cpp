@@ -6,16 +6,24 @@
 
 #include <catch2/catch.hpp>
 
-#include <scree/signals/lock_in.hpp>
+#include <scree/plugin/lock_in.hpp>
 
 using namespace scree;
-using namespace scree::signals;
 using scree::test::equal_times;
 using scree::test::PinkNoise;
 using scree::test::sine;
 using scree::test::turned_by;
 
 namespace {
+
+LockInResult lock_in(const std::vector<double>& times, const std::vector<double>& values,
+                     LockInOptions options) {
+  if (options.duration == 0) options.duration = times.back() - times.front();
+  std::vector<double> state(LockIn::state_size(options));
+  LockIn fit(options, state);
+  for (std::size_t k = 0; k < times.size(); ++k) fit.add(times[k], values[k]);
+  return fit.result();
+}
 
 // Mean of the squares of (estimate - truth), and share of |estimate - truth| below its standard error.
 struct Scatter {

@@ -5,11 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
+#include <scree/plugin/lock_in.hpp>
 #include <scree/plugin/period_average.hpp>
-#include <scree/signals/lock_in.hpp>
 
 using namespace scree;
-using namespace scree::signals;
 using scree::test::equal_times;
 using scree::test::sine;
 using scree::test::turned_by;
@@ -18,11 +17,15 @@ namespace {
 
 // Relative error of the amplitude and error of the phase (rad) of a sine of 1 Hz, whichever is larger.
 double error_of(const std::vector<double>& times, const std::function<double(double)>& drift) {
-  std::vector<double> x;
-  for (const double t : times) x.push_back(drift(t) + sine(0.5, 1, 0.4, t));
   LockInOptions options;
   options.frequency = 1, options.drift_degree = 0, options.harmonics = 1;
-  const SpectralLine line = lock_in(times, x, options, Detrending::period_average).lines[0];
+  options.duration = times.back() - times.front();
+  std::vector<double> state(LockIn::state_size(options)), ring(PeriodAverage::state_size(times.size()));
+  LockIn fit(options, state);
+  PeriodAverage average(1, ring);
+  for (const double t : times)
+    average.add(t, drift(t) + sine(0.5, 1, 0.4, t), [&](double time, double value) { fit.add(time, value); });
+  const SpectralLine line = fit.result().lines[0];
   return std::max(std::abs(line.amplitude / 0.5 - 1), std::abs(turned_by(line.phase, 0.4)));
 }
 
