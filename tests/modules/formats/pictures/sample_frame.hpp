@@ -55,6 +55,9 @@ std::string error_of(Action action) {
   return {};
 }
 
+// Of the particles of the sample.
+inline constexpr const char* particles_file = "particles_0123456789.vtp";
+
 // Values without short decimal form, so that lost bits are detected.
 inline Frame sample_frame() {
   Frame frame;

@@ -1,0 +1,72 @@
+#include "scene/color_field.hpp"
+
+#include "drawn_pair.hpp"
+
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+using namespace scree::pictures;
+using Catch::Contains;
+
+TEST_CASE("the colour map goes from violet to yellow, and a missing value is grey", "[pictures]") {
+  CHECK(viridis(0) == Rgb{68, 1, 84});
+  CHECK(viridis(0.5) == Rgb{33, 144, 141});
+  CHECK(viridis(1) == Rgb{253, 231, 37});
+  CHECK(viridis(-3) == viridis(0));
+  CHECK(viridis(7) == viridis(1));
+  CHECK(viridis(std::numeric_limits<double>::quiet_NaN()) == Rgb{160, 160, 160});
+  // In the middle between two of its knots: (68 + 71)/2, (1 + 44)/2, (84 + 122)/2, rounded.
+  CHECK(viridis(1.0 / 16) == Rgb{70, 23, 103});
+}
+
+TEST_CASE("the values of a field have a unit in which they are short", "[pictures]") {
+  const Frame frame = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2);  // radii 0.1 m, speeds 0 and 3 m/s
+  RenderOptions options;
+  options.color_by = "speed";
+  const ColorField speed = color_field(frame, options);
+  CHECK(speed.title == "speed (m/s)");
+  CHECK(speed.values == std::vector<double>{0, 3});
+  CHECK(speed.lower == 0);
+  CHECK(speed.upper == 3);
+  CHECK(speed.color(1) == viridis(1));
+  options.color_range = {0, 6e-3};
+  const ColorField slow = color_field(frame, options);
+  CHECK(slow.title == "speed (mm/s)");
+  CHECK(slow.upper == Approx(6));
+  CHECK(slow.values[1] == Approx(3000));
+}
+
+TEST_CASE("equal values are in the middle of their colours", "[pictures]") {
+  const Frame frame = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2);
+  RenderOptions options;
+  options.color_by = "radius";
+  const ColorField radius = color_field(frame, options);
+  CHECK(radius.lower < radius.values[0]);
+  CHECK(radius.upper > radius.values[0]);
+  Frame still = frame;
+  still.velocity.assign(6, 0.0);
+  options.color_by = "speed";
+  CHECK(color_field(still, options).upper == 1);  // of 0 the range is 0 to 1
+}
+
+TEST_CASE("discs among contacts are paler, so that contacts are seen", "[pictures]") {
+  RenderOptions options;
+  options.color_by = "speed";
+  const Frame discs = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2), spheres = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 3);
+  options.show_contacts = true;
+  // 0.6 of the way to white.
+  CHECK(color_field(discs, options).color(0) == Rgb{180, 153, 187});
+  CHECK(color_field(spheres, options).color(0) == viridis(0));
+}
+
+TEST_CASE("a field that is unknown or not in the frame is refused", "[pictures]") {
+  const Frame frame = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2);
+  const auto refusal = [&](const std::string& field) {
+    RenderOptions options;
+    options.color_by = field;
+    return error_of([&] { color_field(frame, options); });
+  };
+  CHECK_THAT(refusal("sped"), Contains("unknown field \"sped\"; choose one of radius, speed"));
+  CHECK_THAT(refusal("force"), Contains("this scene has no force; "));
+}
