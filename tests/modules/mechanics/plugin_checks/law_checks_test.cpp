@@ -1,3 +1,4 @@
+#include "faulty_law.hpp"
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -15,14 +16,10 @@ namespace {
 
 // The names of the checks that a law with a mistake fails, without the dimension.
 std::set<std::string> failed_checks(int fault) {
-  static PluginHost host({SCREE_TEST_LAWS});
-  Parameters law(host.find("faulty", SCREE_CONTACT_LAW));
-  law.set("stiffness", {5000});
-  law.set("damping", {1});
-  law.set("fault", {double(fault)});
   std::set<std::string> failed;
   for (const Check& check :
-       plugin_checks::check_law(law, host.locate("faulty", SCREE_CONTACT_LAW), {.speed = 0.1}))
+       plugin_checks::check_law(test::faulty(test::Fault(fault)),
+                                test::host_of_laws().locate("faulty", SCREE_CONTACT_LAW), test::checked_pair))
     if (check.verdict == Check::Verdict::failed) failed.insert(check.name.substr(0, check.name.find(", ")));
   return failed;
 }
@@ -74,7 +71,7 @@ TEST_CASE("a law that ends or holds the program fails the checks that meet it", 
                                   "the law ends the program (status 0)",
                                   "no end within 2 s",
                                   "the law ends the program (signal 11, Segmentation fault)"};
-  PluginHost host({SCREE_TEST_LAWS});
+  PluginHost& host = test::host_of_laws();
   for (int deed = 0; deed < 8; ++deed) {
     Parameters law(host.find("hostile", SCREE_CONTACT_LAW));
     law.set("deed", {double(deed)});
