@@ -45,6 +45,17 @@ TEST_CASE("of each law the numbers are found", "[slowing]") {
   }
 }
 
+// The last value of the slowest power is 2e-4 from its limit.
+TEST_CASE("the limit of a strain that approaches it by a slow power is found", "[slowing]") {
+  for (const double power : {0.1, 0.2, 0.3, 0.45, 0.5, 0.7, 1.0}) {
+    CAPTURE(power);
+    const SlowingDown found = laws_of(72, [&](double k) { return 1e-3 - 3e-4 * std::pow(k + 1, -power); });
+    CHECK(found.preference > preference);
+    CHECK(found.with_limit.constant == Approx(1e-3).epsilon(1e-6));
+    CHECK(found.with_limit.exponent == Approx(-power).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("a long series has the law of its blocks", "[slowing]") {
   const Slowing law{Slowing::Law::logarithm, 200, 0, 0, 1};
   const Slowing found = laws_of(3000, [&](double k) { return value_of(law, k); }).without_limit;
