@@ -131,19 +131,6 @@ TEST_CASE("modes of ill-conditioned packings are counted as by all eigenvalues a
   SECTION("stiffnesses 1:1e6") { check(test::stiff_and_soft(12)); }
 }
 
-TEST_CASE("a count at the square frequency of a mode is not certain", "[response]") {
-  Scene scene = test::scene(2, 1e-4, {test::body(0, 1, 1, {{0, 0.9, 0}}, {}, {}, 2)},
-                            {{"normal_stiffness", {1024}}, {"normal_damping", {0}}});
-  test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
-  const LinearSystem system = assemble(Simulation(scene), {.fewest_contacts = 1});
-  const UndampedSystem undamped(system);
-  CHECK_FALSE(undamped.count_below(1024).certain);
-  for (const double square : {-1.0, 512.0, 1024 * (1 + 1e-9)}) {
-    CHECK(undamped.count_below(square).certain);
-    CHECK(undamped.count_below(square).modes == (square < 0 ? 0 : square < 1024 ? 1 : 2));
-  }
-}
-
 // Twenty dense blocks of 20 are coupled to a last one alone. Each has an eigenvalue next to 0: eliminated by itself, it
 // leaves numbers that are larger than those of the matrix by its reciprocal, whose round-off is then as much larger.
 TEST_CASE("counts say how far round-off of grown pivots moves them", "[response]") {

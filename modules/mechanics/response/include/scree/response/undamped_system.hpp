@@ -43,7 +43,7 @@ class UndampedSystem {
   // |K − Kᵀ|/|K| in mass-weighted coordinates √M q.
   double asymmetry() const { return asymmetry_; }
 
-  // For found_modes.cpp and static_solution.cpp.
+  // For the search for modes and static_solution.cpp.
   const LinearSystem& system() const { return system_; }
   const MassWeighted& weighted() const { return *weighted_; }
   const Eigen::SparseMatrix<double>& symmetric_stiffness() const { return symmetric_; }

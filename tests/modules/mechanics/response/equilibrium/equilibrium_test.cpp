@@ -1,0 +1,62 @@
+#include "equilibrium/equilibrium.hpp"
+
+#include "scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace scree;
+using namespace scree::response;
+
+namespace {
+
+constexpr double stiffness = 1000, gravity = 5;  // (N/m), (m/s²)
+
+// Spheres of radius 1 and mass 1 in a column on a floor, all of whose springs bear 2 N.
+Scene column() {
+  const double overlap = 2 / stiffness;
+  Scene scene = test::scene(
+      3, 1e-4, {test::body(0, 1, 1, {{0, 1 - overlap, 0}}), test::body(1, 1, 1, {{0, 3 - 2 * overlap, 0}})},
+      {{"normal_stiffness", {stiffness}}, {"normal_damping", {0}}});
+  test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
+  test::add_body_force(scene, "gravity", {{"acceleration", {0, -gravity, 0}}});
+  return scene;
+}
+
+constexpr double tolerance = 1e-11;
+
+}  // namespace
+
+// The overlaps bear the weight above them. The tolerance times 10 N over the stiffness.
+TEST_CASE("the balance of a column on a floor bears its weight", "[response]") {
+  const Simulation simulation(column());
+  Equilibrium equilibrium(simulation, tolerance);
+  const StaticConfiguration from(simulation);
+  const Balance balance = equilibrium.find(from, 0, {}, [] { return true; });
+  REQUIRE(balance.found);
+  const double lower = balance.at.position[0][1], upper = balance.at.position[1][1];
+  CHECK(1 - lower == Approx(2 * gravity / stiffness).margin(1e-12).epsilon(0));
+  CHECK(2 - (upper - lower) == Approx(gravity / stiffness).margin(1e-12).epsilon(0));
+  CHECK(balance.loads.force[2][1] == Approx(-2 * gravity).epsilon(1e-10));  // on the floor
+  CHECK(balance.motion[equilibrium.freedom().translation(0, 1)] ==
+        Approx(lower - from.position[0][1]).margin(1e-14));
+  CHECK(equilibrium.iterations() > 1);
+}
+
+TEST_CASE("a search for balance that is ended finds none", "[response]") {
+  const Simulation simulation(column());
+  Equilibrium equilibrium(simulation, tolerance);
+  CHECK_FALSE(equilibrium.find(StaticConfiguration(simulation), 0, {}, [] { return false; }).found);
+}
+
+TEST_CASE("a body that touches nothing does not take part in a motion", "[response]") {
+  Scene scene = column();
+  scene.bodies.push_back(test::body(2, 1, 1, {{9, 9, 0}}));
+  const Simulation simulation(scene);
+  Equilibrium equilibrium(simulation, tolerance);
+  const StaticConfiguration from(simulation);
+  equilibrium.find(from, 0, {}, [] { return true; });
+  const DegreesOfFreedom& freedom = equilibrium.freedom();
+  const Eigen::VectorXd motion = equilibrium.without_free_bodies(Eigen::VectorXd::Ones(freedom.size()));
+  CHECK(motion[freedom.translation(0, 1)] == 1);
+  for (int k = 0; k < 3; ++k) CHECK(motion[freedom.translation(2, k)] == 0);
+}

@@ -1,0 +1,58 @@
+#include "scenes.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include <scree/response/rest.hpp>
+
+using namespace scree;
+using namespace scree::response;
+
+namespace {
+
+constexpr double stiffness = 1000, weight = 5;
+
+// A sphere of mass 1 on a floor.
+Scene on_floor(double overlap, const std::string& law = "linear_spring_dashpot",
+               const test::Values& values = {{"normal_stiffness", {stiffness}}, {"normal_damping", {0}}}) {
+  Scene scene = test::scene(3, 1e-4, {test::body(0, 1, 1, {{0, 1 - overlap, 0}})}, values, law);
+  test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
+  test::add_body_force(scene, "gravity", {{"acceleration", {0, -weight, 0}}});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the unbalance of a sphere is its net force over that of its contact", "[response]") {
+  const Rest rest = rest_of(Simulation(on_floor(0.01)), {.fewest_contacts = 1});
+  CHECK(rest.unbalance == Approx(0.5));  // 10 N up and 5 N down
+  REQUIRE(rest.equilibrium);
+  // The tolerance of the search, 1e-11, times 5 N over the stiffness.
+  CHECK(1 - test::position(*rest.equilibrium, 0)[1] == Approx(weight / stiffness).margin(1e-12).epsilon(0));
+  // The stiffness of a linear spring is the same everywhere.
+  CHECK(rest.stiffness_change < 1e-6);
+  CHECK(rest.warning == "");
+}
+
+TEST_CASE("a packing at rest has no other equilibrium", "[response]") {
+  const Rest rest = rest_of(Simulation(on_floor(weight / stiffness)), {.fewest_contacts = 1});
+  CHECK(rest.unbalance < 1e-12);
+  CHECK_FALSE(rest.equilibrium);
+  CHECK(rest.warning == "");
+}
+
+// Of Hertz the force grows with the power 3/2 of the overlap and the stiffness with 1/2: with twice the weight on the
+// contact the stiffness is 2^(1/3) of that in equilibrium. Without friction only the normal stiffness counts.
+TEST_CASE("a packing whose stiffness differs in equilibrium is warned of", "[response]") {
+  const double modulus = 1e4, poisson = 0.25, reduced = modulus / (1 - poisson * poisson) / 2;
+  const auto overlap_of = [&](double force) { return std::pow(0.75 * force / reduced, 2.0 / 3); };
+  const test::Values values = {
+      {"youngs_modulus", {modulus}}, {"poissons_ratio", {poisson}}, {"restitution", {1}}, {"friction", {0}}};
+  const Rest rest =
+      rest_of(Simulation(on_floor(overlap_of(2 * weight), "hertz_mindlin", values)), {.fewest_contacts = 1});
+  CHECK(rest.unbalance == Approx(0.5).epsilon(1e-3));
+  REQUIRE(rest.equilibrium);
+  CHECK(rest.stiffness_change == Approx(std::cbrt(2) - 1).epsilon(0.02));
+  CHECK_THAT(rest.warning, Catch::Contains("and its stiffness differs by 0.26 from the equilibrium nearby"));
+}

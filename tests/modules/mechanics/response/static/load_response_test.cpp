@@ -1,0 +1,39 @@
+#include "column.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/response/load_response.hpp>
+
+using namespace scree;
+using namespace scree::response;
+using test::column;
+using test::discs;
+using test::stiffness;
+
+// Each contact bears the whole force, so that each spring is shortened by 1/k per force.
+TEST_CASE("a force on a wall is borne by each contact of a column", "[response]") {
+  const Simulation simulation(column(6));  // without mass
+  const std::vector<LoadResponse> responses = load_responses(simulation, {.fewest_contacts = 1});
+  REQUIRE(responses.size() == 1);
+  const LoadResponse& response = responses[0];
+  CHECK(response.wall == 1);
+  CHECK(response.residual < LoadResponse::largest_residual);
+  CHECK(response.walls[0] == 0);
+  CHECK(response.walls[1] == Approx((discs + 1) / stiffness).epsilon(1e-9));
+  REQUIRE(response.bodies == std::vector<std::uint32_t>{0, 1, 2});
+  for (std::size_t i = 0; i < discs; ++i)
+    CHECK(response.displacement[2 * i + 1] == Approx(-(double(i) + 1) / stiffness).epsilon(1e-9));
+  REQUIRE(response.contacts.size() == discs + 1);
+  for (const LoadedContact& contact : response.contacts) {
+    CHECK(contact.normal_change == Approx(1).epsilon(1e-9));
+    CHECK(contact.tangential_change == Approx(0).margin(1e-9));
+    CHECK_FALSE(contact.sliding);
+  }
+}
+
+TEST_CASE("without a wall that forces move there is no response to a load", "[response]") {
+  const Simulation simulation(column(-1));
+  CHECK_THROWS_WITH(check_loaded_walls(simulation), Catch::Contains("no wall is moved by forces"));
+  CHECK_THROWS_WITH(load_responses(simulation, {.fewest_contacts = 1}),
+                    Catch::Contains("no wall is moved by forces"));
+}
