@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <filesystem>
+
 #include <scree/plugin/abi.h>
 
 using namespace scree::test;
@@ -12,6 +14,13 @@ const std::string options = "--plugins '" + broken + "'";
 void refused(const std::string& plugin, const std::string& begin, const std::string& end) {
   const Workspace w(with(discs, "linear_spring_dashpot", plugin));
   check_refused(w, w.run(options), "scene.toml:10:10: " + begin, end);
+}
+
+// Discs that touch, with the law ends_run.
+std::string scene_that_ends(const std::string& where, const std::string& duration = "duration = 1e-4\n") {
+  const std::string touching = with(with(discs, "gap = 0.1", "gap = 0.0"), "duration = 1e-4\n", duration);
+  return with(with(touching, "linear_spring_dashpot", "ends_run"),
+              "normal_stiffness = 1e4\nnormal_damping = 0\n", "where = '" + where + "'\n");
 }
 
 std::string library(const std::string& name) { return broken + "/contact/" + name + ".so: "; }
@@ -74,14 +83,29 @@ TEST_CASE("a plug-in that ends the program does not pass for a success", "[tools
 TEST_CASE("a plug-in that ends the program at once does not pass for a success", "[tools]") {
   for (const char* where : {"force", "unloading"}) {
     INFO(where);
-    const std::string touching = with(discs, "gap = 0.1", "gap = 0.0");
-    const Workspace w(with(with(touching, "linear_spring_dashpot", "ends_run"),
-                           "normal_stiffness = 1e4\nnormal_damping = 0\n",
-                           "where = '" + std::string(where) + "'\n"));
+    const Workspace w(scene_that_ends(where));
     const Outcome outcome = w.run(options);
     CHECK(outcome.status == 1);
     CHECK_THAT(outcome.err, Catch::Contains("a plug-in ended the program with _exit(); "));
   }
+}
+
+// Nothing can notice the system call: no state of the record may then pass for a result.
+TEST_CASE("a run that a plug-in ends by a system call is not finished, and goes on to the same bits",
+          "[tools]") {
+  const Workspace w(scene_that_ends("system_call", "duration = 1e-3\n") +
+                    "[checkpoint]\nevery_time = 2e-4\n");
+  REQUIRE(w.run(options).status == 0);
+  std::filesystem::rename(w / "out", w / "whole");
+  w.shell(
+      "SCREE_TEST_ENDS_AT=out/checkpoint/step_000000000000020.h5; export SCREE_TEST_ENDS_AT\n"
+      "scree run scene.toml --out out " +
+      options);
+  CHECK(w.record()["status"] == "running");
+  CHECK(w.scree("resume out " + options).status == 0);
+  CHECK(w.record()["status"] == "finished");
+  CHECK(w.record()["state_hash"] == w.record("whole")["state_hash"]);
+  CHECK(w.text("out/series/energy.csv") == w.text("whole/series/energy.csv"));
 }
 
 TEST_CASE("a law that states no step short enough is refused before anything is printed or written",

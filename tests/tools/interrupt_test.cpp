@@ -61,6 +61,22 @@ TEST_CASE("a signal again, more than a second later, ends the program at once", 
   }
 }
 
+// Not even the kernel comes to an end of its step.
+TEST_CASE("a signal again ends a run that a plug-in holds", "[tools]") {
+  const std::string at_rest =
+      with(with(endless, "gap = 0.1", "gap = 0.0"), "random_velocity = 0.1", "random_velocity = 0");
+  const Workspace w(with(with(at_rest, "linear_spring_dashpot", "ends_run"),
+                         "normal_stiffness = 1e4\nnormal_damping = 0\n", "where = 'holding'\n"));
+  const Outcome outcome = w.shell(
+      "SCREE_TEST_ENDS_AT=hold; export SCREE_TEST_ENDS_AT; SCREE_PLUGIN_PATH='" SCREE_TEST_BROKEN
+      "'; export SCREE_PLUGIN_PATH\n" +
+      start +
+      "touch hold; sleep 0.1; kill -TERM $run; sleep 1.1; kill -0 $run && echo 'still there'; kill -TERM $run; wait $run");
+  CHECK(outcome.status == 130);
+  CHECK(outcome.out == "still there\n");
+  CHECK(w.record()["status"] == "running");
+}
+
 TEST_CASE("a run in the background of a script outlives Ctrl-C, which is for the script", "[tools]") {
   const Workspace w(endless);
   check_saved(w, w.shell(begin + "kill -INT $run; sleep 0.3; grep -q interrupted out/run.json && exit 1\n"
