@@ -34,7 +34,10 @@ MethodSpectrum::Column column_of(const PulseRecord& full, const PulseRecord& hal
                                  const std::vector<double>& frequencies, double scale, const Start& start) {
   MethodSpectrum::Column column;
   const double beyond = full.beyond(c);
+  const auto columns = double(start.spectrum.observed.size()), count = double(frequencies.size());
   for (const double f : frequencies) {
+    start.on_progress((double(c) + double(column.response.size()) / count) / columns,
+                      "response to the pulse");
     if (!start.proceeds())
       throw Error("interrupted while the response to the pulse was computed", ExitStatus::interrupted);
     const std::complex<double> drive = full.drive_at(f), h = scale * full.column_at(c, f) / drive;

@@ -106,7 +106,11 @@ TEST_CASE("a measurement that goes on keeps the hashes of what it began from", "
   CHECK(resume_measurement(bench.options, host()).inputs == first.inputs);
 }
 
+// In its steps, or after them in the second of its two columns.
 TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[spectrum]") {
+  const auto [in, at_share] =
+      GENERATE(table<std::string, double>({{"pulse", 0}, {"response to the pulse", 0.6}}));
+  CAPTURE(in);
   const std::string text = Chain().text(
       "from_hz = 100\nto_hz = 110\nstep_hz = 5\nsweep.periods = 12\nsweep.analysed_periods = 6\nlinear.fewest_contacts = 1\n");
   Bench whole(text), parted(text);
@@ -114,14 +118,19 @@ TEST_CASE("a measurement that is interrupted in a pulse goes on with it", "[spec
 
   std::atomic<bool> stop = false;
   parted.options.stop = &stop;
-  parted.options.on_progress = [&](double, double, const std::string& what) {
-    stop = what.starts_with("pulse");
+  parted.options.on_progress = [&, in = in, at_share = at_share](double share, double,
+                                                                 const std::string& what) {
+    stop = stop || (what == in && share >= at_share);
   };
   const Measurement first = measure(parted.plan, parted.options);
   REQUIRE(first.interrupted);
   REQUIRE(first.spectra.size() == 1);
+  CHECK(first.spectra[0].method == "linear");
+  CHECK_THAT(parted.text("spectrum.json"), Catch::Contains("\"status\": \"interrupted\""));
   stop = false;
-  parted.options.on_progress = {};
+  parted.options.on_progress = [](double, double, const std::string& what) {
+    CHECK(what != "linear response");  // it is in the state
+  };
   parted.options.methods = {Method::sweep};
   CHECK(resume_measurement(parted.options, host()).spectra.size() == 3);
   CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
