@@ -19,7 +19,17 @@ void change_state(const std::filesystem::path& file, const std::string& path, co
   state_file::write_state(file, state);
 }
 
-// The same for one number of it.
+// Leaves out an array, likewise.
+inline void remove_array(const std::filesystem::path& file, const std::string& path) {
+  const State state = state_file::read_state(file);
+  State rest;
+  for (const auto& [name, array] : state.arrays())
+    if (name != path) rest.put(name, array);
+  rest.put("state_hash", {std::vector<std::uint64_t>{0}, {}, ""});
+  state_file::write_state(file, rest);
+}
+
+// Changes one number of an array, likewise.
 template <class Number>
 void change_number(const std::filesystem::path& file, const std::string& path, std::size_t at,
                    Number number) {

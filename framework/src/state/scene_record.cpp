@@ -9,6 +9,7 @@
 #include <scree/branching.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
+#include <scree/state_error.hpp>
 
 namespace scree {
 
@@ -202,7 +203,7 @@ void check_scene(const State& state, const Scene& scene) {
   const State present = record_of(scene);
   for (const auto& [path, array] : present.arrays())
     if (const StateArray& stored = state.at(path); stored != array)
-      throw Error(
+      throw StateError(
           fmt::format("'{}' is not that of this scene: {}; go on with the scenario of the state, or "
                       "begin a new run from it (particles.state)",
                       path, difference(stored, array)));

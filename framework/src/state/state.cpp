@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <scree/error.hpp>
 #include <scree/state.hpp>
+#include <scree/state_error.hpp>
 
 namespace scree {
 
@@ -28,7 +28,8 @@ bool operator==(const StateArray& a, const StateArray& b) {
 const StateArray& State::at(std::string_view path) const {
   const auto found = arrays_.find(path);
   if (found == arrays_.end())
-    throw Error(fmt::format("the state has no '{}'; take one that this version of scree has written", path));
+    throw StateError(
+        fmt::format("the state has no '{}'; take one that this version of scree has written", path));
   return found->second;
 }
 

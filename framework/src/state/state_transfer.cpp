@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <scree/counted.hpp>
-#include <scree/error.hpp>
+#include <scree/state_error.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -15,7 +15,7 @@ std::string StoredRange::text() const {
 }
 
 void StateTransfer::refuse(const std::string& name, const std::string& problem) const {
-  throw Error(
+  throw StateError(
       fmt::format("'{}{}' {}; take a state that scree has written for this scene", group_, name, problem));
 }
 

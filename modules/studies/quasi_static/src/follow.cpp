@@ -291,7 +291,7 @@ FollowedLoad resume_following(const FollowOptions& options, PluginHost& host) {
     run::Session session(run::quasi_static_results, from.plan, run::session_options(options),
                          std::move(from.directory));
     LoadStudy study(from.plan, options, session);
-    session.resume(study, from.state);
+    session.resume(study, from.state, from.file);
     return study.result();
   });
 }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <scree/error.hpp>
+#include <scree/state_error.hpp>
 #include <scree/state_file/state_file.hpp>
 #include <scree/state_transfer.hpp>
 
@@ -66,7 +66,9 @@ class Checkpoints::Search {
 
   std::optional<Latest> read(const fs::path& path) {
     try {
-      return Latest{state_file::read_state(path), path};
+      Latest latest{state_file::read_state(path), path};
+      with_state_of(path.string(), [&] { steps_of(latest.state); });
+      return latest;
     } catch (const Error& error) {
       passed_over_.push_back(error.what());
       return std::nullopt;

@@ -13,6 +13,7 @@
 #include <scree/files/text_file.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/scene_record.hpp>
+#include <scree/state_error.hpp>
 
 namespace scree::run {
 
@@ -107,13 +108,11 @@ struct Start {
 // Returns why the state is refused; throws Error if the changes are.
 std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const RunOptions& options,
                                       const ResumeChanges& changes, PluginHost& host, Start& start) {
-  std::vector<Body> bodies;
   try {
-    bodies = bodies_at_start(latest.state);
-  } catch (const Error& error) {
+    start.plan = plan_of(latest, bodies_at_start(latest.state), options, changes, host);
+  } catch (const StateError& error) {
     return error.what();
   }
-  start.plan = plan_of(latest, bodies, options, changes, host);
   try {
     const StateTransfer stages = StateTransfer::restoring_from(latest.state).below("run/stages");
     start.simulation = resumed(start.plan, latest.state, stages, options.threads);
@@ -147,7 +146,7 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
   }
   Session session(run_results, plan, session_options_of(options), std::move(directory));
   Run run(plan, options, session, std::move(start.simulation));
-  latest ? session.resume(run, latest->state) : session.begin(run);
+  latest ? session.resume(run, latest->state, latest->path) : session.begin(run);
   return run.result();
 }
 

@@ -11,6 +11,7 @@
 #include <scree/files/try_each.hpp>
 #include <scree/run/run_stages.hpp>
 #include <scree/run/session.hpp>
+#include <scree/state_error.hpp>
 #include <scree/state_file/state_file.hpp>
 
 // Life of a study:
@@ -65,9 +66,9 @@ void Session::begin(Study& study) {
   carry_out([] {});
 }
 
-void Session::resume(Study& study, const State& state) {
+void Session::resume(Study& study, const State& state, const std::filesystem::path& file) {
   study_ = &study;
-  study.restore(state);
+  with_state_of(file.string(), [&] { study.restore(state); });
   directory_.create();
   room_.reserve(directory_, kind_.record);
   study.reopen();

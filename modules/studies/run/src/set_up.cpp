@@ -7,6 +7,7 @@
 #include <scree/error.hpp>
 #include <scree/probes.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/state_error.hpp>
 #include <scree/step_guard.hpp>
 #include <scree/told_apart.hpp>
 
@@ -28,7 +29,8 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
     return simulation_of(plan, scene);
   } catch (const Error& error) {
     // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
-    const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty();
+    const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty() ||
+                           dynamic_cast<const StateError*>(&error);
     throw error.at(of_bodies ? plan.bodies_place : plan.periodic_place, ExitStatus::bad_input);
   }
 }

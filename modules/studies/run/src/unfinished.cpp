@@ -7,6 +7,7 @@
 #include <scree/run/record_json.hpp>
 #include <scree/run/unfinished.hpp>
 #include <scree/scene_record.hpp>
+#include <scree/state_error.hpp>
 #include <scree/state_file/state_file.hpp>
 #include <scree/state_transfer.hpp>
 
@@ -65,16 +66,16 @@ Unfinished unfinished_in(const fs::path& path, const ResultKind& kind, PluginHos
         "{}: is not the state of a {}; put back that of this directory, or give --overwrite with the "
         "scenario to run it again",
         file.string(), kind.noun));
-  of_kind.value("scenario", "", text);
+  with_state_of(file.string(), [&] { of_kind.value("scenario", "", text); });
   if (const std::string own = text_of(record, "scenario"); !own.empty() && own != text)
     throw Error(fmt::format(
         "{}: is the state of another {} than that in {}; put back the one of this directory, or give --overwrite with the "
         "scenario to run it again",
         file.string(), kind.noun, kind.record));
-  scenario::Plan plan =
-      scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
+  const std::vector<Body> bodies = with_state_of(file.string(), [&] { return bodies_at_start(state); });
+  scenario::Plan plan = scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies, host);
   plan.text_for_any_folder = restored_scenario(directory, text, on_warning);
-  return {std::move(taken), std::move(state), std::move(plan)};
+  return {std::move(taken), std::move(state), file, std::move(plan)};
 }
 
 }  // namespace scree::run

@@ -316,7 +316,7 @@ Measurement resume_measurement(const MeasurementOptions& options, PluginHost& ho
     run::Session session(run::spectrum_results, from.plan, run::session_options(options),
                          std::move(from.directory));
     SpectrumStudy study(from.plan, *spectrum, options, session);
-    session.resume(study, from.state);
+    session.resume(study, from.state, from.file);
     return study.result();
   });
 }

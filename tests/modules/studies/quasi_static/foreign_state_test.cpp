@@ -36,6 +36,10 @@ TEST_CASE("a state of a quasi-static load that does not fit is refused, and noth
     CHECK(text_of(folder / "out/quasi_static.json") == record);
     return line;
   };
+  for (const std::string path :
+       {"quasi_static/strains", "quasi_static/warnings", "walls/planes/point", "start/position"})
+    CHECK_THAT(refused([&] { remove_array(file, path); }),
+               Catch::StartsWith(file.string() + ": the state has no '" + path + "'; "));
   CHECK(refused([&] {
           change_state(file, "quasi_static/hand_overs/from", [](StateArray& array) {
             std::get<std::vector<double>>(array.values).push_back(1);

@@ -47,6 +47,17 @@ TEST_CASE("the bodies of a probe are found again if a state has other indices fo
   CHECK(bench.series("mean_squared_displacement") == displacement);
 }
 
+TEST_CASE("a state of a run that does not tell its step is passed over by name", "[run]") {
+  Stopped bench;
+  std::vector<std::string> warnings;
+  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  remove_array(bench.state, "clock/steps");
+  CHECK_THAT(message([&] { resume_run(bench.options, {}, host()); }),
+             Catch::EndsWith("none of its states can be read; run the scenario again"));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Catch::StartsWith(bench.state.string() + ": the state has no 'clock/steps'; "));
+}
+
 TEST_CASE("a state of a run that does not fit is refused, and nothing is changed", "[run]") {
   const Stopped bench;
   const std::string record = text_of(bench.options.out / "run.json");
@@ -61,6 +72,10 @@ TEST_CASE("a state of a run that does not fit is refused, and nothing is changed
   for (const char* array : {"bodies/velocity", "walls/planes/point", "clock/time", "run/stages/began"})
     CHECK(refused([&] { change_number(bench.state, array, 0, double(INFINITY)); }).find(array) !=
           std::string::npos);
+  for (const std::string path :
+       {"run/probes/2/state", "run/scenario", "run/stages/stage", "bodies/radius", "bodies/velocity"})
+    CHECK_THAT(refused([&] { remove_array(bench.state, path); }),
+               Catch::StartsWith(bench.state.string() + ": the state has no '" + path + "'; "));
   CHECK(refused([&] {
           change_state(bench.state, "run/probes/2/state", shorten);
         }).find("has 3 numbers instead of 4") != std::string::npos);

@@ -71,7 +71,7 @@ struct Counted {
     Session session(quasi_static_results, from.plan, options, std::move(from.directory));
     Counting study(session, from.plan);
     change(study);
-    session.resume(study, from.state);
+    session.resume(study, from.state, from.file);
   }
   bool has(const std::string& file) const { return std::filesystem::exists(options.out / file); }
   nlohmann::json record() const { return nlohmann::json::parse(text_of(options.out / "quasi_static.json")); }
@@ -214,7 +214,7 @@ TEST_CASE("a study that goes on keeps its warnings, and its wall time", "[run]")
   Unfinished from = unfinished_in(c.options.out, quasi_static_results, host(), {});
   Session session(quasi_static_results, from.plan, c.options, std::move(from.directory));
   Counting study(session, from.plan);
-  session.resume(study, from.state);
+  session.resume(study, from.state, from.file);
   CHECK(session.warnings() == warnings);
   CHECK(session.wall() >= 1000);
 }

@@ -34,6 +34,10 @@ TEST_CASE("a state of a measurement that does not fit is refused, and nothing is
   const auto shortened = [&](const char* path) {
     return refused([&] { change_state(file, path, shorten); });
   };
+  for (const std::string path :
+       {"spectrum/asked", "spectrum/sweep/walls/motion", "clock/time", "bodies/radius"})
+    CHECK_THAT(refused([&] { remove_array(file, path); }),
+               Catch::StartsWith(file.string() + ": the state has no '" + path + "'; "));
   for (const char* path : {"motion", "at_rest"})
     CHECK(shortened((std::string("spectrum/sweep/walls/") + path).c_str()).find("does not have") !=
           std::string::npos);

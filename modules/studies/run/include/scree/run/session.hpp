@@ -75,10 +75,10 @@ class Session {
   // Of results that go on, or begin anew, in the directory where they are.
   Session(const ResultKind& kind, const scenario::Plan& plan, SessionOptions options, RunDirectory directory);
 
-  // Carries out a study from its start, or from a state. Throws its errors; those after the first file are
-  // recorded.
+  // Carries out a study from its start, or from the state of a file. Throws its errors; those after the first file
+  // are recorded.
   void begin(Study& study);
-  void resume(Study& study, const State& state);
+  void resume(Study& study, const State& state, const std::filesystem::path& file);
 
   const RunDirectory& directory() const { return directory_; }
   const InputHashes& inputs() const { return inputs_; }

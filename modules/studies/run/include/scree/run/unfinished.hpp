@@ -16,7 +16,8 @@ namespace scree::run {
 struct Unfinished {
   RunDirectory directory;  // taken
   State state;
-  scenario::Plan plan;  // text_for_any_folder: set if scenario.toml is to be restored
+  std::filesystem::path file;  // of the state
+  scenario::Plan plan;         // text_for_any_folder: set if scenario.toml is to be restored
 };
 
 // What is in a directory with one state. on_warning: one line "<what>; <cure>"; may be empty. Throws Error
