@@ -21,6 +21,8 @@ struct Linear {
   // Returns why the parameters are refused, with the cure, or null.
   const char* prepare() {
     if (dynamic_friction < 0) dynamic_friction = static_friction;
+    if (dynamic_friction > 0 && static_friction == 0)
+      return "dynamic_friction is above static_friction, which is 0; give static_friction too, of at least this value";
     if (dynamic_friction > static_friction)
       return "dynamic_friction is above static_friction; give at most the static value";
     if (static_friction > 0 && stiffness <= 0)

@@ -192,8 +192,17 @@ TEST_CASE("cycles refuses what it cannot analyse in one line", "[tools]") {
   w.write("t.csv", "time,x\n0,1\n0,2\n");
   refused("--csv t.csv --strain x", "t.csv:3:1: time 0 follows 0", "in the first column");
   write_run(w, "run");
+  std::filesystem::create_directories(w / "bare/series");
   refused("run --strain stran",
           (w / "run").filename().string() + "/series: no series has the columns 'stran'", "with --probe");
+  w.write("bare/series/energy.csv", "time [s],kinetic [J]\n0,1\n1,1\n");
+  for (const char* kinds : {"one", "two"}) {
+    CAPTURE(kinds);
+    refused("bare", "bare/series: no series has length_x and length_y", "of another strain with --strain");
+    w.write("bare/series/contact.csv", "time [s],overlap [m]\n0,1\n1,1\n");
+  }
+  refused("--csv bare/series/energy.csv", "bare/series/energy.csv: has no length_x and length_y",
+          "name the column of the strain with --strain");
   refused("run --probe bax", "run/series/bax.csv: there is no such file", "check the path");
   w.write("run/run.json", R"({"stages": [{"start": 0, "end": 1.5}]})");
   refused("run", "run/run.json: stage 2, which has the period, has not run", "with scree resume");

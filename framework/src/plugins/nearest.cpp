@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include <scree/nearest.hpp>
 
 namespace scree {
 namespace {
 
-constexpr std::size_t shortest_prefix = 3;
+constexpr std::size_t shortest_part = 3;
 constexpr std::size_t largest_distance = 4;
 
 std::string folded(std::string_view word) {
@@ -39,18 +40,26 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 bool one_is_prefix(std::string_view a, std::string_view b) {
   const std::size_t shorter = std::min(a.size(), b.size());
-  return shorter >= shortest_prefix && a.substr(0, shorter) == b.substr(0, shorter);
+  return shorter >= shortest_part && a.substr(0, shorter) == b.substr(0, shorter);
+}
+
+// "friction" of "static_friction".
+bool one_is_last_part(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  return a.size() >= shortest_part && b.size() > a.size() && b.ends_with(a) &&
+         b[b.size() - a.size() - 1] == '_';
 }
 
 }  // namespace
 
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string given = folded(word);
-  std::optional<std::string> best, prefix;
+  std::optional<std::string> best, prefix, part;
   std::size_t best_distance = 0;
   for (const std::string& candidate : candidates) {
     const std::string offered = folded(candidate);
     if (!prefix && one_is_prefix(given, offered)) prefix = candidate;
+    if (!part && one_is_last_part(given, offered)) part = candidate;
     const auto [shorter, longer] = std::minmax({given.size(), offered.size()});
     const std::size_t limit = std::min(longer / 3, largest_distance);
     if (longer - shorter > limit) continue;
@@ -59,7 +68,7 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
     best = candidate;
     best_distance = distance;
   }
-  return best ? best : prefix;
+  return best ? best : prefix ? prefix : part;
 }
 
 }  // namespace scree

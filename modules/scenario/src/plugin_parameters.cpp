@@ -37,6 +37,17 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
   return {table.number(p.key)};
 }
 
+// End of the cure if a parameter is missing: the key that may be meant for it.
+std::string misspelt(const document::Table& table, const Parameters& parameters) {
+  const scree_plugin& plugin = parameters.plugin();
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    const scree_parameter& p = plugin.parameters[k];
+    if (parameters.given(p.key) || !(p.excludes || (p.flags & SCREE_REQUIRED))) continue;
+    if (const std::string cure = table.misspelt(p.key); !cure.empty()) return cure;
+  }
+  return "";
+}
+
 }  // namespace
 
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host) {
@@ -63,7 +74,12 @@ void read_parameters(const document::Table& table, int dimension, Parameters& pa
 }
 
 void check_complete(const document::Table& table, const Parameters& parameters) {
-  placed(table, "plugin", [&] { parameters.check_complete(); });
+  try {
+    parameters.check_complete();
+  } catch (const Error& error) {
+    throw Error(error.place(), error.problem(), error.cure() + misspelt(table, parameters))
+        .at(table.place("plugin"));
+  }
 }
 
 }  // namespace scree::scenario

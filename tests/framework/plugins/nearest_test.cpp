@@ -17,5 +17,13 @@ TEST_CASE("only close words are suggested") {
   CHECK_FALSE(nearest_word("b", keys));
   CHECK_FALSE(nearest_word("", keys));
   CHECK_FALSE(nearest_word("friction", {}));
+  const std::vector<std::string> parts = {"normal_stiffness", "static_friction", "dynamic_friction",
+                                          "frictions"};
+  CHECK(nearest_word("stiffness", parts) == "normal_stiffness");
+  CHECK(nearest_word("friction", {"static_friction", "dynamic_friction"}) == "static_friction");
+  CHECK(nearest_word("friction", parts) == "frictions");
+  CHECK(nearest_word("wall_friction", keys) == "friction");
+  CHECK_FALSE(nearest_word("mess", {"stiff_ness", "stiffness"}));
+  CHECK_FALSE(nearest_word("x", {"spin_x"}));
   CHECK(nearest_word("bact", {"cat", "bat", "bait"}) == "bat");
 }

@@ -110,8 +110,13 @@ TEST_CASE("unknown names are refused with the nearest known name", "[scenario]")
   CHECK(
       refusal(with(discs, "normal_damping", "normal_dampin")) ==
       "scene.toml:10:10: linear_spring_dashpot: neither 'normal_damping' nor 'restitution' is given; add one "
-      "of them");
+      "of them, or correct 'normal_dampin' (scene.toml:12:1) if that is meant");
+  CHECK(refusal(with(discs, "normal_stiffness", "stiffness"))
+            .ends_with("add normal_stiffness = <number above 0 (N/m)>, or correct 'stiffness' "
+                       "(scene.toml:11:1) if that is meant"));
   CHECK(set("contact.tangental_stiffness=1").find("did you mean 'tangential_stiffness'?") !=
+        std::string::npos);
+  CHECK(set("contact.friction=0.3").find("did you mean 'static_friction'? known keys: ") !=
         std::string::npos);
   CHECK(refusal(with(discs, "linear_spring_dashpot", "linear_spring_dashpt"))
             .starts_with("scene.toml:10:10: no contact law plug-in 'linear_spring_dashpt' in "));
@@ -149,6 +154,16 @@ TEST_CASE("an impossible lattice is refused", "[scenario]") {
   CHECK(set("particles.lattice.count=[100000000,100000000]").find("GB of memory") != std::string::npos);
   CHECK(refusal(with(discs, "dimension = 2", "dimension = 3"))
             .starts_with("scene.toml:14:20: particles.lattice.kind = \"square\" is none of the choices"));
+}
+
+TEST_CASE("an interval of wall time without a unit is refused", "[scenario]") {
+  const std::string cure =
+      "give a number above 0 with s, min, h or d, such as \"30 s\", \"10 min\", \"2 h\" or \"never\"";
+  CHECK(set("checkpoint.every=30") ==
+        "--set checkpoint.every=30: checkpoint.every is not a text with a unit; " + cure +
+            ", or every_time in s of simulated time");
+  CHECK(set("checkpoint.every='30'") == "--set checkpoint.every='30': '30' is not a wall time; " + cure);
+  CHECK(set("checkpoint.interval=30").ends_with("known keys: every, every_time, final_state"));
 }
 
 TEST_CASE("impossible output is refused", "[scenario]") {

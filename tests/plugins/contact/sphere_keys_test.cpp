@@ -51,8 +51,10 @@ TEST_CASE("the law for spheres takes the keys of its normal force and refuses ot
              Contains("friction needs tangential_stiffness above 0"));
   const Values rough = with(with(linear, "static_friction", 0.5), "tangential_stiffness", 80);
   CHECK(refusal(rough).empty());
+  CHECK_THAT(refusal(with(linear, "dynamic_friction", 0.3)),
+             Contains("dynamic_friction is above static_friction, which is 0; give static_friction too"));
   CHECK_THAT(refusal(with(rough, "dynamic_friction", 0.6)),
-             Contains("dynamic_friction is above static_friction"));
+             Contains("dynamic_friction is above static_friction; give at most the static value"));
   CHECK_THAT(refusal(linear, 2), Contains("a law of spheres") && Contains("dimension = 3"));
 }
 

@@ -38,6 +38,11 @@ bool has_columns(const fs::path& file, const std::vector<std::string>& columns) 
   });
 }
 
+bool any_has(const std::vector<fs::path>& series, const std::vector<std::string>& columns) {
+  return std::any_of(series.begin(), series.end(),
+                     [&](const fs::path& file) { return has_columns(file, columns); });
+}
+
 // The series of the probe, else the first with the columns. A single series is taken in any case: its reader
 // names the columns that it has.
 fs::path series_of_run(const CyclesRequest& request) {
@@ -58,6 +63,10 @@ fs::path series_of_run(const CyclesRequest& request) {
   const std::vector<std::string> columns = columns_of(request);
   for (const fs::path& file : series)
     if (has_columns(file, columns)) return file;
+  if (request.strain == CyclesRequest::lengths && !any_has(series, columns_of_lengths))
+    throw Error(
+        folder.string(), "no series has length_x and length_y, from which the strain follows by default",
+        "give the scene [[probe]] plugin = \"box\", or name a column of another strain with --strain");
   if (series.size() == 1) return series[0];
   std::string names;
   for (const std::string& column : columns) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", column);
@@ -118,7 +127,11 @@ CyclesSource by_period(const CyclesRequest& request, const fs::path& file, std::
 }  // namespace
 
 fs::path series_file(const CyclesRequest& request) {
-  return request.csv.empty() ? series_of_run(request) : fs::path(request.csv);
+  if (request.csv.empty()) return series_of_run(request);
+  if (request.strain == CyclesRequest::lengths && !has_columns(request.csv, columns_of_lengths))
+    throw Error(request.csv, "has no length_x and length_y, from which the strain follows by default",
+                "name the column of the strain with --strain");
+  return request.csv;
 }
 
 CyclesSource read_cycles(const fs::path& file, const CyclesRequest& request,

@@ -166,6 +166,8 @@ std::string Table::place(std::string_view key, std::size_t element) const {
   return state_->document->place(nearest_node(*state_, key, element));
 }
 
+std::string Table::misspelt(std::string_view missing) const { return document::misspelt(*state_, missing); }
+
 Error Table::error(std::string_view what, std::string_view cure) const {
   return state_->document->error(*state_->toml, what, cure);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +21,12 @@ CsvRows::Column column_of(std::string_view header) {
   const std::size_t end = before.find_last_not_of(" \t") + 1;
   return {std::string(before.substr(0, end)),
           std::string(header.substr(bracket + 1, header.size() - bracket - 2))};
+}
+
+bool is_number(std::string_view text) {
+  double value = 0;
+  const auto [rest, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return failed == std::errc() && rest == text.data() + text.size();
 }
 
 }  // namespace
@@ -46,6 +53,9 @@ void CsvRows::read_header(std::string_view example,
       fail(1, fmt::format("the columns are separated by {}", name),
            "separate them by commas, with decimal points");
   row_ = &cells();
+  if (std::all_of(row_->begin(), row_->end(), [](const Token& cell) { return is_number(cell.text); }))
+    fail(1, "there is no header, but numbers",
+         fmt::format("name the columns in the first line, such as '{}'", example));
   for (const Token& cell : *row_) {
     columns_.push_back(column_of(cell.text));
     labels_.push_back(one_line(columns_.back().name));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -104,13 +105,26 @@ void read_comment(Preamble& preamble, const TextReader& reader) {
   }
 }
 
+// Names that papers and other programs use for columns.
+constexpr std::pair<std::string_view, std::string_view> symbols[] = {
+    {"r", "radius"},      {"d", "diameter"},    {"m", "mass"},       {"rho", "density"},
+    {"velocity_x", "vx"}, {"velocity_y", "vy"}, {"velocity_z", "vz"}};
+
+std::string column_cure(std::string_view name) {
+  std::string word(name);
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char letter) { return char(std::tolower(letter)); });
+  for (const auto& [symbol, column] : symbols)
+    if (symbol == word) return fmt::format("did you mean '{}'?", column);
+  std::array<std::string_view, columns.size()> known;
+  std::transform(columns.begin(), columns.end(), known.begin(), [](const ColumnName& c) { return c.name; });
+  return files::suggest_name(name, known);
+}
+
 const ColumnName& find_column(std::string_view name, const Token& cell, const TextReader& reader) {
   for (const ColumnName& column : columns)
     if (column.name == name || (!name.empty() && column.other_name == name)) return column;
-  std::array<std::string_view, columns.size()> known;
-  std::transform(columns.begin(), columns.end(), known.begin(), [](const ColumnName& c) { return c.name; });
-  reader.fail(cell.column, fmt::format("unknown column {}", quote_token(name)),
-              files::suggest_name(name, known));
+  reader.fail(cell.column, fmt::format("unknown column {}", quote_token(name)), column_cure(name));
 }
 
 BodyField read_column(const Token& cell, const TextReader& reader) {

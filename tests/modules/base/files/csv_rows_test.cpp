@@ -68,6 +68,10 @@ TEST_CASE("a table that cannot be read is refused with line, column and cure", "
   CHECK(refusal("time,strain\n0,1,2\n").starts_with(":2:1: 3 cells under 2 columns; "));
   CHECK(refusal("time;strain\n0;1\n").starts_with(":1:1: the columns are separated by semicolons; "));
   CHECK(refusal("").find("there is no header; ") != std::string::npos);
+  CHECK(
+      refusal("# t, s\n0,1\n1,2\n") ==
+      ":2:1: there is no header, but numbers; name the columns in the first line, such as 'time [s],strain'");
+  CHECK(refusal("0,strain\n1,2\n").empty());
   CHECK(refusal(std::string("time,strain\n0,\0\n", 15)).starts_with(":2:3: not a text file"));
   CHECK(refusal("\x1f\x8b\x08").starts_with(": the file is compressed; unpack it with gunzip"));
   CHECK(refusal("time,strain\n" + std::string(2000000, '1')).starts_with(":2:1: the line is longer than "));

@@ -66,6 +66,16 @@ TEST_CASE("absent CSV columns take their defaults", "[packing]") {
 TEST_CASE("CSV errors name the position and the cure", "[packing]") {
   CHECK_THAT(refusal("x,y,radios\n"),
              StartsWith("a.csv:1:5: unknown column 'radios'; did you mean 'radius'?"));
+  for (const auto& [symbol, column] :
+       {std::pair("r", "radius"), std::pair("R", "radius"), std::pair("d", "diameter"),
+        std::pair("m", "mass"), std::pair("rho", "density"), std::pair("velocity_y", "vy")})
+    CHECK(refusal("x,y," + std::string(symbol) + "\n0,0,1\n") ==
+          "a.csv:1:5: unknown column '" + std::string(symbol) + "'; did you mean '" + column + "'?");
+  for (const std::string numbers : {"0,0,0.01\n1,1,0.01\n", "# a comment\n-1,2e-3,1\n"})
+    CHECK_THAT(
+        refusal(numbers),
+        Contains(
+            ":1: there is no header, but numbers; name the columns in the first line, such as 'x,y,z,radius'"));
   CHECK_THAT(refusal("x,y,radius [mm]\n"),
              StartsWith("a.csv:1:5: ") && Contains("convert its numbers and write [m]"));
   CHECK_THAT(refusal("x,y,radius,x\n"), StartsWith("a.csv:1:12: ") && Contains("twice"));
