@@ -2,7 +2,6 @@
 #include "program_verbs.hpp"
 #include "studies.hpp"
 #include "support/program.hpp"
-#include "support/study_verbs.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -22,7 +21,6 @@ void open_closed_descriptors() {
 
 ExitStatus main_of(int argc, char** argv) {
   const auto do_study = [argc, argv] { return run_study(argc, argv); };
-  if (is_study(argc, argv)) return guarded(do_study);
   return run_program(argc, argv, [&](CommandLine& line) {
     add_run_verb(line);
     add_resume_verb(line, do_study);
@@ -32,7 +30,7 @@ ExitStatus main_of(int argc, char** argv) {
     add_chart_verb(line);
     add_campaign_verb(line);
     add_bench_verb(line);
-    for (const StudyVerb& study : study_verbs) line.verb(study.name, study.help);
+    add_study_verbs(line, do_study);
     line.moved("response", "is now scree modes, or for quasi-static loads scree quasi-static");
     add_new_plugin_verb(line);
     add_test_plugin_verb(line);

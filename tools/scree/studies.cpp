@@ -1,18 +1,36 @@
 #include "studies.hpp"
 
-#include "support/study_verbs.hpp"
+#include "support/accuracy_arguments.hpp"
+#include "support/cycles_arguments.hpp"
+#include "support/modes_arguments.hpp"
+#include "support/quasi_static_arguments.hpp"
+#include "support/spectrum_arguments.hpp"
+#include "support/study_library.hpp"
 
-#include <algorithm>
-#include <string_view>
+#include <memory>
 
 #include <scree/files/companion_library.hpp>
 
 namespace scree::tool {
 
-bool is_study(int argc, char** argv) {
-  return argc > 1 && std::any_of(study_verbs.begin(), study_verbs.end(), [&](const StudyVerb& verb) {
-           return std::string_view(verb.name) == argv[1];
-         });
+namespace {
+
+// The verb with its options, which the library reads again.
+template <class Arguments>
+void add(CommandLine& line, Verb (*add_options)(CommandLine&, Arguments&),
+         const std::function<ExitStatus()>& do_study) {
+  const auto arguments = std::make_shared<Arguments>();
+  add_options(line, *arguments).action([arguments, do_study] { return do_study(); });
+}
+
+}  // namespace
+
+void add_study_verbs(CommandLine& line, const std::function<ExitStatus()>& do_study) {
+  add(line, add_accuracy_options, do_study);
+  add(line, add_spectrum_options, do_study);
+  add(line, add_cycles_options, do_study);
+  add(line, add_modes_options, do_study);
+  add(line, add_quasi_static_options, do_study);
 }
 
 ExitStatus run_study(int argc, char** argv) {

@@ -1,6 +1,7 @@
 #include "studies/analysis_folder.hpp"
 #include "studies/cycles_report.hpp"
 #include "studies/studies.hpp"
+#include "support/cycles_arguments.hpp"
 #include "support/verbs.hpp"
 
 #include <algorithm>
@@ -23,15 +24,16 @@ namespace {
 namespace fs = std::filesystem;
 using cycles::CyclesRequest, cycles::CyclesResult;
 
-struct CyclesArguments {
-  std::vector<std::string> directories;
+CyclesRequest request_of(const CyclesArguments& a) {
   CyclesRequest request;
-  std::uint64_t drop = cycles::ClassOptions{}.drop;
-  double round_off = 0;
-  std::string touching;
-  std::string out;
-  bool overwrite = false;
-};
+  request.csv = a.csv;
+  request.probe = a.probe;
+  if (!a.strain.empty()) request.strain = a.strain;
+  request.load = a.load;
+  request.period = a.period;
+  request.first_minimum = a.first_minimum;
+  return request;
+}
 
 // The load of the run, for what the request leaves open. The record may be missing if nothing is.
 std::optional<run::RecordedLoad> load_of(const CyclesRequest& request) {
@@ -123,7 +125,7 @@ ExitStatus analyse_all(const CyclesArguments& a) {
   std::set<fs::path> directories;
   std::size_t width = 0;
   for (const std::string& directory : a.directories) {
-    CyclesRequest request = a.request;
+    CyclesRequest request = request_of(a);
     request.directory = without_slash(directory);
     if (!directories.insert(files::resolved(request.directory)).second)
       throw Error(fmt::format("{} is given twice; give each run once", directory));
@@ -142,13 +144,13 @@ ExitStatus analyse_all(const CyclesArguments& a) {
 }
 
 ExitStatus cycles_of(const CyclesArguments& a) {
-  const bool of_file = !a.request.csv.empty();
-  if (of_file && (!a.directories.empty() || !a.request.probe.empty()))
+  const bool of_file = !a.csv.empty();
+  if (of_file && (!a.directories.empty() || !a.probe.empty()))
     throw Error("--csv analyses a file, not runs and their probes; give one of them");
   if (!of_file && a.directories.empty())
     throw Error("neither a run directory nor --csv; give the directories of runs, or --csv FILE");
   if (a.directories.size() > 1) return analyse_all(a);
-  CyclesRequest request = a.request;
+  CyclesRequest request = request_of(a);
   if (!of_file) request.directory = a.directories[0];
   return analyse_one(a, request);
 }
@@ -156,48 +158,8 @@ ExitStatus cycles_of(const CyclesArguments& a) {
 }  // namespace
 
 void add_cycles_verb(CommandLine& line) {
-  Verb verb = add_study_verb(line, "cycles");
   auto a = std::make_shared<CyclesArguments>();
-  verb.option("directories", a->directories, "Directories of runs; several give a table of verdicts");
-  verb.option("--csv", a->request.csv, "Instead of runs: CSV file; its first column is the time in s")
-      .shown_as("FILE");
-  verb.option("--probe", a->request.probe,
-              "Probe of the runs; default: the first whose series has the columns")
-      .shown_as("NAME");
-  verb.option(
-          "--touching", a->touching,
-          "Probe of the kind touching, beside the series: names rattlers and their touches before outliers")
-      .shown_as("NAME");
-  verb.option("--strain", a->request.strain,
-              "Column, or lengths: length_y/length_y0 - length_x/length_x0, which is the default")
-      .shown_as("NAME");
-  verb.option("--load", a->request.load, "Column of the load, for areas and stiffnesses of the loops")
-      .shown_as("NAME");
-  verb.option(
-          "--period", a->request.period,
-          "Period of the load (s); default: that of the last stage that has one, else one row is one cycle")
-      .above_zero()
-      .shown_as("T");
-  verb.option(
-          "--start", a->request.first_minimum,
-          "Time of the first minimum of the load (s); default: the beginning of that stage, or the first row")
-      .finite()
-      .shown_as("TIME");
-  verb.option("--drop", a->drop, "Cycles before the first that counts (default 29)").between(0, 1e9);
-  verb.option("--round-off", a->round_off,
-              "Largest range of a constant strain, and least deviation of an outlier (default 1e-13)")
-      .above_zero();
-  verb.option(
-          "--out", a->out,
-          "Directory of the results; default that of the run or the CSV file, for several runs the current one")
-      .shown_as("DIR");
-  verb.flag("--overwrite", a->overwrite, "Replace results of other series and runs in the directory");
-  verb.footer(
-      "Ratcheting: the root mean square deviation from a straight line is below its slope per cycle (McNamara et al. 2008).\n"
-      "Shakedown goes to a limit, creep does not; settling: the strain per cycle falls, and the cycles do not tell which.\n"
-      "Example: scree cycles runs/biaxial\n"
-      "         scree cycles campaigns/laws/*/ --out campaigns/laws\n"
-      "         scree cycles --csv box.csv --strain deviatoric_strain --load deviatoric_stress --period 10 --drop 5");
+  Verb verb = add_cycles_options(line, *a);
   verb.action([a] { return cycles_of(*a); });
 }
 

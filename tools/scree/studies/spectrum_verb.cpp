@@ -2,6 +2,7 @@
 #include "studies/spectrum_files.hpp"
 #include "studies/studies.hpp"
 #include "support/progress_bar.hpp"
+#include "support/spectrum_arguments.hpp"
 #include "support/study_tables.hpp"
 #include "support/verbs.hpp"
 
@@ -25,17 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SpectrumArguments {
-  std::string csv, column, out, detrend = "linear";
-  double frequency = 0;  // 0: not given
-  std::string scenario, by;
-  std::vector<std::string> overrides;
-  unsigned threads = 1;
-  bool overwrite = false, resume = false, quiet = false;
-  PluginOptions plugins;
-};
-
-const std::vector<std::string> detrendings = {"constant", "linear", "quadratic", "cubic", "period-average"};
 constexpr std::size_t least_samples = 8, most_lines = 5;
 constexpr double tolerated_unevenness = 1e-3;
 
@@ -218,42 +208,8 @@ ExitStatus spectrum_of(const SpectrumArguments& arguments) {
 }  // namespace
 
 void add_spectrum_verb(CommandLine& line) {
-  Verb verb = add_study_verb(line, "spectrum");
   auto a = std::make_shared<SpectrumArguments>();
-  verb.option("scenario", a->scenario, "Scenario file (TOML) with [spectrum]");
-  verb.option(
-          "--by", a->by,
-          "Method: a sweep, a pulse, linear response of the contact network, or all of them (default sweep)")
-      .one_of({"sweep", "pulse", "linear", "all"});
-  verb.option("--set", a->overrides, "Change a value of the scenario").shown_as("KEY=VALUE");
-  verb.option("--threads", a->threads,
-              "Number of threads; results are bitwise identical for any number (default 1)")
-      .between(1, 1024);
-  verb.flag("--overwrite", a->overwrite,
-            "Replace an existing spectrum in the directory, or files there that are not of the CSV file");
-  verb.flag("--resume", a->resume, "Go on with the interrupted spectrum in --out, to the same bits");
-  verb.flag("--quiet", a->quiet, "Print only warnings and the location of the results");
-  verb.option("--csv", a->csv, "Instead of a scenario: CSV file; its first column is the time in s")
-      .shown_as("FILE");
-  verb.option("--column", a->column, "Column of the CSV file, with or without its unit").shown_as("NAME");
-  verb.option("--frequency", a->frequency,
-              "Fit a sine of this frequency and its harmonics; default: the strongest lines")
-      .above_zero()
-      .shown_as("HZ");
-  verb.option(
-          "--detrend", a->detrend,
-          "What is removed with the fit at --frequency: a polynomial, or the mean over one period (default "
-          "linear)")
-      .one_of(detrendings);
-  verb.option("--out", a->out,
-              "Directory of the results; default runs/<scenario>-spectrum, or that of the CSV file")
-      .shown_as("DIR");
-  add_plugin_options(verb, a->plugins);
-  verb.footer(
-      "Phases are of sines; in a time series they refer to t = 0, in a response to the drive. Errors are standard errors from\n"
-      "the noise near each line; without --frequency, that of a phase contains that of the frequency up to t = 0.\n"
-      "Example: scree spectrum scenarios/sound/chain.toml --by all\n"
-      "         scree spectrum --csv runs/quickstart/series/box.csv --column strain_xx --frequency 1");
+  Verb verb = add_spectrum_options(line, *a);
   verb.action([a] { return spectrum_of(*a); });
 }
 

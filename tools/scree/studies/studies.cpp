@@ -1,9 +1,7 @@
 #include "studies/studies.hpp"
 
 #include "support/program.hpp"
-#include "support/study_verbs.hpp"
-
-#include <algorithm>
+#include "support/study_library.hpp"
 
 namespace scree::tool {
 
@@ -24,12 +22,6 @@ class AllStudies : public Studies {
 };
 
 }  // namespace
-
-Verb add_study_verb(CommandLine& line, std::string_view name) {
-  const auto study = std::find_if(study_verbs.begin(), study_verbs.end(),
-                                  [&](const StudyVerb& verb) { return verb.name == name; });
-  return line.verb(study->name, study->help);
-}
 
 }  // namespace scree::tool
 

@@ -2,12 +2,7 @@
 
 #include "support/command_line.hpp"
 
-#include <string_view>
-
 namespace scree::tool {
-
-// Adds one of study_verbs, with its help.
-Verb add_study_verb(CommandLine& line, std::string_view name);
 
 // Each adds its verb, `resume` for the results of studies.
 void add_accuracy_verb(CommandLine& line);
