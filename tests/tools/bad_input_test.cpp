@@ -70,6 +70,8 @@ TEST_CASE("a file that is not a scenario is refused", "[tools]") {
 TEST_CASE("invalid options are reported in one line", "[tools]") {
   refused_options("--threads 0", "--threads: ", "; see scree run --help");
   refused_options("--threads many", "--threads: ", "; see scree run --help");
+  refused_options("--thread 2", "unknown option '--thread'; did you mean '--threads'? ",
+                  "see scree run --help");
   refused_options("--frobnicate", "The following argument was not expected: --frobnicate",
                   "; see scree run --help");
   refused_options("'--two\nlines'", "The following argument was not expected: --two\\nlines",

@@ -12,7 +12,6 @@
 
 #include <scree/files/text.hpp>
 #include <scree/modes/vibration.hpp>
-#include <scree/pictures/render_options.hpp>
 #include <scree/spectrum/spectrum_plan.hpp>
 
 namespace scree::tool {

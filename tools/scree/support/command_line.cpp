@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <scree/document/message.hpp>
+#include <scree/files/text.hpp>
 
 namespace scree::tool {
 
@@ -141,6 +142,23 @@ void CommandLine::check_verb_name(const std::string& name) const {
   throw Error(fmt::format("unknown command '{}'; {}", name, document::name_cure(name, verbs)));
 }
 
+// Likewise for an option.
+void CommandLine::check_option_names(int argc, char** argv) const {
+  std::vector<std::string> names, shown;
+  for (const CLI::Option* option : app_->get_subcommand(argv[1])->get_options())
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+      if (!option->get_group().empty()) shown.push_back(names.back());
+    }
+  for (int k = 2; k < argc; ++k) {
+    const std::string word = argv[k], name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (const std::string cure = document::suggestion(name, shown); !cure.empty())
+      throw Error(
+          fmt::format("unknown option '{}'; {}see scree {} --help", files::one_line(name), cure, argv[1]));
+  }
+}
+
 ExitStatus CommandLine::run(int argc, char** argv) {
   const bool verb_given = argc > 1 && argv[1][0] != '-';
   if (verb_given) check_verb_name(argv[1]);
@@ -149,6 +167,7 @@ ExitStatus CommandLine::run(int argc, char** argv) {
   } catch (const CLI::Success& done) {
     app_->exit(done);
   } catch (const CLI::ParseError& error) {
+    if (verb_given) check_option_names(argc, argv);
     throw Error(
         fmt::format("{}; see scree {}--help", error.what(), verb_given ? std::string(argv[1]) + " " : ""));
   }

@@ -82,6 +82,7 @@ class CommandLine {
 
  private:
   void check_verb_name(const std::string& name) const;
+  void check_option_names(int argc, char** argv) const;
 
   std::unique_ptr<CLI::App> app_;
   std::map<std::string, std::string> moved_;
