@@ -68,7 +68,7 @@ cycles::Classification classify(const CyclesArguments& arguments, const cycles::
   try {
     return cycles::classify(source.series.strain, options);
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", source.file.string(), error.what()), error.status());
+    throw error.at(source.file.string());
   }
 }
 

@@ -148,7 +148,7 @@ CyclesSource read_cycles(const fs::path& file, const CyclesRequest& request,
     if (load) source.stage_period = load->times.period;
     return source;
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", file.string(), error.what()), error.status());
+    throw error.at(file.string());
   }
 }
 

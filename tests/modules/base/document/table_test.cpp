@@ -74,10 +74,3 @@ TEST_CASE("errors of the builder are placed") {
   CHECK(root.place("a") == "scene.toml:1:5");
   CHECK(root.place() == "scene.toml:1:1");
 }
-
-TEST_CASE("places hold behind a byte order mark, CRLF ends, tabs and letters of several bytes") {
-  const Table root = document_of("\xEF\xBB\xBFtop = 1\r\n\tnext = 2\r\nword = ['\xC3\xA9', 3]\r\n").root();
-  CHECK(root.place("top") == "scene.toml:1:7");
-  CHECK(root.place("next") == "scene.toml:2:9");
-  CHECK(message([&] { root.strings("word"); }).starts_with("scene.toml:3:14: word[1] "));
-}
