@@ -10,12 +10,10 @@
 
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
-#include <scree/pictures/load_backend.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/drive_sampling.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
-#include <scree/single_precision.hpp>
 #include <scree/step_guard.hpp>
 
 namespace scree::scenario {
@@ -129,61 +127,6 @@ void read_time(const document::Table& root, Plan& plan) {
   scene.step = fraction * contact;
 }
 
-void check_precision(const document::Table& root, const Scene& scene) {
-  if (scene.precision != Precision::mixed) return;
-  if (const auto problem = single_precision_problem(scene))
-    throw root.table("time").error(
-        "precision", *problem,
-        "use precision = \"double\", or check the units of radius, density and stiffness");
-}
-
-bool needs(const ProbePlan& probe, const Plan& plan, std::uint32_t what) {
-  return Probe(probe.parameters, plan.scene.dimension).needs() & what;
-}
-
-// Without the audit, elastic and dissipated energies are not computed.
-void check_audit(const document::Table& root, const Plan& plan) {
-  if (plan.scene.audit) return;
-  const auto refuse = [&](const std::string& user) {
-    throw root.table("time").error("energy_audit", fmt::format("{} needs the energy audit", user),
-                                   "set energy_audit = true, or remove it");
-  };
-  for (const Stage& stage : plan.stages)
-    if (stage.kinetic_over_elastic) refuse(fmt::format("the condition of stage '{}'", stage.name));
-  for (const ProbePlan& probe : plan.probes)
-    if (needs(probe, plan, SCREE_NEEDS_ENERGY)) refuse(fmt::format("the probe '{}'", probe.name));
-  for (const Expectation& e : plan.expectations)
-    if (needs_energy_audit(e.quantity)) refuse(fmt::format("the [[expect]] of '{}'", e.quantity));
-}
-
-// Refuses pictures in a build without them, before anything is computed or written.
-void check_pictures(const document::Table& root, const Plan& plan) {
-  if (pictures::has_pictures() || !plan.snapshot.any()) return;
-  throw root.error(
-      "snapshot", fmt::format("{}, but the scene requests them", pictures::no_pictures),
-      fmt::format("leave [snapshot] out (--set 'snapshot={{}}'), or {}", pictures::no_pictures_cure));
-}
-
-bool any_probe_needs(const Plan& plan, std::uint32_t what) {
-  return std::any_of(plan.probes.begin(), plan.probes.end(),
-                     [&](const ProbePlan& probe) { return needs(probe, plan, what); });
-}
-
-// Whether a law, in the scene or in a stage, needs a quantity, which then exists from the start.
-bool any_law(const Plan& plan, bool (*needs)(const Parameters& law, int dimension)) {
-  for (const Scene::Law& law : plan.scene.laws)
-    if (needs(law.parameters, plan.scene.dimension)) return true;
-  for (const Stage& stage : plan.stages)
-    for (const Stage::Change& change : stage.changes)
-      if (change.kind == SCREE_CONTACT_LAW && needs(change.parameters, plan.scene.dimension)) return true;
-  return false;
-}
-
-// Whether snapshots or probes read the forces of single contacts.
-bool needs_pair_forces(const Plan& plan) {
-  return plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
-}
-
 // TOML that runs from any folder: with the path of a packing or state made absolute.
 std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
                                 std::vector<std::string> overrides) {
@@ -229,7 +172,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.stages = read_stages(root, plan.scene, instances, studies, plan.warnings);
   for (const std::string& line : undersampled_drives(plan.scene, plan.stages))
     plan.warnings.push_back(fmt::format("{}: {}", plan.source.string(), line));
-  plan.scene.spin = any_law(plan, &exerts_torque);
+  plan.scene.spin = needs_spin(plan);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   plan.snapshot = read_snapshot(root, plan.scene.step);
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
@@ -237,9 +180,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   for (const ProbePlan& probe : plan.probes) columns.push_back(columns_of(probe, plan.scene.dimension));
   plan.charts = read_charts(root, columns);
   read_expectations(root, studies, plan);
-  plan.scene.pair_forces = needs_pair_forces(plan);
-  plan.scene.orientations =
-      any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_law(plan, &reads_orientations);
+  note_needs(plan);
   check_audit(root, plan);
   check_pictures(root, plan);
   if (studies) read_studies(root, *studies, plan);

@@ -161,4 +161,16 @@ CheckpointPlan read_checkpoint(const document::Table& root, double step);
 // as for read_stages.
 void read_expectations(const document::Table& root, const StudyTables* studies, Plan& plan);
 
+// plan_checks.cpp
+// Throws Error if magnitudes of the scene are outside the range of mixed precision, when that is asked for.
+void check_precision(const document::Table& root, const Scene& scene);
+// Whether a law of the scene or of a stage makes bodies rotate, so that spins exist from the start.
+bool needs_spin(const Plan& plan);
+// Notes whether probes, snapshots and laws need orientations and the forces of single contacts.
+void note_needs(Plan& plan);
+// Throws Error if there is no energy audit and a stage, probe or expectation needs it.
+void check_audit(const document::Table& root, const Plan& plan);
+// Refuses pictures in a build without them, before anything is computed or written.
+void check_pictures(const document::Table& root, const Plan& plan);
+
 }  // namespace scree::scenario

@@ -90,3 +90,16 @@ TEST_CASE("a probe with times of its own takes no others", "[scenario]") {
   CHECK(refusal(measured + "observe_every = 1e-5\n") ==
         "scene.toml:33:17: the probe lock_in has times of its own; remove observe_every");
 }
+
+TEST_CASE("an interval of observation is refused for a probe that does not observe", "[scenario]") {
+  CHECK(
+      refusal(discs, {"probe.observe_every=2e-5"}) ==
+      "--set probe.observe_every=2e-5: the probe energy does not observe the run with these parameters; remove "
+      "observe_every");
+  const std::string msd = with(discs, "'energy'", "'mean_squared_displacement'\nobserve_every = 2e-5");
+  CHECK(refusal(msd).starts_with("scene.toml:26:17: the probe mean_squared_displacement does not observe"));
+  CHECK(plan_of(msd, {"probe.window=4e-5"}).probes[0].observe_every == 2e-5);
+  CHECK(
+      refusal(msd, {"probe.window=4e-5", "probe.observe_every=1e-9"}).find("is shorter than the time step") !=
+      std::string::npos);
+}

@@ -98,3 +98,13 @@ TEST_CASE("wrong waves are refused at their key") {
   CHECK_THAT(refused("{ wave = 'sine', amplitude = 1, frequency_hz = 1, at = 2 }"),
              Catch::Matchers::Contains("at"));
 }
+
+TEST_CASE("keys of two functions of time are refused together", "[scenario]") {
+  const auto motion = [](const std::string& keys) {
+    return refusal(with(discs, "gap = 0.005", "gap = 0.005\nstress = " + keys));
+  };
+  const std::string line = motion("{ from = 0, to = 1, duration = 1, period = 2 }");
+  INFO(line);
+  CHECK(line.find("'period' and 'duration' belong to different functions of time; keep one: period (") !=
+        std::string::npos);
+}

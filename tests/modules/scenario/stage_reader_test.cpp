@@ -46,13 +46,6 @@ TEST_CASE("a change by a stage persists in the following stages", "[scenario]") 
   CHECK(stages[2].changes.empty());
 }
 
-TEST_CASE("spins are stored from the start if a later stage makes bodies rotate", "[scenario]") {
-  CHECK_FALSE(plan_of(staged("[[stage]]\nduration = 1\n")).scene.spin);
-  CHECK(plan_of(staged("[[stage]]\nduration = 1\n[[stage]]\nduration = 1\nset.linear_spring_dashpot = "
-                       "{ static_friction = 0.5, tangential_stiffness = 1 }\n"))
-            .scene.spin);
-}
-
 TEST_CASE("a stage that cannot end is refused", "[scenario]") {
   CHECK(refusal(staged("[[stage]]\n"))
             .starts_with("scene.toml:26:1: the stage has no end condition; give one of "));
