@@ -7,6 +7,7 @@
 
 #include <scree/error.hpp>
 #include <scree/median.hpp>
+#include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 
 namespace scree::tool {
@@ -43,7 +44,7 @@ class RepeatedScene {
   void begin() {
     ++begun_;
     simulation_ = run::set_up(plan_, options_.threads);
-    stages_ = std::make_unique<StageRunner>(*simulation_, plan_.stages);
+    stages_ = std::make_unique<StageRunner>(run::stage_runner(*simulation_, plan_));
     const double h = simulation_->step_length();
     while (!stages_->finished() && simulation_->time() < options_.start - 0.5 * h) {
       const double left = (options_.start - simulation_->time()) / h;

@@ -25,14 +25,14 @@ struct CheckArguments {
 void print_stages(const scenario::Plan& plan) {
   double least = 0;
   for (const Stage& stage : plan.stages) {
-    const double length = stage.duration ? *stage.duration : stage.at_least;
+    const double length = stage.duration ? *stage.duration : stage.until.at_least;
     least += length;
     if (stage.duration)
       fmt::print("  stage {}: {:g} s, {}\n", files::escaped(stage.name), length,
                  counted(std::size_t(std::llround(length / plan.scene.step)), "step"));
     else
-      fmt::print("  stage {}: until kinetic/elastic energy < {:g}, at most {:g} s\n",
-                 files::escaped(stage.name), *stage.kinetic_over_elastic, *stage.at_most);
+      fmt::print("  stage {}: until {}, at most {:g} s\n", files::escaped(stage.name),
+                 files::escaped(stage.until.text()), *stage.until.at_most);
   }
   fmt::print("  at least {:g} s of simulated time\n", least);
 }

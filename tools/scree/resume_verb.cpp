@@ -21,9 +21,11 @@ ExitStatus resume(const ResumeArguments& arguments) {
   run::ResumeChanges changes;
   changes.overrides = arguments.overrides;
   if (arguments.until > 0) changes.until = arguments.until;
+  changes.from = arguments.from;
   if (!arguments.checkpoint_every.empty())
     changes.checkpoint_every = wall_time_option("--checkpoint-every", arguments.checkpoint_every);
   const run::RunResult result = with_progress(arguments.quiet, [&](run::RunOptions options) {
+    options.overwrite = arguments.overwrite;
     return run::resume_run(in_place_of(arguments, options), changes, host, study_tables());
   });
   return report_run(result, arguments.quiet);

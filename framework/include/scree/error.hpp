@@ -13,6 +13,7 @@ enum class ExitStatus : int {
   failure = 1,       // an [expect] was not met, or an unexpected failure
   bad_input = 2,     // invalid scenario, plug-in, path or option; nothing was written
   blow_up = 3,       // the simulation became unstable; output written so far is kept
+  not_reached = 4,   // conditions of a stage were not met in time; output and the state are kept
   interrupted = 130  // Ctrl-C; output written so far is kept
 };
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <scree/simulation.hpp>
 #include <scree/state_transfer.hpp>
+#include <scree/until.hpp>
 
 namespace scree {
 
@@ -20,14 +22,15 @@ struct Stage {
 
   std::string name;
   std::vector<Change> changes;
-  // Duration (s); without it, the condition below ends the stage.
+  // Duration (s); without it, conditions end the stage.
   std::optional<double> duration;
   double period = 0;  // (s) of its cycles; 0: it has none
-  // The stage ends when kinetic energy / elastic energy falls below this value.
-  std::optional<double> kinetic_over_elastic;
-  double at_least = 0;            // (s) before which the condition is not tested
-  std::optional<double> at_most;  // (s) after which an unfulfilled condition is an error
+  Until until;        // without a duration
 };
+
+// How a stage has ended.
+enum class StageEnd { duration, condition, at_most };
+const char* name_of(StageEnd end);  // "duration"
 
 // Duration of all stages together (s); NaN if one ends by a condition, or there is none.
 double duration_of(const std::vector<Stage>& stages);
@@ -35,11 +38,14 @@ double duration_of(const std::vector<Stage>& stages);
 // Runs a simulation through its stages.
 class StageRunner {
  public:
-  StageRunner(Simulation& simulation, std::vector<Stage> stages);
+  // columns: needed if conditions read columns of probes; else null.
+  StageRunner(Simulation& simulation, std::vector<Stage> stages,
+              std::shared_ptr<StageColumns> columns = nullptr);
   // Goes on within the stage in which the state was saved; if all had ended, within the last one if its duration
   // is longer now. The simulation has the parameters of that stage already. Throws Error if a duration is
   // shorter than the time that the stage has taken.
-  StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state);
+  StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state,
+              std::shared_ptr<StageColumns> columns = nullptr);
   void save(const StateTransfer& state) const;
 
   bool finished() const { return current_ == stages_.size(); }
@@ -49,22 +55,31 @@ class StageRunner {
   double began() const { return began_; }
   // Steps taken in the current stage, or in the last one if all have ended.
   std::uint64_t steps() const { return simulation_.steps() - began_step_; }
-  // Takes one time step and enters the next stage when this one has ended. Throws Error(failure) if the
-  // condition is not fulfilled by `at_most`.
+  // Takes one time step and enters the next stage when this one has ended. Throws Error(not_reached) if its
+  // conditions are not met by `at_most`, unless the stage goes on then.
   void step();
   // Takes up to `steps` steps of this stage; `proceed` as in Simulation::run. Returns the steps taken.
   std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
   // Completed fraction of the run, 0 to 1, by simulated time; absent while this stage or a later one ends by
   // a condition, as its length is unknown.
   std::optional<double> progress() const;
-  // Kinetic energy / elastic energy at the last test of this stage's condition; absent before the first.
-  std::optional<double> kinetic_over_elastic() const { return kinetic_over_elastic_; }
+  // How the stage before this one ended, or the last one if all have.
+  StageEnd last_end() const { return last_end_; }
+  // The values of this stage's conditions at their last test, "kinetic_over_elastic = 0.02, below 1e-06"; empty before
+  // the first, and of a stage with a duration.
+  std::string status() const;
 
  private:
   void transfer(const StateTransfer& state);
   void check_resumed() const;
   void begin();
+  void forget_values();
+  void end_stage(StageEnd end);
+  // Takes the values of conditions that are due; false if none is.
+  bool take_values();
+  bool conditions_met() const;
   bool over();
+  [[noreturn]] void fail() const;
   // Steps until the end of this stage must be tested again, at least 1.
   std::uint64_t steps_to_next_check() const;
   std::uint64_t steps_in(double duration) const;
@@ -74,7 +89,9 @@ class StageRunner {
   std::size_t current_ = 0;
   double began_ = 0;
   std::uint64_t began_step_ = 0;
-  std::optional<double> kinetic_over_elastic_;
+  std::vector<ConditionValues> values_;  // of the conditions of this stage
+  std::shared_ptr<StageColumns> columns_;
+  StageEnd last_end_ = StageEnd::duration;
 };
 
 // Index of the stage whose parameters a saved simulation has: the current one, or the last if all had ended.

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <scree/energy.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/stage.hpp>
@@ -39,19 +39,26 @@ bool has(const Scene& scene, const Stage::Change& change) {
 
 }  // namespace
 
+const char* name_of(StageEnd end) {
+  constexpr const char* names[] = {"duration", "condition", "at_most"};
+  return names[int(end)];
+}
+
 double duration_of(const std::vector<Stage>& stages) {
   double sum = stages.empty() ? NAN : 0;
   for (const Stage& stage : stages) sum += stage.duration.value_or(NAN);
   return sum;
 }
 
-StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages)
-    : simulation_(simulation), stages_(std::move(stages)) {
+StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages,
+                         std::shared_ptr<StageColumns> columns)
+    : simulation_(simulation), stages_(std::move(stages)), columns_(std::move(columns)) {
   if (!finished()) begin();
 }
 
-StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state)
-    : simulation_(simulation), stages_(std::move(stages)) {
+StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state,
+                         std::shared_ptr<StageColumns> columns)
+    : simulation_(simulation), stages_(std::move(stages)), columns_(std::move(columns)) {
   if (stages_.empty()) state.refuse("stage", "is one of a scenario without stages");
   transfer(state);
   if (began_step_ > simulation_.steps()) state.refuse("began_step", "is after the step of the state");
@@ -62,6 +69,12 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, cons
 
 void StageRunner::check_resumed() const {
   const Stage& stage = stages_[current_];
+  if (const auto at_most = stage.until.at_most;
+      !stage.duration && at_most && !stage.until.goes_on && simulation_.time() - began_ >= *at_most)
+    throw Error(
+        fmt::format("stage '{}' has taken {:g} s without meeting its conditions, and at_most is {:g} s; "
+                    "give more time (--set \"stage.{}.until.at_most=<s>\")",
+                    stage.name, simulation_.time() - began_, *at_most, stage.name));
   if (!stage.duration || steps_in(*stage.duration) > steps()) return;
   const auto [taken, duration] = told_apart(simulation_.time() - began_, *stage.duration);
   throw Error(fmt::format("stage '{}' has already taken {} s, and its duration is {} s; give a longer one",
@@ -74,15 +87,25 @@ void StageRunner::transfer(const StateTransfer& state) {
   state.value("stage", "", current_, stored::at_most(stages_.size()));
   state.value("began", "s", began_);
   state.value("began_step", "1", began_step_);
-  double ratio = kinetic_over_elastic_.value_or(-1);
-  state.value("kinetic_over_elastic", "1", ratio, stored::any);
-  kinetic_over_elastic_ = ratio >= 0 ? std::optional(ratio) : std::nullopt;
+  if (state.has("last_end"))
+    state.value("last_end", "", last_end_, stored::at_most(std::uint64_t(StageEnd::at_most)));
+  if (columns_) columns_->transfer(state.below("columns"));
+  if (state.restoring()) forget_values();
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    if (const StateTransfer values = state.below(fmt::format("until/{}", k)); values.has("latest"))
+      values_[k].transfer(values);
+}
+
+void StageRunner::forget_values() {
+  values_.clear();
+  if (finished() || stages_[current_].duration) return;
+  for (const Condition& condition : stages_[current_].until.conditions) values_.emplace_back(condition);
 }
 
 void StageRunner::begin() {
   began_ = simulation_.time();
   began_step_ = simulation_.steps();
-  kinetic_over_elastic_.reset();
+  forget_values();
   const Stage& stage = stages_[current_];
   // What the scene has had from t = 0 is not set again.
   const auto begun = [&](const Stage::Change& change) {
@@ -106,22 +129,78 @@ std::uint64_t StageRunner::steps_to_next_check() const {
   const std::uint64_t steps = this->steps();
   const auto left = [&](std::uint64_t last) { return last > steps ? last - steps : 1; };
   if (stage.duration) return left(steps_in(*stage.duration));
-  const std::uint64_t next_test = condition_interval - steps % condition_interval;
+  std::uint64_t next = condition_interval - steps % condition_interval;
+  if (stage.until.reads_columns()) {
+    const std::uint64_t due = left(columns_->next(simulation_, stage.name, steps));
+    next = stage.until.reads_energies() ? std::min(next, due) : due;
+  }
   // One step early, because run() compares times, not step counts.
-  return stage.at_most ? std::min(next_test, left(std::max<std::uint64_t>(steps_in(*stage.at_most), 1) - 1))
-                       : next_test;
+  return stage.until.at_most
+             ? std::min(next, left(std::max<std::uint64_t>(steps_in(*stage.until.at_most), 1) - 1))
+             : next;
+}
+
+bool StageRunner::take_values() {
+  bool taken = false;
+  const Stage& stage = stages_[current_];
+  if (stage.until.reads_columns()) columns_->take(simulation_, stage.name, steps());
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    const Condition& condition = stage.until.conditions[k];
+    if (condition.probe != Condition::energies) {
+      if (const auto value = columns_->value(condition.probe, condition.column))
+        values_[k].take(simulation_.time(), *value), taken = true;
+    } else if (steps() % condition_interval == 0 && steps() >= steps_in(stage.until.at_least)) {
+      values_[k].take(simulation_.time(), kinetic_over_elastic(simulation_));
+      taken = true;
+    }
+  }
+  return taken;
+}
+
+bool StageRunner::conditions_met() const {
+  const auto met = [](const ConditionValues& values) { return values.met(); };
+  return stages_[current_].until.any ? std::any_of(values_.begin(), values_.end(), met)
+                                     : std::all_of(values_.begin(), values_.end(), met);
 }
 
 bool StageRunner::over() {
   const Stage& stage = stages_[current_];
-  const std::uint64_t steps = this->steps();
-  if (stage.duration) return steps >= steps_in(*stage.duration);
-  if (!stage.kinetic_over_elastic || steps % condition_interval || steps < steps_in(stage.at_least))
-    return false;
-  const scree_energy energy = simulation_.energy();
-  const double elastic = elastic_energy(energy);
-  kinetic_over_elastic_ = elastic > 0 ? kinetic_energy(energy) / elastic : INFINITY;
-  return elastic > 0 && kinetic_energy(energy) < *stage.kinetic_over_elastic * elastic;
+  if (stage.duration) return steps() >= steps_in(*stage.duration);
+  // Only where a value was taken: how often this is called depends on outputs.
+  return take_values() && steps() >= steps_in(stage.until.at_least) && conditions_met();
+}
+
+void StageRunner::end_stage(StageEnd end) {
+  last_end_ = end;
+  ++current_;
+  if (finished())
+    values_.clear();
+  else
+    begin();
+}
+
+void StageRunner::fail() const {
+  const Stage& stage = stages_[current_];
+  std::vector<std::string> problems;
+  for (const ConditionValues& values : values_)
+    if (!values.met()) problems.push_back(values.problem());
+  const auto moving = stage.until.reads_energies() ? movers(simulation_) : std::nullopt;
+  throw Error(fmt::format("stage '{}': after {:g} s {}{}; {}, raise until.at_most (scree resume DIR --set "
+                          "stage.{}.until.at_most=<s> goes on from here), or set until.otherwise = \"go_on\"",
+                          stage.name, simulation_.time() - began_, fmt::join(problems, ", and "),
+                          moving ? ": " + moving->what : "",
+                          moving                         ? moving->cure
+                          : stage.until.reads_energies() ? "add damping"
+                                                         : "check that it can be reached",
+                          stage.name),
+              ExitStatus::not_reached);
+}
+
+std::string StageRunner::status() const {
+  std::vector<std::string> parts;
+  for (const ConditionValues& values : values_)
+    if (values.latest()) parts.push_back(values.status());
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 void StageRunner::step() {
@@ -129,21 +208,15 @@ void StageRunner::step() {
 }
 
 std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>& proceed) {
-  const std::uint64_t taken = simulation_.run(std::min(steps, steps_to_next_check()), proceed);
   const Stage& stage = stages_[current_];
+  if (stage.until.reads_columns() && this->steps() == 0) columns_->take(simulation_, stage.name, 0);
+  const std::uint64_t taken = simulation_.run(std::min(steps, steps_to_next_check()), proceed);
+  const std::optional<double> at_most = stage.until.at_most;
   if (over()) {
-    ++current_;
-    if (!finished()) begin();
-  } else if (stage.at_most && simulation_.time() - began_ >= *stage.at_most) {
-    const scree_energy energy = simulation_.energy();
-    const double elastic = elastic_energy(energy);
-    throw Error(
-        fmt::format(
-            "stage '{}': kinetic/elastic energy is {:.3g} after {:g} s and has not fallen below {:g}; "
-            "raise until.at_most or until.kinetic_over_elastic, or add damping",
-            stage.name, elastic > 0 ? kinetic_energy(energy) / elastic : INFINITY,
-            simulation_.time() - began_, *stage.kinetic_over_elastic),
-        ExitStatus::failure);
+    end_stage(stage.duration ? StageEnd::duration : StageEnd::condition);
+  } else if (!stage.duration && at_most && simulation_.time() - began_ >= *at_most) {
+    if (!stage.until.goes_on) fail();
+    end_stage(StageEnd::at_most);
   }
   return taken;
 }

@@ -39,6 +39,7 @@ CheckpointPlan read_checkpoint(const document::Table& root, double step) {
   if (t.optional(checkpoint_keys.every_time))
     plan.every_time = read_steps(t, checkpoint_keys.every_time, step);
   plan.final_state = read(t, checkpoint_keys.final_state);
+  plan.stage_states = read(t, checkpoint_keys.stage_states);
   return plan;
 }
 

@@ -69,6 +69,8 @@ struct CheckpointKeys : TableKeys {
   Key every_time =
       other("every_time", "number", Range::positive("s"), "default never", "simulated time between them");
   BooleanKey final_state = boolean("final_state", true, "leave the state at the end in final_state.h5");
+  BooleanKey stage_states = boolean(
+      "stage_states", true, "leave the state at the end of each stage but the last in states/<stage>.h5");
 };
 
 struct ExpectKeys : TableKeys {

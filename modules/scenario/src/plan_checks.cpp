@@ -61,7 +61,7 @@ void check_audit(const document::Table& root, const Plan& plan) {
                                    "set energy_audit = true, or remove it");
   };
   for (const Stage& stage : plan.stages)
-    if (stage.kinetic_over_elastic) refuse(fmt::format("the condition of stage '{}'", stage.name));
+    if (stage.until.reads_energies()) refuse(fmt::format("the condition of stage '{}'", stage.name));
   for (const ProbePlan& probe : plan.probes)
     if (needs(probe, plan, SCREE_NEEDS_ENERGY)) refuse(fmt::format("the probe '{}'", probe.name));
   for (const Expectation& e : plan.expectations)

@@ -141,8 +141,16 @@ void read_contacts(const document::Table& root, PluginHost& host, Scene& scene, 
 // of a study; without `studies`, the scenario has been checked before and there may be none in any case.
 std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, Instances instances,
                                const StudyTables* studies, std::vector<std::string>& warnings);
-// A time (s) of at least one step and at most 1e12.
+// A time (s) of at least one step and at most 1e12 steps.
 double read_steps(const document::Table& table, const Key& key, double step);
+
+// until_reader.cpp
+
+// The table `until` of a stage; columns are found by find_conditions(), once the probes are known.
+Until read_until(const document::Table& until, double step);
+// Finds the columns of the conditions of stages.
+void find_conditions(const document::Table& root, const std::vector<ProbePlan>& probes, int dimension,
+                     std::vector<Stage>& stages);
 
 // probe_reader.cpp
 

@@ -96,13 +96,35 @@ struct StageKeys : TableKeys {
 };
 
 struct UntilKeys : TableKeys {
-  UntilKeys() : TableKeys("stage.until", "until = { }", "ends a stage when the bodies have come to rest") {}
-  NumberKey kinetic_over_elastic = number("kinetic_over_elastic", Range::positive(),
-                                          "kinetic energy over elastic energy below which the stage ends");
+  UntilKeys() : TableKeys("stage.until", "until = { }", "ends a stage when conditions are met") {}
+  NumberKey kinetic_over_elastic = number(
+      "kinetic_over_elastic", Range::positive(),
+      "kinetic energy over elastic energy below which the bodies are at rest; bodies on which nothing acts do "
+      "not count",
+      "optional");
+  Key column = other("\"<probe>.<column>\"", "table", Range::any(), "optional",
+                     "a condition on a column of a probe, see stage.until.column");
+  ChoiceKey match =
+      choice_or_first("match", {"all", "any"}, "whether all conditions must be met, or one of them");
   NumberKey at_least =
-      number("at_least", Range::non_negative("s"), 0, "time before which the condition is not checked");
-  Key at_most =
-      other("at_most", "number", Range::positive("s"), "required", "time after which the run fails");
+      number("at_least", Range::non_negative("s"), 0, "time before which the conditions are not checked");
+  Key at_most = other("at_most", "number", Range::positive("s"), "required", "longest time");
+  ChoiceKey otherwise = choice_or_first("otherwise", {"fail", "go_on"},
+                                        "after at_most: the run fails, or the next stage begins");
+};
+
+struct UntilColumnKeys : TableKeys {
+  UntilColumnKeys()
+      : TableKeys(
+            "stage.until.column", "\"<probe>.<column>\" = { }",
+            "a condition on a column, tested at each sample of its probe; one of above, below, steady, or several") {
+  }
+  NumberKey above = number("above", Range::any(), "in the unit of the column", "optional");
+  NumberKey below = number("below", Range::any(), "in the unit of the column", "optional");
+  NumberKey steady = number("steady", Range::positive(),
+                            "largest change over the largest value, within the time 'over'", "optional");
+  NumberKey over =
+      number("over", Range::positive("s"), "time within which it is steady", "required with steady");
 };
 
 inline const SceneKeys scene_keys;
@@ -116,5 +138,6 @@ inline const BoundaryKeys boundary_keys;
 inline const BodyForceKeys body_force_keys;
 inline const StageKeys stage_keys;
 inline const UntilKeys until_keys;
+inline const UntilColumnKeys until_column_keys;
 
 }  // namespace scree::scenario

@@ -27,17 +27,6 @@ void check_steps(const document::Table& t, std::string_view key, double seconds,
                   fmt::format("give a shorter time or a longer step, for at most {} steps", most));
 }
 
-void read_condition(const document::Table& until, double step, Stage& stage) {
-  stage.kinetic_over_elastic = read(until, until_keys.kinetic_over_elastic);
-  stage.at_least = read(until, until_keys.at_least);
-  stage.at_most = read_steps(until, until_keys.at_most, step);
-  if (stage.at_least >= *stage.at_most)
-    throw until.error(
-        "at_least",
-        fmt::format("at_least = {:g} s is not below at_most = {:g} s", stage.at_least, *stage.at_most),
-        "give a smaller at_least or a larger at_most");
-}
-
 void read_end(const document::Table& t, double step, Stage& stage) {
   const int given = int(t.optional(stage_keys.duration)) + int(t.optional(stage_keys.cycles)) +
                     int(t.optional(stage_keys.until));
@@ -49,7 +38,7 @@ void read_end(const document::Table& t, double step, Stage& stage) {
     throw t.error("period", "'period' is the length of the 'cycles', which are not given",
                   "add cycles = <number> in place of the other end of the stage, or remove it");
   if (t.has(stage_keys.duration)) stage.duration = read_steps(t, stage_keys.duration, step);
-  if (t.has(stage_keys.until)) read_condition(t.table(stage_keys.until), step, stage);
+  if (t.has(stage_keys.until)) stage.until = read_until(t.table(stage_keys.until), step);
   if (t.has(stage_keys.cycles)) {
     stage.period = read_steps(t, stage_keys.period, step);
     stage.duration = read(t, stage_keys.cycles) * stage.period;

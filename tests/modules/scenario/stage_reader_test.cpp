@@ -26,9 +26,10 @@ TEST_CASE("stages end by a duration, by cycles or by a condition", "[scenario]")
   CHECK(stages[1].name == "cycle");
   CHECK(stages[1].duration == Approx(0.25));
   CHECK_FALSE(stages[2].duration);
-  CHECK(stages[2].kinetic_over_elastic == 1e-6);
-  CHECK(stages[2].at_least == 0.1);
-  CHECK(stages[2].at_most == 5);
+  REQUIRE(stages[2].until.conditions.size() == 1);
+  CHECK(stages[2].until.conditions[0].below == 1e-6);
+  CHECK(stages[2].until.at_least == 0.1);
+  CHECK(stages[2].until.at_most == 5);
 }
 
 TEST_CASE("a change by a stage persists in the following stages", "[scenario]") {

@@ -54,7 +54,7 @@ for ((n = 0; n < kills; ++n)); do
   if compgen -G 'killed/checkpoint/*.part' > partial.log; then writing=$((writing + 1)); fi
   # Killed once more while it goes on, at every third time.
   if ((n % 3 == 0)); then
-    "$program" resume killed --quiet > resume.log 2>&1 &
+    "$program" resume killed --overwrite --quiet > resume.log 2>&1 &
     process=$!
     sleep 0.3
     kill -KILL $process 2> kill.log || true
@@ -64,7 +64,7 @@ for ((n = 0; n < kills; ++n)); do
   status=0
   level=()
   ((n % 4)) || level=(SCREE_LEVEL=baseline)
-  env "${level[@]}" "$program" resume killed --quiet --threads $((1 + n % 2)) > resume.log 2>&1 || status=$?
+  env "${level[@]}" "$program" resume killed --overwrite --quiet --threads $((1 + n % 2)) > resume.log 2>&1 || status=$?
   if ((status == 2)) && grep -q 'contains no run' resume.log; then
     # Killed before it wrote anything.
     again=$((again + 1))

@@ -13,9 +13,10 @@ namespace {
 
 // What changes a run changes no other results.
 void refuse_changes(const ResumeArguments& arguments, const char* results) {
-  if (!arguments.overrides.empty() || arguments.until > 0 || !arguments.checkpoint_every.empty())
+  if (!arguments.overrides.empty() || arguments.until > 0 || !arguments.checkpoint_every.empty() ||
+      !arguments.from.empty())
     throw Error(fmt::format(
-        "{}: holds a {}, which goes on as it began; give no --set, --until and --checkpoint-every",
+        "{}: holds a {}, which goes on as it began; give no --set, --until, --from and --checkpoint-every",
         arguments.directory, results));
 }
 

@@ -31,8 +31,7 @@ void ProgressBar::show(const run::Progress& p) {
   std::string what = fmt::format("t = {:.4g} s  {}", p.time, files::escaped(p.stage));
   if (p.stages > 1) what += fmt::format(" (stage {} of {})", p.stage_number, p.stages);
   if (p.share) return show(*p.share, p.wall, what);
-  if (p.goal && p.kinetic_over_elastic)
-    what += fmt::format(", kinetic/elastic {:.2g}, goal {:g}", *p.kinetic_over_elastic, *p.goal);
+  if (!p.conditions.empty()) what += ", " + files::escaped(p.conditions);
   print("", fmt::format("{}, {} so far", what, duration_text(p.wall)), p.wall);
 }
 

@@ -12,6 +12,10 @@ Verb add_resume_options(CommandLine& line, ResumeArguments& arguments) {
               "Time (s) at which the last stage is to end; prolongs a finished run")
       .above_zero()
       .shown_as("SECONDS");
+  verb.option("--from", arguments.from, "Go back to the end of this stage; needs --overwrite")
+      .shown_as("STAGE");
+  verb.flag("--overwrite", arguments.overwrite,
+            "Replace results: those after --from, or all of a run that has no state yet");
   verb.option("--set", arguments.overrides,
               "Change how long a stage lasts, for example --set stage.cycle.duration=5")
       .shown_as("KEY=VALUE");

@@ -10,11 +10,11 @@ namespace scree::tool {
 
 // What `scree resume` takes, for runs and for studies.
 struct ResumeArguments {
-  std::string directory, checkpoint_every;
+  std::string directory, checkpoint_every, from;
   std::vector<std::string> overrides;
   double until = 0;  // (s); 0: as before
   unsigned threads = 1;
-  bool quiet = false;
+  bool overwrite = false, quiet = false;
   PluginOptions plugins;
 };
 

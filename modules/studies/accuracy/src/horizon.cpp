@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <scree/run/run_in_memory.hpp>
+#include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 
 namespace scree::accuracy {
@@ -18,7 +19,7 @@ class ComparedRun {
   ComparedRun(scenario::Plan plan, double step)
       : plan_(with_step(std::move(plan), step)),
         simulation_(run::set_up(plan_)),
-        runner_(*simulation_, plan_.stages) {}
+        runner_(run::stage_runner(*simulation_, plan_)) {}
 
   void run_until(double time, const std::atomic<bool>* stop) {
     while (!runner_.finished() && simulation_->time() < time - 0.5 * simulation_->step_length() &&
@@ -44,7 +45,7 @@ class ComparedRun {
 double longest_duration(const scenario::Plan& plan) {
   double sum = 0;
   for (const Stage& stage : plan.stages)
-    sum += stage.duration.value_or(stage.at_most.value_or(stage.at_least));
+    sum += stage.duration.value_or(stage.until.at_most.value_or(stage.until.at_least));
   return sum;
 }
 

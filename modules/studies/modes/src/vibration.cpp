@@ -16,6 +16,7 @@
 #include <scree/modes/vibration.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/response/rest.hpp>
+#include <scree/run/run_stages.hpp>
 #include <scree/run/session.hpp>
 #include <scree/run/set_up.hpp>
 
@@ -42,7 +43,7 @@ class VibrationStudy : public run::Study {
     simulation_ = run::set_up(plan_, options_.threads);
     check_plan();
     for (const std::string& line : simulation_->let_go()) session_.warn(line);
-    StageRunner stages(*simulation_, plan_.stages);
+    StageRunner stages = run::stage_runner(*simulation_, plan_);
     if (!session_.run_stages(stages, plan_.stages.size()))
       throw session_.stopped_before("the stages had ended");
     session_.restart_watch();

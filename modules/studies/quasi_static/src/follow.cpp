@@ -187,7 +187,7 @@ void LoadStudy::check_last_stage() const {
 }
 
 void LoadStudy::run_stages_before(Simulation& simulation) const {
-  StageRunner stages(simulation, plan_.stages);
+  StageRunner stages = run::stage_runner(simulation, plan_);
   const bool ended = run::run_stages(
       stages, plan_.stages.size() - 1, [this] { return session_.proceeds(); },
       [this](double, const std::string& stage) { session_.report(0, stage); });

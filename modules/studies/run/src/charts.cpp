@@ -82,7 +82,7 @@ std::vector<std::string> left_out_at_start(const scenario::Plan& plan, const Sim
     return lines;
   Sampler sampler(plan);
   sampler.open();
-  sampler.sample(simulation, plan.stages.front().name, 0);
+  sampler.take(simulation, plan.stages.front().name, 0);
   for (const scenario::ChartPlan& chart : plan.charts)
     if (const auto columns = without_logarithm(chart, sampler); !columns.empty())
       lines.push_back(fmt::format(

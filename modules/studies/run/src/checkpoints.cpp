@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/document/message.hpp>
 #include <scree/state_error.hpp>
 #include <scree/state_file/state_file.hpp>
 #include <scree/state_transfer.hpp>
@@ -18,6 +19,14 @@ namespace {
 constexpr std::size_t kept = 2;
 
 std::string name_of(std::uint64_t steps) { return fmt::format("step_{:015}.h5", steps); }
+
+// A stage may have any name, and a file cannot.
+std::string file_name_of(const std::string& stage) {
+  std::string name = stage;
+  for (char& c : name)
+    if (c == '/' || static_cast<unsigned char>(c) < ' ') c = '_';
+  return name + ".h5";
+}
 
 std::uint64_t steps_of(const State& state) {
   std::uint64_t steps = 0;
@@ -44,6 +53,30 @@ fs::path Checkpoints::add(std::uint64_t steps) const {
   std::error_code failed;  // a failure is reported when the file is opened
   fs::create_directories(folder(), failed);
   return path;
+}
+
+fs::path Checkpoints::add_stage(const std::string& stage) const {
+  const fs::path path = directory_.add(fmt::format("{}/{}", stages_folder, file_name_of(stage)));
+  std::error_code failed;  // a failure is reported when the file is opened
+  fs::create_directories(path.parent_path(), failed);
+  return path;
+}
+
+Checkpoints::Latest Checkpoints::at_end_of(const std::string& stage, const Refusal& refusal) const {
+  const fs::path folder = directory_.path() / stages_folder, path = folder / file_name_of(stage);
+  std::error_code failed;
+  if (!fs::exists(path, failed)) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder, failed))
+      names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    throw Error(fmt::format("--from {}: {} has no state of the end of this stage; {}", stage,
+                            directory_.path().string(),
+                            names.empty() ? "leave --from out" : document::name_cure(stage, names)));
+  }
+  Latest latest{state_file::read_state(path), path};
+  if (const auto why = refusal(latest)) throw Error(fmt::format("{}: {}", path.string(), *why));
+  return latest;
 }
 
 void Checkpoints::remove_old() const {

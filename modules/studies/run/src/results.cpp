@@ -100,19 +100,18 @@ void Results::go_on_with_times() {
   result_.states = before.states;
 }
 
-void Results::begin_stage(const std::string& name) {
-  end_stage("");
+void Results::begin_stage(const std::string& name, const char* how) {
+  end_stage(how);
   const double time = simulation_.time();
   result_.stages.push_back({name, time, time, simulation_.steps(), 0, "running"});
 }
 
-void Results::end_stage(const std::string& how) {
+void Results::end_stage(const char* how) {
   if (result_.stages.empty()) return;
   StageResult& stage = result_.stages.back();
   stage.end = simulation_.time();
   stage.steps = simulation_.steps() - stage.first_step;
-  const bool timed = plan_.stages[result_.stages.size() - 1].duration.has_value();
-  stage.ended = !how.empty() ? how : timed ? "duration" : "condition";
+  stage.ended = how;
 }
 
 void Results::judge(const Sampler& sampler) {

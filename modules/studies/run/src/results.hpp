@@ -27,9 +27,9 @@ class Results {
   // state, from the run.json of the run that goes on.
   void go_on_with_times();
 
-  void begin_stage(const std::string& name);
-  // `how`: "interrupted" or "failed"; empty if the stage has reached its end.
-  void end_stage(const std::string& how);
+  // `how` the stage before ended, if there is one, as in StageResult.
+  void begin_stage(const std::string& name, const char* how);
+  void end_stage(const char* how);
   std::size_t stages() const { return result_.stages.size(); }
   // Counts a state that was written in a time (s).
   void count_state(double seconds) { ++result_.states, result_.state_output += seconds; }

@@ -122,6 +122,19 @@ std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const R
   }
 }
 
+void refuse_loss(const fs::path& directory, bool has_state, const std::string& from) {
+  if (!has_state)
+    throw Error(
+        fmt::format("{}: there is no state to go on from, and the run would begin anew; give --overwrite "
+                    "to replace its results",
+                    directory.string()));
+  if (!from.empty())
+    throw Error(
+        fmt::format("--from {}: results after this stage would be replaced; give --overwrite too, or begin "
+                    "another run from its state ([particles] state)",
+                    from));
+}
+
 RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
                 const scenario::StudyTables& studies) {
   check_overrides(changes.overrides);
@@ -133,7 +146,10 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
   const auto refusal = [&](const Checkpoints::Latest& state) {
     return begin_from(state, options, changes, host, start);
   };
-  const auto latest = Checkpoints(directory).latest(refusal, warn);
+  const Checkpoints states(directory);
+  const auto latest = changes.from.empty() ? states.latest(refusal, warn)
+                                           : std::optional(states.at_end_of(changes.from, refusal));
+  if (!options.overwrite) refuse_loss(options.out, latest.has_value(), changes.from);
   if (!latest) start.plan = plan_at_start(options, changes, host, studies);
   scenario::Plan& plan = start.plan;
   if (changes.checkpoint_every) plan.checkpoint.every = *changes.checkpoint_every;

@@ -20,14 +20,8 @@ constexpr const char* final_packing = "final_packing.csv";
 
 Progress progress_of(const Simulation& simulation, const StageRunner& runner, double wall) {
   const Stage& stage = runner.stages()[runner.current()];
-  return {runner.progress(),
-          wall,
-          simulation.time(),
-          stage.name,
-          runner.current() + 1,
-          runner.stages().size(),
-          runner.kinetic_over_elastic(),
-          stage.kinetic_over_elastic};
+  return {runner.progress(),      wall,           simulation.time(), stage.name, runner.current() + 1,
+          runner.stages().size(), runner.status()};
 }
 
 }  // namespace
@@ -41,7 +35,7 @@ bool Run::work() {
   session_.restart_watch();
   const std::string last = run_stages();
   const bool complete = runner_->finished();
-  results_.end_stage(complete ? "" : "interrupted");
+  results_.end_stage(complete ? name_of(runner_->last_end()) : "interrupted");
   session_.watch().time_output([&] {
     write_last_state(complete);
     sampler_.sample_last(*simulation_, last);
@@ -72,8 +66,8 @@ void Run::prepare() {
 
 void Run::restore(const State& state) {
   const StateTransfer from = StateTransfer::restoring_from(state).below("run");
-  runner_.emplace(*simulation_, plan_.stages, from.below("stages"));
-  sampler_.transfer(from.below("probes"));
+  runner_.emplace(*simulation_, plan_.stages, from.below("stages"), unowned(sampler_));
+  sampler_.transfer_probes(from.below("probes"));
   sampler_.check_restored(*simulation_);
   pictures_.transfer(from.below("pictures"));
   results_.transfer(from.below("results"));
@@ -112,7 +106,16 @@ void Run::announce() {
 }
 
 std::string Run::run_stages() {
-  if (!runner_) return drive(runner_.emplace(*simulation_, plan_.stages), *this);
+  try {
+    return drive_stages();
+  } catch (const Error& error) {
+    not_reached_ = error.status() == ExitStatus::not_reached;
+    throw;
+  }
+}
+
+std::string Run::drive_stages() {
+  if (!runner_) return drive(runner_.emplace(*simulation_, plan_.stages, unowned(sampler_)), *this);
   if (runner_->finished()) return plan_.stages.back().name;  // killed after its last state
   const std::uint64_t steps = runner_->steps();
   const std::string stage = plan_.stages[runner_->current()].name;
@@ -149,10 +152,17 @@ void Run::end_failed() {
   results_.take_quantities();
 }
 
+// A stage that was not reached goes on from its last step when it is given more time, as if it had had it.
 void Run::save_failed() {
-  files::try_each([&] { sampler_.flush(); },
+  files::try_each([&] { save_unreached(); }, [&] { sampler_.flush(); },
                   [&] { write_final_packing(*simulation_, session_.directory().add(final_packing)); },
                   [&] { pictures_.take_last(*simulation_); });
+}
+
+void Run::save_unreached() {
+  if (!not_reached_) return;
+  observe(plan_.stages[runner_->current()].name, runner_->steps());
+  states_.write_before_failure();
 }
 
 nlohmann::ordered_json Run::record() { return results_.record(); }
@@ -164,7 +174,7 @@ State Run::save_state() {
   to.value("scenario", "", scenario);
   runner_->save(to.below("stages"));
   sampler_.flush();
-  sampler_.transfer(to.below("probes"));
+  sampler_.transfer_probes(to.below("probes"));
   pictures_.transfer(to.below("pictures"));
   results_.transfer(to.below("results"));
   written_ = session_.directory().written().size();
@@ -173,14 +183,15 @@ State Run::save_state() {
 }
 
 void Run::begin(const std::string& stage) {
-  results_.begin_stage(stage);
+  if (const std::size_t before = results_.stages(); before > 0) ended_stage_ = plan_.stages[before - 1].name;
+  results_.begin_stage(stage, name_of(runner_->last_end()));
   sampler_.begin_stage(results_.stages());
   check_step(plan_, *simulation_);
 }
 
 std::uint64_t Run::observe(const std::string& stage, std::uint64_t steps) {
   return session_.watch().time_output([&] {
-    return std::min({sampler_.sample(*simulation_, stage, steps), pictures_.take(*simulation_, steps),
+    return std::min({sampler_.take(*simulation_, stage, steps), pictures_.take(*simulation_, steps),
                      states_.next(steps)});
   });
 }
@@ -191,6 +202,8 @@ bool Run::proceed(const StageRunner& runner) {
 }
 
 void Run::between(const StageRunner& runner) {
+  if (!ended_stage_.empty())
+    session_.watch().time_output([&] { states_.write_stage(std::exchange(ended_stage_, "")); });
   if (!runner.finished() && session_.proceeds()) session_.watch().time_output([&] { states_.write_due(); });
 }
 

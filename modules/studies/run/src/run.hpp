@@ -44,6 +44,8 @@ class Run : public Study {
   void announce();
   // Returns the name of the last stage.
   std::string run_stages();
+  std::string drive_stages();
+  void save_unreached();
   void write_last_state(bool complete);
   void write_results(bool complete);
   // The part of the state that changes; the writer thread adds the constant part. The state file must already
@@ -65,6 +67,8 @@ class Run : public Study {
   std::uint64_t written_ = 0;  // see WrittenFiles::size
   double last_report_ = 0;     // (s) of wall time
   std::exception_ptr no_final_state_;
+  bool not_reached_ = false;  // the conditions of the present stage, in time
+  std::string ended_stage_;   // whose state is to be written; empty: none
 };
 
 // The part of the options of a run that its session takes.

@@ -37,7 +37,7 @@ struct InMemoryHooks {
   void begin(const std::string&) { check_step(plan, simulation); }
   std::uint64_t observe(const std::string& stage, std::uint64_t steps) {
     const double left = std::ceil((end - simulation.time()) / plan.scene.step);
-    return std::min(sampler.sample(simulation, stage, steps),
+    return std::min(sampler.take(simulation, stage, steps),
                     steps + std::uint64_t(std::clamp(left, 1.0, 1e15)));
   }
   bool proceed(const StageRunner&) {
@@ -68,7 +68,7 @@ InMemoryRun run_in_memory(const scenario::Plan& plan, const InMemoryOptions& opt
   const auto simulation = set_up(plan, options.threads);
   Sampler sampler(plan);
   sampler.open();
-  StageRunner runner(*simulation, plan.stages);
+  StageRunner runner(*simulation, plan.stages, unowned(sampler));
   InMemoryRun run;
   // Half a step earlier, so that rounding does not add a step.
   const double end = options.until - 0.5 * plan.scene.step;

@@ -1,6 +1,35 @@
+#include "sampler.hpp"
+
+#include <algorithm>
+
 #include <scree/run/run_stages.hpp>
 
 namespace scree::run {
+
+namespace {
+
+// Probes without series, which are saved with the runner.
+class Columns : public Sampler {
+ public:
+  using Sampler::Sampler;
+  void transfer(const StateTransfer& state) override { transfer_probes(state); }
+};
+
+std::shared_ptr<StageColumns> columns_of(const scenario::Plan& plan) {
+  const bool any = std::any_of(plan.stages.begin(), plan.stages.end(),
+                               [](const Stage& stage) { return stage.until.reads_columns(); });
+  return any ? std::make_shared<Columns>(plan) : nullptr;
+}
+
+}  // namespace
+
+StageRunner stage_runner(Simulation& simulation, const scenario::Plan& plan) {
+  return {simulation, plan.stages, columns_of(plan)};
+}
+
+StageRunner stage_runner(Simulation& simulation, const scenario::Plan& plan, const StateTransfer& state) {
+  return {simulation, plan.stages, state, columns_of(plan)};
+}
 
 bool run_stages(StageRunner& runner, std::size_t end, const std::function<bool()>& proceed,
                 const std::function<void(double share, const std::string& stage)>& on_progress) {

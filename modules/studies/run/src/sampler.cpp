@@ -63,7 +63,7 @@ bool Sampler::Active::is_observed(const Simulation& s, std::uint64_t steps) cons
   return !plan->observe_every || is_due(steps, *plan->observe_every, s.step_length());
 }
 
-bool Sampler::Active::is_sampled(const Simulation& s, std::uint64_t steps) const {
+bool Sampler::Active::is_due_at(const Simulation& s, std::uint64_t steps) const {
   return is_due(steps, plan->every, s.step_length());
 }
 
@@ -73,11 +73,15 @@ std::uint64_t Sampler::Active::next(double step, std::uint64_t steps) const {
   return std::min(sampled, plan->observe_every ? next_due(steps, *plan->observe_every, step) : steps + 1);
 }
 
-std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
+std::uint64_t Sampler::take(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {
+  // Conditions of stages and outputs ask at the same step.
+  if (taken_step_ == simulation.steps() && taken_stage_ == stage) return next(simulation, stage, steps);
+  taken_step_ = simulation.steps();
+  taken_stage_ = stage;
   std::uint32_t needs = 0;
   bool any = false;
   for (const Active& p : probes_)
-    if (p.records_in(stage) && (p.is_observed(simulation, steps) || p.is_sampled(simulation, steps)))
+    if (p.records_in(stage) && (p.is_observed(simulation, steps) || p.is_due_at(simulation, steps)))
       any = true, needs |= p.needs;
   const std::uint64_t next = this->next(simulation, stage, steps);
   if (!any) return next;
@@ -90,7 +94,7 @@ std::uint64_t Sampler::sample(const Simulation& simulation, const std::string& s
       p.probe.observe(view.get(), inputs_of(p, view.get()));
       p.observed = simulation.steps();
     }
-    if (p.is_sampled(simulation, steps)) sample(p, view.get());
+    if (p.is_due_at(simulation, steps)) sample(p, view.get());
   }
   return next;
 }
@@ -113,7 +117,17 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
     if (p.records_in(stage)) sample(p, view.get());
 }
 
+std::optional<double> Sampler::value(std::size_t probe, std::size_t column) const {
+  const Active& p = probes_[probe];
+  return p.sampled == taken_step_ && !p.row.empty() ? std::optional(p.row[column]) : std::nullopt;
+}
+
 void Sampler::sample(Active& p, const scree_view& view) {
+  p.sampled = view.step;
+  if (!p.series) {
+    row(p, view);
+    return;
+  }
   // The last row of a stage is also the first of the next stage.
   if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
   const std::vector<double>& values = row(p, view);
@@ -184,11 +198,11 @@ void Sampler::cut() {
   for (Active& p : probes_) p.series->cut();
 }
 
-void Sampler::transfer(const StateTransfer& state) {
+void Sampler::transfer_probes(const StateTransfer& state) {
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     Active& p = probes_[k];
     const StateTransfer of_probe = state.below(std::to_string(k));
-    if (!state.restoring()) p.end = {p.series->bytes(), p.series->rows(), p.series->last_time()};
+    if (!state.restoring() && p.series) p.end = {p.series->bytes(), p.series->rows(), p.series->last_time()};
     p.probe.transfer(of_probe);
     of_probe.value("observed", "1", p.observed);
     of_probe.value("bytes", "1", p.end.bytes);

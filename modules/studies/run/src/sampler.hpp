@@ -2,12 +2,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <scree/probes.hpp>
 #include <scree/run/series.hpp>
 #include <scree/scenario/plan.hpp>
+#include <scree/until.hpp>
 
 namespace scree::run {
 
@@ -21,7 +23,7 @@ inline constexpr std::uint64_t never = ~std::uint64_t(0);
 
 // The probes of a run, each with its series. Probes that observe do so on a clock of their own, so that what
 // they keep does not depend on when samples are taken. A probe that reads columns of others comes after these.
-class Sampler {
+class Sampler : public StageColumns {
  public:
   explicit Sampler(const scenario::Plan& plan);
 
@@ -34,15 +36,17 @@ class Sampler {
   // lengths that they had then. Throws Error if one of them is not as it was up to there; all are left as they are.
   void reopen(const std::filesystem::path& folder, std::size_t stage);
   void cut();
-  // Keeps the rows in memory only.
+  // Keeps the rows in memory only. Without any open() they are not kept.
   void open();
   // What the probes keep, and how far their series have come; these must be flushed.
-  void transfer(const StateTransfer& state);
+  void transfer_probes(const StateTransfer& state);
   // Takes the observations, then the samples due `steps` after the start of a stage. Returns the step count at
   // which the next are due.
-  std::uint64_t sample(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
+  std::uint64_t take(const Simulation& simulation, const std::string& stage, std::uint64_t steps) override;
   // Step count after the start of a stage at which the next observation or sample is due.
-  std::uint64_t next(const Simulation& simulation, const std::string& stage, std::uint64_t steps) const;
+  std::uint64_t next(const Simulation& simulation, const std::string& stage,
+                     std::uint64_t steps) const override;
+  std::optional<double> value(std::size_t probe, std::size_t column) const override;
   // Takes a final sample of the probes of the stage at the end of a run; observes nothing more.
   void sample_last(const Simulation& simulation, const std::string& stage);
   // Samples from now on belong to the stage of this number, from 1.
@@ -63,13 +67,14 @@ class Sampler {
     std::uint64_t observed = never;  // step of the last observation
     SeriesEnd end = {};              // behind which a series that is reopened goes on
     std::uint32_t needs = 0;         // of the probe and of those whose columns it reads
+    std::uint64_t sampled = never;   // step of the last sample
     std::vector<double> row = {};    // of the present time; empty if it was not computed
     std::vector<double> last = {};   // row of the series, of probes that observe
 
     bool records_in(const std::string& stage) const;
     // At the start of a stage, after which the clock runs anew, it may have been observed already.
     bool is_observed(const Simulation& simulation, std::uint64_t steps) const;
-    bool is_sampled(const Simulation& simulation, std::uint64_t steps) const;
+    bool is_due_at(const Simulation& simulation, std::uint64_t steps) const;
     // Step count at which the next observation or sample is due.
     std::uint64_t next(double step, std::uint64_t steps) const;
   };
@@ -82,8 +87,15 @@ class Sampler {
 
   std::vector<Active> probes_;
   std::vector<std::size_t> order_;  // of probes_, each after those whose columns it reads
+  std::uint64_t taken_step_ = never;
+  std::string taken_stage_;
   bool staged_;
   double end_time_;  // (s) of the run; NaN if it is not known
 };
+
+// A sampler that outlives the runner of stages to which it gives columns.
+inline std::shared_ptr<StageColumns> unowned(Sampler& sampler) {
+  return {std::shared_ptr<StageColumns>(), &sampler};
+}
 
 }  // namespace scree::run

@@ -44,7 +44,7 @@ Position position_of(const State& state, const scenario::Plan& plan) {
 void check_past(const scenario::Plan& before, const scenario::Plan& now, const Position& position) {
   for (std::size_t k = 0; k < std::min(position.stage, now.stages.size()); ++k)
     if (before.stages[k].duration != now.stages[k].duration ||
-        before.stages[k].at_most != now.stages[k].at_most)
+        before.stages[k].until.at_most != now.stages[k].until.at_most)
       throw Error(
           fmt::format("--set: stage '{}' is over, so that its length cannot change; set that of stage '{}'{}",
                       now.stages[k].name, now.stages[position.stage].name,

@@ -99,7 +99,26 @@ void StateWriter::report(const std::string& problem) {
 void StateWriter::write_final() {
   finish();
   if (!plan_.final_state) return;
-  const std::filesystem::path path = checkpoints_.add_final();
+  write(checkpoints_.add_final());
+}
+
+void StateWriter::write_before_failure() {
+  finish();
+  write(checkpoints_.add(simulation_.steps()));
+}
+
+void StateWriter::write_stage(const std::string& stage) {
+  if (!plan_.stage_states) return;
+  try {
+    write(checkpoints_.add_stage(stage));
+  } catch (const Error& error) {
+    session_.warn(fmt::format("no state at the end of stage '{}': {}", stage, error.what()));
+  } catch (const std::bad_alloc&) {
+    session_.warn(fmt::format("no state at the end of stage '{}': {}", stage, no_memory));
+  }
+}
+
+void StateWriter::write(const std::filesystem::path& path) {
   State state = take();
   simulation_.add_unchanging_state(state);
   state_file::write_state(path, state);

@@ -34,8 +34,11 @@ class StateWriter {
   void write_checkpoint();
   // Waits until the last checkpoint is on the disk.
   void finish();
-  // Throws Error (failure) if it cannot be written.
+  // Writes the state at the end of a stage and the start of the next one. One that cannot be written is reported.
+  void write_stage(const std::string& stage);
+  // Throw Error (failure) if it cannot be written.
   void write_final();
+  void write_before_failure();
   // Removes checkpoints of later steps than those of a run that goes on.
   void remove_later() { checkpoints_.remove_later(simulation_.steps()); }
 
@@ -43,6 +46,7 @@ class StateWriter {
   bool is_due_by_time() const;
   // Takes the state, whose time is counted.
   State take();
+  void write(const std::filesystem::path& path);
   void report(const std::string& problem);
 
   const scenario::CheckpointPlan& plan_;

@@ -71,7 +71,7 @@ class SpectrumStudy : public run::Study {
     simulation_ = run::set_up(plan_, options_.threads);
     if (!plan_.stages.empty()) check_before_stages(plan_, spectrum_, asked_);
     for (const std::string& line : simulation_->let_go()) session_.warn(line);
-    stages_.emplace(*simulation_, plan_.stages);
+    stages_.emplace(run::stage_runner(*simulation_, plan_));
     if (!plan_.stages.empty() && !options_.overwrite) return;
     if (!session_.run_stages(*stages_, plan_.stages.size()))
       throw session_.stopped_before("the stages had ended");
@@ -84,7 +84,7 @@ class SpectrumStudy : public run::Study {
     session_.transfer(from);
     if (from.has("stages/stage")) {
       simulation_ = run::resumed(plan_, state, from.below("stages"), options_.threads);
-      stages_.emplace(*simulation_, plan_.stages, from.below("stages"));
+      stages_.emplace(run::stage_runner(*simulation_, plan_, from.below("stages")));
       return;
     }
     set_start(state);

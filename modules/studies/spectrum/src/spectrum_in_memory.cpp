@@ -27,7 +27,7 @@ std::vector<MethodSpectrum> measured(Method method, const Start& start) {
 std::optional<State> after_stages(Simulation& simulation, const scenario::Plan& plan,
                                   const std::atomic<bool>* stop, std::uint64_t& steps) {
   const std::uint64_t before = simulation.steps();
-  StageRunner runner(simulation, plan.stages);
+  StageRunner runner = run::stage_runner(simulation, plan);
   const auto proceed = [stop] { return !(stop && *stop); };
   if (!run::run_stages(runner, plan.stages.size(), proceed, [](double, const std::string&) {}))
     return std::nullopt;

@@ -52,6 +52,7 @@ struct CheckpointPlan {
   std::optional<double> every = 600;  // (s) of wall time; absent: never
   std::optional<double> every_time;   // (s) simulated, from t = 0
   bool final_state = true;            // at the end of the run
+  bool stage_states = true;           // at the end of each stage but the last
 };
 
 // Reads a wall time: "30 s", "10 min", "2 h", or "never", which gives nothing. Throws Error without a place.

@@ -21,8 +21,7 @@ struct Progress {
   double time = 0;              // (s) simulated
   std::string stage;
   std::size_t stage_number = 1, stages = 1;
-  // Kinetic over elastic energy at the last test, and the value below which it ends the stage.
-  std::optional<double> kinetic_over_elastic, goal;
+  std::string conditions;  // see StageRunner::status()
 };
 
 struct RunOptions {
@@ -40,7 +39,7 @@ struct StageResult {
   std::string name;
   double start = 0, end = 0;  // (s) simulated
   std::uint64_t first_step = 0, steps = 0;
-  std::string ended;  // "duration", "condition", "interrupted", "failed"; "running" until then
+  std::string ended;  // "duration", "condition", "at_most", "interrupted", "failed"; "running" until then
 };
 
 struct RunResult {
@@ -65,13 +64,15 @@ RunResult run_plan(const scenario::Plan& plan, const RunOptions& options);
 
 // What changes in a run that goes on.
 struct ResumeChanges {
-  std::vector<std::string> overrides;                     // "key=value" of the lengths of stages
-  std::optional<double> until;                            // (s) end of the last stage
+  std::vector<std::string> overrides;  // "key=value" of the lengths of stages
+  std::optional<double> until;         // (s) end of the last stage
+  std::string from;                    // the stage from whose end it goes on; empty: from the latest state
   std::optional<std::optional<double>> checkpoint_every;  // see CheckpointPlan::every
 };
 
 // Goes on with the run in the directory options.out, from the latest of its states that can be read, to the same
-// bits as if it had never stopped. Throws Error as run_plan() does; nothing is changed if the status is bad_input.
+// bits as if it had never stopped. Results are dropped only with options.overwrite: all of them if there is no state, those
+// after the stage `from`. Throws Error as run_plan() does; nothing is changed if the status is bad_input.
 RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
                      const scenario::StudyTables& studies = {});
 
