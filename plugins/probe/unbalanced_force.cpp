@@ -1,0 +1,56 @@
+// How far a packing is from equilibrium, by forces.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <scree/plugin/probe.hpp>
+#include <scree/plugin/vec.hpp>
+
+namespace {
+
+using scree::Vec3;
+using scree::vector_of;
+
+struct UnbalancedForceProbe {
+  static constexpr scree::About about = {
+      "unbalanced_force", "net forces on bodies over the mean contact force: 0 in equilibrium",
+      "mean = (Σ |F_i|/N)/f,   largest = max |F_i|/f,   f = Σ |f_c|/C\n"
+      "F_i: net force on body i, body forces included; f_c: force of contact c, walls included.\n"
+      "Without contacts there is no value.",
+      "the criterion of PFC and YADE"};
+
+  void describe(scree_probe_instance& instance) const {
+    instance.needs = SCREE_NEEDS_CONTACTS;
+    instance.column_count = 3;
+  }
+  scree::ColumnName column(std::uint32_t c) const {
+    static constexpr const char* names[] = {"mean", "largest", "mean_contact_force"};
+    static constexpr const char* units[] = {"", "", "N"};
+    static constexpr const char* meanings[] = {"mean net force on a body over the mean contact force",
+                                               "largest net force on a body over the mean contact force",
+                                               "over all contacts, walls included"};
+    return {names[c], units[c], meanings[c]};
+  }
+
+  void sample(const scree_view& view, const double*, double* row) const {
+    double sum = 0, largest = 0, contacts = 0;
+    for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      const double net = norm(vector_of(view.force, i));
+      sum += net;
+      largest = std::max(largest, net);
+    }
+    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
+      const double* f = view.contact_force + 3 * c;
+      contacts += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    }
+    const double mean = contacts / double(view.contact_count);  // NaN without contacts
+    row[0] = sum / double(view.body_count) / mean;
+    row[1] = largest / mean;
+    row[2] = mean;
+  }
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(UnbalancedForceProbe)
