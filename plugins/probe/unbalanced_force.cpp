@@ -20,6 +20,7 @@ struct UnbalancedForceProbe {
       "Without contacts there is no value.",
       "the criterion of PFC and YADE"};
 
+  void declare(scree::Declaration&) {}
   void describe(scree_probe_instance& instance) const {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = 3;

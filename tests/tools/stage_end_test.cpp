@@ -6,10 +6,8 @@ namespace {
 
 // Two stages: the first ends by a column, or not in time.
 std::string stages(const std::string& until) {
-  return with(discs, "duration = 1e-4\n", "") +
-         "[[probe]]\nplugin = 'energy'\nevery = 3e-5\n"
-         "[[stage]]\nname = 'settle'\nuntil = { " +
-         until + " }\n[[stage]]\nname = 'hold'\nduration = 2e-4\n";
+  return with(discs, "duration = 1e-4\n", "") + "[[stage]]\nname = 'settle'\nuntil = { " + until +
+         " }\n[[stage]]\nname = 'hold'\nduration = 2e-4\n";
 }
 
 const std::string too_short = "'energy.kinetic_translation' = { below = 0 }, at_most = 1e-4";

@@ -107,6 +107,7 @@ Until read_until(const document::Table& t, double step) {
   until.at_least = read(t, until_keys.at_least);
   until.goes_on = read(t, until_keys.otherwise) == "go_on";
   if (until.conditions.empty()) {
+    t.optional(until_keys.at_most);
     t.refuse_unused();
     throw t.error(
         "the stage has no condition",

@@ -35,7 +35,7 @@ Condition column(const std::string& name, std::size_t number) {
 // One body in free flight, so that any number of steps costs nothing.
 Simulation flight() {
   return Simulation(scree::test::scene(2, step, {scree::test::body(1, 1, 1, {}, {{1, 0, 0}}, {}, 2)},
-                                       {{"normal_stiffness", {1e4}}}));
+                                       {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}}));
 }
 
 // Columns t and 1 - t of a probe with a sample every `every` steps.
@@ -43,7 +43,7 @@ struct Clock : scree::StageColumns {
   std::uint64_t every;
   std::optional<double> time = {};
   std::vector<std::uint64_t> taken = {};
-  explicit Clock(std::uint64_t every) : every(every) {}
+  explicit Clock(std::uint64_t steps) : every(steps) {}
 
   std::uint64_t take(const Simulation& s, const std::string& stage, std::uint64_t steps) override {
     time.reset();

@@ -2,16 +2,18 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/probes.hpp>
+
 using namespace scree;
 using namespace scree::scenario;
 using namespace scree::test;
 
 namespace {
 
-// The discs scene with a probe and a stage, which begins in line 29.
+// The discs scene, which has the probe energy, with a stage.
 std::string ending(const std::string& until, const std::string& probe = "") {
-  return with(discs, "duration = 1e-4\n", "") + "[[probe]]\nplugin = 'energy'\nevery = 1e-4\n" + probe +
-         "[[stage]]\nname = 'press'\nuntil = { " + until + " }\n";
+  return with(discs, "duration = 1e-4\n", "") + probe + "[[stage]]\nname = 'press'\nuntil = { " + until +
+         " }\n";
 }
 
 Until until_of(const std::string& text) { return plan_of(ending(text)).stages[0].until; }
@@ -68,7 +70,7 @@ TEST_CASE("conditions that no run can test are refused with the place and the ne
   refused("'energy.work' = { steady = 0.1 }, at_most = 1", "has no 'over'");
   refused("'energy.work' = { above = 1, over = 0.1 }, at_most = 1", "'over' is the time of 'steady'");
   refused("'energy.work' = { steady = 0.1, over = 1e-5 }, at_most = 1",
-          "over = 1e-05 s is shorter than the 0.0001 s between samples of 'energy'");
+          "over = 1e-05 s is shorter than the 2e-05 s between samples of 'energy'");
   refused("'energy.work' = { above = 1 }", "has no 'at_most'");
   refused("at_most = 1", "the stage has no condition; give kinetic_over_elastic");
   refused("kinetic_over_elastik = 1e-3, at_most = 1", "did you mean 'kinetic_over_elastic'?");
@@ -76,7 +78,8 @@ TEST_CASE("conditions that no run can test are refused with the place and the ne
   refused("kinetic_over_elastic = 1e-3, match = 'some', at_most = 1", "any");
   refused("'energy.work' = { above = 1 }, at_most = 1", "the probe 'energy' does not record in stage 'press'",
           "stages = ['later']\n[[stage]]\nname = 'later'\nduration = 1\n");
-  CHECK_THAT(refusal(with(discs, "duration = 1e-4\n", "") +
-                     "[[stage]]\nuntil = { 'stress.zz' = { above = 1 }, at_most = 1 }\n"),
-             Catch::Contains("'stress.zz' is a column of a probe, and the scene has none; add a [[probe]]"));
+  CHECK_THAT(
+      refusal(with(with(discs, "duration = 1e-4\n", ""), "[[probe]]\nplugin = 'energy'\nevery = 2e-5\n", "") +
+              "[[stage]]\nuntil = { 'stress.zz' = { above = 1 }, at_most = 1 }\n"),
+      Catch::Contains("'stress.zz' is a column of a probe, and the scene has none; add a [[probe]]"));
 }

@@ -1,6 +1,9 @@
 #include "checkpoints.hpp"
 
+#include "results.hpp"
+
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
@@ -36,16 +39,30 @@ std::uint64_t steps_of(const State& state) {
 
 }  // namespace
 
-std::vector<fs::path> Checkpoints::all() const {
-  std::vector<fs::path> paths;
+std::vector<Checkpoints::File> Checkpoints::checkpoints() const {
+  std::vector<File> files;
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder(), failed)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("step_") && name.ends_with(".h5")) paths.push_back(entry.path());
+    if (name.starts_with("step_") && name.ends_with(".h5"))
+      files.push_back({std::strtoull(name.c_str() + 5, nullptr, 10), entry.path()});
   }
-  // Numbers of steps have a fixed width, so that names are sorted as they are.
-  std::sort(paths.rbegin(), paths.rend());
-  return paths;
+  std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.steps > b.steps; });
+  return files;
+}
+
+std::vector<Checkpoints::File> Checkpoints::all() const {
+  std::vector<File> files = checkpoints();
+  std::uint64_t steps = 0;
+  std::error_code failed;
+  for (const auto& [name, taken] : recorded_in(directory_.path()).stages) {
+    steps += taken;
+    const fs::path path = directory_.path() / stages_folder / file_name_of(name);
+    if (fs::exists(path, failed)) files.push_back({steps, path});
+  }
+  std::stable_sort(files.begin(), files.end(),
+                   [](const File& a, const File& b) { return a.steps > b.steps; });
+  return files;
 }
 
 fs::path Checkpoints::add(std::uint64_t steps) const {
@@ -81,14 +98,14 @@ Checkpoints::Latest Checkpoints::at_end_of(const std::string& stage, const Refus
 
 void Checkpoints::remove_old() const {
   std::error_code failed;
-  const std::vector<fs::path> paths = all();
-  for (std::size_t k = kept; k < paths.size(); ++k) fs::remove(paths[k], failed);
+  const std::vector<File> files = checkpoints();
+  for (std::size_t k = kept; k < files.size(); ++k) fs::remove(files[k].path, failed);
 }
 
 void Checkpoints::remove_later(std::uint64_t steps) const {
   std::error_code failed;
-  for (const fs::path& path : all())
-    if (path.filename().string() > name_of(steps)) fs::remove(path, failed);
+  for (const File& file : checkpoints())
+    if (file.steps > steps) fs::remove(file.path, failed);
 }
 
 // Looks for the latest state that can be used.
@@ -141,12 +158,12 @@ std::optional<Checkpoints::Latest> Checkpoints::latest(
   std::optional<Latest> at_end;
   if (const fs::path path = directory_.path() / final_name; fs::exists(fs::symlink_status(path, failed)))
     at_end = search.read(path);
-  for (const fs::path& path : all()) {
-    if (at_end && name_of(steps_of(at_end->state)) > path.filename().string()) {
+  for (const File& file : all()) {
+    if (at_end && steps_of(at_end->state) > file.steps) {
       if (search.takes(*at_end)) return at_end;
       at_end.reset();
     }
-    std::optional<Latest> state = search.read(path);
+    std::optional<Latest> state = search.read(file.path);
     if (state && search.takes(*state)) return state;
   }
   if (at_end && search.takes(*at_end)) return at_end;

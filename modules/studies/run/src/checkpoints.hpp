@@ -46,8 +46,14 @@ class Checkpoints {
   static constexpr const char* final_name = "final_state.h5";
   static constexpr const char* stages_folder = "states";
   std::filesystem::path folder() const { return directory_.path() / WrittenFiles::states_folder; }
+  struct File {
+    std::uint64_t steps;
+    std::filesystem::path path;
+  };
   // Sorted from the latest to the first.
-  std::vector<std::filesystem::path> all() const;
+  std::vector<File> checkpoints() const;
+  // These and the states at the ends of the stages that the record lists.
+  std::vector<File> all() const;
 
   const RunDirectory& directory_;
 };

@@ -149,13 +149,17 @@ RunResult Results::result() const {
 Recorded recorded_in(const std::filesystem::path& directory) {
   try {
     const Json json = parse_record(files::read_text(directory / "run.json"));
+    std::vector<std::pair<std::string, std::uint64_t>> stages;
+    for (const Json& stage : json.value("stages", Json::array()))
+      stages.emplace_back(stage.value("name", ""), stage.value("steps", std::uint64_t(0)));
     return {json.value("status", ""),
             json.value("wall_s", 0.0),
             json.value("output_s", 0.0),
             json.value("states_s", 0.0),
             json.value("states", std::uint64_t(0)),
             json.value("warnings", std::vector<std::string>()),
-            json.value("scenario", "")};
+            json.value("scenario", ""),
+            std::move(stages)};
   } catch (const std::exception&) {
     return {};
   }

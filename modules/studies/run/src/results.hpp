@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -58,6 +59,7 @@ struct Recorded {
   std::uint64_t states = 0;
   std::vector<std::string> warnings = {};
   std::string scenario = {};
+  std::vector<std::pair<std::string, std::uint64_t>> stages = {};  // names and steps of those that have begun
 };
 Recorded recorded_in(const std::filesystem::path& directory);
 

@@ -68,9 +68,9 @@ bool Sampler::Active::is_due_at(const Simulation& s, std::uint64_t steps) const 
 }
 
 std::uint64_t Sampler::Active::next(double step, std::uint64_t steps) const {
-  const std::uint64_t sampled = next_due(steps, plan->every, step);
-  if (!probe.observes()) return sampled;
-  return std::min(sampled, plan->observe_every ? next_due(steps, *plan->observe_every, step) : steps + 1);
+  const std::uint64_t next_sample = next_due(steps, plan->every, step);
+  if (!probe.observes()) return next_sample;
+  return std::min(next_sample, plan->observe_every ? next_due(steps, *plan->observe_every, step) : steps + 1);
 }
 
 std::uint64_t Sampler::take(const Simulation& simulation, const std::string& stage, std::uint64_t steps) {

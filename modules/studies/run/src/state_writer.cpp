@@ -111,6 +111,7 @@ void StateWriter::write_stage(const std::string& stage) {
   if (!plan_.stage_states) return;
   try {
     write(checkpoints_.add_stage(stage));
+    session_.record_running();  // which lists it
   } catch (const Error& error) {
     session_.warn(fmt::format("no state at the end of stage '{}': {}", stage, error.what()));
   } catch (const std::bad_alloc&) {

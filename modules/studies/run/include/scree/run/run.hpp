@@ -64,10 +64,10 @@ RunResult run_plan(const scenario::Plan& plan, const RunOptions& options);
 
 // What changes in a run that goes on.
 struct ResumeChanges {
-  std::vector<std::string> overrides;  // "key=value" of the lengths of stages
-  std::optional<double> until;         // (s) end of the last stage
-  std::string from;                    // the stage from whose end it goes on; empty: from the latest state
+  std::vector<std::string> overrides;                     // "key=value" of the lengths of stages
+  std::optional<double> until;                            // (s) end of the last stage
   std::optional<std::optional<double>> checkpoint_every;  // see CheckpointPlan::every
+  std::string from = {};  // the stage from whose end it goes on; empty: from the latest state
 };
 
 // Goes on with the run in the directory options.out, from the latest of its states that can be read, to the same
