@@ -16,8 +16,9 @@ namespace {
 
 // The checks that a law with a mistake fails.
 plugin_checks::Checks failures(int fault) {
-  plugin_checks::Checks checks = plugin_checks::check_law(
-      test::faulty(test::Fault(fault)), test::host_of_laws().locate("faulty", SCREE_CONTACT_LAW), test::checked_pair);
+  plugin_checks::Checks checks =
+      plugin_checks::check_law(test::faulty(test::Fault(fault)),
+                               test::host_of_laws().locate("faulty", SCREE_CONTACT_LAW), test::checked_pair);
   std::erase_if(checks, [](const Check& check) { return check.verdict != Check::Verdict::failed; });
   return checks;
 }
