@@ -269,7 +269,7 @@ TEST_CASE("a full disk leaves a run that is told to have failed, and whole files
   CHECK_THAT(w.text("out/run/final_packing.csv"), Catch::Contains("# time [s]: "));
   fs::remove_all(w / "out");
   // One that goes on cannot take another directory, not even where it begins anew.
-  const std::string again = "; \"" SCREE_TEST_PROGRAM "\" resume disk/run --quiet";
+  const std::string again = "; \"" SCREE_TEST_PROGRAM "\" resume disk/run --overwrite --quiet";
   const Outcome resumed =
       run_on_disk("300k", "--set probe.every=1e-5 --set time.duration=0.2 --quiet 2> /dev/null" + again);
   CHECK(resumed.status == 1);
