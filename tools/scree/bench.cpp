@@ -7,7 +7,7 @@
 
 #include <scree/error.hpp>
 #include <scree/median.hpp>
-#include <scree/run/run_stages.hpp>
+#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
 
 namespace scree::tool {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <scree/run/drive.hpp>
 #include <scree/run/run_in_memory.hpp>
-#include <scree/run/run_stages.hpp>
 #include <scree/run/set_up.hpp>
 
 namespace scree::accuracy {

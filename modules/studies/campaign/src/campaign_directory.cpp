@@ -2,12 +2,13 @@
 #include <cstdlib>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <scree/campaign/campaign_directory.hpp>
 #include <scree/files/directory_lock.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/run/record_json.hpp>
+#include <scree/run/result_kind.hpp>
 
 namespace scree::campaign {
 

@@ -7,7 +7,7 @@
 #include <scree/campaign/outcome.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/input_hashes.hpp>
-#include <scree/run/record_json.hpp>
+#include <scree/run/result_kind.hpp>
 #include <scree/run/series.hpp>
 #include <scree/scenario/quantities.hpp>
 

@@ -16,7 +16,7 @@
 #include <scree/modes/vibration.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/response/rest.hpp>
-#include <scree/run/run_stages.hpp>
+#include <scree/run/drive.hpp>
 #include <scree/run/session.hpp>
 #include <scree/run/set_up.hpp>
 

@@ -5,8 +5,8 @@
 
 #include <scree/document/document.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/run/record_json.hpp>
 #include <scree/run/recorded_load.hpp>
+#include <scree/run/result_kind.hpp>
 
 namespace scree::run {
 

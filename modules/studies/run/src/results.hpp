@@ -63,4 +63,7 @@ struct Recorded {
 };
 Recorded recorded_in(const std::filesystem::path& directory);
 
+// Writes the bodies as a packing for the key `file` of [particles]; writes nothing if a value is not finite.
+void write_final_packing(const Simulation& simulation, const std::filesystem::path& path);
+
 }  // namespace scree::run

@@ -1,10 +1,9 @@
 #include "checkpoints.hpp"
 #include "results.hpp"
 #include "run.hpp"
-#include "scenario_file.hpp"
-#include "stage_lengths.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,14 +11,83 @@
 #include <scree/files/place_error.hpp>
 #include <scree/files/text_file.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/unfinished.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/state_error.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree::run {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+// The length of a stage may change, but nothing that has shaped the run so far.
+bool is_length(const std::string& override_text) {
+  const std::string key = override_text.substr(0, override_text.find('='));
+  const std::string last = key.substr(key.rfind('.') + 1);
+  return (key.starts_with("stage") || key.starts_with("time")) &&
+         (last == "duration" || last == "cycles" || last == "at_most");
+}
+
+// How far a run has come in its stages.
+struct Position {
+  std::size_t stage;  // the present one, or the last if all have ended
+  double began;       // (s)
+  bool ended;         // whether all have
+};
+
+// Throws Error unless all overrides set lengths of stages.
+void check_overrides(const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides)
+    if (!is_length(text))
+      throw Error(
+          fmt::format("--set {}: a run that goes on can change only how long its stages last (duration, "
+                      "cycles, at_most); begin a new run from its state (particles.state)",
+                      text));
+}
+
+// Of the state of a run.
+Position position_of(const State& state, const scenario::Plan& plan) {
+  const StateTransfer stages = StateTransfer::restoring_from(state).below("run/stages");
+  if (plan.stages.empty()) stages.refuse("stage", "is one of a scenario without stages");
+  Position position = {stage_of(stages), 0, false};
+  stages.value("began", "s", position.began);
+  position.ended = position.stage >= plan.stages.size();
+  if (position.ended) position.stage = plan.stages.size() - 1;
+  return position;
+}
+
+// Throws Error if a stage that is over would have another length.
+void check_past(const scenario::Plan& before, const scenario::Plan& now, const Position& position) {
+  for (std::size_t k = 0; k < std::min(position.stage, now.stages.size()); ++k)
+    if (before.stages[k].duration != now.stages[k].duration ||
+        before.stages[k].until.at_most != now.stages[k].until.at_most)
+      throw Error(
+          fmt::format("--set: stage '{}' is over, so that its length cannot change; set that of stage '{}'{}",
+                      now.stages[k].name, now.stages[position.stage].name,
+                      position.stage + 1 < now.stages.size() ? " or a later one" : ""));
+}
+
+// The override that makes a plan end at a time (s). Throws Error if its last stage cannot end there.
+std::string duration_until(const scenario::Plan& plan, const Position& position, double until) {
+  const std::vector<Stage>& stages = plan.stages;
+  if (position.ended && !stages.back().duration)
+    throw Error(
+        fmt::format("--until: stage '{}' has ended by its condition, after which nothing can follow; "
+                    "begin a new run from the state (particles.state)",
+                    stages.back().name));
+  double begin = position.began;
+  for (std::size_t k = position.stage; k + 1 < stages.size(); ++k) begin += stages[k].duration.value_or(NAN);
+  if (!stages.back().duration || std::isnan(begin))
+    throw Error(
+        "--until: the time at which the last stage ends is not known, as a stage ends by a condition; "
+        "give --set stage.<name>.duration=<s> or at_most=<s>");
+  if (!(until > begin))
+    throw Error(
+        fmt::format("--until {:g}: the last stage begins at {:g} s; give a later time", until, begin));
+  return scenario::length_override(plan.resolved_text, until - begin);
+}
 
 // The scenario that the directory holds, or that which is to be restored there, with overrides.
 std::string text_in(const fs::path& directory, const std::string& restored,

@@ -1,14 +1,12 @@
 #include "run.hpp"
 
-#include "drive.hpp"
-#include "final_packing.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include <scree/files/try_each.hpp>
+#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/warnings.hpp>
 

@@ -1,10 +1,10 @@
-#include "drive.hpp"
 #include "sampler.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include <scree/run/drive.hpp>
 #include <scree/run/run_in_memory.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/verdict.hpp>

@@ -1,6 +1,7 @@
-#include "scenario_file.hpp"
-
+#include <cerrno>
+#include <fcntl.h>
 #include <new>
+#include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 #include <scree/files/place_error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/try_each.hpp>
-#include <scree/run/run_stages.hpp>
+#include <scree/run/drive.hpp>
 #include <scree/run/session.hpp>
 #include <scree/state_error.hpp>
 #include <scree/state_file/state_file.hpp>
@@ -196,6 +197,21 @@ void Session::transfer_notes(const StateTransfer& state) {
   const InputHashes inputs = transfer_inputs(state.below("inputs"), inputs_);
   if (state.restoring())
     inputs_ = inputs_after(inputs, inputs_, [this](const std::string& line) { warn(line); });
+}
+
+void SpareRoom::reserve(const RunDirectory& directory, const char* record) {
+  path_ = directory.add(file_name);
+  std::error_code failed;  // without a record none is kept for it
+  const std::uintmax_t present = std::filesystem::file_size(directory.path() / record, failed);
+  file_ = files::create_file(path_.c_str());
+  if (!file_.is_open()) throw_unwritable(path_, errno);
+  const int code = posix_fallocate(file_.get(), 0, off_t(size + (failed ? 0 : present)));
+  if (code == ENOSPC || code == EDQUOT) throw_unwritable(path_, code);
+}
+
+void SpareRoom::release() {
+  if (file_.is_open() && files::is_at(file_, path_.c_str())) unlink(path_.c_str());
+  file_ = files::Descriptor();
 }
 
 }  // namespace scree::run

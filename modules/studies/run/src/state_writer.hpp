@@ -7,7 +7,6 @@
 #include <future>
 #include <string>
 
-#include <scree/run/cadence.hpp>
 #include <scree/run/session.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>

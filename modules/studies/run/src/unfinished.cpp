@@ -1,10 +1,10 @@
-#include "scenario_file.hpp"
-
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <scree/document/document.hpp>
 #include <scree/error.hpp>
+#include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
-#include <scree/run/record_json.hpp>
 #include <scree/run/unfinished.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/state_error.hpp>
@@ -39,10 +39,44 @@ RunDirectory directory_of(const fs::path& path, const ResultKind& kind, const On
   return directory;
 }
 
+using document::Document;
+
+std::optional<std::string> body_path(const Document& document, const char* key) {
+  if (!document.root().is_table("particles")) return std::nullopt;
+  const document::Table particles = document.root().table("particles");
+  return particles.is_string(key) ? particles.optional_string(key) : std::nullopt;
+}
+
+// The scenario with which results began, with the paths of the present file where they name the same file of bodies.
+std::string with_paths_of(const Document& now, const std::string& began) {
+  std::vector<std::string> paths;
+  for (const char* key : {"file", "state"}) {
+    const auto before = body_path(Document::parse(began, scenario_file), key), path = body_path(now, key);
+    if (before && path && fs::path(*before).filename() == fs::path(*path).filename())
+      paths.push_back(fmt::format("particles.{}=\"{}\"", key, files::escaped(*path, files::Escapes::toml)));
+  }
+  return Document::parse(began, scenario_file, paths).resolved_text();
+}
+
 }  // namespace
 
-bool has_results(const fs::path& directory, const ResultKind& kind) {
-  return is_there(directory / kind.record);
+std::string restored_scenario(const fs::path& directory, const std::string& began,
+                              const std::function<void(const std::string&)>& on_warning) {
+  const fs::path file = directory / scenario_file;
+  std::string restored = began;
+  try {
+    const Document now = Document::load(file);
+    restored = with_paths_of(now, began);
+    if (now.resolved_text() == restored) return "";
+  } catch (const Error&) {
+    // It was removed, or is no scenario any more.
+  }
+  if (on_warning)
+    on_warning(fmt::format(
+        "{}: is not the scenario with which these results began; they go on with that one, and the file is "
+        "written anew; to change values, begin a new run from a state (particles.state)",
+        file.string()));
+  return restored;
 }
 
 Unfinished unfinished_in(const fs::path& path, const ResultKind& kind, PluginHost& host,

@@ -1,7 +1,5 @@
 #include "driven_walls.hpp"
 
-#include "wave.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,6 +15,32 @@ namespace scree::spectrum {
 namespace {
 
 Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
+
+Parameters with_wave(const Scene& scene, const SpectrumPlan& plan, const Wave& wave) {
+  Parameters parameters = std::find_if(scene.boundaries.begin(), scene.boundaries.end(), [&](const auto& b) {
+                            return b.name == plan.boundary;
+                          })->parameters;
+  parameters.set(plan.key, wave);
+  return parameters;
+}
+
+}  // namespace
+
+void set_wave(Scene& scene, const SpectrumPlan& plan, const Wave& wave) {
+  for (Scene::Boundary& boundary : scene.boundaries)
+    if (boundary.name == plan.boundary) boundary.parameters = with_wave(scene, plan, wave);
+}
+
+void start_wave(Simulation& simulation, const SpectrumPlan& plan, const Wave& wave) {
+  try {
+    simulation.reconfigure_boundary(plan.boundary, with_wave(simulation.scene(), plan, wave));
+  } catch (const Error& error) {
+    throw error.at(plan.drive_place, ExitStatus::bad_input);
+  }
+  simulation.apply_reconfiguration();
+}
+
+namespace {
 
 // Velocity of each wall (m/s) at the start of a drive of this speed (m/s).
 std::vector<Vec3> velocities(Simulation& copy, const SpectrumPlan& plan, double speed) {

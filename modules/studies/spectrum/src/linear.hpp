@@ -23,9 +23,6 @@ void check_response(const Start& start);
 bool add_linear(
     const Start& start, MethodSpectrum& spectrum, const std::function<void()>& on_part = [] {});
 
-// The first of these frequencies, as many as can be solved at once for so many bodies within 2 GB of motions.
-std::vector<double> first_batch(std::vector<double> frequencies, std::size_t bodies);
-
 // The spectrum as it is shown: `linearity` there belongs to pulses.
 MethodSpectrum without_linearity(MethodSpectrum spectrum);
 

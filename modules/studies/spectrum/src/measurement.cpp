@@ -1,29 +1,16 @@
 #include "driven_walls.hpp"
 #include "linear.hpp"
-#include "measurement_charts.hpp"
-#include "measurement_files.hpp"
 #include "observer.hpp"
 #include "pulse.hpp"
+#include "spectrum_study.hpp"
 #include "start.hpp"
-#include "sweep.hpp"
-
-#include <algorithm>
-#include <memory>
-#include <optional>
-#include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <scree/branching.hpp>
 #include <scree/error.hpp>
-#include <scree/files/place_error.hpp>
-#include <scree/run/run_stages.hpp>
-#include <scree/run/session.hpp>
+#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
-#include <scree/run/unfinished.hpp>
-#include <scree/spectrum/measurement.hpp>
-#include <scree/stage.hpp>
 
 namespace scree::spectrum {
 
@@ -31,123 +18,36 @@ namespace {
 
 constexpr double seconds_between_tables = 1;
 
-// The study of a spectrum, from its start or from a state to its last file.
-class SpectrumStudy : public run::Study {
- public:
-  SpectrumStudy(const scenario::Plan& plan, SpectrumPlan spectrum, const MeasurementOptions& options,
-                run::Session& session)
-      : plan_(plan),
-        spectrum_(std::move(spectrum)),
-        options_(options),
-        session_(session),
-        directory_(session.directory()),
-        asked_(options.methods) {
-    result_.title = plan.heading();
-    result_.observed = spectrum_.observed;
+}  // namespace
+
+bool SpectrumStudy::work() {
+  if (!start_ && !run_stages_in_directory()) return false;
+  stages_.reset();
+  simulation_.reset();
+  if (!sweep_) {
+    take_linear();
+    take_pulse();
   }
+  if (asks(Method::sweep) && session_.proceeds()) take_sweep();
+  const bool complete = session_.proceeds();
+  if (!complete && !sweep_) keep_without_sweep();
+  find_peaks(complete);
+  write_tables(result_, directory_);
+  draw_charts(result_, directory_, [this](const std::string& line) { session_.warn(line); });
+  return complete;
+}
 
-  // The stages, if they have not run in prepare(); then each method that is asked for, the short ones first;
-  // then peaks, tables and charts of what is complete.
-  bool work() override {
-    if (!start_ && !run_stages_in_directory()) return false;
-    stages_.reset();
-    simulation_.reset();
-    if (!sweep_) {
-      take_linear();
-      take_pulse();
-    }
-    if (asks(Method::sweep) && session_.proceeds()) take_sweep();
-    const bool complete = session_.proceeds();
-    if (!complete && !sweep_) keep_without_sweep();
-    find_peaks(complete);
-    write_tables(result_, directory_);
-    draw_charts(result_, directory_, [this](const std::string& line) { session_.warn(line); });
-    return complete;
-  }
-
-  // What is there stays until something can take its place: with overwrite the stages run before anything is
-  // written.
-  void prepare() override {
-    simulation_ = run::set_up(plan_, options_.threads);
-    if (!plan_.stages.empty()) check_before_stages(plan_, spectrum_, asked_);
-    for (const std::string& line : simulation_->let_go()) session_.warn(line);
-    stages_.emplace(run::stage_runner(*simulation_, plan_));
-    if (!plan_.stages.empty() && !options_.overwrite) return;
-    if (!session_.run_stages(*stages_, plan_.stages.size()))
-      throw session_.stopped_before("the stages had ended");
-    set_start(simulation_->state());
-    check_start();
-  }
-
-  void restore(const State& state) override {
-    const StateTransfer from = StateTransfer::restoring_from(state).below(run::spectrum_results.group);
-    session_.transfer(from);
-    if (from.has("stages/stage")) {
-      simulation_ = run::resumed(plan_, state, from.below("stages"), options_.threads);
-      stages_.emplace(run::stage_runner(*simulation_, plan_, from.below("stages")));
-      return;
-    }
-    set_start(state);
-    if (from.has("sweep/points"))
-      sweep_ = std::make_unique<Sweep>(*start_, state);
-    else
-      Simulation(start_->scene, state);  // refuses a state that does not fit
-  }
-
-  bool has_results() const override { return sweep_ || !result_.spectra.empty(); }
-  void save_failed() override {
-    if (sweep_) write_sweep_table();
-  }
-  void transfer(const StateTransfer& state) override;
-  nlohmann::ordered_json record() override { return record_of(result_); }
-
-  Measurement result() {
-    result_.directory = directory_.path();
-    result_.interrupted = session_.interrupted();
-    result_.inputs = session_.inputs();
-    result_.warnings = session_.warnings();
-    return std::move(result_);
-  }
-
- private:
-  void set_start(State state);
-  void check_start() const;
-  bool run_stages_in_directory();
-  void keep_in_stages();
-
-  bool asks(Method method) const { return std::find(asked_.begin(), asked_.end(), method) != asked_.end(); }
-  bool has(const std::string& method) const {
-    return std::any_of(result_.spectra.begin(), result_.spectra.end(),
-                       [&](const auto& r) { return r.method == method; });
-  }
-  void take_linear();
-  void take_pulse();
-  // Measures by a method that is not a sweep. A method that fails is skipped if there are others.
-  template <class Take>
-  void take(Method method, const Take& take);
-  void take_sweep();
-  // The state with which a study without a sweep goes on.
-  void keep_without_sweep();
-  void keep_sweep();
-  void write_sweep_table();
-  void find_peaks(bool complete);
-  void judge();
-
-  const scenario::Plan& plan_;
-  const SpectrumPlan spectrum_;
-  const MeasurementOptions& options_;
-  run::Session& session_;
-  const run::RunDirectory& directory_;
-  std::vector<Method> asked_;
-  std::vector<std::string> left_out_;  // asked for, but could not be taken
-  Measurement result_;
-  MethodSpectrum unfinished_;               // linear method of a part of the frequencies
-  std::unique_ptr<Simulation> simulation_;  // in the stages
-  std::optional<StageRunner> stages_;
-  std::optional<Start> start_;  // after the stages
-  std::unique_ptr<Sweep> sweep_;
-  double last_table_ = 0;  // (s) of wall time
-};
+void SpectrumStudy::prepare() {
+  simulation_ = run::set_up(plan_, options_.threads);
+  if (!plan_.stages.empty()) check_before_stages(plan_, spectrum_, asked_);
+  for (const std::string& line : simulation_->let_go()) session_.warn(line);
+  stages_.emplace(run::stage_runner(*simulation_, plan_));
+  if (!plan_.stages.empty() && !options_.overwrite) return;
+  if (!session_.run_stages(*stages_, plan_.stages.size()))
+    throw session_.stopped_before("the stages had ended");
+  set_start(simulation_->state());
+  check_start();
+}
 
 void SpectrumStudy::set_start(State state) {
   Scene scene = scene_in_stage(plan_.scene, plan_.stages, plan_.stages.size());
@@ -182,12 +82,6 @@ bool SpectrumStudy::run_stages_in_directory() {
   }
   set_start(simulation_->state());
   return true;
-}
-
-void SpectrumStudy::keep_in_stages() {
-  State state = simulation_->state();
-  stages_->save(StateTransfer::saving_to(state).below(run::spectrum_results.group).below("stages"));
-  session_.keep(std::move(state), simulation_->time());
 }
 
 template <class Take>
@@ -239,14 +133,6 @@ void SpectrumStudy::take_sweep() {
   }
 }
 
-void SpectrumStudy::keep_sweep() {
-  State state = sweep_->save();
-  const double time = time_of(state);
-  session_.keep(std::move(state), time);
-}
-
-void SpectrumStudy::keep_without_sweep() { session_.keep(start_->state, time_of(start_->state)); }
-
 void SpectrumStudy::write_sweep_table() {
   directory_.write_file("sweep.csv", sweep_table(spectrum_.observed, sweep_->points()));
 }
@@ -271,29 +157,6 @@ void SpectrumStudy::judge() {
   }
 }
 
-void SpectrumStudy::transfer(const StateTransfer& state) {
-  std::vector<std::string> asked;
-  for (const Method method : asked_) asked.push_back(method_names[std::size_t(method)]);
-  state.rows("asked", "", asked);
-  state.rows("left_out", "", left_out_);
-  asked_.clear();
-  for (const Method method : {Method::linear, Method::pulse, Method::sweep})
-    if (std::find(asked.begin(), asked.end(), method_names[std::size_t(method)]) != asked.end())
-      asked_.push_back(method);
-  std::uint64_t count = result_.spectra.size();
-  state.value("count", "1", count, stored::at_most(std::size(method_names)));
-  result_.spectra.resize(count);
-  const std::size_t observed = result_.observed.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const StateTransfer of_method = state.below("road_" + std::to_string(k));
-    result_.spectra[k].transfer(of_method, observed);
-    if (result_.spectra[k].frequencies.empty()) of_method.refuse("frequencies", "has none");
-  }
-  unfinished_.transfer(state.below("unfinished"), observed);
-}
-
-}  // namespace
-
 Measurement measure(const scenario::Plan& plan, const MeasurementOptions& options) {
   const auto spectrum = read_spectrum(plan);
   if (!spectrum)
@@ -304,21 +167,6 @@ Measurement measure(const scenario::Plan& plan, const MeasurementOptions& option
   SpectrumStudy study(plan, *spectrum, options, session);
   session.begin(study);
   return study.result();
-}
-
-Measurement resume_measurement(const MeasurementOptions& options, PluginHost& host) {
-  return files::in_place([&] {
-    run::Unfinished from = run::unfinished_in(options.out, run::spectrum_results, host, options.on_warning);
-    const auto spectrum = read_spectrum(from.plan);
-    if (!spectrum)
-      throw Error(fmt::format("{}: its scenario has no [spectrum]; take a state that scree has written there",
-                              (from.directory.path() / run::spectrum_results.state).string()));
-    run::Session session(run::spectrum_results, from.plan, run::session_options(options),
-                         std::move(from.directory));
-    SpectrumStudy study(from.plan, *spectrum, options, session);
-    session.resume(study, from.state, from.file);
-    return study.result();
-  });
 }
 
 }  // namespace scree::spectrum

@@ -1,5 +1,3 @@
-#include "measurement_charts.hpp"
-
 #include "measurement_files.hpp"
 
 #include <algorithm>

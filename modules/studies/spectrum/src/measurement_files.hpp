@@ -2,6 +2,7 @@
 
 #include "sweep_points.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ std::string sweep_table(const std::vector<ObservedColumn>& observed, const std::
 
 // spectrum.csv, peaks.csv, methods.csv and, if there are any, shapes.csv.
 void write_tables(const Measurement& measurement, const run::RunDirectory& directory);
+
+// Charts of a measurement: of each column the curves of all methods with their named peaks,
+// and the shapes of the peaks. Charts that cannot be drawn are reported, in one line each.
+void draw_charts(const Measurement& measurement, const run::RunDirectory& directory,
+                 const std::function<void(const std::string&)>& report);
 
 // Whether a peak has a name that no larger one of the same method and column has.
 bool is_largest_of_name(const Measurement& measurement, const Resonance& peak);

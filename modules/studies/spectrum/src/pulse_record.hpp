@@ -3,7 +3,6 @@
 #include "driven_walls.hpp"
 #include "observer.hpp"
 #include "start.hpp"
-#include "wave.hpp"
 
 #include <complex>
 #include <cstdint>

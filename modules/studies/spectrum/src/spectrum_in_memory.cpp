@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include <scree/error.hpp>
-#include <scree/run/run_stages.hpp>
+#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/scenario/drive_sampling.hpp>
 #include <scree/spectrum/spectrum_in_memory.hpp>

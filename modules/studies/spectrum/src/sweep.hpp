@@ -5,7 +5,6 @@
 #include "start.hpp"
 #include "sweep_points.hpp"
 #include "tone.hpp"
-#include "wave.hpp"
 
 #include <functional>
 #include <memory>

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/run_directory.hpp>
-#include <scree/run/spare_room.hpp>
+#include <scree/run/session.hpp>
 
 using namespace scree;
 using namespace scree::run;
@@ -51,42 +51,6 @@ TEST_CASE("the folder of a run has a name even if its scenario has none", "[run]
   CHECK(RunDirectory::default_for("..toml") == fs::path("runs/scenario"));
   CHECK(RunDirectory::default_for("...toml", RunDirectory::Kind::campaign) == fs::path("campaigns/scenario"));
   CHECK(RunDirectory::default_for("a/b.toml", RunDirectory::Kind::campaign) == fs::path("campaigns/b"));
-}
-
-TEST_CASE("a run directory with foreign files or another run is not overwritten", "[run]") {
-  const TemporaryFolder folder;
-  folder.write("file", "x");
-  CHECK(reason(folder / "file", Existing::replace)
-            .ends_with("exists and is not a directory; give another --out"));
-  CHECK(reason(folder / "file/below", Existing::replace)
-            .find("file is not a writable directory); give another --out") != std::string::npos);
-  CHECK(reason(folder.path(), Existing::replace)
-            .ends_with("contains files that are not part of a scree run; give another --out"));
-  fs::create_directories(folder / "run");
-  CHECK(reason(folder / "run", Existing::refuse) == "no error");
-  fs::permissions(folder / "run", fs::perms::none);
-  const bool barred = access((folder / "run").c_str(), R_OK) != 0;  // nothing is, for root
-  CHECK((!barred ||
-         reason(folder / "run", Existing::replace)
-             .ends_with("cannot be read (Permission denied); check its permissions, or give another --out")));
-  fs::permissions(folder / "run", fs::perms::owner_all);
-  // Files left by a run that is killed at its start.
-  folder.write("run/run.json.part", "{");
-  folder.write("run/.lock", "");
-  folder.write("run/written.txt", "run.json\nscen");
-  CHECK(reason(folder / "run", Existing::refuse) == "no error");
-  RunDirectory(folder / "run", Existing::refuse).create();
-  CHECK(fs::is_empty(folder / "run"));
-  folder.write("run/run.json", "{}");
-  for (const Existing existing : {Existing::refuse, Existing::replace})
-    CHECK(
-        reason(folder / "run", existing)
-            .ends_with(
-                "contains a run without written.txt, the list of its files, so that it can be neither replaced nor resumed; "
-                "move it elsewhere, or give another --out"));
-  folder.write("run/written.txt", "run.json\n");
-  CHECK(reason(folder / "run", Existing::refuse).ends_with("or --overwrite to replace it"));
-  CHECK(reason(folder / "run", Existing::replace) == "no error");
 }
 
 TEST_CASE("discarding a directory keeps what existed before", "[run]") {
@@ -297,19 +261,4 @@ TEST_CASE("a directory in the place of a file is named, and not a full disk", "[
   fs::create_directories(folder / "run/.room");
   CHECK_THAT(failure([&] { room.reserve(directory, "run.json"); }),
              Catch::Contains("run/.room: is a directory in the place of a file"));
-}
-
-TEST_CASE("a run that failed can go on if it has a state, and the refusal of another says so", "[run]") {
-  const TemporaryFolder folder;
-  const fs::path run = folder / "run";
-  {
-    RunDirectory first(run, Existing::refuse);
-    first.create();
-    first.write_file("run.json", "{\"status\": \"failed\"}");
-  }
-  CHECK_THAT(reason(run, Existing::refuse),
-             Catch::EndsWith("contains a run; give another --out, or --overwrite to replace it"));
-  fs::create_directory(run / "checkpoint");
-  folder.write("run/checkpoint/step_1.h5", "");
-  CHECK_THAT(reason(run, Existing::refuse), Catch::Contains("go on with it: scree resume " + run.string()));
 }

@@ -2,6 +2,7 @@
 
 #include "plan_support.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,26 @@ struct Bench {
   }
   run::RunResult run() const { return run::run_plan(plan, options); }
 };
+
+// `discs` in two stages of five steps each.
+inline const std::string two_stages = with(discs, "duration = 1e-4\n", "") +
+                                      "[[stage]]\nname = 'first'\nduration = 5e-5\n"
+                                      "[[stage]]\nname = 'second'\nduration = 5e-5\n";
+
+// Goes on with the run of a bench. until: (s)
+inline run::RunResult resume(const Bench& bench, const std::vector<std::string>& overrides = {},
+                             std::optional<double> until = {}) {
+  return run::resume_run(bench.options, {overrides, until, {}}, host());
+}
+
+// The line with which that is refused.
+inline std::string resume_refusal(const Bench& bench, const std::vector<std::string>& overrides = {},
+                                  std::optional<double> until = {}) {
+  return message([&] { resume(bench, overrides, until); });
+}
+
+inline std::string series_of(const Bench& bench, const std::string& probe) {
+  return text_of(bench.options.out / "series" / (probe + ".csv"));
+}
 
 }  // namespace scree::test

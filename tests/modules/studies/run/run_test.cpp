@@ -77,21 +77,6 @@ TEST_CASE("a run reports its start once and has the same bits with more threads"
   CHECK(starts == 1);
 }
 
-TEST_CASE("expectations are judged by their bounds", "[run]") {
-  const Bench bench(
-      std::string(discs) +
-      "[[expect]]\nrequirement = 'a'\nquantity = 'steps'\nreference = 10\ntolerance = 0\n"
-      "[[expect]]\nrequirement = 'b'\nquantity = 'steps'\nreference = 11\ntolerance = 0.5\n"
-      "[[expect]]\nrequirement = 'c'\nquantity = 'energy.time.max'\nat_most = 1.1e-4\nat_least = 1e-5\n"
-      "[[expect]]\nrequirement = 'd'\nquantity = 'energy.time.mean'\nat_least = 1\n"
-      "[[expect]]\nrequirement = 'e'\nquantity = 'energy.time.first'\nreference = 0\ntolerance = 0\n");
-  const std::vector<Verdict> verdicts = bench.run().verdicts;
-  REQUIRE(verdicts.size() == 5);
-  const bool met[] = {true, false, true, false, true};
-  for (std::size_t k = 0; k < 5; ++k) CHECK(verdicts[k].met == met[k]);
-  CHECK(verdicts[3].value == Approx(5e-5));
-}
-
 TEST_CASE("a stopped run saves its results", "[run]") {
   Bench bench(discs, {"time.duration=1000"});
   std::atomic<bool> stop = false;
@@ -123,64 +108,35 @@ TEST_CASE("an end condition that is not reached is a failure that keeps the resu
   CHECK(lines_of(text_of(bench.options.out / "series/energy.csv")).size() > 10);
 }
 
-TEST_CASE("a time step too long for the contacts is refused before anything is written, unless it is forced",
-          "[run]") {
-  const std::string slow = with(discs, "every = 2e-5", "every = 1");
-  const Bench bench(slow, {"time.step=1e-2", "time.duration=1", "particles.random_velocity=0.01"});
-  try {
-    bench.run();
-    FAIL("the step is too long");
-  } catch (const Error& error) {
-    CHECK(error.status() == ExitStatus::bad_input);
-    CHECK(std::string(error.what()).find("too long: the contacts of law 'linear_spring_dashpot' allow ") !=
-          std::string::npos);
-  }
-  CHECK_FALSE(fs::exists(bench.options.out));
-  CHECK(step_problem(*set_up(plan_of(discs))) == std::nullopt);
-  CHECK_NOTHROW(set_up(plan_of(slow, {"time.step=1e-2", "time.duration=1", "time.step_guard=false"})));
+TEST_CASE("progress to a condition is told by its quantity and goal, not by a share", "[run]") {
+  Bench bench(with(discs, "duration = 1e-4\n", "") +
+              "[[stage]]\nname = 'rest'\nuntil = { kinetic_over_elastic = 1e-30, at_most = 1000 }\n"
+              "[[stage]]\nname = 'after'\nduration = 1\n");
+  std::atomic<bool> stop = false;
+  bench.options.stop = &stop;
+  bench.options.on_progress = [&](const Progress& p) {
+    CHECK_FALSE(p.share.has_value());
+    CHECK(p.stage_number == 1);
+    CHECK(p.stages == 2);
+    CHECK_THAT(p.conditions,
+               Catch::StartsWith("kinetic_over_elastic = ") && Catch::EndsWith(", below 1e-30"));
+    stop = true;
+  };
+  CHECK(bench.run().interrupted);
 }
 
-TEST_CASE("a stage that makes contacts too stiff for the time step is refused before the run starts",
-          "[run]") {
-  const Bench bench(with(discs, "duration = 1e-4\n", "") +
-                    "[[stage]]\nname = 'soft'\nduration = 1e-4\n[[stage]]\nname = 'stiff'\n"
-                    "duration = 1e-4\nset.linear_spring_dashpot.normal_stiffness = 1e14\n");
-  try {
-    bench.run();
-    FAIL("the step is too long");
-  } catch (const Error& error) {
-    CHECK(error.status() == ExitStatus::bad_input);
-    CHECK(std::string(error.what())
-              .find("scene.toml:4:8: in stage 'stiff' the time step of 1e-05 s is too long: ") !=
-          std::string::npos);
-    CHECK_FALSE(fs::exists(bench.options.out));
-  }
-}
-
-TEST_CASE("errors of the scene as a whole have a position in the file too", "[run]") {
-  const std::string head =
-      with(discs,
-           "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n"
-           "radius = 0.01\nrandom_velocity = 0.1\n",
-           "[[particle]]\nradius = 0.01\nposition = [0, 0]\n[[particle]]\nradius = 0.01\n"
-           "position = [0.001, 0]\n");
-  const auto reason = [](const Plan& plan) { return message([&] { set_up(plan); }); };
-  const auto overlap = reason(plan_of(head));
-  CHECK(overlap.find(
-            "scene.toml:13:1: contact of particle 1 with particle 2: overlap is 1.9 of the smaller radius") !=
-        std::string::npos);
-  const Plan narrow =
-      plan_of(with(head,
-                   "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\n"
-                   "y_high = 'fixed'\ngap = 0.005\n",
-                   "plugin = 'periodic'\naxes = 'x'\nlower = [-0.015, 0]\nupper = [0.015, 0]\n"));
-  CHECK(reason(narrow).find("scene.toml:20:10: the periodic length 0.03 m along x is under twice ") !=
-        std::string::npos);
-  const Plan no_walls = plan_of(with(discs,
-                                     "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\n"
-                                     "y_high = 'fixed'\ngap = 0.005\n",
-                                     "plugin = 'plane'\npoint = [0, -1]\nnormal = [0, 1]\n"),
-                                {"probe={plugin='box',every=1e-5}"});
-  CHECK(reason(no_walls).starts_with(
-      "--set probe={plugin='box',every=1e-5}: probe box: the box probe needs walls"));
+TEST_CASE("the scenario of a run that started from a packing can be run again from its folder", "[run]") {
+  const TemporaryFolder folder;
+  folder.write("bodies.csv", "x,y,radius\n0,0,0.01\n1,0,0.01\n");
+  const std::string text = with(discs,
+                                "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
+                                "random_velocity = 0.1\n",
+                                "file = 'bodies.csv'\n");
+  const Plan plan = read_plan(folder.write("scene.toml", text), {}, host());
+  RunOptions options;
+  options.out = folder / "out";
+  const RunResult first = run_plan(plan, options);
+  const Plan same = read_plan(options.out / "scenario.toml", {}, host());
+  options.out = folder / "again";
+  CHECK(run_plan(same, options).state_hash == first.state_hash);
 }

@@ -9,7 +9,6 @@
 #include <scree/files/place_error.hpp>
 #include <scree/run/session.hpp>
 #include <scree/run/set_up.hpp>
-#include <scree/run/spare_room.hpp>
 #include <scree/run/unfinished.hpp>
 #include <scree/state_file/state_file.hpp>
 
@@ -217,4 +216,41 @@ TEST_CASE("a study that goes on keeps its warnings, and its wall time", "[run]")
   session.resume(study, from.state, from.file);
   CHECK(session.warnings() == warnings);
   CHECK(session.wall() >= 1000);
+}
+
+TEST_CASE("room for the last record is on the disk until it is given back, and no file of another is removed",
+          "[run]") {
+  const TemporaryFolder folder;
+  RunDirectory directory(folder / "out", RunDirectory::Existing::refuse);
+  directory.create();
+  const std::filesystem::path room = directory.path() / SpareRoom::file_name;
+  directory.write_file("run.json", std::string(1000, ' '));
+  SpareRoom spare;
+  spare.reserve(directory, "run.json");
+  CHECK(std::filesystem::file_size(room) == SpareRoom::size + 1000);
+  spare.release();
+  CHECK_FALSE(std::filesystem::exists(room));
+  spare.reserve(directory, "none.json");
+  CHECK(std::filesystem::file_size(room) == SpareRoom::size);
+  std::filesystem::remove(room);
+  folder.write("out/.room", "another's");
+  spare.release();
+  CHECK(text_of(room) == "another's");
+}
+
+TEST_CASE("states are due by simulated time at the first after each multiple, whatever its round-off",
+          "[run]") {
+  scenario::CheckpointPlan plan;
+  plan.every = {}, plan.every_time = 0.1;
+  Cadence cadence(plan);
+  std::vector<int> due;
+  double time = 0;
+  for (int k = 1; k <= 10; ++k)
+    if (time += 0.05; cadence.is_due(0, time)) due.push_back(k), cadence.restart(0, time);
+  CHECK(due == std::vector<int>{2, 4, 6, 8, 10});
+  plan.every = 60, plan.every_time = {};
+  Cadence by_wall(plan);
+  by_wall.restart(100, 0);
+  CHECK_FALSE(by_wall.is_due(159));
+  CHECK(by_wall.is_due(160));
 }

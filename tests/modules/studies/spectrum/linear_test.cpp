@@ -192,14 +192,3 @@ TEST_CASE("a law from outside without derivatives is named with what to do", "[s
       "contact law 'hand_written' has no derivatives, from which a linear response follows; measure with a pulse or a "
       "sweep, or build the law with SCREE_CONTACT_LAW_PLUGIN");
 }
-
-TEST_CASE("frequencies are solved in batches that fit into memory", "[spectrum]") {
-  std::vector<double> all(100000);
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = double(k);
-  CHECK(first_batch(all, 8) == all);
-  const std::vector<double> some = first_batch(all, 4032);
-  CHECK(some.size() == 5166);  // 2e9/(96 · 4032)
-  CHECK(std::equal(some.begin(), some.end(), all.begin()));
-  CHECK(first_batch(all, 100000000).size() == 48);
-  CHECK(first_batch({}, 8).empty());
-}

@@ -1,6 +1,6 @@
 #include "sweep.hpp"
 
-#include "chain.hpp"
+#include "bench.hpp"
 #include "pulse.hpp"
 
 #include <algorithm>
@@ -209,4 +209,30 @@ TEST_CASE("a sweep whose periods are too few for a steady response says so", "[s
   REQUIRE(few.size() == 1);
   CHECK(few[0].starts_with("sweep: at 2 of 2 frequencies the response was not steady after 10 periods"));
   CHECK(few[0].ends_with("; give a larger sweep.tolerance or more sweep.periods"));
+}
+
+TEST_CASE("an interrupted sweep goes on to the same table", "[spectrum]") {
+  const std::string text = Chain().text(
+      "from_hz = 100\nto_hz = 110\nstep_hz = 2\nsweep.periods = 12\nsweep.analysed_periods = 6\n");
+  Bench whole(text), parted(text);
+  whole.options.methods = parted.options.methods = {Method::sweep};
+  measure(whole.plan, whole.options);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  int reports = 0;
+  parted.options.on_progress = [&](double share, double, const std::string&) {
+    stop = share > 0 && ++reports >= 1;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  REQUIRE(first.spectra.at(0).frequencies.size() < 6);
+  stop = false;
+  parted.options.on_progress = {};
+  const Measurement second = resume_measurement(parted.options, host());
+  CHECK(!second.interrupted);
+  CHECK(parted.text("sweep.csv") == whole.text("sweep.csv"));
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
+  CHECK(message([&] { resume_measurement(parted.options, host()); }).find("the spectrum is finished") !=
+        std::string::npos);
 }

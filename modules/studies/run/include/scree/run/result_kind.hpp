@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <scree/run/run_directory.hpp>
 
@@ -26,7 +29,14 @@ inline constexpr ResultKind quasi_static_results{RunDirectory::Kind::quasi_stati
 inline constexpr ResultKind accuracy_results{RunDirectory::Kind::accuracy, "accuracy study", "accuracy.json",
                                              nullptr, ""};
 
+// The scenario as resolved, in any of these directories.
+inline constexpr const char* scenario_file = "scenario.toml";
+
 // Whether a directory has results of a kind.
 bool has_results(const std::filesystem::path& directory, const ResultKind& kind);
+
+// The JSON of a record, such as run.json or campaign.json, without what is nested deeper than any program writes; discarded if
+// it is not JSON.
+nlohmann::ordered_json parse_record(const std::string& text);
 
 }  // namespace scree::run

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,12 +13,10 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <scree/error.hpp>
-#include <scree/run/cadence.hpp>
+#include <scree/files/descriptor.hpp>
 #include <scree/run/input_hashes.hpp>
 #include <scree/run/result_kind.hpp>
 #include <scree/run/run_directory.hpp>
-#include <scree/run/spare_room.hpp>
-#include <scree/run/stopwatch.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/stage.hpp>
 #include <scree/state_transfer.hpp>
@@ -36,6 +37,83 @@ template <class Options>
 SessionOptions session_options(const Options& o) {
   return {o.out, o.overwrite, o.on_progress, o.on_warning, o.stop};
 }
+
+// Wall time since its start, and how much of it was spent on output.
+class Stopwatch {
+ public:
+  double total() const { return seconds(start_, Clock::now()); }  // (s)
+  double output() const { return output_; }                       // (s)
+
+  // Calls work(), whose duration counts as output, and returns its result.
+  template <class Work>
+  auto time_output(const Work& work) {
+    const Counted counted{*this, Clock::now()};
+    return work();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+  }
+  struct Counted {
+    Stopwatch& watch;
+    Clock::time_point start;
+    ~Counted() { watch.output_ += seconds(start, Clock::now()); }
+  };
+
+  Clock::time_point start_ = Clock::now();
+  double output_ = 0;
+};
+
+// When states are due, as [checkpoint] of the scene says: by wall time since the last one, and by simulated
+// time.
+class Cadence {
+ public:
+  // Wall time counts from 0 s, simulated time from t = 0.
+  explicit Cadence(const scenario::CheckpointPlan& plan) : every_(plan.every), every_time_(plan.every_time) {}
+
+  bool is_on() const { return every_ || every_time_; }
+  // Whether a state is due by wall time (s).
+  bool is_due(double wall) const { return every_ && wall - last_wall_ >= *every_; }
+  // Whether one is due by either, at the simulated time (s) of a state: the first after each multiple of
+  // every_time.
+  bool is_due(double wall, double time) const {
+    return is_due(wall) || (every_time_ && multiple_of(time) > multiple_of(last_time_));
+  }
+  void restart(double wall, double time) { last_wall_ = wall, last_time_ = time; }
+
+ private:
+  double multiple_of(double time) const {
+    constexpr double slack = 1e-9;  // round-off of a time that is a sum of steps
+    return std::floor(time / *every_time_ + slack);
+  }
+
+  std::optional<double> every_, every_time_;  // (s)
+  double last_wall_ = 0, last_time_ = 0;      // (s)
+};
+
+// Room on the disk, kept by a file so that the record of a run can still be written when the disk is full.
+class SpareRoom {
+ public:
+  static constexpr const char* file_name = ".room";
+  static constexpr std::size_t size = 1u << 16;  // (bytes) besides that of the present record
+
+  SpareRoom() = default;
+  ~SpareRoom() { release(); }
+  SpareRoom(const SpareRoom&) = delete;
+  SpareRoom& operator=(const SpareRoom&) = delete;
+
+  // Lists the file in a directory, and keeps room for its record, a file which is there. Throws Error (failure) if the disk has
+  // no room for it. Where a file system or a limit on file sizes does not allow such a file, there is none.
+  void reserve(const RunDirectory& directory, const char* record);
+  // Gives the room back. A file of another process that has the name by now stays.
+  void release();
+
+ private:
+  std::filesystem::path path_;
+  files::Descriptor file_;
+};
 
 // What a session asks of a study: its physics. session.cpp begins with the order of these calls.
 class Study {

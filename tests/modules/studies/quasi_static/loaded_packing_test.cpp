@@ -1,3 +1,5 @@
+#include "loaded_packing.hpp"
+
 #include "prepared.hpp"
 
 #include <algorithm>
@@ -5,15 +7,15 @@
 
 #include <catch2/catch.hpp>
 
-#include <scree/response/quasi_static.hpp>
-
-// States of equilibrium, checked by the kernel, which shares no code with the search for them but the contact laws.
+// Packings in balance with their load, checked by the kernel, which shares no code with the search for balance but the
+// contact laws.
 
 namespace scree::test {
 
 namespace {
 
-using response::QuasiStatic;
+using quasi_static::LoadedPacking;
+using quasi_static::Sample;
 
 double largest_load(const Simulation& s) {
   double largest = 0;
@@ -38,48 +40,62 @@ double unbalanced(const Simulation& s) {
 }
 
 // Largest difference between the force of the contacts on a wall that loads move and its load where it is (N).
-double unbalanced_walls(const Simulation& s, const QuasiStatic& packing) {
-  const WallEquations equations = s.linear_walls(packing.time(), packing.planes());
+double unbalanced_walls(const Simulation& s, const Sample& sample) {
+  const WallEquations equations = s.linear_walls(sample.time, sample.planes);
   double largest = 0;
   for (std::size_t w = 0; w < equations.walls.size(); ++w) {
     const scree_linear_plane& wall = equations.walls[w];
     double force = wall.pressing_force;
-    for (int k = 0; k < 3; ++k) force += wall.direction[k] * packing.loads()[w].force[k];
+    for (int k = 0; k < 3; ++k) force += wall.direction[k] * sample.loads[w].force[k];
     if (wall.free) largest = std::max(largest, std::abs(force));
   }
   return largest;
 }
 
-void check_balance(const Prepared& prepared, double period, const std::vector<double>& shares) {
+// The samples of a packing after these shares of a period (s), each checked. `load`: what it did.
+std::vector<Sample> balanced(Prepared prepared, double period, const std::vector<double>& shares,
+                             quasi_static::FollowedLoad& load) {
   const double start = prepared.simulation->time();
-  QuasiStatic packing(*prepared.simulation, {.longest_increment = period / 40});
+  const std::unique_ptr<Simulation> at_start = prepared.from(prepared.simulation->state());
+  load.increment = period / 40;
+  LoadedPacking packing(
+      prepared.plan, 1, [] { return true; }, load);
+  REQUIRE(packing.begin(std::move(prepared.simulation)));
+  std::vector<Sample> samples;
   for (const double share : shares) {
-    REQUIRE(packing.advance(start + share * period));
-    CHECK(packing.time() == Approx(start + share * period));
+    const auto sample = packing.advance(start + share * period);
+    REQUIRE(sample);
+    REQUIRE_FALSE(packing.moves());
+    CHECK(sample->time == Approx(start + share * period));
     const auto moving = prepared.from(packing.state());
     moving->step();
     INFO("after " << share << " of the period");
     // The tolerance of the search, 1e-11 of the largest force on a contact or a wall, which is at most some loads; the round-off of overlaps, 1e-16 R
     // of 1e-3 R, is less.
     CHECK(1e10 * unbalanced(*moving) < largest_load(*moving));
-    CHECK(1e10 * unbalanced_walls(*prepared.simulation, packing) < largest_load(*moving));
+    CHECK(1e10 * unbalanced_walls(*at_start, *sample) < largest_load(*moving));
+    samples.push_back(*sample);
   }
+  packing.end_search();
+  return samples;
 }
 
 }  // namespace
 
-TEST_CASE("what the quasi-static solver finds is at rest for the kernel: discs") {
+TEST_CASE("a packing that follows a load is at rest for the kernel: discs") {
   for (const std::string law : {"disc_cundall_strack", "disc_corrected", "disc_angular"}) {
     INFO(law);
-    const Prepared prepared(box_of_discs, {"scene.seed=5", "contact.discs.plugin=" + law});
-    check_balance(prepared, 10, {0, 0.3, 0.7, 1});
-    QuasiStatic packing(*prepared.simulation, {.longest_increment = 0.25});
-    packing.advance(prepared.simulation->time() + 4);
-    CHECK(packing.sliding() > 0);
+    quasi_static::FollowedLoad load;
+    const auto samples = balanced(Prepared(box_of_discs, {"scene.seed=5", "contact.discs.plugin=" + law}), 10,
+                                  {0, 0.3, 0.4, 0.7, 1}, load);
+    CHECK(samples[2].sliding > 0);
+    CHECK(load.increments >= 40);
+    CHECK(load.iterations >= load.increments);
+    CHECK(load.hand_overs.empty());
   }
 }
 
-TEST_CASE("what the quasi-static solver finds is at rest for the kernel: spheres") {
+TEST_CASE("a packing that follows a load is at rest for the kernel: spheres") {
   const std::string text = text_of(box_of_spheres);
   const std::size_t contact = text.find("[[contact]]"), boundary = text.find("[[boundary]]");
   // With this seed the packing is at rest within 10 s with each law; others creep for up to 200 s.
@@ -99,13 +115,14 @@ TEST_CASE("what the quasi-static solver finds is at rest for the kernel: spheres
     INFO(law);
     const std::string with_law =
         text.substr(0, contact) + "[[contact]]\nname = \"grains\"\n" + law + "\n" + text.substr(boundary);
-    check_balance(Prepared(plan_of(with_law, small)), 1, {0, 0.25, 0.5});
+    quasi_static::FollowedLoad load;
+    balanced(Prepared(plan_of(with_law, small)), 1, {0, 0.25, 0.5}, load);
   }
 }
 
 // Some beads cross the period, and their contacts join images.
 TEST_CASE(
-    "what the quasi-static solver finds is at rest for the kernel: spheres between walls, periodic otherwise") {
+    "a packing that follows a load is at rest for the kernel: spheres between walls, periodic otherwise") {
   const std::string text = text_of(box_of_spheres);
   const std::size_t particles = text.find("[particles]"), material = text.find("[[material]]"),
                     box = text.find("[[boundary]]"), forces = text.find("[[body_force]]"),
@@ -123,12 +140,13 @@ TEST_CASE(
       text.substr(forces, cycles - forces) +
       "[[stage]]\nname = \"cycle\"\nduration = 1\n"
       "set.top.stress = { from = 1000, to = 1100, period = 1 }\n";
-  const Prepared prepared(
+  Prepared prepared(
       plan_of(plan, {"time.step=1e-4", "time.step_guard=false",
                      "stage.prepare.until.kinetic_over_elastic=1e-13", "stage.prepare.until.at_most=100"}));
   CHECK(std::any_of(prepared.simulation->particles().image[0].begin(),
                     prepared.simulation->particles().image[0].end(), [](int image) { return image != 0; }));
-  check_balance(prepared, 1, {0, 0.25, 0.5});
+  quasi_static::FollowedLoad load;
+  balanced(std::move(prepared), 1, {0, 0.25, 0.5}, load);
 }
 
 }  // namespace scree::test

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <scree/run/run_stages.hpp>
+#include <scree/run/drive.hpp>
 
 namespace scree::run {
 

@@ -1,6 +1,5 @@
 #include "run_support.hpp"
 
-#include <atomic>
 #include <cstdlib>
 
 #include <catch2/catch.hpp>
@@ -12,56 +11,6 @@ using namespace scree;
 using namespace scree::scenario;
 using namespace scree::run;
 using namespace scree::test;
-
-TEST_CASE("progress to a condition is told by its quantity and goal, not by a share", "[run]") {
-  Bench bench(with(discs, "duration = 1e-4\n", "") +
-              "[[stage]]\nname = 'rest'\nuntil = { kinetic_over_elastic = 1e-30, at_most = 1000 }\n"
-              "[[stage]]\nname = 'after'\nduration = 1\n");
-  std::atomic<bool> stop = false;
-  bench.options.stop = &stop;
-  bench.options.on_progress = [&](const Progress& p) {
-    CHECK_FALSE(p.share.has_value());
-    CHECK(p.stage_number == 1);
-    CHECK(p.stages == 2);
-    CHECK_THAT(p.conditions,
-               Catch::StartsWith("kinetic_over_elastic = ") && Catch::EndsWith(", below 1e-30"));
-    stop = true;
-  };
-  CHECK(bench.run().interrupted);
-}
-
-TEST_CASE("run.json tells each stage, and the series number them", "[run]") {
-  const std::string stages =
-      "[[stage]]\nname = 'a'\nduration = 4e-5\n"
-      "[[stage]]\nname = 'b'\nuntil = { kinetic_over_elastic = 1e30, at_most = 1 }\n"
-      "[[stage]]\nname = 'c'\nduration = 2e-5\n";
-  const Bench bench(with(discs, "duration = 1e-4\n", "") + stages);
-  const std::vector<StageResult> told = bench.run().stages;
-  REQUIRE(told.size() == 3);
-  CHECK(told[0].steps == 4);
-  CHECK(told[0].ended == "duration");
-  CHECK(told[1].name == "b");
-  CHECK(told[1].start == told[0].end);
-  CHECK(told[1].steps % 100 == 0);  // a condition is tested every 100 steps
-  CHECK(told[1].ended == "condition");
-  CHECK(told[2].start == told[1].end);
-  CHECK(told[2].end == Approx(told[2].start + 2e-5));
-  const std::string series = text_of(bench.options.out / "series/energy.csv");
-  CHECK(series.substr(0, series.find('\n')).ends_with(",residual [J],stage"));
-  CHECK(series.ends_with(",3\n"));
-  CHECK(text_of(bench.options.out / "run.json").find("\"ended\": \"condition\"") != std::string::npos);
-  const Bench single;
-  single.run();
-  CHECK(text_of(single.options.out / "series/energy.csv").find("stage") == std::string::npos);
-}
-
-TEST_CASE("the time for pictures and series is not counted as stepping", "[run]") {
-  const Bench bench(discs, {"probe.every=1e-5"});
-  const RunResult result = bench.run();
-  CHECK(result.output > 0);
-  CHECK(result.output < result.wall);
-  CHECK(result.particle_steps_per_second == Approx(90 / (result.wall - result.output)));
-}
 
 namespace {
 
@@ -89,6 +38,68 @@ std::string results_of(const Bench& bench) {
 }
 
 }  // namespace
+
+TEST_CASE("a time step too long for the contacts is refused before anything is written, unless it is forced",
+          "[run]") {
+  const std::string slow = with(discs, "every = 2e-5", "every = 1");
+  const Bench bench(slow, {"time.step=1e-2", "time.duration=1", "particles.random_velocity=0.01"});
+  try {
+    bench.run();
+    FAIL("the step is too long");
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::bad_input);
+    CHECK(std::string(error.what()).find("too long: the contacts of law 'linear_spring_dashpot' allow ") !=
+          std::string::npos);
+  }
+  CHECK_FALSE(fs::exists(bench.options.out));
+  CHECK(step_problem(*set_up(plan_of(discs))) == std::nullopt);
+  CHECK_NOTHROW(set_up(plan_of(slow, {"time.step=1e-2", "time.duration=1", "time.step_guard=false"})));
+}
+
+TEST_CASE("a stage that makes contacts too stiff for the time step is refused before the run starts",
+          "[run]") {
+  const Bench bench(with(discs, "duration = 1e-4\n", "") +
+                    "[[stage]]\nname = 'soft'\nduration = 1e-4\n[[stage]]\nname = 'stiff'\n"
+                    "duration = 1e-4\nset.linear_spring_dashpot.normal_stiffness = 1e14\n");
+  try {
+    bench.run();
+    FAIL("the step is too long");
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::bad_input);
+    CHECK(std::string(error.what())
+              .find("scene.toml:4:8: in stage 'stiff' the time step of 1e-05 s is too long: ") !=
+          std::string::npos);
+    CHECK_FALSE(fs::exists(bench.options.out));
+  }
+}
+
+TEST_CASE("errors of the scene as a whole have a position in the file too", "[run]") {
+  const std::string head =
+      with(discs,
+           "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n"
+           "radius = 0.01\nrandom_velocity = 0.1\n",
+           "[[particle]]\nradius = 0.01\nposition = [0, 0]\n[[particle]]\nradius = 0.01\n"
+           "position = [0.001, 0]\n");
+  const auto reason = [](const Plan& plan) { return message([&] { set_up(plan); }); };
+  const auto overlap = reason(plan_of(head));
+  CHECK(overlap.find(
+            "scene.toml:13:1: contact of particle 1 with particle 2: overlap is 1.9 of the smaller radius") !=
+        std::string::npos);
+  const Plan narrow =
+      plan_of(with(head,
+                   "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\n"
+                   "y_high = 'fixed'\ngap = 0.005\n",
+                   "plugin = 'periodic'\naxes = 'x'\nlower = [-0.015, 0]\nupper = [0.015, 0]\n"));
+  CHECK(reason(narrow).find("scene.toml:20:10: the periodic length 0.03 m along x is under twice ") !=
+        std::string::npos);
+  const Plan no_walls = plan_of(with(discs,
+                                     "plugin = 'box'\nx_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\n"
+                                     "y_high = 'fixed'\ngap = 0.005\n",
+                                     "plugin = 'plane'\npoint = [0, -1]\nnormal = [0, 1]\n"),
+                                {"probe={plugin='box',every=1e-5}"});
+  CHECK(reason(no_walls).starts_with(
+      "--set probe={plugin='box',every=1e-5}: probe box: the box probe needs walls"));
+}
 
 TEST_CASE("what the first stage sets holds from the start, as if the scene had it", "[run]") {
   const std::string stage = "[[stage]]\nname = 'on'\nduration = 4e-4\n";

@@ -1,0 +1,60 @@
+#include "box_row.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+using namespace scree::quasi_static;
+
+namespace {
+
+scree_plane wall(int axis, double side, double at) {
+  scree_plane plane{};
+  plane.point[axis] = at, plane.normal[axis] = side;
+  return plane;
+}
+
+scree_load load(int axis, double force) {
+  scree_load of_wall{};
+  of_wall.force[axis] = force;
+  return of_wall;
+}
+
+// A box of 2 m x 4 m with these forces of the bodies on its walls (N).
+Sample box() {
+  Sample sample;
+  sample.time = 1.5;
+  sample.planes = {wall(0, 1, -1), wall(0, -1, 1), wall(1, 1, 0), wall(1, -1, 4)};
+  sample.loads = {load(0, -8), load(0, 12), load(1, -3), load(1, 5)};
+  sample.contacts = 7, sample.sliding = 2;
+  return sample;
+}
+
+}  // namespace
+
+TEST_CASE("a row has lengths, stresses and strains of a box") {
+  CHECK(BoxRow::lengths(2, box().planes) == std::vector<double>{2, 4});
+  const BoxRow row({2.5, 5});
+  CHECK(
+      row.head() ==
+      "time [s],length_x [m],length_y [m],stress_xx [Pa],stress_yy [Pa],strain_xx,strain_yy,contacts,sliding,dynamic\n");
+  // Stresses: the mean force on both walls over the length of the wall (of a disc 1 m thick). Strains: shorter by a fifth.
+  CHECK(row.line(box()) == "1.5,2,4,2.5,2,0.19999999999999996,0.19999999999999996,7,2,0\n");
+  CHECK(row.deviatoric_strain(box()) == 0);
+  Sample moving = box();
+  moving.planes[3] = wall(1, -1, 4.5);
+  moving.dynamic = true;
+  // L_y/L_y0 − L_x/L_x0
+  CHECK(row.deviatoric_strain(moving) == Approx(0.9 - 0.8));
+  CHECK(row.line(moving).ends_with(",1\n"));
+}
+
+TEST_CASE("along an axis with one wall or none a row has no columns, and without a box no stress") {
+  Sample sample = box();
+  sample.planes.pop_back(), sample.loads.pop_back();
+  CHECK(BoxRow::lengths(2, sample.planes) == std::vector<double>{2, 0});
+  const BoxRow row({2.5, 0});
+  CHECK(row.head() == "time [s],length_x [m],strain_xx,contacts,sliding,dynamic\n");
+  CHECK(row.line(sample) == "1.5,2,0.19999999999999996,7,2,0\n");
+  CHECK(std::isnan(row.deviatoric_strain(sample)));
+}

@@ -1,0 +1,46 @@
+#include "linear_columns.hpp"
+
+#include "chain.hpp"
+#include "harmonic_motion.hpp"
+
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include <scree/run/set_up.hpp>
+
+using namespace scree;
+using namespace scree::spectrum;
+using namespace scree::test;
+
+TEST_CASE("a column of a position follows the motion of its body, and one of a velocity is iω times that",
+          "[spectrum]") {
+  const scenario::Plan plan = driven_plan_of(
+      with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\n"), "'particles.z_1'", "'particles.vz_8'"));
+  const auto spectrum = read_spectrum(plan);
+  REQUIRE(spectrum);
+  REQUIRE(spectrum->observed[0].name == "particles.vz_8");
+  REQUIRE(spectrum->observed[1].name == "particles.z_8");
+  const auto simulation = run::set_up(plan);
+  const std::vector<Vec3> walls = {Vec3{{0, 0, 1}}};
+  const double hz = 60;
+  const HarmonicMotion motion = harmonic_motion(*simulation, walls, {hz}, {.fewest_contacts = 1}, {});
+  LinearColumns columns(plan, spectrum->observed, *simulation, walls, motion.freedom, 0);
+  CHECK(columns.at_rest()[0] == 0);
+  CHECK(columns.at_rest()[1] == simulation->particles().position()[2][7]);
+  const auto [derivatives, change] = columns.along(motion.responses[0]);
+  const std::complex<double> bead = motion.responses[0].amplitude[motion.freedom.translation(7, 2)];
+  // Differences of 1e-3 radii at 0.08 m leave 1e-11 of round-off.
+  CHECK(std::abs(derivatives[1] - bead) < 1e-9 * std::abs(bead));
+  CHECK(std::abs(derivatives[0] - std::complex<double>(0, 2 * std::numbers::pi * hz) * bead) <
+        1e-9 * std::abs(derivatives[0]));
+  for (std::size_t c = 0; c < 2; ++c) CHECK(change[c] < 1e-9 * std::abs(derivatives[c]));
+}
+
+TEST_CASE("columns of energies and contacts are none of motion alone", "[spectrum]") {
+  const scenario::Plan plan = driven_plan_of(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\n") +
+                                             "[[probe]]\nplugin = 'energy'\n" + Chain::layers);
+  REQUIRE(plan.probes.size() == 3);
+  CHECK(is_of_motion(plan.probes[0], 3));
+  CHECK_FALSE(is_of_motion(plan.probes[1], 3));
+}
