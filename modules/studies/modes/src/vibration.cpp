@@ -1,7 +1,6 @@
+#include "mode_checks.hpp"
 #include "mode_picture.hpp"
 #include "mode_properties.hpp"
-#include "mode_warnings.hpp"
-#include "search_checks.hpp"
 #include "vibration_files.hpp"
 
 #include <algorithm>

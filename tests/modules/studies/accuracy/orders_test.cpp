@@ -1,8 +1,5 @@
 #include "orders.hpp"
 
-#include "reference.hpp"
-#include "steps.hpp"
-
 #include <cmath>
 #include <vector>
 
@@ -21,16 +18,6 @@ std::vector<double> errors_of(double order, double floor) {
   return errors;
 }
 
-scenario::Plan plan_with_durations(const std::vector<double>& durations) {
-  scenario::Plan plan;
-  for (const double duration : durations) {
-    Stage stage;
-    stage.duration = duration;
-    plan.stages.push_back(stage);
-  }
-  return plan;
-}
-
 }  // namespace
 
 TEST_CASE("the fitted order of a power is its exponent", "[accuracy]") {
@@ -46,31 +33,6 @@ TEST_CASE("saturated points and points without decrease are excluded from the or
   errors[3] = errors[2];
   CHECK_FALSE(fitted_order(steps, errors, 0.1).has_value());
   CHECK_FALSE(fitted_order(steps, std::vector<double>(6, 0.0), 0.1).has_value());
-}
-
-TEST_CASE("extrapolation is exact for pure first and second order, and estimates its uncertainty",
-          "[accuracy]") {
-  for (const double order : {1.0, 2.0}) {
-    const auto at = [&](double h) { return 3 + 0.7 * std::pow(h, order); };
-    const Limit limit = extrapolate(at(0.4), at(0.2), at(0.1));
-    CHECK(limit.value == Approx(3).epsilon(1e-14));
-    CHECK(limit.uncertainty < 1e-14);
-  }
-  // Second order plus a fourth-order term: the remaining error is that of the fourth order, between h/2 and
-  // h/4.
-  const auto at = [](double h) { return 3 + 0.7 * h * h + 5 * std::pow(h, 4); };
-  const Limit limit = extrapolate(at(0.4), at(0.2), at(0.1));
-  CHECK(std::abs(limit.value - 3) <= limit.uncertainty);
-  CHECK(limit.uncertainty < 20 * std::abs(limit.value - 3));
-}
-
-TEST_CASE("steps are adjusted to divide the durations of all stages", "[accuracy]") {
-  CHECK(fitting_step(plan_with_durations({1}), 0.3) == Approx(0.25));
-  CHECK(fitting_step(plan_with_durations({1}), 0.25) == 0.25);
-  CHECK(fitting_step(plan_with_durations({0.5, 2}), 0.3) == Approx(0.25));
-  CHECK(fitting_step(plan_with_durations({1, 1.1}), 0.3) == 0.3);  // no common divisor nearby
-  CHECK(fitting_step(plan_with_durations({}), 0.3) == 0.3);
-  CHECK(fitting_step(plan_with_durations({1}), 3) == 1);
 }
 
 TEST_CASE("the longest step within a tolerance lies between those tried, as their errors have it",

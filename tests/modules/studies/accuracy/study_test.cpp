@@ -127,20 +127,6 @@ TEST_CASE("a step refused by the step guard is a row with the reason, and the st
   CHECK(result.outcomes[2].problem.empty());
 }
 
-TEST_CASE("a chaotic scene is compared at the time until which its reference is trustworthy", "[accuracy]") {
-  // Nine hard discs in a box, with many collisions each: a deviation grows severalfold per collision.
-  const std::string chaos = test::with(test::discs, "duration = 1e-4", "duration = 10");
-  StudyOptions options = quick();
-  options.coarsest = 20;
-  options.count = 2;
-  options.integrations = {Integration::velocity_verlet};
-  const Convergence result = study(plan_of(test::with(chaos, "every = 2e-5", "every = 0.1")), options);
-  REQUIRE(result.horizon.has_value());
-  CHECK(*result.horizon < 10);
-  CHECK(result.duration == Approx(*result.horizon));
-  CHECK(text_report(result).find("trustworthy until t = ") != std::string::npos);
-}
-
 TEST_CASE("a study is written as CSV with a column per quantity, as JSON and as charts", "[accuracy]") {
   const TemporaryFolder folder;
   RecordedStudyOptions options;

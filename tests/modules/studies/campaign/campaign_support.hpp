@@ -42,6 +42,16 @@ class CampaignFolder {
   TemporaryFolder folder_;
 };
 
+using Texts = std::vector<std::string>;
+
+inline std::string refusal_of(const std::string& rest) { return CampaignFolder(rest).refusal(); }
+
+inline bool starts(const std::string& line, const std::string& with) {
+  INFO(line);
+  CHECK(line.starts_with(with));
+  return line.starts_with(with);
+}
+
 inline std::vector<std::string> names_of(const campaign::Campaign& campaign) {
   std::vector<std::string> names;
   for (const campaign::Point& point : campaign.points) names.push_back(point.name);

@@ -1,4 +1,4 @@
-#include "search_checks.hpp"
+#include "mode_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/available_memory.hpp>
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 
 namespace scree::modes {
@@ -30,6 +31,14 @@ void check_memory(const response::UndampedSystem& system, unsigned modes) {
         modes, system.modes(), 1e-9 * bytes, 1e-9 * there));
 }
 
+std::string numbers_above(const Vibration& vibration, double residual_limit) {
+  std::string numbers;
+  for (const Mode& m : vibration.modes)
+    if (m.kind == ModeKind::vibrating && m.residual > residual_limit)
+      numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", m.number);
+  return numbers;
+}
+
 }  // namespace
 
 void check_density(const VibrationOptions& options) {
@@ -47,6 +56,31 @@ void check_search(const response::UndampedSystem& system, const VibrationOptions
     throw Error(fmt::format("no mode below {:g} Hz can be told from a floppy one; give a higher --density-to",
                             floppy));
   check_memory(system, options.modes);
+}
+
+std::vector<std::string> mode_warnings(const Vibration& vibration, bool of_full_stiffness,
+                                       double residual_limit) {
+  std::vector<std::string> warnings;
+  if (!of_full_stiffness)
+    warnings.push_back(
+        "unstable and floppy modes are those of the symmetric part of K, and with all of it some may be neither: its "
+        "asymmetry, by sliding contacts, is large; let the packing come to rest with less sliding");
+  if (vibration.unstable > 0)
+    warnings.push_back(
+        fmt::format("the packing is unstable: {} (modes.csv); let it come to rest, or hold what is loose",
+                    counted(vibration.unstable, "mode grows", "modes grow")));
+  if (vibration.floppy > 0)
+    warnings.push_back(fmt::format(
+        "K is singular at 0 Hz: {} floppy; see floppy.csv, or leave {} bodies out by --fewest-contacts",
+        counted(vibration.floppy, "mode is", "modes are"), vibration.floppy == 1 ? "its" : "their"));
+  if (const std::string numbers = numbers_above(vibration, residual_limit); !numbers.empty())
+    warnings.push_back(fmt::format(
+        "with the full, asymmetric K residuals are above {1:g}, those of: {0}; take these frequencies as approximate",
+        numbers, residual_limit));
+  if (!vibration.complete && !vibration.modes.empty())
+    warnings.push_back(
+        "the count of modes does not confirm that none is left out; ask for more with --modes");
+  return warnings;
 }
 
 }  // namespace scree::modes
