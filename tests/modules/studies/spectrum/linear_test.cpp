@@ -1,6 +1,8 @@
 #include "linear.hpp"
 
-#include "chain.hpp"
+#include "bench.hpp"
+
+#include <algorithm>
 
 #include <catch2/catch.hpp>
 
@@ -191,4 +193,43 @@ TEST_CASE("a law from outside without derivatives is named with what to do", "[s
       }) ==
       "contact law 'hand_written' has no derivatives, from which a linear response follows; measure with a pulse or a "
       "sweep, or build the law with SCREE_CONTACT_LAW_PLUGIN");
+}
+
+TEST_CASE("a linear method that is interrupted keeps what it has and goes on to the same table",
+          "[spectrum]") {
+  // Beads on a cubic lattice, whose 384 motions are solved as in large packings.
+  std::string text =
+      "[time]\nstep = 5e-5\n[[material]]\nname = 'sphere'\ndensity = 2000\n"
+      "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n"
+      "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\ndisplacement = 0\n"
+      "[[probe]]\nplugin = 'particles'\nids = [128]\n"
+      "[spectrum]\ndrive = 'floor.displacement'\namplitude = 1e-8\nobserve = ['particles.z_128']\n"
+      "from_hz = 20\nto_hz = 160\nstep_hz = 2\nlinear.fewest_contacts = 1\n";
+  for (int n = 0; n < 128; ++n)
+    text += fmt::format("[[particle]]\nid = {}\nradius = 0.005\nposition = [{}, {}, {}]\n", n + 1,
+                        0.00995 * (n % 4), 0.00995 * (n / 4 % 4), 0.00495 + 0.00995 * (n / 16));
+  Bench whole(text), parted(text);
+  whole.options.methods = parted.options.methods = {Method::linear};
+  CHECK(measure(whole.plan, whole.options).spectra.at(0).frequencies.size() == 71);
+
+  std::atomic<bool> stop = false;
+  parted.options.stop = &stop;
+  std::vector<double> shares;
+  parted.options.on_progress = [&](double share, double, const std::string& what) {
+    CHECK(what == "linear response");
+    shares.push_back(share);
+    stop = share > 0.4;
+  };
+  const Measurement first = measure(parted.plan, parted.options);
+  REQUIRE(first.interrupted);
+  CHECK(first.spectra.at(0).frequencies.size() == 24);  // one window; the second was stopped
+  const std::string part = parted.text("spectrum.csv");
+  CHECK(std::count(part.begin(), part.end(), '\n') == 25);
+  stop = false;
+  shares.clear();
+  parted.options.on_progress = [&](double share, double, const std::string&) { shares.push_back(share); };
+  CHECK(!resume_measurement(parted.options, host()).interrupted);
+  CHECK(shares.front() == Approx(24.0 / 71));
+  CHECK(shares.back() == 1);
+  CHECK(parted.text("spectrum.csv") == whole.text("spectrum.csv"));
 }

@@ -72,22 +72,6 @@ TEST_CASE("stages run before anything is measured", "[spectrum]") {
   CHECK(std::abs(m.spectra.at(0).columns[1].response[0] - Chain().response(Chain::beads, 80)) < 1e-6);
 }
 
-TEST_CASE("a chart that cannot be written leaves the spectrum whole", "[spectrum]") {
-  Bench bench(Chain().text(grid));
-  bench.options.methods = {Method::linear};
-  bench.options.on_progress = [&](double, double, const std::string&) {
-    std::filesystem::create_directories(bench.options.out / "charts/particles_z_8.png/in_the_way");
-  };
-  std::vector<std::string> warnings;
-  bench.options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
-  const Measurement m = measure(bench.plan, bench.options);
-  REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].starts_with("chart 'particles.z_8' was not drawn: "));
-  CHECK(bench.has("charts/particles_z_1.png"));
-  CHECK(bench.has("peaks.csv"));
-  CHECK(text_of(bench.options.out / "spectrum.json").find("\"finished\"") != std::string::npos);
-}
-
 TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[spectrum]") {
   const auto refused = [](const std::string& text, const std::vector<std::string>& overrides) {
     Bench bench(text, overrides);
