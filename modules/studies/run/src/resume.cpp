@@ -148,8 +148,8 @@ scenario::Plan plan_at_start(const RunOptions& options, const ResumeChanges& cha
 RunDirectory directory_of(const fs::path& path, const std::function<void(const std::string&)>& on_warning) {
   std::error_code failed;
   if (!fs::exists(path / "run.json", failed))
-    throw Error(
-        fmt::format("{}: contains no run; give the directory of a run, spectrum or response", path.string()));
+    throw Error(fmt::format("{}: contains no run; give the directory of a run, spectrum or quasi-static load",
+                            path.string()));
   RunDirectory directory(path, RunDirectory::Existing::keep);
   directory.take();
   directory.report_lock(on_warning);
