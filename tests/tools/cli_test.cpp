@@ -15,7 +15,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("the help of each verb shows an example and every option", "[tools]") {
   const Workspace w;
   for (const char* verb :
-       {"run", "check", "describe", "render", "campaign", "spectrum", "cycles", "modes", "quasi-static"}) {
+       {"run", "check", "describe", "render", "export", "campaign", "spectrum", "cycles", "modes", "quasi-static"}) {
     const Outcome help = w.scree(std::string(verb) + " --help");
     CHECK(help.status == 0);
     CHECK(help.err.empty());

@@ -1,5 +1,6 @@
 #include "movie.hpp"
 #include "program_verbs.hpp"
+#include "snapshot_files.hpp"
 #include "temporary_file.hpp"
 
 #include <algorithm>
@@ -30,26 +31,6 @@ struct RenderArguments {
 bool is_folder(const fs::path& path) {
   std::error_code failed;
   return fs::is_directory(path, failed);
-}
-
-// The particle files of a run directory or of its snapshots folder in order of time, or the one file named.
-std::vector<fs::path> frames_of(const fs::path& source) {
-  if (!is_folder(source)) return {source};
-  const fs::path folder = is_folder(source / "snapshots") ? source / "snapshots" : source;
-  std::vector<fs::path> frames;
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(folder, failed))
-    if (entry.path().extension() == ".vtp" && entry.path().filename().string().starts_with("particles_"))
-      frames.push_back(entry.path());
-  std::sort(frames.begin(), frames.end());
-  if (failed)
-    throw Error(
-        fmt::format("{}: cannot be read ({}); check its permissions", folder.string(), failed.message()));
-  if (frames.empty())
-    throw Error(
-        fmt::format("{}: contains no particles_*.vtp; give a run with snapshots ([snapshot] every = <s>)",
-                    source.string()));
-  return frames;
 }
 
 // particles_0000000100.vtp becomes frame_0000000100.png, any other name x.vtp x.png.
@@ -168,7 +149,7 @@ ExitStatus render(const RenderArguments& arguments) {
     require_ffmpeg(arguments.movie);
   }
   const auto backend = pictures::load_backend();
-  const std::vector<fs::path> frames = frames_of(arguments.source);
+  const std::vector<fs::path> frames = snapshot_files(arguments.source);
   Pictures places(arguments);
   for (const fs::path& file : frames) places.check(file);
   const Common common = common_of(frames, options.color_by, *backend);

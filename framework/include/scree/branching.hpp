@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/domain.hpp>
 #include <scree/particles.hpp>
 #include <scree/scene.hpp>
 #include <scree/state.hpp>
@@ -20,5 +21,7 @@ struct Branching {
 std::vector<Body> present_bodies(const State& state);
 std::vector<std::string> materials_of(const State& state);
 double time_of(const State& state);  // (s)
+// Its periodic axes; along others it has no extent.
+Domain domain_of(const State& state);
 
 }  // namespace scree

@@ -274,6 +274,15 @@ std::vector<std::string> materials_of(const State& state) {
   return names;
 }
 
+Domain domain_of(const State& state) {
+  Domain domain;
+  const StateTransfer walls = StateTransfer::restoring_from(state).below("walls");
+  walls.numbers("domain_lower", "m", domain.lower.component, 3);
+  walls.numbers("domain_upper", "m", domain.upper.component, 3);
+  for (int k = 0; k < 3; ++k) domain.periodic[std::size_t(k)] = domain.upper[k] > domain.lower[k];
+  return domain;
+}
+
 double time_of(const State& state) {
   double time = 0;
   StateTransfer::restoring_from(state).value("clock/time", "s", time);

@@ -1,0 +1,106 @@
+#include "exported_frames.hpp"
+#include "program_verbs.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <scree/counted.hpp>
+#include <scree/error.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/packing/csv.hpp>
+#include <scree/packing/exports.hpp>
+#include <scree/packing/lammps.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportArguments {
+  std::string source, format, out;
+  bool overwrite = false;
+};
+
+struct Format {
+  const char* name;
+  const char* suffix;
+  bool many_frames;  // one file can hold more than one
+  std::string (*text)(const ExportedFrame&);
+};
+
+std::string dump_text(const ExportedFrame& frame, packing::Dialect dialect) {
+  packing::ExportOptions options;
+  options.dialect = dialect;
+  options.timestep = std::int64_t(frame.step);
+  return packing::format_lammps_dump(frame.packing, options);
+}
+
+const Format formats[] = {
+    {"lammps-data", ".data", false,
+     [](const ExportedFrame& f) { return packing::format_lammps_data(f.packing); }},
+    {"lammps-dump", ".dump", true,
+     [](const ExportedFrame& f) { return dump_text(f, packing::Dialect::lammps); }},
+    {"liggghts-dump", ".dump", true,
+     [](const ExportedFrame& f) { return dump_text(f, packing::Dialect::liggghts); }},
+    {"xyz", ".xyz", true, [](const ExportedFrame& f) { return packing::format_xyz(f.packing); }},
+    {"yade", ".txt", false, [](const ExportedFrame& f) { return packing::format_yade(f.packing); }},
+    {"csv", ".csv", false, [](const ExportedFrame& f) { return packing::format_csv(f.packing); }}};
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : formats) names.push_back(format.name);
+  return names;
+}
+
+fs::path out_of(const ExportArguments& arguments, const Format& format) {
+  if (!arguments.out.empty()) return arguments.out;
+  fs::path stem = fs::path(arguments.source).lexically_normal();
+  if (!stem.has_filename()) stem = stem.parent_path();
+  return stem.filename().replace_extension(format.suffix);
+}
+
+ExitStatus export_bodies(const ExportArguments& arguments) {
+  const Format& format = *std::find_if(std::begin(formats), std::end(formats),
+                                       [&](const Format& f) { return f.name == arguments.format; });
+  const fs::path out = out_of(arguments, format);
+  std::error_code failed;
+  if (!arguments.overwrite && fs::exists(fs::symlink_status(out, failed)))
+    throw Error(out.string(), "is there already", "give another --out, or --overwrite");
+  std::string text;
+  std::size_t frames = 0, bodies = 0;
+  for_each_frame(arguments.source, format.many_frames, [&](const ExportedFrame& frame) {
+    text += format.text(frame);
+    bodies = frame.packing.bodies.size();
+    ++frames;
+  });
+  files::write_atomically(out, text);
+  fmt::print("{}: {}, {}\n", out.string(), counted(frames, "frame"), counted(bodies, "body", "bodies"));
+  return ExitStatus::success;
+}
+
+}  // namespace
+
+void add_export_verb(CommandLine& line) {
+  Verb verb =
+      line.verb("export", "Write the bodies of a run or state for LAMMPS, OVITO, ASE, YADE or as a table");
+  auto a = std::make_shared<ExportArguments>();
+  verb.option("source", a->source, "Run directory, state (.h5), or one particles_*.vtp file")
+      .required()
+      .existing_path();
+  verb.option("--format", a->format, "Of the file").required().one_of(format_names());
+  verb.option("--out", a->out, "File; default: the name of the source with the suffix of the format, here")
+      .shown_as("FILE");
+  verb.flag("--overwrite", a->overwrite, "Replace the file");
+  verb.footer(
+      "lammps-dump, liggghts-dump and xyz hold all snapshots of a run, if it has any ([snapshot] every); other\n"
+      "formats its last state. SI units. Materials are numbered in the order in which bodies have them.\n"
+      "Example: scree export runs/first --format xyz --out first.xyz");
+  verb.action([a] { return export_bodies(*a); });
+}
+
+}  // namespace scree::tool

@@ -1,0 +1,114 @@
+#include "exported_frames.hpp"
+
+#include "snapshot_files.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <scree/branching.hpp>
+#include <scree/error.hpp>
+#include <scree/pictures/load_backend.hpp>
+#include <scree/scene_record.hpp>
+#include <scree/state_error.hpp>
+#include <scree/state_file/state_file.hpp>
+#include <scree/state_transfer.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Periodic axes of the scene around the bodies along the others.
+void add_box(const Domain& domain, packing::Packing& packing) {
+  if (!domain.any_periodic()) return;
+  packing.periodic = domain.periodic;
+  packing.bounds = packing::enclosing_bounds(packing);
+  for (int k = 0; k < 3; ++k)
+    if (domain.periodic[std::size_t(k)])
+      packing.bounds->lower[k] = domain.lower[k], packing.bounds->upper[k] = domain.upper[k];
+}
+
+void sort_by_id(packing::Packing& packing) {
+  std::stable_sort(packing.bodies.begin(), packing.bodies.end(),
+                   [](const packing::Body& a, const packing::Body& b) { return a.id < b.id; });
+}
+
+ExportedFrame frame_of(const State& state) {
+  ExportedFrame frame;
+  const StateTransfer from = StateTransfer::restoring_from(state);
+  from.value("clock/steps", "1", frame.step);
+  frame.packing.time = time_of(state);
+  frame.packing.dimension = dimension_of(state);
+  const std::vector<std::string> materials = materials_of(state);
+  for (const Body& b : present_bodies(state))
+    frame.packing.bodies.push_back({.id = b.id,
+                                    .material = materials.at(b.material),
+                                    .radius = b.radius,
+                                    .mass = b.mass,
+                                    .position = b.position,
+                                    .velocity = b.velocity,
+                                    .spin = b.spin});
+  sort_by_id(frame.packing);
+  add_box(domain_of(state), frame.packing);
+  return frame;
+}
+
+ExportedFrame frame_of_state(const fs::path& path) {
+  const State state = state_file::read_state(path);
+  return with_state_of(path.string(), [&] { return frame_of(state); });
+}
+
+Vec3 vector_at(const std::vector<double>& values, std::size_t i) {
+  return values.empty() ? Vec3{} : Vec3{{values[3 * i], values[3 * i + 1], values[3 * i + 2]}};
+}
+
+ExportedFrame frame_of(const pictures::Frame& shown, const Domain& domain) {
+  ExportedFrame frame;
+  frame.step = shown.step;
+  frame.packing.time = shown.time;
+  frame.packing.dimension = shown.dimension;
+  for (std::size_t i = 0; i < shown.particle_count(); ++i)
+    frame.packing.bodies.push_back(
+        {.id = shown.id[i],
+         .material = std::to_string(shown.material.empty() ? 1 : shown.material[i] + 1),
+         .radius = shown.radius[i],
+         .position = vector_at(shown.position, i),
+         .velocity = vector_at(shown.velocity, i),
+         .spin = vector_at(shown.spin, i)});
+  sort_by_id(frame.packing);
+  add_box(domain, frame.packing);
+  return frame;
+}
+
+// The last state of a run; none if it has none.
+std::optional<fs::path> state_in(const fs::path& directory) {
+  std::error_code failed;
+  if (fs::exists(directory / "final_state.h5", failed)) return directory / "final_state.h5";
+  std::vector<fs::path> states;
+  for (const auto& entry : fs::directory_iterator(directory / "checkpoint", failed))
+    if (entry.path().extension() == ".h5") states.push_back(entry.path());
+  if (states.empty()) return std::nullopt;
+  return *std::max_element(states.begin(), states.end());
+}
+
+}  // namespace
+
+void for_each_frame(const fs::path& source, bool all, const std::function<void(const ExportedFrame&)>& use) {
+  std::error_code failed;
+  if (source.extension() == ".h5") return use(frame_of_state(source));
+  const bool is_run = fs::is_directory(source, failed);
+  const std::optional<fs::path> state = is_run ? state_in(source) : std::nullopt;
+  const bool snapshots = !is_run || (all && has_snapshots(source));
+  if (!snapshots && !state)
+    throw Error(source.string(), "has neither a state nor snapshots of its bodies",
+                "give the directory of a run, a state (.h5) or a particles_*.vtp");
+  if (!snapshots) return use(frame_of_state(*state));
+  const Domain domain = state ? domain_of(state_file::read_state(*state)) : Domain{};
+  const auto backend = pictures::load_backend();
+  for (const fs::path& file : snapshot_files(source)) use(frame_of(backend->read_frame(file), domain));
+}
+
+}  // namespace scree::tool
