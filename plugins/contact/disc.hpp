@@ -213,8 +213,8 @@ struct Kernel : Parameters {
   // trial: elongation after the step without slip (m); rate: D_t′ (m/s); f_n (N).
   // Stores elongation and state of the spring, and returns k_t D_t + γ_t D_t′ (N).
   template <class T, class AnyHistory, class AnyResponse>
-  T slide_or_stick(const T& trial, const T& rate, const T& f_n, const T& onset_weight, AnyHistory& h,
-                   AnyResponse& out) const {
+  T slide_or_stick_in_plane(const T& trial, const T& rate, const T& f_n, const T& onset_weight, AnyHistory& h,
+                            AnyResponse& out) const {
     const T old = h.spring, limit = T(this->friction) * f_n;
     const T longest = limit * T(this->inverse_tangential_stiffness);
     h.spring = std::max(-longest, std::min(trial, longest));

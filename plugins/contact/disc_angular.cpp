@@ -53,8 +53,8 @@ struct Kernel : disc::Kernel<Angular, kind> {
     const scree::Vec<2, T> rim = rims(c, t, h);
     paint(rim, increment, h);
     const T arc_a = rim[0] - h.painted_a, arc_b = rim[1] - h.painted_b, trial = arc_a + arc_b;
-    const T force = this->slide_or_stick(trial, rate(dot(c.relative_velocity, t), c.relative_spin[0]), f_n,
-                                         c.onset_weight, h, out);
+    const T force = this->slide_or_stick_in_plane(
+        trial, rate(dot(c.relative_velocity, t), c.relative_spin[0]), f_n, c.onset_weight, h, out);
     const T slip = T(0.5) * (trial - h.spring);
     h.painted_a += slip;
     h.painted_b += slip;

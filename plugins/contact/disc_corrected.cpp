@@ -36,8 +36,8 @@ struct Kernel : disc::Kernel<Corrected, kind> {
     const auto rate = tangential::SpringRate<T>::of(c);
     const T spin = c.relative_spin[0];
     const T trial = h.spring + rate(dot(c.tangential_increment, t), T(c.step * spin));
-    const T force =
-        this->slide_or_stick(trial, rate(dot(c.relative_velocity, t), spin), f_n, c.onset_weight, h, out);
+    const T force = this->slide_or_stick_in_plane(trial, rate(dot(c.relative_velocity, t), spin), f_n,
+                                                  c.onset_weight, h, out);
     out.force = scree::fused(T(-(rate.stretch * force)), t, out.force);
     out.couple[0] = -rate.offset * force;
   }

@@ -29,8 +29,8 @@ struct Kernel : disc::Kernel<CundallStrack, kind> {
   void force(const scree::Contact<D, T, reads>& c, History<D, T>& h, scree::LawOutput<D, T>& out) const {
     const T f_n = this->template normal_force<T>(c, out);
     const auto t = disc::tangent(c.normal);
-    const T force = this->slide_or_stick(T(h.spring + dot(c.tangential_increment, t)),
-                                         dot(c.relative_velocity, t), f_n, c.onset_weight, h, out);
+    const T force = this->slide_or_stick_in_plane(T(h.spring + dot(c.tangential_increment, t)),
+                                                  dot(c.relative_velocity, t), f_n, c.onset_weight, h, out);
     out.force = scree::fused(T(-force), t, out.force);
   }
 };

@@ -49,7 +49,8 @@ struct WallMotion {
   bool moves() const { return control != fixed; }
   // Whether each step seeks the displacement with the wanted load, by `begin_by_load`.
   bool seeks_load() const { return control == servo || control == massless; }
-  // Largest speed of the displacements x for which it asks the load (m/s); a superposed motion is assumed to be no faster than the limit of s'.
+  // Largest speed of the displacements x for which it asks the load (m/s); a superposed motion is assumed to be
+  // no faster than the limit of s'.
   double displacement_speed(const LoadControl& limits) const {
     return seeks_load() ? (superposed.given() ? 2 : 1) * limits.speed_limit : 0;
   }

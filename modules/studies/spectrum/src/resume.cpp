@@ -42,7 +42,7 @@ void SpectrumStudy::transfer(const StateTransfer& state) {
   result_.spectra.resize(count);
   const std::size_t observed = result_.observed.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const StateTransfer of_method = state.below("road_" + std::to_string(k));
+    const StateTransfer of_method = state.below("method_" + std::to_string(k));
     result_.spectra[k].transfer(of_method, observed);
     if (result_.spectra[k].frequencies.empty()) of_method.refuse("frequencies", "has none");
   }

@@ -271,8 +271,8 @@ TEST_CASE("a state of a measurement that does not fit is refused, and nothing is
           });
         }).find("does not have a vector for each wall") != std::string::npos);
   for (const char* path :
-       {"spectrum/sweep/0/columns", "spectrum/road_0/0/response", "spectrum/road_0/0/error",
-        "spectrum/road_0/frequencies", "spectrum/sweep/observer/0/state"})
+       {"spectrum/sweep/0/columns", "spectrum/method_0/0/response", "spectrum/method_0/0/error",
+        "spectrum/method_0/frequencies", "spectrum/sweep/observer/0/state"})
     shortened(path);
   CHECK(refused([&] {
           change_number(file, "spectrum/sweep/frequencies", 1, 101.5);
@@ -280,7 +280,7 @@ TEST_CASE("a state of a measurement that does not fit is refused, and nothing is
   CHECK(refused([&] {
           change_number(file, "spectrum/sweep/0/frequency", 0, 102.0);
         }).find("is not that of the sweep there") != std::string::npos);
-  for (const char* path : {"spectrum/count", "spectrum/sweep/points", "spectrum/road_0/columns"})
+  for (const char* path : {"spectrum/count", "spectrum/sweep/points", "spectrum/method_0/columns"})
     refused([&] { change_number(file, path, 0, std::uint64_t(1) << 60); });
   CHECK(refused([&] {
           const std::string plain = with(Chain().text(""), "[spectrum]\n", "[spectrum_of_none]\n");

@@ -9,7 +9,7 @@
 
 #include <scree/response/quasi_static.hpp>
 
-// Courses through states of equilibrium.
+// Paths through states of equilibrium.
 
 namespace scree::test {
 

@@ -95,7 +95,7 @@ std::vector<Supernode> find_supernodes(const Graph& graph, const Elimination& pl
   return nodes;
 }
 
-// Whether storing and computing with zeros costs less than small supernodes; limits found by trial.
+// Whether storing and computing with zeros costs less than small supernodes; limits found by measurement.
 bool worth_merging(double zeros, double width, double rows) {
   const double share = zeros / (width * width / 2 + width * rows);
   return width <= 16 || (width <= 48 && share < 0.3) || share < 0.08;

@@ -13,7 +13,7 @@
 
 namespace scree::run {
 
-// The directory of one run, study, spectrum, response or campaign, used by one process at a time. That of a
+// The directory of one run, study or campaign, used by one process at a time. That of a
 // run has series/, snapshots/, images/, charts/, scenario.toml, run.json, final_packing.csv. What a run or
 // study writes is listed in written.txt, and nothing else is ever removed; a campaign removes nothing.
 class RunDirectory {

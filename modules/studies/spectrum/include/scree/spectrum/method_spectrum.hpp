@@ -19,8 +19,9 @@ struct MethodSpectrum {
   struct Column {
     // (unit of the column / m); e^(iωt), so that the phase is that by which the response precedes the drive.
     std::vector<std::complex<double>> response;
-    std::vector<double> error;      // (the same) of |response|, as the method estimates it
-    std::vector<double> linearity;  // (the same) change at half the amplitude; of a pulse only
+    std::vector<double> error;  // (the same) of |response|, as the method estimates it
+    std::vector<double>
+        linearity;  // (the same) change at half the amplitude, of a pulse; of `linear`: see linear.hpp
   };
 
   std::string method;               // "linear", "pulse", "sweep", "sweep_down"
