@@ -52,6 +52,21 @@ TEST_CASE("check tells which points a chart leaves out at the start", "[tools]")
   CHECK_FALSE(contains(checked.out, "chart all"));
 }
 
+TEST_CASE("check tells the extent of the bodies, the wall time to expect, and numbers in other units",
+          "[tools]") {
+  const Workspace w(with(discs, "duration = 1e-4", "duration = 100"));
+  const std::string told = w.scree("check scene.toml").out;
+  CHECK_THAT(told, Catch::Contains("\n  bodies from (") && Catch::Contains(" m, radius 0.01 m\n"));
+  // Ten million steps.
+  CHECK_THAT(told, Catch::Contains(" of wall time at ") &&
+                       Catch::Contains(" M particle-steps/s, the speed of the first"));
+  const Outcome light = w.scree("check scene.toml --set material.density=2.5");
+  CHECK(light.status == 0);
+  CHECK_THAT(light.err, Catch::Contains("has a density of 2.5 kg/m^3; glass has 2500 kg/m^3"));
+  CHECK_THAT(w.scree("check scene.toml --set particles.radius=2").err,
+             Catch::Contains("has a radius of 2 m; give lengths in m"));
+}
+
 TEST_CASE("check tells the largest overlap at the start, and warns of a large one", "[tools]") {
   const auto checked = [](const char* second) {
     return Workspace(

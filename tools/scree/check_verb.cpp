@@ -1,4 +1,5 @@
 #include "program_verbs.hpp"
+#include "scene_facts.hpp"
 #include "support/study_tables.hpp"
 
 #include <cmath>
@@ -45,7 +46,7 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
              plan.scene.dimension, counted(simulation.planes().size(), "wall"),
              counted(plan.scene.laws.size(), "contact law"),
              counted(plan.scene.body_forces.size(), "body force"), counted(plan.probes.size(), "probe"));
-  fmt::print("  {}\n", step);
+  fmt::print("  {}\n  {}\n", extent_of_bodies(simulation), step);
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
                largest.bodies);
@@ -61,9 +62,12 @@ ExitStatus check(const CheckArguments& arguments) {
   const auto simulation = run::set_up(plan);
   // What a plug-in states may be refused: nothing is printed before.
   const std::string step = run::describe_step(*simulation);
-  const std::vector<std::string> warnings = run::start_warnings(plan, *simulation);
+  std::vector<std::string> warnings = run::start_warnings(plan, *simulation);
+  for (const std::string& line : unusual_numbers(plan)) warnings.push_back(line);
   print_summary(arguments.scenario, plan, *simulation, step);
   for (const std::string& line : run::left_out_at_start(plan, *simulation)) fmt::print("  {}\n", line);
+  if (const std::string line = expected_wall_time(plan, *simulation); !line.empty())
+    fmt::print("  {}\n", line);
   for (const std::string& warning : warnings) report_warning(warning);
   return ExitStatus::success;
 }
