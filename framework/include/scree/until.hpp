@@ -83,8 +83,9 @@ class ConditionValues {
   std::deque<std::pair<double, double>> recent_;  // time (s) and value, if they are to be steady
 };
 
-// Kinetic over elastic energy; infinite without elastic energy. Bodies on which nothing acts do not count: they fly on
-// for ever.
+// Kinetic energy of the bodies that bear load over elastic energy; infinite without elastic energy. A body with one
+// contact, which rolls or slides on, counts by its velocity along the normal alone, and one on which nothing acts, which
+// flies on for ever, not at all; unless no body has two contacts: then all count whole. Walls count.
 double kinetic_over_elastic(const Simulation& simulation);
 
 // Which few bodies hold nearly all of the kinetic energy and how they move, with a cure: "6 bodies hold 99.9 % of the

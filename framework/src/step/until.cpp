@@ -29,6 +29,24 @@ bool is_free(const Particles& p, std::size_t i) {
   return true;
 }
 
+// Contacts of a body, and the normal of the last of them.
+struct Support {
+  int contacts = 0;
+  Vec3 normal = {};
+};
+
+std::vector<Support> supports_of(const Simulation& simulation) {
+  const ContactList list = simulation.contact_list();
+  std::vector<Support> supports(simulation.particles().size());
+  for (std::size_t k = 0; k < list.size(); ++k)
+    for (const std::uint32_t body : {list.a[k], list.b[k]})
+      if (body < supports.size()) {
+        ++supports[body].contacts;
+        supports[body].normal = {{list.normal[3 * k], list.normal[3 * k + 1], list.normal[3 * k + 2]}};
+      }
+  return supports;
+}
+
 // By rolling if a fifth or more is of rotations, by spinning if nine tenths are, of bodies that touch something.
 enum class Motion { flying, rolling, spinning, sliding };
 
@@ -157,12 +175,21 @@ void ConditionValues::transfer(const StateTransfer& state) {
 
 double kinetic_over_elastic(const Simulation& simulation) {
   const scree_energy energy = simulation.energy();
+  const double elastic = elastic_energy(energy);
+  if (!(elastic > 0)) return INFINITY;
   const Particles& p = simulation.particles();
-  double free = 0;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (is_free(p, i)) free += kinetic_energy_of(p.body(i)).sum();
-  const double elastic = elastic_energy(energy), kinetic = std::max(0.0, kinetic_energy(energy) - free);
-  return elastic > 0 ? kinetic / elastic : INFINITY;
+  const std::vector<Support> supports = supports_of(simulation);
+  if (std::none_of(supports.begin(), supports.end(), [](const Support& s) { return s.contacts > 1; }))
+    return kinetic_energy(energy) / elastic;
+  double kinetic = energy.kinetic_boundary;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Body body = p.body(i);
+    if (supports[i].contacts == 1)
+      kinetic += 0.5 * body.mass * std::pow(dot(body.velocity, supports[i].normal), 2);
+    else if (supports[i].contacts > 1 || !is_free(p, i))
+      kinetic += kinetic_energy_of(body).sum();
+  }
+  return kinetic / elastic;
 }
 
 std::optional<Movers> movers(const Simulation& simulation) {
@@ -173,18 +200,13 @@ std::optional<Movers> movers(const Simulation& simulation) {
     energies.push_back(is_free(p, i) ? KineticEnergy{0, 0} : kinetic_energy_of(p.body(i)));
   const std::vector<std::size_t> few = holders(energies, share, std::max<std::size_t>(10, p.size() / 100));
   if (few.empty() || !(energies[few[0]].sum() > 0)) return std::nullopt;
-  const ContactList contacts = simulation.contact_list();
-  std::vector<bool> touches(p.size(), false);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    touches[contacts.a[k]] = true;
-    if (contacts.b[k] < p.size()) touches[contacts.b[k]] = true;
-  }
+  const std::vector<Support> supports = supports_of(simulation);
   KineticEnergy held{0, 0};
   bool any_touches = false;
   std::vector<std::string> names;
   for (const std::size_t i : few) {
     held.translation += energies[i].translation, held.rotation += energies[i].rotation;
-    any_touches = any_touches || touches[i];
+    any_touches = any_touches || supports[i].contacts > 0;
     if (names.size() < 3) names.push_back(fmt::format("particle {}", p.body(i).id));
   }
   if (few.size() > names.size()) names.push_back("...");

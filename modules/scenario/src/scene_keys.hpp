@@ -99,7 +99,7 @@ struct UntilKeys : TableKeys {
   UntilKeys() : TableKeys("stage.until", "until = { }", "ends a stage when conditions are met") {}
   NumberKey kinetic_over_elastic = number(
       "kinetic_over_elastic", Range::positive(),
-      "kinetic energy over elastic energy below which the bodies are at rest; bodies on which nothing acts do "
+      "kinetic energy over elastic energy below which the bodies are at rest; bodies that roll or fly on do "
       "not count",
       "optional");
   Key column = other("\"<probe>.<column>\"", "table", Range::any(), "optional",
