@@ -16,7 +16,7 @@ struct UnbalancedForceProbe {
   static constexpr scree::About about = {
       "unbalanced_force", "net forces on bodies over the mean contact force: 0 in equilibrium",
       "mean = (Σ |F_i|/N)/f,   largest = max |F_i|/f,   f = Σ |f_c|/C\n"
-      "F_i: net force on body i, body forces included; f_c: force of contact c, walls included.\n"
+      "F_i: net force on body i that is not fixed, body forces included; f_c: force of contact c, walls included.\n"
       "Without contacts there is no value.",
       "the criterion of PFC and YADE"};
 
@@ -35,18 +35,20 @@ struct UnbalancedForceProbe {
   }
 
   void sample(const scree_view& view, const double*, double* row) const {
-    double sum = 0, largest = 0, contacts = 0;
+    double sum = 0, largest = 0, contacts = 0, bodies = 0;
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      if (view.fixed && view.fixed[i]) continue;
       const double net = norm(vector_of(view.force, i));
       sum += net;
       largest = std::max(largest, net);
+      ++bodies;
     }
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {
       const double* f = view.contact_force + 3 * c;
       contacts += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     }
     const double mean = contacts / double(view.contact_count);  // NaN without contacts
-    row[0] = sum / double(view.body_count) / mean;
+    row[0] = sum / bodies / mean;
     row[1] = largest / mean;
     row[2] = mean;
   }

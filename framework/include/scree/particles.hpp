@@ -24,6 +24,7 @@ struct Body {
   Vec3 position = {};          // (m)
   Vec3 velocity = {};          // (m/s)
   Vec3 spin = {};              // (rad/s)
+  bool fixed = false;          // it neither moves nor turns, whatever acts on it: as a wall that is fixed
 };
 
 // Layout of a body's record and of its loads: offsets, in doubles, of parts of four doubles each.
@@ -75,11 +76,13 @@ class Particles {
   Vectors<const double> velocity() const { return vectors(records_.data(), record::motion); }
   Vectors<const double> spin() const { return spins(records_.data(), record::motion, record::spin); }
 
-  // Constant during a run: (m), (1/kg).
+  // Constant during a run: (m), (1/kg); the inverse mass of a fixed body is 0, as is its inverse inertia.
   Strided<const double> radius() const { return {records_.data() + record::position + 3, width(), size()}; }
   Strided<const double> inverse_mass() const {
     return {records_.data() + record::motion + 3, width(), size()};
   }
+  // (1/kg) in a contact with a wall, in which a fixed body has its own mass: of the two, no mass would be left.
+  double inverse_mass_at_wall(std::size_t i) const { return 1 / mass[i]; }
 
   // Mid-step velocity (m/s) and spin (rad/s): displacement / step. Written by the integrator, used within a
   // step.
@@ -124,6 +127,8 @@ class Particles {
   Column<double> mass, inertia;  // (kg), (kg m²); inertia is empty without spin
   Column<std::int64_t> id;
   Column<std::uint32_t> material;
+  Column<std::uint8_t> fixed;  // 1 for fixed bodies, 0 for others; empty if none is fixed
+  bool is_fixed(std::size_t i) const { return !fixed.empty() && fixed[i]; }
 
  private:
   void transfer_images(const class StateTransfer& state);

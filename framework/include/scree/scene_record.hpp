@@ -11,7 +11,7 @@ namespace scree {
 
 // The scene in the state of a simulation:
 //   scene/       dimension, integrator, precision, materials, and plug-ins with names and parameter values
-//   bodies/      id, material, radius, mass, inertia, which are constant
+//   bodies/      id, material, radius, mass, inertia and, if any body is fixed, fixed, which are constant
 //   start/       position, velocity and spin at t = 0, from which limits of the scene follow; velocity and
 //                spin only if not all are 0
 

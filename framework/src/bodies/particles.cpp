@@ -18,6 +18,7 @@ Particles::Particles(int dimension, const Features& features, const std::vector<
   if (has_spin_) inertia.resize(n);
   id.resize(n);
   material.resize(n);
+  if (std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.fixed; })) fixed.resize(n);
 
   for (std::size_t i = 0; i < n; ++i) {
     const Body& body = bodies[i];
@@ -28,8 +29,11 @@ Particles::Particles(int dimension, const Features& features, const std::vector<
     for (int k = spin_axes().first; k < spin_axes().last; ++k) spin()[k][i] = mid_spin()[k][i] = body.spin[k];
     double* const record = records_.data() + i * width();
     record[record::position + 3] = body.radius;
-    record[record::motion + 3] = 1 / body.mass;
-    if (has_spin_) record[dimension == 2 ? record::position + 2 : record::spin + 3] = 1 / body.inertia;
+    // Without an inverse, every integrator leaves the motion as it is, and pairs take the body for a wall.
+    record[record::motion + 3] = body.fixed ? 0 : 1 / body.mass;
+    if (has_spin_)
+      record[dimension == 2 ? record::position + 2 : record::spin + 3] = body.fixed ? 0 : 1 / body.inertia;
+    if (!fixed.empty()) fixed[i] = body.fixed;
     mass[i] = body.mass;
     if (has_spin_) inertia[i] = body.inertia;
     id[i] = body.id;
@@ -77,13 +81,15 @@ Body Particles::body(std::size_t i) const {
   if (has_spin_) b.inertia = inertia[i];
   for (int k = 0; k < dimension_; ++k) b.position[k] = position()[k][i], b.velocity[k] = velocity()[k][i];
   for (int k = spin_axes().first; k < spin_axes().last; ++k) b.spin[k] = spin()[k][i];
+  b.fixed = is_fixed(i);
   return b;
 }
 
 std::size_t Particles::bytes_per_body() const {
   const std::size_t doubles = width() + load_width() + (has_spin_ ? 2 : 1) + orientations.stride();
   const std::size_t images = image[0].empty() ? 0 : std::size_t(dimension_) * sizeof(std::int32_t);
-  return doubles * sizeof(double) + images + sizeof(std::int64_t) + sizeof(std::uint32_t);
+  const std::size_t flags = fixed.empty() ? 0 : sizeof(std::uint8_t);
+  return doubles * sizeof(double) + images + sizeof(std::int64_t) + sizeof(std::uint32_t) + flags;
 }
 
 }  // namespace scree

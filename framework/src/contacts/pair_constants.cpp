@@ -21,7 +21,8 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
   for (const PairGroup& group : contacts.groups()) {
     for (std::size_t q = group.begin; q < group.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      const double mass = reduced_mass(p.inverse_mass()[a], group.planes ? 0 : p.inverse_mass()[b]);
+      const double mass = group.planes ? reduced_mass(p.inverse_mass_at_wall(a), 0)
+                                       : reduced_mass(p.inverse_mass()[a], p.inverse_mass()[b]);
       const double radius_a = p.radius()[a], radius_b = group.planes ? 0 : p.radius()[b];
       radius_sum[q] = radius_a + radius_b;
       set(SCREE_REDUCED_MASS, q, mass);

@@ -63,7 +63,7 @@ double BodyForces::largest_damping_rate(const std::vector<Body>& bodies) const {
   for (const Member& member : members_)
     if (const auto rate = member.plugin.interface().damping_rate)
       for (const Body& b : bodies)
-        largest = std::max(largest, rate(member.plugin.storage(), b.mass, b.inertia, b.radius));
+        if (!b.fixed) largest = std::max(largest, rate(member.plugin.storage(), b.mass, b.inertia, b.radius));
   return largest;
 }
 

@@ -72,6 +72,7 @@ void SimulationView::show_bodies(const Simulation& s) {
     view_.orientation[k] = {p.orientations[k].data(), p.orientations[k].stride()};
   view_.id = p.id.data();
   view_.material = p.material.data();
+  view_.fixed = p.fixed.empty() ? nullptr : p.fixed.data();
   material_names_ = pointers_to(s.scene().materials);
   view_.material_count = std::uint32_t(material_names_.size());
   view_.material_names = material_names_.data();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -49,6 +50,14 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
     }
   }
   return {listed, touching};
+}
+
+// Two fixed bodies exert no force on each other, however much they overlap.
+std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>& all, const Particles& p) {
+  std::vector<NeighbourPair> pairs;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(pairs),
+               [&](const NeighbourPair& pair) { return !p.fixed[pair.a] || !p.fixed[pair.b]; });
+  return pairs;
 }
 
 std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const std::vector<scree_plane>& planes,
@@ -139,7 +148,9 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
   const int dimension = particles.dimension();
-  contacts.rebuild(search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads),
+  const std::vector<NeighbourPair>& found =
+      search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads);
+  contacts.rebuild(particles.fixed.empty() ? found : without_fixed_pairs(found, particles),
                    near_planes(bodies_at_search_, boundaries.planes(), dimension, skin_), lookup);
   planes_at_search_ = boundaries.planes();
   body_travel_ = plane_travel_ = 0;

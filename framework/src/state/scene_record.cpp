@@ -60,6 +60,18 @@ void transfer_vector(const StateTransfer& state, const char* name, const char* u
       for (int k = 0; k < 3; ++k) (bodies[i].*vector)[k] = all[3 * i + std::size_t(k)];
 }
 
+// Stored only if there are any.
+template <class Bodies>
+void transfer_fixed(const StateTransfer& state, Bodies& bodies) {
+  const auto is_fixed = [](const Body& body) { return body.fixed; };
+  if (state.restoring() ? !state.has("fixed") : std::none_of(bodies.begin(), bodies.end(), is_fixed)) return;
+  std::vector<std::uint8_t> all(bodies.size());
+  std::transform(bodies.begin(), bodies.end(), all.begin(), is_fixed);
+  state.moved_rows("fixed", "", all, 1, stored::usual<bool>());
+  if constexpr (!std::is_const_v<Bodies>)
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].fixed = all[i] != 0;
+}
+
 template <class Bodies>
 void transfer_bodies_at_start(const StateTransfer& state, Bodies& bodies) {
   const StateTransfer constant = state.below("bodies"), start = state.below("start");
@@ -68,6 +80,7 @@ void transfer_bodies_at_start(const StateTransfer& state, Bodies& bodies) {
   transfer_property(constant, "radius", "m", bodies, &Body::radius);
   transfer_property(constant, "mass", "kg", bodies, &Body::mass);
   transfer_property(constant, "inertia", "kg m^2", bodies, &Body::inertia);
+  transfer_fixed(constant, bodies);
   transfer_vector(start, "position", "m", bodies, &Body::position, true);
   transfer_vector(start, "velocity", "m/s", bodies, &Body::velocity, false);
   transfer_vector(start, "spin", "rad/s", bodies, &Body::spin, false);
@@ -231,6 +244,8 @@ void check_bodies(const StateTransfer& state, const std::vector<Body>& bodies, s
       state.refuse("inertia", "has a moment of inertia that is not above 0 kg m^2");
     if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
       state.refuse("position", "has a body whose position, velocity or spin is not finite");
+    if (body.fixed && !(body.velocity == Vec3{} && body.spin == Vec3{}))
+      state.refuse("fixed", "has a fixed body that moves");
   }
 }
 

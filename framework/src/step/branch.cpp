@@ -84,7 +84,7 @@ bool has_bodies_of(const State& state, const Scene& scene) {
                     [](const Body& a, const Body& b) {
                       return a.material == b.material && a.radius == b.radius && a.mass == b.mass &&
                              a.inertia == b.inertia && a.position == b.position && a.velocity == b.velocity &&
-                             a.spin == b.spin;
+                             a.spin == b.spin && a.fixed == b.fixed;
                     });
 }
 
@@ -172,6 +172,8 @@ Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) 
     if (!branching_.histories) return void(++dropped.asked);
     const std::uint32_t b = !stored.plane ? stored.b : stored.b < planes.size() ? planes[stored.b] : no_plane;
     if (b == no_plane) return void(++dropped.of_walls);
+    if (!stored.plane && parts.particles.is_fixed(stored.a) && parts.particles.is_fixed(b))
+      return void(++dropped.of_fixed);
     const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b);
     if (!group)
       throw no_place("two bodies touch in the state and not in the scene", "keep its periodic faces",
@@ -201,7 +203,8 @@ void Branch::count_lost(SimulationParts& parts) {
     released +=
         missing(before.elastic_tangential, parts.contact_sums.elastic_tangential + (same_laws ? 0 : lost));
   // Other laws store another energy.
-  if (!branching_.walls && same_laws && Boundaries::plane_count(state_) > 0)
+  const bool walls_left = !branching_.walls && Boundaries::plane_count(state_) > 0;
+  if (same_laws && (walls_left || dropped_.of_fixed > 0))
     released += missing(before.elastic_normal, parts.contact_sums.elastic_normal);
   parts.audit.add_released(released);
   report_dropped(released, before.elastic_normal + before.elastic_tangential);
@@ -238,6 +241,7 @@ void Branch::report_dropped(double energy, double before) {
   add(dropped_.asked, "histories are left out", "remove \"histories\" from particles.leave_out to keep them");
   add(dropped_.of_walls, "their walls are left out",
       "remove \"walls\" from particles.leave_out to keep them");
+  add(dropped_.of_fixed, "both of their bodies are fixed", "leave one of them free to keep them");
   add(dropped_.of_laws, "their law keeps other numbers with its present parameters",
       "give it those of the state to keep them");
   if (dropped_.all() == 0 && energy > 0)

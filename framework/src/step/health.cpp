@@ -84,6 +84,8 @@ const Scene& checked(const Scene& scene) {
     if (!(b.radius > 0 && std::isfinite(b.radius) && b.mass > 0 && std::isfinite(b.mass)))
       throw Error(fmt::format("particle {}: radius {:g} m or mass {:g} kg is not above 0; correct it", b.id,
                               b.radius, b.mass));
+    if (b.fixed && !(b.velocity == Vec3{} && b.spin == Vec3{}))
+      throw Error(fmt::format("particle {} is fixed and moves; give it no velocity and no spin", b.id));
     if (b.material >= materials)
       throw Error(fmt::format("particle {}: material {} of {}; give the index of a material", b.id,
                               b.material, materials));

@@ -274,6 +274,7 @@ std::uint64_t Simulation::state_hash() const {
       for (const double component : vectors[k]) hash.add(component);
   for (int k = 0; k < p.orientations.components(); ++k)
     for (const double component : p.orientations[k]) hash.add(component);
+  for (const std::uint8_t fixed : p.fixed) hash.add(std::uint64_t(fixed));
   parts_->integrator->add_to_hash(hash);
   const Contacts& contacts = parts_->contacts;
   for (const PairGroup& group : contacts.groups())
@@ -294,7 +295,9 @@ Footprint Simulation::footprint() const {
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
   const std::size_t history_bytes = PairColumns(parts_->scene.precision).bytes_per_number();
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
-  return {.degrees_of_freedom = p.size() * (std::size_t(dimension()) + spins),
+  const auto fixed = std::size_t(std::count(p.fixed.begin(), p.fixed.end(), 1));
+  return {.degrees_of_freedom = (p.size() - fixed) * (std::size_t(dimension()) + spins),
+          .fixed_bodies = fixed,
           .bytes_per_body = p.bytes_per_body(),
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * history_bytes,
           .history_width = width};

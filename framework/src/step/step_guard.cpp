@@ -34,11 +34,17 @@ struct Smallest {
   std::size_t count = 0;
 };
 
-std::vector<Smallest> smallest_bodies(const Scene& scene) {
-  std::vector<Smallest> all(scene.materials.size());
+// Of the bodies of a material that can move, and of those that are fixed, whose mass is infinite in a contact.
+struct OfMaterial {
+  Smallest moving, fixed;
+};
+
+std::vector<OfMaterial> smallest_bodies(const Scene& scene) {
+  std::vector<OfMaterial> all(scene.materials.size());
   for (const Body& body : scene.bodies) {
-    Smallest& s = all[body.material];
-    s.mass = std::min(s.mass, body.mass);
+    OfMaterial& material = all[body.material];
+    Smallest& s = body.fixed ? material.fixed : material.moving;
+    if (!body.fixed) s.mass = std::min(s.mass, body.mass);
     s.radius = std::min(s.radius, body.radius);
     ++s.count;
   }
@@ -56,12 +62,16 @@ scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed)
   return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed, 1};
 }
 
-// Possible contact partners of bodies of material `a`: the lightest body of each material, and the walls.
+// Possible contact partners of moving bodies of material `a`: the lightest body of each material, fixed bodies and the
+// walls.
 std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
-                                                       const std::vector<Smallest>& smallest, std::size_t a) {
+                                                       const std::vector<OfMaterial>& smallest,
+                                                       std::size_t a) {
   std::vector<std::pair<std::size_t, Smallest>> all;
-  for (std::size_t b = 0; b < smallest.size(); ++b)
-    if (smallest[b].count > (a == b ? 1 : 0)) all.push_back({b, smallest[b]});
+  for (std::size_t b = 0; b < smallest.size(); ++b) {
+    if (smallest[b].moving.count > (a == b ? 1 : 0)) all.push_back({b, smallest[b].moving});
+    if (smallest[b].fixed.count > 0) all.push_back({b, smallest[b].fixed});
+  }
   for (const Scene::Boundary& boundary : scene.boundaries) all.push_back({boundary.material, {}});
   return all;
 }
@@ -69,14 +79,14 @@ std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
 // Calls visit(law index, law, encounter) for the lightest pair of every two materials that may touch.
 template <class Visit>
 void each_encounter(const Scene& scene, double speed, const Visit& visit) {
-  const std::vector<Smallest> smallest = smallest_bodies(scene);
+  const std::vector<OfMaterial> smallest = smallest_bodies(scene);
   const std::size_t materials = smallest.size();
   for (std::size_t k = 0; k < scene.laws.size(); ++k) {
     const ConfiguredLaw law(scene.laws[k].parameters, scene.dimension, no_bounds, no_bounds);
     for (std::size_t a = 0; a < materials; ++a)
       for (const auto& [b, partner] : partners(scene, smallest, a))
-        if (smallest[a].count > 0 && scene.law_of[a * materials + b] == k)
-          visit(k, law, encounter_of(smallest[a], partner, speed));
+        if (smallest[a].moving.count > 0 && scene.law_of[a * materials + b] == k)
+          visit(k, law, encounter_of(smallest[a].moving, partner, speed));
   }
 }
 
@@ -104,14 +114,15 @@ void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double sp
   const double mass = s.boundaries().plane_masses()[wall];
   const double face = std::pow(double(s.particles().size()), 1 - 1.0 / s.dimension());
   const double count = std::max(double(near), std::floor(face));
-  const std::vector<Smallest> smallest = smallest_bodies(scene);
+  const std::vector<OfMaterial> smallest = smallest_bodies(scene);
   for (std::size_t a = 0; a < smallest.size(); ++a) {
-    if (smallest[a].count == 0) continue;
     const std::size_t k = scene.law_of[a * smallest.size() + s.boundaries().plane_materials()[wall]];
     const ConfiguredLaw law(scene.laws[k].parameters, s.dimension(), no_bounds, no_bounds);
-    limits.push_back({fmt::format("wall '{}' of {:g} kg against the {} near it", s.plane_names()[wall], mass,
-                                  counted(std::size_t(count), "body", "bodies")),
-                      stable_step(law, encounter_of(smallest[a], {mass / count, infinite}, speed), 1)});
+    for (const Smallest& body : {smallest[a].moving, smallest[a].fixed})
+      if (body.count > 0)
+        limits.push_back({fmt::format("wall '{}' of {:g} kg against the {} near it", s.plane_names()[wall],
+                                      mass, counted(std::size_t(count), "body", "bodies")),
+                          stable_step(law, encounter_of(body, {mass / count, infinite}, speed), 1)});
   }
 }
 
@@ -151,7 +162,9 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
 }  // namespace
 
 Vec3 drift_velocity(const Scene& scene) {
-  if (!boundaries_of(scene).planes().empty()) return {};
+  const bool any_fixed =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.fixed; });
+  if (any_fixed || !boundaries_of(scene).planes().empty()) return {};
   double mass = 0;
   Vec3 momentum = {};
   for (const Body& body : scene.bodies) mass += body.mass, momentum += body.mass * body.velocity;

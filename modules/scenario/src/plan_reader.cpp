@@ -44,6 +44,7 @@ Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> 
   }
   ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
   plan.scene.bodies = std::move(read.bodies);
+  read_groups(root, plan.scene);
   plan.from_state = std::move(read.state);
   plan.branching = read.branching;
   return read.box;
@@ -225,7 +226,7 @@ void check_keys(const std::filesystem::path& path, const std::vector<std::string
   } catch (const Error&) {
     return;  // it may fit the bodies of the state
   }
-  for (const char* table : {"particles", "particle"}) document.root().accept(table);
+  for (const char* table : {"particles", "particle", "group"}) document.root().accept(table);
   document.refuse_unused();
 }
 

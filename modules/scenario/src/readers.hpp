@@ -99,6 +99,11 @@ struct ReadBodies {
 ReadBodies read_bodies(const document::Table& root, int dimension, const std::vector<Material>& materials,
                        std::uint64_t seed, const std::filesystem::path& folder);
 
+// group_reader.cpp
+
+// Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials.
+void read_groups(const document::Table& root, Scene& scene);
+
 // plugin_parameters.cpp
 
 // The plug-in that the key `plugin` of the table names.

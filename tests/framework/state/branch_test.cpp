@@ -272,3 +272,46 @@ TEST_CASE("the energy of contacts with walls that are left out is released in th
   REQUIRE(branch.let_go().size() == 1);
   CHECK_THAT(branch.let_go()[0], Catch::Contains("their walls are left out"));
 }
+
+TEST_CASE(
+    "springs between bodies that a scene fixes are released, and said, and those of one fixed body are kept") {
+  Stretched s;
+  for (std::size_t i = 0; i < s.next.bodies.size(); ++i) {
+    s.next.bodies[i].fixed = i % 2 == 0;
+    if (s.next.bodies[i].fixed) s.next.bodies[i].velocity = s.next.bodies[i].spin = {};
+  }
+  const auto both_fixed = [&](const scree::ContactList& list, std::size_t c) {
+    return list.b[c] < s.next.bodies.size() && s.next.bodies[list.a[c]].fixed &&
+           s.next.bodies[list.b[c]].fixed;
+  };
+  const scree::ContactList before = s.first.contact_list();
+  std::size_t dropped = 0;
+  for (std::size_t c = 0; c < before.size(); ++c) dropped += both_fixed(before, c);
+  REQUIRE(dropped > 0);
+  const Simulation branch(s.next, s.state, Branching());
+  CHECK(branch.contact_list().size() == before.size() - dropped);
+  const scree_energy after = branch.energy();
+  CHECK(after.dissipated_release == Approx(s.before.elastic_normal + s.before.elastic_tangential -
+                                           after.elastic_normal - after.elastic_tangential)
+                                        .epsilon(1e-12));
+  CHECK(after.dissipated_release > 0);
+  check_closed(branch);
+  REQUIRE(branch.let_go().size() == 1);
+  CHECK_THAT(branch.let_go()[0], Catch::Contains(std::to_string(dropped) + " contacts lose the springs") &&
+                                     Catch::Contains("both of their bodies are fixed"));
+}
+
+TEST_CASE("a body that a scene fixes, and one that it lets go, are not those of the state") {
+  Scene scene = heap(2, false);
+  scene.bodies[3].fixed = true;
+  scene.bodies[3].velocity = scene.bodies[3].spin = {};
+  Simulation first(scene);
+  scree::test::run(first, steps);
+  Scene next = scene_from(first.state(), scene);
+  CHECK(next.bodies[3].fixed);
+  next.bodies[3].fixed = false;
+  Simulation branch(next, first.state(), Branching());
+  CHECK_FALSE(branch.particles().is_fixed(3));
+  scree::test::run(branch, steps);
+  CHECK_FALSE(scree::test::position(branch, 3) == scene.bodies[3].position);
+}

@@ -181,6 +181,57 @@ TEST_CASE("the bodies at the start come back from the state") {
   }
 }
 
+TEST_CASE("which bodies are fixed is in the state, from which they go on to the same bits") {
+  Scene scene = heap(2, false);
+  scene.integration = GENERATE(Integration::velocity_verlet, Integration::predictor_corrector);
+  for (std::size_t i = 0; i < 16; ++i) {
+    scene.bodies[i].fixed = true;
+    scene.bodies[i].velocity = scene.bodies[i].spin = {};
+  }
+  Simulation s(scene);
+  scree::test::run(s, steps);
+  const State state = s.state();
+  Scene later = scene;
+  later.bodies = scree::bodies_at_start(state);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) CHECK(later.bodies[i].fixed == (i < 16));
+  Simulation restored(later, state);
+  CHECK(restored.state_hash() == s.state_hash());
+  scree::test::run(s, steps);
+  scree::test::run(restored, steps);
+  CHECK(restored.state_hash() == s.state_hash());
+  CHECK(restored.state() == s.state());
+  CHECK(scree::test::position(restored, 3) == scene.bodies[3].position);
+  const std::vector<Body> present = scree::present_bodies(s.state());
+  CHECK(present[3].fixed);
+  CHECK_FALSE(present[16].fixed);
+
+  // A scene in which other bodies are fixed is another one.
+  later.bodies[3].fixed = false;
+  CHECK_THAT(message_of([&] { Simulation(later, state); }), Catch::Contains("state_hash"));
+}
+
+TEST_CASE("a state says which bodies are fixed only if some are, by one number for each") {
+  Scene scene = heap(2, false);
+  CHECK_FALSE(Simulation(scene).state().has("bodies/fixed"));
+  scene.bodies[0].fixed = true;
+  scene.bodies[0].velocity = scene.bodies[0].spin = {};
+  const State state = Simulation(scene).state();
+  const auto refusal = [&](const char* path, const scree::StateArray& array) {
+    State damaged = state;
+    damaged.put(path, array);
+    return message_of([&] { scree::bodies_at_start(damaged); });
+  };
+  CHECK(refusal("bodies/fixed", state.at("bodies/fixed")).empty());
+  scree::StateArray array = state.at("bodies/fixed");
+  auto& numbers = std::get<std::vector<std::uint8_t>>(array.values);
+  numbers[1] = 2;
+  CHECK_THAT(refusal("bodies/fixed", array), Catch::Contains("'bodies/fixed' has the number 2"));
+  numbers[1] = 1;
+  CHECK_THAT(refusal("bodies/fixed", array), Catch::Contains("has a fixed body that moves"));
+  numbers.pop_back();
+  CHECK_THAT(refusal("bodies/fixed", array), Catch::Contains("bodies/fixed"));
+}
+
 TEST_CASE("a state of another scene is refused with what differs") {
   const Scene scene = heap(3, false);
   Simulation s(scene);

@@ -67,6 +67,42 @@ TEST_CASE("the limit of one body on a wall follows from its own mass") {
   CHECK(shortest_limit(Simulation(scene)).longest_step == Approx(2 / std::sqrt(stiffness / mass)));
 }
 
+TEST_CASE("the limit of one body that may touch fixed ones is that of a body on a wall") {
+  Scene scene = scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law());
+  scene.bodies[1].fixed = true;
+  // A fixed body is not light, whatever its mass.
+  scene.bodies[1].mass = 1e-6 * mass;
+  CHECK(shortest_limit(Simulation(scene)).longest_step == Approx(2 / std::sqrt(stiffness / mass)));
+  constexpr double pi = 3.14159265358979;
+  CHECK(scree::shortest_contact_time(scene, 1) == Approx(pi / std::sqrt(stiffness / mass)));
+  scene.bodies[0].fixed = true;
+  CHECK(std::isinf(scree::shortest_contact_time(scene, 1)));
+}
+
+TEST_CASE("the limit of a light wall on fixed bodies follows from its mass") {
+  Scene s = scree::test::scene(3, 1e-9, {ball(1, 0)}, law());
+  s.bodies[0].fixed = true;
+  const double light = 1e-6;
+  scree::test::add_boundary(s, "box", {{"stress", {0, 1}}, {"mass", {light}}});
+  CHECK(shortest_limit(Simulation(s)).longest_step == Approx(2 / std::sqrt(stiffness / light)));
+}
+
+TEST_CASE("fixed bodies of small mass are not damped") {
+  Scene drag = scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law());
+  scree::test::add_body_force(drag, "background_damping", {{"translational", {1e6}}});
+  drag.bodies[1].mass = 1e-3 * mass;
+  drag.bodies[1].fixed = true;
+  CHECK(shortest_limit(Simulation(drag)).longest_step == Approx(mass / 1e6));
+}
+
+TEST_CASE("the speed of a cloud counts relative to fixed bodies") {
+  Scene s = scree::test::scene(3, 1e-9, {ball(1, 0), ball(2, 3), ball(3, 9)}, law());
+  for (Body& body : s.bodies) body.velocity[0] = 1e5;
+  s.bodies[2].velocity = {};
+  s.bodies[2].fixed = true;
+  CHECK(shortest_limit(Simulation(s)).longest_step == Approx(0.1 * radius / 1e5));
+}
+
 TEST_CASE("the limit depends on the stability of the integrator") {
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     Scene scene = scree::test::scene(3, 1e-6, {ball(1, 0), ball(2, 3)}, law());

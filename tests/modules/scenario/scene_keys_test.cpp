@@ -37,18 +37,31 @@ const std::string every_table =
     "[limits]\noverlap_ratio = 0.4\n[neighbours]\nskin = 1e-3\n[[body_force]]\nplugin = 'gravity'\nacceleration = [0, -9]\n"
     "[[stage]]\nduration = 1e-4\n[[particle]]\nposition = [1, 1]\nradius = 0.01\n[snapshot]\ncolor_by = 'radius'\n"
     "[[expect]]\nrequirement = 'r'\nquantity = 'steps'\nat_least = 1\n"
-    "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = 'residual'\n";
+    "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = 'residual'\n"
+    "[[group]]\nname = 'g'\nfixed = true\n[group.where]\nids = [1]\n[group.where.sphere]\ncenter = [0, 0]\nradius = 1\n"
+    "[group.where.cylinder]\nfrom = [0, 0]\nto = [1, 1]\nradius = 1\n";
 
 }  // namespace
 
 TEST_CASE("every key that a reader reads is declared in its table", "[scenario]") {
   REQUIRE(refusal(every_table) == "no error");
   const auto tables = scenario::describe_tables();
-  const std::pair<const char*, const char*> places[] = {
-      {"scene", "scene"},           {"time", "time"},           {"limits", "limits"},
-      {"neighbours", "neighbours"}, {"particles", "particles"}, {"particle", "particle"},
-      {"material", "material"},     {"stage", "stage"},         {"snapshot", "snapshot"},
-      {"expect", "expect"},         {"chart", "chart"},         {"particles.lattice", "particles.lattice"}};
+  const std::pair<const char*, const char*> places[] = {{"scene", "scene"},
+                                                        {"time", "time"},
+                                                        {"limits", "limits"},
+                                                        {"neighbours", "neighbours"},
+                                                        {"particles", "particles"},
+                                                        {"particle", "particle"},
+                                                        {"material", "material"},
+                                                        {"stage", "stage"},
+                                                        {"snapshot", "snapshot"},
+                                                        {"expect", "expect"},
+                                                        {"chart", "chart"},
+                                                        {"group", "group"},
+                                                        {"group.where", "group.where"},
+                                                        {"group.where.sphere", "group.where.sphere"},
+                                                        {"group.where.cylinder", "group.where.cylinder"},
+                                                        {"particles.lattice", "particles.lattice"}};
   for (const auto& [name, path] : places) {
     CAPTURE(name);
     std::set<std::string> declared;

@@ -36,6 +36,19 @@ TEST_CASE("unbalanced_force: a disc that rests on the ground is in balance", "[p
   CHECK(row["largest"] < 1e-10);  // round-off of the overlap, 1e-16 of 1 m times 1e4 N/m, over 20 N
 }
 
+TEST_CASE("unbalanced_force: fixed discs, which bear a load, do not count", "[probe]") {
+  // Overlaps of 0.01 and 0.02: the disc in the middle has a net force of 100 N.
+  Scene sc = scene(2, 1e-4,
+                   {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2), body(2, 1, 1, {{1.99, 0, 0}}, {}, {}, 2),
+                    body(3, 1, 1, {{3.97, 0, 0}}, {}, {}, 2)},
+                   law);
+  sc.bodies[0].fixed = sc.bodies[2].fixed = true;
+  const Sampled row = sample(Simulation(sc), "unbalanced_force");
+  CHECK(row["mean_contact_force"] == Approx(150));
+  CHECK(row["mean"] == Approx(100.0 / 150));
+  CHECK(row["largest"] == Approx(100.0 / 150));
+}
+
 TEST_CASE("unbalanced_force: without contacts there is no value", "[probe]") {
   const Simulation s(scene(2, 1e-4, {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2)}, law));
   CHECK(std::isnan(sample(s, "unbalanced_force")["mean"]));

@@ -28,7 +28,7 @@ Energies energies_of(const Eigen::VectorXd& q, const response::LinearSystem& sys
     return k == DegreesOfFreedom::none ? 0 : system.mass[k] * q[k] * q[k];
   };
   for (std::size_t i = 0; i < freedom.bodies(); ++i) {
-    e.held += freedom.translation(i, 0) != DegreesOfFreedom::none;
+    e.held += freedom.moves(i);
     for (int k = 0; k < freedom.dimension(); ++k) {
       const double part = energy(freedom.translation(i, k));
       e.translation[std::size_t(k)] += part, e.of_body[i] += part;

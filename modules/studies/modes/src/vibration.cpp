@@ -110,7 +110,7 @@ class VibrationStudy : public run::Study {
     for (std::size_t i = 0; i < p.size(); ++i) result_.names.push_back(p.id[i]);
     result_.walls = simulation_->plane_names();
     for (const std::uint32_t i : system_->rattlers) result_.rattlers.push_back(result_.names[i]);
-    result_.bodies = p.size() - system_->rattlers.size();
+    result_.bodies = p.size() - system_->rattlers.size() - simulation_->footprint().fixed_bodies;
     result_.contacts = simulation_->contact_list().size();
     result_.degrees_of_freedom = std::size_t(system_->freedom.size());
     if (system_->one_way_contacts > 0) session_.warn(response::one_way_warning(system_->one_way_contacts));

@@ -37,6 +37,30 @@ struct Stopped : Bench {
 
 }  // namespace
 
+// At the time of the state other discs lie in the region of the group: those that it fixed at the start stay fixed.
+TEST_CASE("a run with fixed bodies goes on to the same bits", "[run]") {
+  const std::string fixed =
+      with(discs, "random_velocity = 0.1\n", "random_velocity = 0.1\nvelocity = [-200, 0]\n") +
+      "[limits]\nspeed = 1e4\noverlap_ratio = 1e9\n"
+      "[[group]]\nname = 'left'\nfixed = true\nwhere = { x = [0, 0.02] }\n";
+  const std::vector<std::string> unguarded = {"time.step_guard=false"};
+  const Bench whole(fixed, unguarded), halves(with(fixed, "duration = 1e-4", "duration = 5e-5"), unguarded);
+  whole.run();
+  halves.run();
+  const RunResult resumed = resume(halves, {}, 1e-4);
+  const State at_end = state_file::read_state(whole.options.out / "final_state.h5");
+  CHECK(state_file::read_state(halves.options.out / "final_state.h5").at("bodies/fixed") ==
+        at_end.at("bodies/fixed"));
+  CHECK(state_file::read_state(halves.options.out / "final_state.h5").at("state_hash") ==
+        at_end.at("state_hash"));
+  CHECK(series_of(halves, "energy") == series_of(whole, "energy"));
+  std::size_t now_in_region = 0, are_fixed = 0;
+  for (const Body& body : present_bodies(at_end))
+    now_in_region += body.position[0] < 0.02, are_fixed += body.fixed;
+  CHECK(are_fixed == 3);
+  CHECK(now_in_region > 3);
+}
+
 TEST_CASE("a run that cannot go on leaves its series as they are", "[run]") {
   // The last row is behind the state at the end, so that going on would drop it.
   const Bench bench(with(discs, "every = 2e-5", "every = 3e-5") +

@@ -77,6 +77,7 @@ typedef struct scree_view {
   double end_time;                /* (s) when the run ends; NaN where that is not known */
   uint32_t input_count;           /* of the probe that is called, in observe and sample; else 0 */
   const double* inputs;           /* input_count: values of scree_setup.inputs at this time */
+  const uint8_t* fixed; /* (optional) body_count: 1 for bodies that no force moves; NULL if there are none */
 } scree_view;
 
 typedef struct scree_probe_instance {

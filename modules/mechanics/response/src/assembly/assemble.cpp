@@ -19,9 +19,11 @@ bool counts(const ContactTerms& c, const std::vector<bool>& held) {
   return held[c.a] && (c.b >= held.size() || held[c.b]);
 }
 
-// Whether each body is held by at least `fewest_contacts` (AssemblyOptions) contacts with walls or held bodies.
-std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, std::size_t bodies, int dimension,
+// Whether each body is fixed, or held by at least `fewest_contacts` (AssemblyOptions) contacts with walls or held
+// bodies.
+std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, const Particles& p, int dimension,
                               int fewest_contacts) {
+  const std::size_t bodies = p.size();
   std::vector<bool> held(bodies, true), tangential(bodies, false);
   for (bool changed = true; changed;) {
     changed = false;
@@ -37,7 +39,7 @@ std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, std::si
     }
     for (std::size_t i = 0; i < bodies; ++i) {
       const int needed = fewest_contacts > 0 ? fewest_contacts : tangential[i] ? 2 : dimension + 1;
-      if (!held[i] || number[i] >= needed) continue;
+      if (!held[i] || p.is_fixed(i) || number[i] >= needed) continue;
       held[i] = false;
       changed = true;
     }
@@ -52,9 +54,12 @@ WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOpt
   return equations;
 }
 
-// Bodies rotate if a contact between held bodies can turn them, and walls move if a held body touches them.
+// Held bodies move unless they are fixed, and rotate if a contact between held bodies can turn them; walls move if a
+// held body touches them.
 DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const std::vector<bool>& held,
-                                const WallEquations& equations, int dimension, int spins) {
+                                const Particles& p, const WallEquations& equations, int spins) {
+  std::vector<bool> translates = held;
+  for (std::size_t i = 0; i < held.size(); ++i) translates[i] = held[i] && !p.is_fixed(i);
   std::vector<bool> rotates(held.size(), false), moved(equations.walls.size(), false);
   for (const ContactTerms& c : contacts) {
     if (!counts(c, held)) continue;
@@ -64,7 +69,7 @@ DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const
     rotates[c.a] = true;
     if (c.b < held.size()) rotates[c.b] = true;
   }
-  return DegreesOfFreedom(dimension, spins, held, rotates, moved);
+  return DegreesOfFreedom(p.dimension(), spins, translates, rotates, moved);
 }
 
 Eigen::VectorXd masses(const DegreesOfFreedom& freedom, const Particles& p, const WallEquations& equations) {
@@ -117,10 +122,9 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
     check_integration(simulation.scene());
     check_integrated_spins(contacts);
   }
-  const std::vector<bool> held =
-      held_bodies(contacts, p.size(), simulation.dimension(), options.fewest_contacts);
+  const std::vector<bool> held = held_bodies(contacts, p, simulation.dimension(), options.fewest_contacts);
   const WallEquations equations = equations_of_walls(simulation, options);
-  const DegreesOfFreedom freedom = number_motions(contacts, held, equations, simulation.dimension(), spins);
+  const DegreesOfFreedom freedom = number_motions(contacts, held, p, equations, spins);
   if (freedom.size() == 0)
     throw Error(fmt::format("no body is held at t = {:g} s, of {} with {}; compress the packing{}",
                             simulation.time(), p.size(), counted(contacts.size(), "contact"),

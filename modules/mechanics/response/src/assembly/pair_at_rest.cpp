@@ -32,7 +32,8 @@ void PairAtRest::set_inputs(const Particles& particles, const Orientations& orie
   columns.set(SCREE_NORMAL, normal, i);
   columns.input(SCREE_OVERLAP, 0, i) = overlap();
   columns.input(SCREE_REDUCED_MASS, 0, i) =
-      reduced_mass(particles.inverse_mass()[a], to_wall() ? 0 : particles.inverse_mass()[b]);
+      to_wall() ? reduced_mass(particles.inverse_mass_at_wall(a), 0)
+                : reduced_mass(particles.inverse_mass()[a], particles.inverse_mass()[b]);
   columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = effective_radius(radius_a, radius_b, to_wall());
   columns.input(SCREE_RADII, 0, i) = radius_a;
   columns.input(SCREE_RADII, 1, i) = radius_b;

@@ -24,7 +24,9 @@ constexpr double longest_step = 0.005;
 constexpr double pair_gap = 0.4;
 
 DegreesOfFreedom all_motions(const Simulation& simulation, int spins, const WallEquations& walls) {
-  const std::vector<bool> bodies(simulation.particles().size(), true);
+  const Particles& p = simulation.particles();
+  std::vector<bool> bodies(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) bodies[i] = !p.is_fixed(i);
   std::vector<bool> free;
   for (const scree_linear_plane& wall : walls.walls) free.push_back(wall.free != 0);
   return DegreesOfFreedom(simulation.dimension(), spins, bodies, std::vector<bool>(bodies.size(), spins > 0),
@@ -53,7 +55,8 @@ Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
       scale_(Vector::Ones(freedom_.size())) {
   const auto radii = simulation.particles().radius();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i)
-    for (int k = 0; k < freedom_.spins(); ++k) scale_[freedom_.rotation(i, k)] = 1 / radii[i];
+    for (int k = 0; k < freedom_.spins() && freedom_.moves(i); ++k)
+      scale_[freedom_.rotation(i, k)] = 1 / radii[i];
   // A drag, for example, is 0 at rest.
   if (std::all_of(body_forces_.begin(), body_forces_.end(), [](const BodyForceTerms& terms) {
         return terms.load.isZero(0) && terms.stiffness.isZero(0);
@@ -100,7 +103,7 @@ void Equilibrium::accept(const Balance& balance) {
 Equilibrium::Vector Equilibrium::without_free_bodies(Vector motion) const {
   const std::vector<bool> touched = contacts_.touched();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
-    if (touched[i]) continue;
+    if (touched[i] || !freedom_.moves(i)) continue;
     motion.segment(freedom_.translation(i, 0), freedom_.dimension()).setZero();
     if (freedom_.spins() > 0) motion.segment(freedom_.rotation(i, 0), freedom_.spins()).setZero();
   }
@@ -140,6 +143,7 @@ void Equilibrium::add_bodies(const Search& search, Vector& residual) const {
   const Balance& balance = search.balance;
   const int D = freedom_.dimension(), S = freedom_.spins();
   for (std::uint32_t i = 0; i < freedom_.bodies(); ++i) {
+    if (!freedom_.moves(i)) continue;
     Vector load(D + S), moved = Vector::Zero(D + S);
     for (int k = 0; k < D; ++k) {
       load[k] = balance.loads.force[i][k];

@@ -63,10 +63,11 @@ class Equilibrium {
   // Factorises K with `grounding` × its largest entry added to the diagonal. Returns false if it is singular.
   bool factorise(const WallEquations& walls, double grounding);
   Vector step_for(const Vector& residual) const;
-  // Calls visit(first number, count) for the translation and the rotation of each body.
+  // Calls visit(first number, count) for the translation and the rotation of each body that moves.
   template <class Visit>
   void for_each_motion(const Visit& visit) const {
     for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
+      if (!freedom_.moves(i)) continue;
       visit(freedom_.translation(i, 0), freedom_.dimension());
       if (freedom_.spins() > 0) visit(freedom_.rotation(i, 0), freedom_.spins());
     }

@@ -37,7 +37,7 @@ double unbalance_of(const Simulation& simulation, const DegreesOfFreedom& freedo
   }
   double largest = 0;
   for (std::size_t i = 0; i < freedom.bodies(); ++i)
-    if (freedom.translation(i, 0) != DegreesOfFreedom::none) largest = std::max(largest, net[i].norm());
+    if (freedom.moves(i)) largest = std::max(largest, net[i].norm());
   return sum > 0 ? largest / (sum / double(contacts.size())) : 0;
 }
 

@@ -46,6 +46,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
   auto next = near.begin();
   for (std::uint32_t a = 0; a < p.size(); ++a) {
     for (; next != near.end() && next->a == a; ++next) {
+      if (p.is_fixed(a) && p.is_fixed(next->b)) continue;  // they exert no force on each other
       const Vec3 apart = at.position[a] - at.position[next->b];
       Vec3 shift = {};
       for (int k = 0; k < p.dimension(); ++k)

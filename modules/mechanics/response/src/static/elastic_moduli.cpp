@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/median.hpp>
 #include <scree/response/elastic_moduli.hpp>
@@ -128,6 +129,11 @@ std::string periodic_axes(const Simulation& simulation) {
 }  // namespace
 
 WallPair wall_pair(const Simulation& simulation) {
+  if (const std::size_t fixed = simulation.footprint().fixed_bodies; fixed > 0)
+    throw Error(fmt::format(
+        "elastic constants are those of bodies between two walls, and here {} too, which {} load; leave "
+        "--elastic out, or the [[group]] that fixes them",
+        counted(fixed, "body is fixed", "bodies are fixed"), fixed == 1 ? "bears" : "bear"));
   const std::vector<scree_plane>& planes = simulation.planes();
   const int dimension = simulation.dimension();
   const auto refuse = [&] {

@@ -1,5 +1,7 @@
 #include "static/static_packing.hpp"
 
+#include <algorithm>
+
 #include <scree/error.hpp>
 #include <scree/response/found_modes.hpp>
 
@@ -34,7 +36,8 @@ PackingMotion StaticPacking::solve(const Eigen::VectorXd& force, const Eigen::Ve
 }
 
 bool StaticPacking::is_held(std::uint32_t end) const {
-  return end >= system_.freedom.bodies() || system_.freedom.translation(end, 0) != DegreesOfFreedom::none;
+  return end >= system_.freedom.bodies() ||
+         !std::binary_search(system_.rattlers.begin(), system_.rattlers.end(), end);
 }
 
 double StaticPacking::component(const PackingMotion& motion, std::uint32_t end, int k) const {

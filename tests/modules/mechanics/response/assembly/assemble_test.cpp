@@ -1,7 +1,9 @@
 #include "../packings.hpp"
 
+#include <cmath>
 #include <memory>
 
+#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
 #include <scree/branching.hpp>
@@ -281,4 +283,96 @@ TEST_CASE("a contact that slides goes on sliding", "[response]") {
   CHECK(std::abs(stiffness(1, 1) - k) < tolerance);
   CHECK(std::abs(stiffness(2, 1) - (0.5 * force - 0.95 * friction * k)) < tolerance);
   CHECK(std::abs(stiffness(2, 2)) < tolerance);
+}
+
+namespace {
+
+// A compressed row of five spheres of mass 1 and radius 1 between two of the same size, which are fixed, or between walls.
+Scene row_between(bool fixed_spheres) {
+  constexpr double d = 2 - 1e-3;
+  std::vector<Body> bodies;
+  for (int i = fixed_spheres ? 0 : 1; i <= (fixed_spheres ? 6 : 5); ++i) {
+    bodies.push_back(test::body(i, 1, 1, {{i * d, 0, 0}}));
+    bodies.back().fixed = i == 0 || i == 6;
+  }
+  Scene scene = test::scene(3, 1e-3, std::move(bodies),
+                            {{"normal_stiffness", {1000}},
+                             {"normal_damping", {3}},
+                             {"tangential_stiffness", {600}},
+                             {"static_friction", {50}}});
+  if (fixed_spheres) return scene;
+  test::add_boundary(scene, "plane", {{"point", {0.5 * d, 0, 0}}, {"normal", {1, 0, 0}}}, "low");
+  test::add_boundary(scene, "plane", {{"point", {5.5 * d, 0, 0}}, {"normal", {-1, 0, 0}}}, "high");
+  return scene;
+}
+
+// The eigenvalues of K along x over the mass, in ascending order.
+Eigen::VectorXd squares_along_x(const LinearSystem& system, std::size_t first) {
+  Matrix along(5, 5);
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t k = 0; k < 5; ++k)
+      along(Eigen::Index(i), Eigen::Index(k)) = Matrix(system.stiffness)(
+          system.freedom.translation(first + i, 0), system.freedom.translation(first + k, 0));
+  return Eigen::SelfAdjointEigenSolver<Matrix>(along).eigenvalues();
+}
+
+}  // namespace
+
+// ω_j = 2 √(k/m) sin(j π/(2 (n + 1))) of a chain of n that is clamped at both ends. Round-off.
+TEST_CASE("a row between two fixed spheres has the frequencies of a clamped chain, as one between walls",
+          "[response]") {
+  const LinearSystem by_spheres = assemble(Simulation(row_between(true)), {.fewest_contacts = 1}),
+                     by_walls = assemble(Simulation(row_between(false)), {.fewest_contacts = 1});
+  CHECK(by_spheres.freedom.size() == 5 * 6);
+  CHECK(by_spheres.freedom.bodies() == 7);
+  for (const std::size_t end : {0, 6}) {
+    CHECK_FALSE(by_spheres.freedom.moves(end));
+    CHECK(by_spheres.freedom.translation(end, 0) == DegreesOfFreedom::none);
+    CHECK(by_spheres.freedom.rotation(end, 0) == DegreesOfFreedom::none);
+  }
+  CHECK(by_spheres.rattlers.empty());
+  const Eigen::VectorXd squares = squares_along_x(by_spheres, 1);
+  for (int j = 1; j <= 5; ++j)
+    CHECK(squares[j - 1] ==
+          Approx(std::pow(2 * std::sqrt(1000.0) * std::sin(j * 3.14159265358979 / 12), 2)).epsilon(1e-10));
+  CHECK((squares - squares_along_x(by_walls, 0)).norm() < 1e-9);
+  CHECK((by_spheres.mass - by_walls.mass).norm() == 0);
+  // Between walls the normal does not turn with the spheres at the ends: they differ across x, by the compression of 1 N.
+  CHECK((Matrix(by_spheres.damping) - Matrix(by_walls.damping)).norm() < 1e-9);
+  CHECK((Matrix(by_spheres.stiffness) - Matrix(by_walls.stiffness)).norm() < 3);
+}
+
+// Four discs on two that are fixed in place of a floor: K is the derivative of the forces on the others.
+TEST_CASE("the stiffness of bodies on fixed ones is the derivative of the forces of the kernel",
+          "[response]") {
+  for (const int dimension : {2, 3}) {
+    Scene scene = test::heap(dimension, springs);
+    const State state = test::strained(scene);
+    scene.bodies = present_bodies(state);
+    scene.bodies[0].fixed = scene.bodies[1].fixed = true;
+    const State with_fixed = Simulation(scene, state, Branching()).state();
+    const Simulation simulation(scene, with_fixed);
+    const LinearSystem system = system_of(simulation);
+    CHECK(system.freedom.size() == (dimension == 2 ? 2 * 3 : 3 * 6));
+    // Of the same bodies where all move, without the rows and columns of the two.
+    Scene free = scene;
+    for (Body& body : free.bodies) body.fixed = false;
+    const LinearSystem all = system_of(Simulation(free, state, Branching()));
+    const Eigen::Index first = all.freedom.translation(2, 0), size = system.freedom.size();
+    REQUIRE(all.freedom.size() == first + size);
+    CHECK((Matrix(system.stiffness) - Matrix(all.stiffness).bottomRightCorner(size, size)).norm() <
+          1e-12 * Matrix(all.stiffness).norm());
+    CHECK((Matrix(system.damping) - Matrix(all.damping).bottomRightCorner(size, size)).norm() == 0);
+  }
+}
+
+TEST_CASE("a body without contacts is a rattler unless it is fixed, and fixed bodies alone have no response",
+          "[response]") {
+  Scene scene = row_between(true);
+  scene.bodies.push_back(test::body(7, 1, 1, {{0, 9, 0}}));
+  scene.bodies.push_back(test::body(8, 1, 1, {{9, 9, 0}}));
+  scene.bodies[7].fixed = true;
+  CHECK(system_of(Simulation(scene)).rattlers == std::vector<std::uint32_t>{8});
+  for (Body& body : scene.bodies) body.fixed = true;
+  CHECK_THROWS_WITH(system_of(Simulation(scene)), Catch::Contains("no body is held"));
 }

@@ -60,3 +60,27 @@ TEST_CASE("a body that touches nothing does not take part in a motion", "[respon
   CHECK(motion[freedom.translation(0, 1)] == 1);
   for (int k = 0; k < 3; ++k) CHECK(motion[freedom.translation(2, k)] == 0);
 }
+
+// A sphere in place of the floor, and one beside it that it overlaps.
+TEST_CASE("a column on a fixed sphere is in balance as on a floor, and the fixed one bears its weight",
+          "[response]") {
+  Scene scene = column();
+  scene.boundaries.clear();
+  for (const double x : {0.0, -1.5}) {
+    scene.bodies.push_back(test::body(int(scene.bodies.size()), 1, 1, {{x, -1, 0}}));
+    scene.bodies.back().fixed = true;
+  }
+  const Simulation simulation(scene);
+  Equilibrium equilibrium(simulation, tolerance);
+  const StaticConfiguration from(simulation);
+  const Balance balance = equilibrium.find(from, 0, {}, [] { return true; });
+  REQUIRE(balance.found);
+  CHECK(equilibrium.freedom().size() == 2 * 3);
+  const double lower = balance.at.position[0][1], upper = balance.at.position[1][1];
+  CHECK(1 - lower == Approx(2 * gravity / stiffness).margin(1e-12).epsilon(0));
+  CHECK(2 - (upper - lower) == Approx(gravity / stiffness).margin(1e-12).epsilon(0));
+  CHECK(balance.at.position[2] == from.position[2]);
+  CHECK(balance.loads.force[2][1] == Approx(-2 * gravity).epsilon(1e-10));
+  CHECK(balance.loads.force[3] == Vec3{});
+  CHECK(equilibrium.contacts().touching().size() == 2);
+}

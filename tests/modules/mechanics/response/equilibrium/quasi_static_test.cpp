@@ -1,3 +1,4 @@
+#include "../static/column.hpp"
 #include "prepared.hpp"
 
 #include <algorithm>
@@ -160,6 +161,37 @@ TEST_CASE("a quasi-static packing has a state before its first balance") {
   for (const scree_load& load : packing.loads())
     for (const double f : load.force) CHECK(f == 0);
   CHECK(packing.state().has("bodies/position"));
+}
+
+// Each of its contacts bears 1 N. The tolerance of the search, 1e-11, times 1 N over the stiffness.
+TEST_CASE("a quasi-static load presses a column on a fixed disc as on a floor") {
+  const auto wall_after = [](bool fixed_disc) {
+    Scene scene = column(6);
+    if (fixed_disc) {
+      scene.boundaries.erase(scene.boundaries.begin());
+      for (const double x : {0.0, 1.0}) {
+        scene.bodies.push_back(
+            body(std::int64_t(scene.bodies.size()), 1, 1, {{x, -1 + 1e-12, 0}}, {}, {}, 2));
+        scene.bodies.back().fixed = true;
+      }
+    }
+    const Simulation simulation(scene);
+    const std::size_t top = simulation.planes().size() - 1;
+    const double start = simulation.planes()[top].point[1];
+    QuasiStatic packing(simulation, {.longest_increment = 1});
+    REQUIRE(packing.advance(0));
+    CHECK(packing.degrees_of_freedom() == 2 * discs + 1);
+    CHECK(packing.touching() == discs + 1);
+    // The state that a run goes on from.
+    const Simulation later(scene, packing.state());
+    CHECK(later.contact_list().size() == discs + 1);
+    for (std::size_t i = discs; i < scene.bodies.size(); ++i)
+      CHECK(position(later, i) == scene.bodies[i].position);
+    return packing.planes()[top].point[1] - start;
+  };
+  const double expected = -(discs + 1) / stiffness;
+  CHECK(wall_after(false) == Approx(expected).epsilon(1e-8));
+  CHECK(wall_after(true) == Approx(expected).epsilon(1e-8));
 }
 
 TEST_CASE("laws that integrate spins are named") {

@@ -56,3 +56,19 @@ TEST_CASE("a packing whose stiffness differs in equilibrium is warned of", "[res
   CHECK(rest.stiffness_change == Approx(std::cbrt(2) - 1).epsilon(0.02));
   CHECK_THAT(rest.warning, Catch::Contains("and its stiffness differs by 0.26 from the equilibrium nearby"));
 }
+
+TEST_CASE("the unbalance is not that of fixed bodies, and the equilibrium nearby leaves them where they are",
+          "[response]") {
+  Scene scene = on_floor(0);
+  scene.boundaries.clear();
+  scene.bodies.push_back(test::body(1, 1, 1, {{0, -1 + weight / stiffness, 0}}));
+  scene.bodies[1].fixed = true;
+  CHECK(rest_of(Simulation(scene), {.fewest_contacts = 1}).unbalance < 1e-12);
+  scene.bodies[0].position[1] -= weight / stiffness;  // 10 N up and 5 N down
+  const Rest rest = rest_of(Simulation(scene), {.fewest_contacts = 1});
+  CHECK(rest.unbalance == Approx(0.5));
+  REQUIRE(rest.equilibrium);
+  CHECK(test::position(*rest.equilibrium, 0)[1] == Approx(1).margin(1e-12).epsilon(0));
+  CHECK(test::position(*rest.equilibrium, 1) == scene.bodies[1].position);
+  CHECK(rest.equilibrium->particles().is_fixed(1));
+}

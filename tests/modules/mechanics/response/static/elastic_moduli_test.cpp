@@ -134,3 +134,10 @@ TEST_CASE("elastic constants need two walls in a packing that is periodic otherw
       "elastic constants need two parallel walls across an axis and periodic boundaries along the other two; here are 1 "
       "wall and the periodic axes none; leave --elastic out, or prepare such a packing");
 }
+
+TEST_CASE("elastic constants are not those of a packing in which bodies are fixed", "[response]") {
+  Scene scene = cube(1e-3);
+  scene.bodies[0].fixed = true;
+  CHECK_THROWS_WITH(wall_pair(Simulation(scene)),
+                    Catch::Contains("here 1 body is fixed too, which bears load; leave --elastic out"));
+}

@@ -37,3 +37,18 @@ TEST_CASE("without a wall that forces move there is no response to a load", "[re
   CHECK_THROWS_WITH(load_responses(simulation, {.fewest_contacts = 1}),
                     Catch::Contains("no wall is moved by forces"));
 }
+
+TEST_CASE("a force on a wall is borne by a fixed disc as by a floor", "[response]") {
+  Scene scene = column(6);
+  scene.boundaries.erase(scene.boundaries.begin());
+  scene.bodies.push_back(test::body(discs, 1, 1, {{0, -1 + 1e-12, 0}}, {}, {}, 2));
+  scene.bodies.back().fixed = true;
+  const std::vector<LoadResponse> responses = load_responses(Simulation(scene), {.fewest_contacts = 1});
+  REQUIRE(responses.size() == 1);
+  CHECK(responses[0].walls[0] == Approx((discs + 1) / stiffness).epsilon(1e-6));
+  REQUIRE(responses[0].contacts.size() == discs + 1);
+  for (const LoadedContact& contact : responses[0].contacts)
+    CHECK(contact.normal_change == Approx(1).epsilon(1e-6));
+  REQUIRE(responses[0].bodies.size() == discs + 1);
+  CHECK(responses[0].displacement[2 * discs + 1] == 0);
+}

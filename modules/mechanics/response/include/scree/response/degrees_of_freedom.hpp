@@ -24,6 +24,8 @@ class DegreesOfFreedom {
   Eigen::Index size() const { return size_; }
   std::size_t bodies() const { return translation_.size(); }
   std::size_t walls() const { return wall_.size(); }
+  // Whether a body has translations; a body that is left out or fixed has none.
+  bool moves(std::size_t body) const { return translation_[body] != none; }
   // Number of the component k of the displacement of a body, 0 <= k < dimension; `none` if it is left out.
   Eigen::Index translation(std::size_t body, int k) const { return offset(translation_[body], k); }
   // Number of its rotation about axis k, 0 <= k < spins; in 2D the only axis is z.

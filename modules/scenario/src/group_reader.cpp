@@ -1,0 +1,169 @@
+#include "group_keys.hpp"
+#include "readers.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <unordered_set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <scree/counted.hpp>
+#include <scree/files/text.hpp>
+
+namespace scree::scenario {
+
+namespace {
+
+// The bodies of a group. Each condition of `where` leaves out those that do not meet it.
+class Selection {
+ public:
+  explicit Selection(const Scene& scene) : scene_(scene), chosen_(scene.bodies.size(), true) {}
+
+  void keep_if(const std::function<bool(const Body&)>& meets) {
+    for (std::size_t i = 0; i < chosen_.size(); ++i) chosen_[i] = chosen_[i] && meets(scene_.bodies[i]);
+    ++conditions_;
+  }
+  std::size_t conditions() const { return conditions_; }
+  std::vector<std::size_t> bodies() const {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < chosen_.size(); ++i)
+      if (chosen_[i]) all.push_back(i);
+    return all;
+  }
+
+ private:
+  const Scene& scene_;
+  std::vector<bool> chosen_;
+  std::size_t conditions_ = 0;
+};
+
+void keep_ids(const document::Table& where, const Scene& scene, Selection& selection) {
+  if (!where.optional(group_where_keys.ids)) return;
+  const std::vector<std::int64_t> ids = where.integers(group_where_keys.ids);
+  std::unordered_set<std::int64_t> known;
+  for (const Body& body : scene.bodies) known.insert(body.id);
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    if (!known.contains(ids[k]))
+      throw where.error(group_where_keys.ids, k, fmt::format("no body has the id {}", ids[k]),
+                        "give ids of bodies, as [[particle]], a file or a probe has them");
+  const std::unordered_set<std::int64_t> wanted(ids.begin(), ids.end());
+  selection.keep_if([&](const Body& body) { return wanted.contains(body.id); });
+}
+
+void keep_material(const document::Table& where, const Scene& scene, Selection& selection) {
+  const auto name = where.optional_string(group_where_keys.material);
+  if (!name) return;
+  const std::size_t material =
+      find_name(where, group_where_keys.material, "material", *name, scene.materials);
+  selection.keep_if([&](const Body& body) { return body.material == material; });
+}
+
+void keep_ranges(const document::Table& where, int dimension, Selection& selection) {
+  const Key* const axes[] = {&group_where_keys.x, &group_where_keys.y, &group_where_keys.z};
+  for (int k = 0; k < 3; ++k) {
+    const Key& axis = *axes[k];
+    if (!where.optional(axis)) continue;
+    if (k >= dimension)
+      throw where.error(axis, "a scene of two dimensions has no z", "remove it, or set scene.dimension = 3");
+    const std::vector<double> range = where.numbers(axis, 2);
+    if (!(range[0] <= range[1]))
+      throw where.error(axis, fmt::format("{:g} is above {:g} m", range[0], range[1]),
+                        "give the lower end first");
+    selection.keep_if(
+        [&](const Body& body) { return body.position[k] >= range[0] && body.position[k] <= range[1]; });
+  }
+}
+
+void keep_sphere(const document::Table& where, int dimension, Selection& selection) {
+  const auto sphere = where.optional_table(group_where_keys.sphere);
+  if (!sphere) return;
+  const Vec3 center = read_vector(*sphere, sphere_keys.center, dimension, true);
+  const double radius = read(*sphere, sphere_keys.radius);
+  selection.keep_if([&](const Body& body) { return norm(body.position - center) <= radius; });
+}
+
+void keep_cylinder(const document::Table& where, int dimension, Selection& selection) {
+  const auto cylinder = where.optional_table(group_where_keys.cylinder);
+  if (!cylinder) return;
+  const Vec3 from = read_vector(*cylinder, cylinder_keys.from, dimension, true);
+  const Vec3 along = read_vector(*cylinder, cylinder_keys.to, dimension, true) - from;
+  const double radius = read(*cylinder, cylinder_keys.radius), length = norm(along);
+  if (!(length > 0))
+    throw cylinder->error(cylinder_keys.to, "the axis has no length", "give two different points");
+  const Vec3 axis = (1 / length) * along;
+  selection.keep_if([&](const Body& body) {
+    const Vec3 apart = body.position - from;
+    const double height = dot(apart, axis);
+    return height >= 0 && height <= length && norm(apart - height * axis) <= radius;
+  });
+}
+
+// "x from 0 to 1, y from 0 to 2 m": where the centres of all bodies are.
+std::string extent_text(const Scene& scene) {
+  std::vector<std::string> axes;
+  for (int k = 0; k < scene.dimension; ++k) {
+    const auto [low, high] =
+        std::minmax_element(scene.bodies.begin(), scene.bodies.end(),
+                            [k](const Body& a, const Body& b) { return a.position[k] < b.position[k]; });
+    axes.push_back(fmt::format("{} from {:g} to {:g}", "xyz"[k], low -> position[k], high -> position[k]));
+  }
+  return fmt::format("{} m", fmt::join(axes, ", "));
+}
+
+std::vector<std::size_t> bodies_of_group(const document::Table& group, const std::string& name,
+                                         const Scene& scene) {
+  const document::Table where = group.table(group_keys.where);
+  Selection selection(scene);
+  keep_ids(where, scene, selection);
+  keep_material(where, scene, selection);
+  keep_ranges(where, scene.dimension, selection);
+  keep_sphere(where, scene.dimension, selection);
+  keep_cylinder(where, scene.dimension, selection);
+  where.refuse_unused();
+  if (selection.conditions() == 0)
+    throw group.error(group_keys.where, fmt::format("group '{}' has no condition", files::one_line(name)),
+                      "give ids, material, x, y or z = [low, high], sphere or cylinder");
+  std::vector<std::size_t> bodies = selection.bodies();
+  if (bodies.empty())
+    throw group.error(group_keys.where, fmt::format("group '{}' has no bodies", files::one_line(name)),
+                      "correct its conditions: the centres of the " +
+                          counted(scene.bodies.size(), "body has ", "bodies have ") + extent_text(scene));
+  return bodies;
+}
+
+void fix(const document::Table& group, Body& body) {
+  body.fixed = group.boolean(group_keys.fixed);
+  if (body.fixed) body.velocity = body.spin = {};
+}
+
+void set_moving(const document::Table& group, const std::string& name, const Vec3& velocity, Body& body) {
+  if (body.fixed && !(velocity == Vec3{}))
+    throw group.error(
+        group_keys.velocity,
+        fmt::format("particle {} of group '{}' is fixed and cannot move", body.id, files::one_line(name)),
+        "remove velocity, or leave the body out of the group that is fixed");
+  body.velocity = velocity;
+}
+
+}  // namespace
+
+void read_groups(const document::Table& root, Scene& scene) {
+  UniqueNames names{"group"};
+  for (const document::Table& group : root.tables("group")) {
+    const std::string name = read(group, group_keys.name);
+    names.add(group, name);
+    const std::vector<std::size_t> bodies = bodies_of_group(group, name, scene);
+    const bool fixes = group.optional(group_keys.fixed), moves = group.optional(group_keys.velocity);
+    if (!fixes && !moves)
+      throw group.error(fmt::format("group '{}' is given nothing", files::one_line(name)),
+                        "add fixed = true, or velocity = [x, y, z]");
+    const Vec3 velocity = read_vector(group, group_keys.velocity, scene.dimension, false);
+    for (const std::size_t i : bodies) {
+      if (fixes) fix(group, scene.bodies[i]);
+      if (moves) set_moving(group, name, velocity, scene.bodies[i]);
+    }
+  }
+}
+
+}  // namespace scree::scenario
