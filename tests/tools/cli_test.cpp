@@ -36,6 +36,11 @@ TEST_CASE("check summarises a scene and writes nothing", "[tools]") {
   CHECK_FALSE(w.has("runs"));
 }
 
+TEST_CASE("check tells how many bodies are fixed", "[tools]") {
+  const Workspace w(std::string(discs) + "[[group]]\nname = 'bottom'\nwhere.y = [0, 0.02]\nfixed = true\n");
+  CHECK(contains(w.scree("check scene.toml").out, "\n  9 bodies (3 fixed) in 2D, 4 walls, "));
+}
+
 TEST_CASE("check tells which points a chart leaves out at the start", "[tools]") {
   const Workspace w(
       std::string(discs) +

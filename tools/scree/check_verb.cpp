@@ -42,9 +42,8 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
                    const std::string& step) {
   fmt::print("{}: valid{}{}\n", files::escaped(file), plan.title.empty() ? "" : ", ",
              files::escaped(plan.title));
-  fmt::print("  {} in {}D, {}, {}, {}, {}\n", counted(simulation.particles().size(), "body", "bodies"),
-             plan.scene.dimension, counted(simulation.planes().size(), "wall"),
-             counted(plan.scene.laws.size(), "contact law"),
+  fmt::print("  {}, {}, {}, {}, {}\n", run::describe_bodies(simulation),
+             counted(simulation.planes().size(), "wall"), counted(plan.scene.laws.size(), "contact law"),
              counted(plan.scene.body_forces.size(), "body force"), counted(plan.probes.size(), "probe"));
   fmt::print("  {}\n  {}\n", extent_of_bodies(simulation), step);
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)

@@ -19,10 +19,8 @@ namespace {
 
 void print_carried(const Simulation& simulation) {
   const Footprint f = simulation.footprint();
-  const std::string fixed = f.fixed_bodies > 0 ? fmt::format(" ({} fixed)", f.fixed_bodies) : "";
-  fmt::print("{}{} in {}D, {} degrees of freedom; {} bytes per body, {} bytes per pair\n",
-             counted(simulation.particles().size(), "body", "bodies"), fixed, simulation.dimension(),
-             f.degrees_of_freedom, f.bytes_per_body, f.bytes_per_pair);
+  fmt::print("{}, {} degrees of freedom; {} bytes per body, {} bytes per pair\n",
+             run::describe_bodies(simulation), f.degrees_of_freedom, f.bytes_per_body, f.bytes_per_pair);
   fmt::print("{}\n", run::describe_step(simulation));
   if (simulation.steps() > 0)
     fmt::print("goes on from t = {:g} s, after {}\n", simulation.time(), counted(simulation.steps(), "step"));

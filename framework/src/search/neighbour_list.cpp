@@ -52,9 +52,10 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
   return {listed, touching};
 }
 
-// Two fixed bodies exert no force on each other, however much they overlap.
+// Two fixed bodies exert no force on each other, however much they overlap. Empty if no body is fixed.
 std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>& all, const Particles& p) {
   std::vector<NeighbourPair> pairs;
+  if (p.fixed.empty()) return pairs;
   std::copy_if(all.begin(), all.end(), std::back_inserter(pairs),
                [&](const NeighbourPair& pair) { return !p.fixed[pair.a] || !p.fixed[pair.b]; });
   return pairs;
@@ -150,7 +151,8 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   const int dimension = particles.dimension();
   const std::vector<NeighbourPair>& found =
       search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads);
-  contacts.rebuild(particles.fixed.empty() ? found : without_fixed_pairs(found, particles),
+  const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
+  contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
                    near_planes(bodies_at_search_, boundaries.planes(), dimension, skin_), lookup);
   planes_at_search_ = boundaries.planes();
   body_travel_ = plane_travel_ = 0;

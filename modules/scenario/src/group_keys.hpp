@@ -16,10 +16,8 @@ struct GroupKeys : TableKeys {
 
 struct GroupWhereKeys : TableKeys {
   GroupWhereKeys()
-      : TableKeys(
-            "group.where", "where = { }",
-            "the bodies of a group: those that meet all conditions; in a region are bodies whose centre is") {
-  }
+      : TableKeys("group.where", "where = { }",
+                  "the bodies of a group meet all conditions; regions are of centres, at the start") {}
   Key ids = other("ids", "[1, 2, ...]", Range::any(), "optional", "of the bodies");
   StringKey material = string("material", "name of a [[material]]", "optional");
   Key x = other("x", "[low, high]", Range::any("m"), "optional", "both ends included");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/probes.hpp>
 #include <scree/run/set_up.hpp>
@@ -188,6 +189,12 @@ std::optional<Error> too_long(const Simulation& s) {
 }
 
 }  // namespace
+
+std::string describe_bodies(const Simulation& s) {
+  const std::size_t fixed = s.footprint().fixed_bodies;
+  return fmt::format("{}{} in {}D", counted(s.particles().size(), "body", "bodies"),
+                     fixed > 0 ? fmt::format(" ({} fixed)", fixed) : "", s.dimension());
+}
 
 std::string describe_step(const Simulation& s) {
   return fmt::format(

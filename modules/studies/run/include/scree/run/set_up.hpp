@@ -27,6 +27,9 @@ std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& sta
 // Throws Error (bad_input) if a plan has no stages, as one for a spectrum may.
 void require_stages(const scenario::Plan& plan);
 
+// For people: "200 bodies (25 fixed) in 3D".
+std::string describe_bodies(const Simulation& simulation);
+
 // One line for people: the time step, and the number of steps per shortest contact.
 std::string describe_step(const Simulation& simulation);
 
