@@ -1,4 +1,5 @@
 #include "program_verbs.hpp"
+#include "run_report.hpp"
 #include "scene_facts.hpp"
 #include "support/study_tables.hpp"
 
@@ -46,6 +47,7 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
              counted(simulation.planes().size(), "wall"), counted(plan.scene.laws.size(), "contact law"),
              counted(plan.scene.body_forces.size(), "body force"), counted(plan.probes.size(), "probe"));
   fmt::print("  {}\n  {}\n", extent_of_bodies(simulation), step);
+  print_sources(plan);
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
                largest.bodies);

@@ -91,6 +91,11 @@ run::RunResult with_progress(bool quiet, const std::function<run::RunResult(run:
   return work(reporting_options(bar, quiet));
 }
 
+void print_sources(const scenario::Plan& plan) {
+  for (const scenario::BodySource& source : plan.body_sources)
+    fmt::print("  {}\n", files::escaped(source.text()));
+}
+
 ExitStatus report_run(const run::RunResult& result, bool quiet) {
   if (!quiet) print_result(result);
   const bool met = report_verdicts(result.verdicts, quiet);

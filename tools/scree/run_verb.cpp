@@ -27,6 +27,11 @@ ExitStatus run_scenario(const RunArguments& arguments) {
     options.out = arguments.out;
     options.overwrite = arguments.overwrite;
     options.threads = arguments.threads;
+    if (options.on_start)
+      options.on_start = [&plan, print = options.on_start](const Simulation& simulation) {
+        print(simulation);
+        print_sources(plan);
+      };
     return run::run_plan(plan, options);
   });
   return report_run(result, arguments.quiet);

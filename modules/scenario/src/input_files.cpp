@@ -5,17 +5,21 @@ namespace scree::scenario {
 
 namespace fs = std::filesystem;
 
-std::optional<BodyFile> body_file(const document::Document& document, const fs::path& scenario) {
-  const document::Table root = document.root();
-  if (!root.is_table("particles")) return std::nullopt;
-  const document::Table particles = root.table("particles");
+std::vector<BodyFile> body_files(const document::Document& document, const fs::path& scenario) {
+  std::vector<BodyFile> files;
   const fs::path folder = scenario.parent_path();
-  if (particles.is_string(particles_keys.state))
-    return BodyFile{particles_keys.state.name, find_state(particles, folder)};
-  if (!particles.is_string(particles_keys.file)) return std::nullopt;
-  std::error_code failed;
-  const auto file = fs::absolute(folder / read(particles, particles_keys.file), failed);
-  return BodyFile{particles_keys.file.name, file.lexically_normal()};
+  for (const document::Table& particles : document.root().tables("particles")) {
+    const auto add = [&](const Key& key, const fs::path& path) {
+      files.push_back({particles.path() + "." + key.name, path});
+    };
+    std::error_code failed;
+    if (particles.is_string(particles_keys.state))
+      add(particles_keys.state, find_state(particles, folder));
+    else if (particles.is_string(particles_keys.file))
+      add(particles_keys.file,
+          fs::absolute(folder / read(particles, particles_keys.file), failed).lexically_normal());
+  }
+  return files;
 }
 
 std::map<std::string, fs::path> plugin_files(const document::Document& document, const PluginHost& host) {
@@ -33,8 +37,9 @@ std::map<std::string, fs::path> plugin_files(const document::Document& document,
 }
 
 InputFiles input_files(const document::Document& document, const fs::path& scenario, const PluginHost& host) {
-  const auto bodies = body_file(document, scenario);
-  return {bodies ? bodies->path : fs::path(), plugin_files(document, host)};
+  InputFiles files = {{}, plugin_files(document, host)};
+  for (const BodyFile& file : body_files(document, scenario)) files.bodies.push_back(file.path);
+  return files;
 }
 
 }  // namespace scree::scenario

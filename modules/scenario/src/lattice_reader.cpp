@@ -83,10 +83,11 @@ packing::LatticeOptions read_lattice(const document::Table& t, int dimension) {
 
 }  // namespace
 
-packing::Packing read_lattice_bodies(const document::Table& particles, int dimension,
-                                     packing::Random& random) {
+packing::Packing read_lattice_bodies(const document::Table& particles, int dimension, packing::Random& random,
+                                     std::string& origin) {
   const packing::RadiusDistribution radii = read_radius(particles);
   const packing::LatticeOptions options = read_lattice(particles.table("lattice"), dimension);
+  origin = fmt::format("of a lattice, {}", packing::lattice_name(options.kind));
   return placed(particles, "lattice", [&] { return packing::fill_lattice(options, radii, random); });
 }
 

@@ -6,7 +6,9 @@
 namespace scree::scenario {
 
 struct ParticlesKeys : TableKeys {
-  ParticlesKeys() : TableKeys("particles", "[particles]", "bodies from a lattice or a file") {}
+  ParticlesKeys()
+      : TableKeys("particles", "[particles] or [[particles]]", "bodies from a lattice, a file or a state") {}
+  StringKey name = string("name", "unique", "default \"particles\", \"particles_2\", ...");
   Key lattice = other("lattice", "table", Range::any(), "this or file", "see particles.lattice");
   NumberKey radius =
       number("radius", Range::positive("m"), "of bodies on a lattice; or a table, see particles.radius",
@@ -17,6 +19,8 @@ struct ParticlesKeys : TableKeys {
       "or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
       "this, state or lattice");
   IntegerKey timestep = integer("timestep", Range::any(), "frame of a dump", "default the last");
+  BooleanKey keep_ids =
+      boolean("keep_ids", true, "false: bodies of a file are numbered after the largest id of the scene");
   Key repeat = other("repeat", "[nx, ny, nz]", Range::between(1, 1e4), "optional",
                      "copies of the file's bodies along each axis");
   Key period =
@@ -78,6 +82,7 @@ struct RadiusKeys : TableKeys {
 
 struct ParticleKeys : TableKeys {
   ParticleKeys() : TableKeys("particle", "[[particle]]", "one body") {}
+  StringKey name = string("name", "unique", "default \"particle\" for all without one");
   Key position = other("position", "[x, y, z]", Range::any("m"), "required", "of its centre");
   NumberKey radius = number("radius", Range::positive("m"), "of the body");
   Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "default 0", "at the start");

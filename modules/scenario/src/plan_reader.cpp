@@ -32,8 +32,9 @@ void read_header(const document::Table& root, Plan& plan) {
   scene.skin = read_optional(root.table_or_empty("neighbours"), neighbours_keys.skin).value_or(0);
 }
 
-// Reads the materials and bodies. Returns the box of the file of bodies.
-Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> given, Plan& plan) {
+// Reads the materials and bodies. Returns the periodic boxes of packings.
+std::vector<PackingBox> read_materials_and_bodies(const document::Table& root, std::vector<Body> given,
+                                                  Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
@@ -47,7 +48,8 @@ Domain read_materials_and_bodies(const document::Table& root, std::vector<Body> 
   read_groups(root, plan.scene);
   plan.from_state = std::move(read.state);
   plan.branching = read.branching;
-  return read.box;
+  plan.body_sources = std::move(read.sources);
+  return read.boxes;
 }
 
 void read_boundaries(const document::Table& root, PluginHost& host, Instances& instances, Plan& plan) {
@@ -70,8 +72,9 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
   }
 }
 
-// A periodic file of bodies does not make the scene periodic, and its bodies may touch through its faces.
-void warn_of_box(const Domain& file, Plan& plan) {
+// A periodic packing does not make the scene periodic, and its bodies may touch through its faces.
+void warn_of_box(const PackingBox& box, Plan& plan) {
+  const Domain& file = box.domain;
   const Domain scene = periodic_domain(plan.scene);
   std::vector<std::string> in_file, in_scene;
   bool any_own = false;
@@ -86,8 +89,9 @@ void warn_of_box(const Domain& file, Plan& plan) {
   }
   if (in_file.empty()) return;
   plan.warnings.push_back(
-      fmt::format("the file of bodies is periodic along {}, and the scene is {}; give [[boundary]] "
+      fmt::format("{} is periodic along {}, and the scene is {}; give [[boundary]] "
                   "with plugin = \"periodic\", axes, lower and upper if it is to be the same",
+                  box.name.empty() ? "the file of bodies" : fmt::format("the packing of '{}'", box.name),
                   fmt::join(in_file, ", "), any_own ? fmt::format("{}", fmt::join(in_scene, ", ")) : "not"));
 }
 
@@ -128,13 +132,14 @@ void read_time(const document::Table& root, Plan& plan) {
   scene.step = fraction * contact;
 }
 
-// TOML that runs from any folder: with the path of a packing or state made absolute.
+// TOML that runs from any folder: with the paths of packings and of a state made absolute.
 std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
                                 std::vector<std::string> overrides) {
-  const auto file = body_file(document, path);
-  if (!file) return document.resolved_text();
-  overrides.push_back(fmt::format("particles.{}=\"{}\"", file->key,
-                                  files::escaped(file->path.string(), files::Escapes::toml)));
+  const std::vector<BodyFile> files = body_files(document, path);
+  if (files.empty()) return document.resolved_text();
+  for (const BodyFile& file : files)
+    overrides.push_back(
+        fmt::format("{}=\"{}\"", file.key, files::escaped(file.path.string(), files::Escapes::toml)));
   try {
     return document::Document::load(path, overrides).resolved_text();
   } catch (const Error&) {
@@ -161,12 +166,11 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.source = path;
   plan.document = document;
   read_header(root, plan);
-  const bool goes_on = !bodies.empty();
-  const Domain box = read_materials_and_bodies(root, std::move(bodies), plan);
+  const std::vector<PackingBox> boxes = read_materials_and_bodies(root, std::move(bodies), plan);
   Instances instances;
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
-  if (!goes_on) warn_of_box(box, plan);
+  for (const PackingBox& box : boxes) warn_of_box(box, plan);
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
   check_precision(root, plan.scene);
@@ -200,7 +204,7 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
   plan.text_for_any_folder = text_for_any_folder(document, path, overrides);
   plan.files = input_files(document, path, host);
   plan.inputs = {path};
-  if (!plan.files.bodies.empty()) plan.inputs.push_back(plan.files.bodies);
+  plan.inputs.insert(plan.inputs.end(), plan.files.bodies.begin(), plan.files.bodies.end());
   for (const std::string& line : host.slow_laws()) plan.warnings.push_back(line);
   return plan;
 }

@@ -42,9 +42,9 @@ decltype(auto) placed(const document::Table& table, std::string_view key, const 
 
 // lattice_reader.cpp
 
-// The bodies of [particles] with lattice and radius.
-packing::Packing read_lattice_bodies(const document::Table& particles, int dimension,
-                                     packing::Random& random);
+// The bodies of [particles] with lattice and radius. origin: is set to what BodySource has.
+packing::Packing read_lattice_bodies(const document::Table& particles, int dimension, packing::Random& random,
+                                     std::string& origin);
 // A vector of `dimension` numbers; 0 if it is absent and not required.
 Vec3 read_vector(const document::Table& table, std::string_view key, int dimension, bool required);
 // Throws Error at the key if this number of bodies does not fit into memory. To be called before anything is
@@ -78,24 +78,63 @@ std::vector<Body> bodies_of(const document::Table& particles, const State& state
 
 // input_files.cpp
 
-// A file from which a scene takes its bodies: the key of [particles] that names it, and its absolute path.
+// A file from which a scene takes bodies: the key that names it, "particles.file" or "particles[1].state", and
+// its absolute path.
 struct BodyFile {
   std::string key;
   std::filesystem::path path;
 };
-// Absent if the scenario names none.
-std::optional<BodyFile> body_file(const document::Document& document, const std::filesystem::path& scenario);
+std::vector<BodyFile> body_files(const document::Document& document, const std::filesystem::path& scenario);
+
+// packing_reader.cpp
+
+// The bodies of [particles] with file, and their copies. origin: is set to what BodySource has.
+packing::Packing read_packing_of_file(const document::Table& particles, int dimension,
+                                      const std::filesystem::path& folder,
+                                      const std::vector<Material>& materials, std::string& origin);
+
+// body_reader.cpp
+
+// Adds material, mass and inertia to a body: a sphere in 3D (I = 2mR²/5), a disc of unit thickness in 2D
+// (I = mR²/2). Throws Error at `t` unless mass and inertia are positive and finite.
+Body complete_body(const document::Table& t, const packing::Body& from, int dimension,
+                   const std::vector<Material>& materials);
+// The body of a [[particle]].
+Body read_single_body(const document::Table& particle, int dimension, const std::vector<Material>& materials);
+
+// body_lots.cpp
+
+// The bodies of one [[particles]] or [[particle]].
+struct BodyLot {
+  document::Table table;
+  std::string name;    // [[particle]]s without one share it
+  std::string origin;  // as in BodySource
+  std::vector<Body> bodies;
+  Domain box;            // of a packing; not periodic without one
+  bool own_ids = false;  // those above 0 are given ones; else they only number the bodies
+};
+// A lot without bodies for each table, those of [[particle]] last. Names differ.
+std::vector<BodyLot> body_lots(const document::Table& root);
+// Numbers the bodies without an id after the largest id. keep_all: ids that only number bodies are kept too.
+// Throws Error if two bodies have the same id.
+void number_bodies(const document::Table& root, std::vector<BodyLot>& lots, bool keep_all);
+std::vector<BodySource> sources_of(const std::vector<BodyLot>& lots);
 
 // particles_reader.cpp
 
+// The periodic box of a packing; name: of its table, empty if it is the only one.
+struct PackingBox {
+  std::string name;
+  Domain domain;
+};
 struct ReadBodies {
   std::vector<Body> bodies;
-  Domain box;                                    // of the file of bodies; not periodic without one
-  std::shared_ptr<const State> state = nullptr;  // in which they were; null for a new packing
+  std::vector<BodySource> sources;
+  std::vector<PackingBox> boxes;
+  std::shared_ptr<const State> state = nullptr;  // in which bodies were; null for new packings
   Branching branching = {};
 };
-// The bodies of [particles] (a lattice or a file) and of [[particle]], with mass and inertia: spheres in 3D
-// (I = 2mR²/5), discs of unit thickness in 2D (I = mR²/2). At least one. File names are relative to `folder`.
+// The bodies of all [[particles]] and [[particle]], at least one. File names are relative to `folder`.
 ReadBodies read_bodies(const document::Table& root, int dimension, const std::vector<Material>& materials,
                        std::uint64_t seed, const std::filesystem::path& folder);
 

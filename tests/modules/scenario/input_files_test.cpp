@@ -10,6 +10,7 @@ using namespace scree;
 using namespace scree::scenario;
 using namespace scree::test;
 namespace fs = std::filesystem;
+using paths = std::vector<fs::path>;
 
 namespace {
 
@@ -39,10 +40,10 @@ TEST_CASE("a file of bodies is found from the folder of its scenario, whether it
   const std::string lattice =
       "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\nrandom_velocity = 0.1\n";
   const std::string text = with(discs, lattice, "file = '../packings/a.csv'\n");
-  CHECK(files_of(text, "/scenes/david/scene.toml").bodies == "/scenes/packings/a.csv");
-  CHECK(files_of(text, "david/scene.toml").bodies == fs::current_path() / "packings/a.csv");
+  CHECK(files_of(text, "/scenes/david/scene.toml").bodies == paths{"/scenes/packings/a.csv"});
+  CHECK(files_of(text, "david/scene.toml").bodies == paths{fs::current_path() / "packings/a.csv"});
   const TemporaryFolder folder;
   folder.write("state.h5", "");
   const std::string from_state = with(discs, lattice, "state = 'state.h5'\n");
-  CHECK(files_of(from_state, folder / "scene.toml").bodies == fs::canonical(folder / "state.h5"));
+  CHECK(files_of(from_state, folder / "scene.toml").bodies == paths{fs::canonical(folder / "state.h5")});
 }

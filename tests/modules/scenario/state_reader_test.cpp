@@ -77,9 +77,9 @@ TEST_CASE("a state is looked for beside the scenario, and then in the folders of
   CHECK(states.refused().starts_with(":14:9: there is no file 'packings/a.h5'; "));
   const StatePath path((states.folder / "none").string() + "::" + (states.folder / "second").string() + ":" +
                        (states.folder / "first").string());
-  CHECK(states.plan().files.bodies == fs::canonical(states.folder / "second/packings/a.h5"));
+  CHECK(states.plan().files.bodies == std::vector{fs::canonical(states.folder / "second/packings/a.h5")});
   states.write("scenes/packings/a.h5");
-  CHECK(states.plan().files.bodies == fs::canonical(states.folder / "scenes/packings/a.h5"));
+  CHECK(states.plan().files.bodies == std::vector{fs::canonical(states.folder / "scenes/packings/a.h5")});
 }
 
 TEST_CASE("a state outside the folders that a scenario may read is refused, also through a link",
@@ -119,4 +119,26 @@ TEST_CASE("a state whose ids are not above 0 or are used twice is refused", "[sc
   state.put("bodies/id", std::move(ids));
   state_file::write_state(file, state);
   CHECK_THAT(states.refused(), Catch::Contains("has an id that is not above 0 or is used twice"));
+}
+
+TEST_CASE("bodies of other tables are added to those of a state, which keep their order and come first",
+          "[scenario]") {
+  const std::string lattice =
+      "[[particles]]\nlattice = { kind = 'square', count = 1, origin = [0.022, 0.022], centred = true }\nradius = 0.003\n";
+  const States states(with(from_state, "[particles]\n", lattice + "[[particles]]\n"));
+  states.write("scenes/packings/a.h5");
+  const Plan plan = states.plan();
+  const std::vector<Body>& bodies = plan.scene.bodies;
+  const std::vector<Body> saved = plan_of(discs).scene.bodies;
+  REQUIRE(bodies.size() == 10);
+  for (std::size_t k = 0; k < saved.size(); ++k) CHECK(bodies[k].id == saved[k].id);
+  CHECK(bodies[9].id == 10);
+  CHECK(plan.body_sources[0].text() == "particles_2: 9 bodies of the state 'packings/a.h5'; ids 1 to 9");
+  CHECK(Simulation(plan.scene, *plan.from_state, plan.branching).particles().size() == 10);
+  const States two(
+      with(from_state, "[particles]\n", "[[particles]]\nstate = 'packings/a.h5'\n[[particles]]\n"));
+  two.write("scenes/packings/a.h5");
+  CHECK(two.refused() ==
+        ":16:9: two tables [[particles]] begin from a state; "
+        "keep one, and take the bodies of the other from its final_packing.csv");
 }

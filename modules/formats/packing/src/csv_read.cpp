@@ -221,6 +221,7 @@ Packing parse_csv(std::string_view text, const std::string& name, const ImportOp
   const int dimension_of_columns = has(fields, BodyField::z) ? 3 : 2;
   const int dimension = options.dimension.value_or(preamble.dimension.value_or(dimension_of_columns));
   Packing packing = begin_packing(preamble, options, dimension, rows);
+  packing.own_ids = has(fields, BodyField::id);
   BodyReader bodies(std::move(fields), dimension);
   while (rows.next()) packing.bodies.push_back(bodies.read(rows, std::int64_t(packing.bodies.size()) + 1));
   if (packing.bodies.empty()) rows.fail(1, "no body follows the header", "add a line for each body");

@@ -17,6 +17,9 @@ namespace scree::packing {
 namespace {
 
 constexpr std::array<std::string_view, 4> format_names = {"csv", "beads", "lammps_data", "lammps_dump"};
+constexpr std::array<const char*, 4> format_nouns = {"CSV", "a list of beads in a periodic box",
+                                                     "a data file of LAMMPS or LIGGGHTS",
+                                                     "a dump of LAMMPS or LIGGGHTS"};
 
 bool begins_with_number(std::string_view word) {
   return !word.empty() && std::string_view("+-.0123456789").find(word[0]) != std::string_view::npos;
@@ -32,8 +35,8 @@ bool has_atom_count(files::TextReader& reader) {
   return false;
 }
 
-Packing parse(std::string_view text, const std::string& name, FileFormat format,
-              const ImportOptions& options) {
+Packing parse_as(std::string_view text, const std::string& name, FileFormat format,
+                 const ImportOptions& options) {
   switch (format) {
     case FileFormat::beads:
       return parse_beads(text, name, options);
@@ -44,6 +47,13 @@ Packing parse(std::string_view text, const std::string& name, FileFormat format,
     default:
       return parse_csv(text, name, options);
   }
+}
+
+Packing parse(std::string_view text, const std::string& name, FileFormat format,
+              const ImportOptions& options) {
+  Packing packing = parse_as(text, name, format, options);
+  if (packing.format.empty()) packing.format = format_nouns[std::size_t(format)];
+  return packing;
 }
 
 }  // namespace

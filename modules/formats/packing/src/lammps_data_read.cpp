@@ -57,6 +57,7 @@ class DataReader {
     packing_.dimension = options.dimension.value_or(3);
     packing_.periodic = options.periodic.value_or(std::array<bool, 3>{});
     packing_.bounds = Bounds{{{-0.5, -0.5, -0.5}}, {{0.5, 0.5, 0.5}}};
+    packing_.own_ids = true;
   }
 
   Packing read() {

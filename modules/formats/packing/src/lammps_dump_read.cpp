@@ -182,6 +182,8 @@ void FrameReader::read_atoms() {
   names.erase(names.begin(), names.begin() + std::min<std::ptrdiff_t>(2, std::ssize(names)));
   const std::vector<Source> sources = choose_sources(names);
   require_columns(sources);
+  packing_.own_ids = std::any_of(sources.begin(), sources.end(),
+                                 [](const Source& source) { return source.field == BodyField::id; });
   const auto count = std::size_t(*expected_);
   constexpr std::size_t shortest_line = 8;  // bytes of "0 0 0 1\n"
   packing_.bodies.reserve(std::min(count, reader_.size() / shortest_line));

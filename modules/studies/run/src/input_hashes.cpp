@@ -8,7 +8,9 @@ namespace scree::run {
 
 InputHashes hashes_of(const scenario::InputFiles& files) {
   InputHashes hashes;
-  if (!files.bodies.empty()) hashes.bodies = files::file_hash(files.bodies);
+  std::string bodies;
+  for (const std::filesystem::path& file : files.bodies) bodies += files::file_hash(file);
+  hashes.bodies = files.bodies.size() > 1 ? files::text_hash(bodies) : bodies;
   for (const auto& [name, path] : files.plugins) hashes.plugins[name] = files::file_hash(path);
   return hashes;
 }

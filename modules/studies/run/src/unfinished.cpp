@@ -1,3 +1,5 @@
+#include <map>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -41,19 +43,24 @@ RunDirectory directory_of(const fs::path& path, const ResultKind& kind, const On
 
 using document::Document;
 
-std::optional<std::string> body_path(const Document& document, const char* key) {
-  if (!document.root().is_table("particles")) return std::nullopt;
-  const document::Table particles = document.root().table("particles");
-  return particles.is_string(key) ? particles.optional_string(key) : std::nullopt;
+// Paths of files of bodies by their keys, "particles[1].file".
+std::map<std::string, std::string> body_paths(const Document& document) {
+  std::map<std::string, std::string> paths;
+  for (const document::Table& particles : document.root().tables("particles"))
+    for (const char* key : {"file", "state"})
+      if (particles.is_string(key))
+        paths[fmt::format("{}.{}", particles.path(), key)] = particles.string(key);
+  return paths;
 }
 
 // The scenario with which results began, with the paths of the present file where they name the same file of bodies.
 std::string with_paths_of(const Document& now, const std::string& began) {
   std::vector<std::string> paths;
-  for (const char* key : {"file", "state"}) {
-    const auto before = body_path(Document::parse(began, scenario_file), key), path = body_path(now, key);
-    if (before && path && fs::path(*before).filename() == fs::path(*path).filename())
-      paths.push_back(fmt::format("particles.{}=\"{}\"", key, files::escaped(*path, files::Escapes::toml)));
+  const std::map<std::string, std::string> present = body_paths(now);
+  for (const auto& [key, before] : body_paths(Document::parse(began, scenario_file))) {
+    const auto path = present.find(key);
+    if (path != present.end() && fs::path(before).filename() == fs::path(path->second).filename())
+      paths.push_back(fmt::format("{}=\"{}\"", key, files::escaped(path->second, files::Escapes::toml)));
   }
   return Document::parse(began, scenario_file, paths).resolved_text();
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <scree/document/document.hpp>
 #include <scree/plugin_host.hpp>
@@ -11,7 +12,7 @@ namespace scree::scenario {
 
 // The files on which the result of a scenario depends, besides its text.
 struct InputFiles {
-  std::filesystem::path bodies;  // the packing or state that it begins from; empty if there is none
+  std::vector<std::filesystem::path> bodies;  // the packings and the state that it begins from
   // Baseline libraries by kind and name, "contact/linear_spring_dashpot", which are the same for every
   // processor; an empty path for a plug-in that does not exist.
   std::map<std::string, std::filesystem::path> plugins;

@@ -18,6 +18,21 @@
 
 namespace scree::scenario {
 
+// Consecutive ids of bodies, both ends included.
+struct IdRange {
+  std::int64_t first, last;
+};
+
+// The bodies of one [[particles]] or [[particle]]; those of [[particle]] without a name are one source.
+struct BodySource {
+  std::string name;          // as given, or "particles", "particles_2", "particle"
+  std::string origin;        // "of a lattice, simple_cubic"; empty for single bodies
+  std::vector<IdRange> ids;  // ascending
+  std::size_t count() const;
+  // "bed: 7 bodies of a lattice, simple_cubic; ids 1 to 7"
+  std::string text() const;
+};
+
 // A column of another probe that a probe reads.
 struct ProbeInput {
   std::size_t probe, column;  // in Plan::probes, and in the rows of that probe
@@ -94,10 +109,11 @@ inline constexpr double most_steps = 1e12;
 struct Plan {
   std::string title;  // as given; empty: none
   std::filesystem::path source;
-  std::vector<std::filesystem::path> inputs;  // files that were read: the source and a packing
+  std::vector<std::filesystem::path> inputs;  // files that were read: the source and packings
   InputFiles files;                           // of a run that goes on: the plug-ins
   std::uint64_t seed = 1;
   Scene scene;
+  std::vector<BodySource> body_sources;     // in the order of the tables; empty for a run that goes on
   std::shared_ptr<const State> from_state;  // in which the bodies were; null for a new packing
   Branching branching;                      // what is taken over from it
   std::vector<Stage> stages;
@@ -110,7 +126,7 @@ struct Plan {
   std::vector<std::string> studies;             // names of these tables; with one there may be no stages
   std::optional<document::Document> document;   // from which studies read their tables; set by read_plan
   std::string resolved_text;                    // TOML with overrides
-  // The same with an absolute path of the packing; empty if it is not to be written.
+  // The same with absolute paths of packings; empty if it is not to be written.
   std::string text_for_any_folder;
   std::string bodies_place;    // file:line:column, for messages
   std::string periodic_place;  // of the first periodic boundary; empty without one

@@ -39,6 +39,8 @@ struct Packing {
   std::optional<Bounds> bounds;    // absent: the source has no box
   std::array<bool, 3> periodic{};  // along x, y, z; a periodic axis needs bounds of positive length
   double time = 0.0;               // (s) of the recorded state
+  bool own_ids = false;            // the source has ids; else they number its bodies
+  std::string format;              // of a file, as a noun: "CSV"
 };
 
 // Throws Error naming the body and the field unless the packing obeys the rules above and has a body.
