@@ -53,7 +53,7 @@ TEST_CASE("a file that is not a scenario is refused", "[tools]") {
         std::array{"[time]\nstep = 1\n", "scene.toml:1:1: the scene has no [[material]]; ",
                    "add [[material]] with name and density (kg/m^3)"},
         std::array{"[[material]]\nname = 'a'\ndensity = 1\n", "scene.toml:1:1: the scene has no bodies; ",
-                   "add [particles] with lattice and radius, file or state, or [[particle]]"}}) {
+                   "add [particles] with lattice and radius, random, file or state, or [[particle]]"}}) {
     const Workspace w(text);
     check_refused(w, w.run(), begin, end);
   }

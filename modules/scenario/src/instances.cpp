@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include <scree/body_bounds.hpp>
 #include <scree/scene_checks.hpp>
 

@@ -38,13 +38,6 @@ packing::RadiusDistribution read_distribution(const document::Table& t) {
   return read_list(t);
 }
 
-packing::RadiusDistribution read_radius(const document::Table& particles) {
-  if (!particles.is_table("radius")) return packing::ConstantRadius{read(particles, particles_keys.radius)};
-  const packing::RadiusDistribution distribution = read_distribution(particles.table("radius"));
-  placed(particles, "radius", [&] { packing::check(distribution); });
-  return distribution;
-}
-
 std::array<std::int64_t, 3> read_count(const document::Table& t, int dimension) {
   std::array<std::int64_t, 3> count = {1, 1, 1};
   const std::vector<double> numbers =
@@ -82,6 +75,13 @@ packing::LatticeOptions read_lattice(const document::Table& t, int dimension) {
 }
 
 }  // namespace
+
+packing::RadiusDistribution read_radius(const document::Table& particles) {
+  if (!particles.is_table("radius")) return packing::ConstantRadius{read(particles, particles_keys.radius)};
+  const packing::RadiusDistribution distribution = read_distribution(particles.table("radius"));
+  placed(particles, "radius", [&] { packing::check(distribution); });
+  return distribution;
+}
 
 packing::Packing read_lattice_bodies(const document::Table& particles, int dimension, packing::Random& random,
                                      std::string& origin) {

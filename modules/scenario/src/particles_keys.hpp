@@ -7,17 +7,22 @@ namespace scree::scenario {
 
 struct ParticlesKeys : TableKeys {
   ParticlesKeys()
-      : TableKeys("particles", "[particles] or [[particles]]", "bodies from a lattice, a file or a state") {}
+      : TableKeys("particles", "[particles] or [[particles]]",
+                  "bodies from a lattice, a file, a state or at random") {}
   StringKey name = string("name", "unique", "default \"particles\", \"particles_2\", ...");
-  Key lattice = other("lattice", "table", Range::any(), "this or file", "see particles.lattice");
-  NumberKey radius =
-      number("radius", Range::positive("m"), "of bodies on a lattice; or a table, see particles.radius",
-             "required with lattice");
+  Key lattice =
+      other("lattice", "table", Range::any(), "this, random, file or state", "see particles.lattice");
+  Key random = other("random", "table", Range::any(), "this, lattice, file or state",
+                     "bodies at random places that do not overlap, see particles.random");
+  Key region = other("region", "table", Range::any(), "required with random", "see particles.region");
+  NumberKey radius = number("radius", Range::positive("m"),
+                            "of bodies on a lattice or at random; or a table, see particles.radius",
+                            "required with lattice, random");
   StringKey file = string(
       "file",
       "CSV with a header (x, y, z, radius or diameter; also id, material, density, mass, vx, spin_x, ...; SI), "
       "or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
-      "this, state or lattice");
+      "this, lattice, random or state");
   IntegerKey timestep = integer("timestep", Range::any(), "frame of a dump", "default the last");
   BooleanKey keep_ids =
       boolean("keep_ids", true, "false: bodies of a file are numbered after the largest id of the scene");
@@ -28,7 +33,7 @@ struct ParticlesKeys : TableKeys {
   StringKey state = string(
       "state",
       "state file of a run to begin from, with springs and walls; from the folder of the scenario or the working folder",
-      "instead of lattice and file");
+      "this, lattice, random or file");
   Key leave_out = other("leave_out", "[\"histories\", \"walls\", \"orientations\"]", Range::any(),
                         "default nothing", "what is not taken over from the state");
   StringKey material =
@@ -54,6 +59,38 @@ struct LatticeKeys : TableKeys {
   Key origin = other("origin", "[x, y, z]", Range::any("m"), "default 0",
                      "lower corner of the box of the lattice, or its centre");
   BooleanKey centred = boolean("centred", false, "the origin is the centre of the box");
+};
+
+struct RandomKeys : TableKeys {
+  RandomKeys()
+      : TableKeys(
+            "particles.random", "random = { }",
+            "bodies at random places of a region, wholly in it, that overlap neither each other nor bodies of "
+            "other tables; one of count, solid_fraction") {}
+  IntegerKey count = integer("count", Range::at_least(1), "of bodies", "or solid_fraction");
+  NumberKey solid_fraction = number(
+      "solid_fraction", Range::between(0, 1),
+      "volume of the bodies over that of the region, met to rounding, since all radii are multiplied by one "
+      "factor near 1; some 0.3 can be reached, in 2D 0.45",
+      "or count");
+  StringKey periodic =
+      string("periodic", "",
+             "axes along which the box is periodic, such as \"xz\": bodies reach through its "
+             "faces",
+             "default none");
+};
+
+struct RegionKeys : TableKeys {
+  RegionKeys() : TableKeys("particles.region", "region = { }", "part of space; a box has x, y and z") {}
+  ChoiceKey kind = choice_or_first("kind", {"box", "sphere", "cylinder"}, "a sphere is a circle in 2D");
+  Key x = other("x", "[low, high]", Range::any("m"), "required for a box", "along x");
+  Key y = other("y", "[low, high]", Range::any("m"), "required for a box", "along y");
+  Key z = other("z", "[low, high]", Range::any("m"), "required for a box in 3D", "along z");
+  Key centre =
+      other("centre", "[x, y, z]", Range::any("m"), "required for sphere, cylinder", "of the region");
+  NumberKey radius = number("radius", Range::positive("m"), "of the region", "required for sphere, cylinder");
+  NumberKey length = number("length", Range::positive("m"), "along the axis", "required for cylinder");
+  ChoiceKey axis = choice_or_first("axis", {"z", "x", "y"}, "of a cylinder");
 };
 
 struct RadiusKeys : TableKeys {
@@ -98,6 +135,8 @@ struct ParticleKeys : TableKeys {
 
 inline const ParticlesKeys particles_keys;
 inline const LatticeKeys lattice_keys;
+inline const RandomKeys random_keys;
+inline const RegionKeys region_keys;
 inline const RadiusKeys radius_keys;
 inline const ParticleKeys particle_keys;
 

@@ -14,7 +14,8 @@ namespace {
 
 // Refuses keys that select or copy bodies of a file.
 void refuse_keys_of_files(const document::Table& particles) {
-  for (const Key& key : {Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period})
+  for (const Key& key : {Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period,
+                         Key(particles_keys.keep_ids)})
     if (particles.has(key))
       throw particles.error(key, fmt::format("'{}' needs 'file', which is not given", key.name),
                             "add file = \"<path>\", or remove it; the size of a lattice is its count");
@@ -58,23 +59,43 @@ struct Source {
   const std::filesystem::path& folder;
 };
 
-packing::Packing read_packing(const document::Table& particles, const Source& source, packing::Random& random,
-                              std::string& origin) {
-  if (!particles.optional(particles_keys.file)) {
-    refuse_keys_of_files(particles);
-    return read_lattice_bodies(particles, source.dimension, random, origin);
-  }
-  if (particles.optional(particles_keys.lattice))
-    throw particles.error("file", "both a file and a lattice are given", "keep one of them");
-  return read_packing_of_file(particles, source.dimension, source.folder, source.materials, origin);
+// The bodies of lots that have been read.
+std::vector<Sphere> spheres_of(const std::vector<BodyLot>& lots) {
+  std::vector<Sphere> spheres;
+  for (const BodyLot& lot : lots)
+    for (const Body& body : lot.bodies) spheres.push_back({body.position, body.radius});
+  return spheres;
 }
 
-void read_table(BodyLot& lot, const Source& source, packing::Random random) {
+// Only bodies at random look at those of other lots.
+packing::Packing read_packing(BodyLot& lot, const Source& source, packing::Random& random,
+                              const std::vector<BodyLot>& lots) {
+  const document::Table& particles = lot.table;
+  const bool at_random = particles.optional(particles_keys.random);
+  if (particles.optional(particles_keys.file)) {
+    for (const Key& key : {particles_keys.lattice, particles_keys.random, particles_keys.region})
+      if (particles.optional(key))
+        throw particles.error("file", fmt::format("both a file and a {} are given", key.name),
+                              "keep one of them");
+    return read_packing_of_file(particles, source.dimension, source.folder, source.materials, lot.origin);
+  }
+  refuse_keys_of_files(particles);
+  if (!at_random && particles.has(particles_keys.region))
+    throw particles.error(particles_keys.region, "'region' needs 'random', which is not given",
+                          "add random = { count = <number> }, or remove it");
+  if (!at_random) return read_lattice_bodies(particles, source.dimension, random, lot.origin);
+  if (particles.optional(particles_keys.lattice))
+    throw particles.error(particles_keys.random, "both a lattice and random are given", "keep one of them");
+  return read_random_bodies(particles, source.dimension, random, spheres_of(lots), lot.origin);
+}
+
+void read_table(BodyLot& lot, const Source& source, packing::Random random,
+                const std::vector<BodyLot>& lots) {
   const document::Table& particles = lot.table;
   refuse_without_state(particles);
   const std::string material = read(particles, particles_keys.material);
   const AddedVelocity added(particles, source.dimension);
-  packing::Packing packing = read_packing(particles, source, random, lot.origin);
+  packing::Packing packing = read_packing(lot, source, random, lots);
   if (packing.bounds) lot.box = {packing.periodic, packing.bounds->lower, packing.bounds->upper};
   lot.own_ids = packing.own_ids;
   lot.bodies.reserve(packing.bodies.size());
@@ -87,9 +108,10 @@ void read_table(BodyLot& lot, const Source& source, packing::Random random) {
 
 void read_state_table(BodyLot& lot, const Source& source, packing::Random random, ReadBodies& read_bodies) {
   const document::Table& particles = lot.table;
-  for (const Key& key : {Key(particles_keys.file), particles_keys.lattice, Key(particles_keys.radius),
-                         Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period,
-                         Key(particles_keys.keep_ids), Key(particles_keys.material)})
+  for (const Key& key :
+       {Key(particles_keys.file), particles_keys.lattice, particles_keys.random, particles_keys.region,
+        Key(particles_keys.radius), Key(particles_keys.timestep), particles_keys.repeat,
+        particles_keys.period, Key(particles_keys.keep_ids), Key(particles_keys.material)})
     if (particles.has(key))
       throw particles.error(key, fmt::format("both state and {} are given", key.name), "keep one of them");
   if (read_bodies.state)
@@ -130,16 +152,21 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
   ReadBodies result;
   std::vector<BodyLot> lots = body_lots(root);
   const std::size_t tables = root.tables("particles").size();
-  for (std::size_t k = 0; k < tables; ++k) {
-    if (lots[k].table.optional(particles_keys.state))
-      read_state_table(lots[k], source, random_of(seed, k), result);
-    else
-      read_table(lots[k], source, random_of(seed, k));
-  }
+  const auto read_tables = [&](bool at_random) {
+    for (std::size_t k = 0; k < tables; ++k) {
+      if (lots[k].table.has(particles_keys.random) != at_random) continue;
+      if (lots[k].table.optional(particles_keys.state))
+        read_state_table(lots[k], source, random_of(seed, k), result);
+      else
+        read_table(lots[k], source, random_of(seed, k), lots);
+    }
+  };
+  read_tables(false);
   for (std::size_t k = tables; k < lots.size(); ++k) {
     lots[k].bodies = {read_single_body(lots[k].table, dimension, materials)};
     lots[k].own_ids = true;
   }
+  read_tables(true);  // last, clear of all others
   // The contacts of a state refer to its bodies by number, so that these keep their order and come first.
   if (result.state)
     std::stable_partition(lots.begin(), lots.end(),
@@ -153,7 +180,7 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
   if (!result.state) sort_in_space(result.bodies, dimension);
   if (result.bodies.empty())
     throw root.error("the scene has no bodies",
-                     "add [particles] with lattice and radius, file or state, or [[particle]]");
+                     "add [particles] with lattice and radius, random, file or state, or [[particle]]");
   return result;
 }
 

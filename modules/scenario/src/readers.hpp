@@ -13,7 +13,9 @@
 #include <scree/document/table.hpp>
 #include <scree/domain.hpp>
 #include <scree/packing/packing.hpp>
+#include <scree/packing/radius_distribution.hpp>
 #include <scree/packing/random.hpp>
+#include <scree/pair_search.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
 #include <scree/plugin_host.hpp>
@@ -45,11 +47,19 @@ decltype(auto) placed(const document::Table& table, std::string_view key, const 
 // The bodies of [particles] with lattice and radius. origin: is set to what BodySource has.
 packing::Packing read_lattice_bodies(const document::Table& particles, int dimension, packing::Random& random,
                                      std::string& origin);
+// The radii of [particles].
+packing::RadiusDistribution read_radius(const document::Table& particles);
 // A vector of `dimension` numbers; 0 if it is absent and not required.
 Vec3 read_vector(const document::Table& table, std::string_view key, int dimension, bool required);
 // Throws Error at the key if this number of bodies does not fit into memory. To be called before anything is
 // allocated: a system without memory ends a program without a message.
 void check_body_memory(const document::Table& table, std::string_view key, double bodies);
+
+// cloud_reader.cpp
+
+// The bodies of [particles] with random, region and radius, clear of other bodies. origin: is set to what BodySource has.
+packing::Packing read_random_bodies(const document::Table& particles, int dimension, packing::Random& random,
+                                    std::vector<Sphere> others, std::string& origin);
 
 // material_reader.cpp
 

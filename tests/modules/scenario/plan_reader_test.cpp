@@ -114,7 +114,7 @@ TEST_CASE("missing and duplicate entries are refused", "[scenario]") {
         "scene.toml:1:1: the scene has no [[material]]; add [[material]] with name and density (kg/m^3)");
   CHECK(
       refusal("[[material]]\nname = 'a'\ndensity = 1\n") ==
-      "scene.toml:1:1: the scene has no bodies; add [particles] with lattice and radius, file or state, or [[particle]]");
+      "scene.toml:1:1: the scene has no bodies; add [particles] with lattice and radius, random, file or state, or [[particle]]");
   CHECK(refusal(with(discs, "step = 1e-5\n", "")).starts_with("scene.toml:3:1: [time] has no 'step'"));
   CHECK(refusal(with(two_materials, "between = ['a', 'b']\n", ""))
             .ends_with(": a second [[contact]] has no materials; add between = [\"a\", "
