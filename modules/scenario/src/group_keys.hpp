@@ -19,6 +19,7 @@ struct GroupWhereKeys : TableKeys {
       : TableKeys("group.where", "where = { }",
                   "the bodies of a group meet all conditions; regions are of centres, at the start") {}
   Key ids = other("ids", "[1, 2, ...]", Range::any(), "optional", "of the bodies");
+  StringKey particles = string("particles", "name of a [[particles]]", "optional");
   StringKey material = string("material", "name of a [[material]]", "optional");
   Key x = other("x", "[low, high]", Range::any("m"), "optional", "both ends included");
   Key y = other("y", "[low, high]", Range::any("m"), "optional", "both ends included");
@@ -29,7 +30,7 @@ struct GroupWhereKeys : TableKeys {
 
 struct SphereKeys : TableKeys {
   SphereKeys() : TableKeys("group.where.sphere", "sphere = { }", "a sphere, in 2D a circle") {}
-  Key center = other("center", "[x, y, z]", Range::any("m"), "required", "of the sphere");
+  Key centre = other("centre", "[x, y, z]", Range::any("m"), "required", "of the sphere");
   NumberKey radius = number("radius", Range::positive("m"), "of the sphere");
 };
 

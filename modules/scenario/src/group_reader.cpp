@@ -51,6 +51,20 @@ void keep_ids(const document::Table& where, const Scene& scene, Selection& selec
   selection.keep_if([&](const Body& body) { return wanted.contains(body.id); });
 }
 
+void keep_particles(const document::Table& where, const std::vector<BodySource>& sources,
+                    Selection& selection) {
+  const auto name = where.optional_string(group_where_keys.particles);
+  if (!name) return;
+  std::vector<std::string> names;
+  for (const BodySource& source : sources) names.push_back(source.name);
+  const BodySource& source =
+      sources[find_name(where, group_where_keys.particles, "[[particles]]", *name, names)];
+  selection.keep_if([&source](const Body& body) {
+    return std::any_of(source.ids.begin(), source.ids.end(),
+                       [&](const IdRange& range) { return range.first <= body.id && body.id <= range.last; });
+  });
+}
+
 void keep_material(const document::Table& where, const Scene& scene, Selection& selection) {
   const auto name = where.optional_string(group_where_keys.material);
   if (!name) return;
@@ -78,9 +92,9 @@ void keep_ranges(const document::Table& where, int dimension, Selection& selecti
 void keep_sphere(const document::Table& where, int dimension, Selection& selection) {
   const auto sphere = where.optional_table(group_where_keys.sphere);
   if (!sphere) return;
-  const Vec3 center = read_vector(*sphere, sphere_keys.center, dimension, true);
+  const Vec3 centre = read_vector(*sphere, sphere_keys.centre, dimension, true);
   const double radius = read(*sphere, sphere_keys.radius);
-  selection.keep_if([&](const Body& body) { return norm(body.position - center) <= radius; });
+  selection.keep_if([&](const Body& body) { return norm(body.position - centre) <= radius; });
 }
 
 void keep_cylinder(const document::Table& where, int dimension, Selection& selection) {
@@ -112,10 +126,11 @@ std::string extent_text(const Scene& scene) {
 }
 
 std::vector<std::size_t> bodies_of_group(const document::Table& group, const std::string& name,
-                                         const Scene& scene) {
+                                         const std::vector<BodySource>& sources, const Scene& scene) {
   const document::Table where = group.table(group_keys.where);
   Selection selection(scene);
   keep_ids(where, scene, selection);
+  keep_particles(where, sources, selection);
   keep_material(where, scene, selection);
   keep_ranges(where, scene.dimension, selection);
   keep_sphere(where, scene.dimension, selection);
@@ -123,7 +138,7 @@ std::vector<std::size_t> bodies_of_group(const document::Table& group, const std
   where.refuse_unused();
   if (selection.conditions() == 0)
     throw group.error(group_keys.where, fmt::format("group '{}' has no condition", files::one_line(name)),
-                      "give ids, material, x, y or z = [low, high], sphere or cylinder");
+                      "give particles, ids, material, x, y or z = [low, high], sphere or cylinder");
   std::vector<std::size_t> bodies = selection.bodies();
   if (bodies.empty())
     throw group.error(group_keys.where, fmt::format("group '{}' has no bodies", files::one_line(name)),
@@ -148,12 +163,12 @@ void set_moving(const document::Table& group, const std::string& name, const Vec
 
 }  // namespace
 
-void read_groups(const document::Table& root, Scene& scene) {
+void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene) {
   UniqueNames names{"group"};
   for (const document::Table& group : root.tables("group")) {
     const std::string name = read(group, group_keys.name);
     names.add(group, name);
-    const std::vector<std::size_t> bodies = bodies_of_group(group, name, scene);
+    const std::vector<std::size_t> bodies = bodies_of_group(group, name, sources, scene);
     const bool fixes = group.optional(group_keys.fixed), moves = group.optional(group_keys.velocity);
     if (!fixes && !moves)
       throw group.error(fmt::format("group '{}' is given nothing", files::one_line(name)),

@@ -45,7 +45,7 @@ std::vector<PackingBox> read_materials_and_bodies(const document::Table& root, s
   }
   ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
   plan.scene.bodies = std::move(read.bodies);
-  read_groups(root, plan.scene);
+  read_groups(root, read.sources, plan.scene);
   plan.from_state = std::move(read.state);
   plan.branching = read.branching;
   plan.body_sources = std::move(read.sources);

@@ -150,8 +150,8 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
 
 // group_reader.cpp
 
-// Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials.
-void read_groups(const document::Table& root, Scene& scene);
+// Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials. sources: of its bodies.
+void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene);
 
 // plugin_parameters.cpp
 

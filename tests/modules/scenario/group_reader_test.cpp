@@ -41,14 +41,33 @@ TEST_CASE("a group has the bodies that meet all its conditions", "[scenario]") {
   CHECK(fixed_by("{ x = [0.05, 1] }") == Ids{3, 6, 9});
   CHECK(fixed_by("{ x = [0.05, 1], y = [0, 0.04] }") == Ids{3, 6});
   CHECK(fixed_by("{ x = [0.05, 1], ids = [1, 2, 3] }") == Ids{3});
-  CHECK(fixed_by("{ sphere = { center = [0.033, 0.033], radius = 0.0221 } }") == Ids{2, 4, 5, 6, 8});
-  CHECK(fixed_by("{ sphere = { center = [0.033, 0.033], radius = 0.0219 } }") == Ids{5});
+  CHECK(fixed_by("{ sphere = { centre = [0.033, 0.033], radius = 0.0221 } }") == Ids{2, 4, 5, 6, 8});
+  CHECK(fixed_by("{ sphere = { centre = [0.033, 0.033], radius = 0.0219 } }") == Ids{5});
   // A rectangle along the diagonal: as wide as the neighbours of the diagonal, and to the middle.
   CHECK(fixed_by("{ cylinder = { from = [0.011, 0.011], to = [0.034, 0.034], radius = 0.001 } }") ==
         Ids{1, 5});
   CHECK(fixed_by("{ cylinder = { from = [0.034, 0.034], to = [0.010, 0.010], radius = 0.016 } }") ==
         Ids{1, 2, 4, 5});
   CHECK(fixed_by("{ material = 'grain' }").size() == 9);
+}
+
+TEST_CASE("a group has the bodies of a table of particles", "[scenario]") {
+  const std::string two =
+      with(discs, "[particles]\n", "[[particles]]\nname = 'bed'\n") +
+      "[[particles]]\nname = 'seed'\nlattice = { kind = 'square', count = [2, 1], origin = [0.2, 0.2] }\n"
+      "radius = 0.005\n";
+  const auto fixed_in = [&](const std::string& where) {
+    std::set<std::int64_t> ids;
+    for (const Body& body :
+         plan_of(two + "[[group]]\nname = 'g'\nfixed = true\nwhere = " + where).scene.bodies)
+      if (body.fixed) ids.insert(body.id);
+    return ids;
+  };
+  CHECK(fixed_in("{ particles = 'bed' }").size() == 9);
+  CHECK(fixed_in("{ particles = 'seed' }") == Ids{10, 11});
+  CHECK(fixed_in("{ particles = 'bed', y = [0, 0.02] }") == Ids{1, 2, 3});
+  CHECK_THAT(refusal(two + "[[group]]\nname = 'g'\nfixed = true\nwhere = { particles = 'beds' }\n"),
+             Catch::Contains("did you mean 'bed'?"));
 }
 
 TEST_CASE("the conditions of a group in space have three axes, and a material is found by its name",
@@ -103,7 +122,7 @@ TEST_CASE("a group that a scene cannot have is refused with its place and a cure
   CHECK_THAT(refused("name = 'g'\nfixed = 1\nwhere.ids = [1]"), Catch::Contains("scene.toml:29:9: "));
   CHECK(
       refused_where("{}") ==
-      "scene.toml:30:9: group 'g' has no condition; give ids, material, x, y or z = [low, high], sphere or cylinder");
+      "scene.toml:30:9: group 'g' has no condition; give particles, ids, material, x, y or z = [low, high], sphere or cylinder");
   CHECK(
       refused_where("{ y = [1, 2] }") ==
       "scene.toml:30:9: group 'g' has no bodies; correct its conditions: the centres of the 9 bodies have x from "
@@ -117,8 +136,8 @@ TEST_CASE("a group that a scene cannot have is refused with its place and a cure
   CHECK_THAT(refused_where("{ z = [0, 1] }"), Catch::Contains("a scene of two dimensions has no z"));
   CHECK_THAT(refused_where("{ x = [1] }"), Catch::Contains("scene.toml:30:15: "));
   CHECK_THAT(refused_where("{ mterial = 'grain' }"), Catch::Contains("unknown key 'mterial'"));
-  CHECK_THAT(refused_where("{ sphere = { center = [0, 0], radius = 0 } }"), Catch::Contains("radius"));
-  CHECK_THAT(refused_where("{ sphere = { center = [0, 0], radius = 1, height = 1 } }"),
+  CHECK_THAT(refused_where("{ sphere = { centre = [0, 0], radius = 0 } }"), Catch::Contains("radius"));
+  CHECK_THAT(refused_where("{ sphere = { centre = [0, 0], radius = 1, height = 1 } }"),
              Catch::Contains("unknown key 'height'"));
   CHECK_THAT(refused_where("{ cylinder = { from = [0, 0], to = [0, 0], radius = 1 } }"),
              Catch::Contains("the axis has no length"));

@@ -38,7 +38,7 @@ const std::string every_table =
     "[[stage]]\nduration = 1e-4\n[[particle]]\nposition = [1, 1]\nradius = 0.01\n[snapshot]\ncolor_by = 'radius'\n"
     "[[expect]]\nrequirement = 'r'\nquantity = 'steps'\nat_least = 1\n"
     "[[chart]]\nname = 'c'\nprobe = 'energy'\ny = 'residual'\n"
-    "[[group]]\nname = 'g'\nfixed = true\n[group.where]\nids = [1]\n[group.where.sphere]\ncenter = [0, 0]\nradius = 1\n"
+    "[[group]]\nname = 'g'\nfixed = true\n[group.where]\nids = [1]\n[group.where.sphere]\ncentre = [0, 0]\nradius = 1\n"
     "[group.where.cylinder]\nfrom = [0, 0]\nto = [1, 1]\nradius = 1\n";
 
 }  // namespace
