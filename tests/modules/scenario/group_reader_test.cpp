@@ -76,7 +76,7 @@ TEST_CASE("the conditions of a group in space have three axes, and a material is
                            "kind = 'simple_cubic', count = [1, 1, 3]");
   scene = with(scene, "[[contact]]", "[[material]]\nname = 'other'\ndensity = 1\n[[contact]]");
   scene = with(scene, "radius = 0.01\n", "radius = 0.01\nmaterial = 'grain'\n");
-  scene = with(scene, "plugin = 'box'\n", "plugin = 'box'\nmaterial = 'grain'\n");
+  scene = with(scene, "plugin = 'box'\n", "plugin = 'box'\nmaterial = 'grain'\nz = 'fixed'\n");
   scene +=
       "[[particle]]\nposition = [0.2, 0, 0]\nradius = 0.01\nmaterial = 'other'\n"
       "[[group]]\nname = 'top'\nfixed = true\nwhere.z = [0.05, 1]\n"
