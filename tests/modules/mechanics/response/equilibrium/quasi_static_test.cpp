@@ -180,16 +180,16 @@ TEST_CASE("a quasi-static load presses a column on a fixed disc as on a floor") 
     const double start = simulation.planes()[top].point[1];
     QuasiStatic packing(simulation, {.longest_increment = 1});
     REQUIRE(packing.advance(0));
-    CHECK(packing.degrees_of_freedom() == 2 * discs + 1);
-    CHECK(packing.touching() == discs + 1);
+    CHECK(packing.degrees_of_freedom() == 2 * column_discs + 1);
+    CHECK(packing.touching() == column_discs + 1);
     // The state that a run goes on from.
     const Simulation later(scene, packing.state());
-    CHECK(later.contact_list().size() == discs + 1);
-    for (std::size_t i = discs; i < scene.bodies.size(); ++i)
+    CHECK(later.contact_list().size() == column_discs + 1);
+    for (std::size_t i = column_discs; i < scene.bodies.size(); ++i)
       CHECK(position(later, i) == scene.bodies[i].position);
     return packing.planes()[top].point[1] - start;
   };
-  const double expected = -(discs + 1) / stiffness;
+  const double expected = -(column_discs + 1) / stiffness;
   CHECK(wall_after(false) == Approx(expected).epsilon(1e-8));
   CHECK(wall_after(true) == Approx(expected).epsilon(1e-8));
 }

@@ -7,7 +7,7 @@
 using namespace scree;
 using namespace scree::response;
 using test::column;
-using test::discs;
+using test::column_discs;
 using test::stiffness;
 
 // Four springs in line. 1e-10: the stress of the overlaps, and round-off.
@@ -18,14 +18,15 @@ TEST_CASE("a displaced wall shares its displacement among the springs of a colum
   walls[3] = -1;  // the upper wall, downwards
   const PackingMotion motion = packing.displace(walls);
   CHECK(motion.residual < 1e-10);
-  for (std::uint32_t i = 0; i < discs; ++i) {
+  for (std::uint32_t i = 0; i < column_discs; ++i) {
     CHECK(packing.is_held(i));
     CHECK(packing.component(motion, i, 0) == Approx(0).margin(1e-10));
-    CHECK(packing.component(motion, i, 1) == Approx(-(double(i) + 1) / (discs + 1)).epsilon(1e-10));
+    CHECK(packing.component(motion, i, 1) == Approx(-(double(i) + 1) / (column_discs + 1)).epsilon(1e-10));
   }
-  CHECK(packing.component(motion, discs, 1) == 0);
-  CHECK(packing.component(motion, discs + 1, 1) == -1);
-  REQUIRE(packing.contacts().size() == discs + 1);
+  CHECK(packing.component(motion, column_discs, 1) == 0);
+  CHECK(packing.component(motion, column_discs + 1, 1) == -1);
+  REQUIRE(packing.contacts().size() == column_discs + 1);
   for (const ContactTerms& contact : packing.contacts())
-    CHECK(packing.force_change(motion, contact).norm() == Approx(stiffness / (discs + 1)).epsilon(1e-10));
+    CHECK(packing.force_change(motion, contact).norm() ==
+          Approx(stiffness / (column_discs + 1)).epsilon(1e-10));
 }
