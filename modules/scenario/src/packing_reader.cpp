@@ -18,6 +18,7 @@ packing::Packing read_file(const document::Table& particles, int dimension,
   if (dimension == 2) options.dimension = dimension;
   options.materials = names_of(materials);
   options.timestep = particles.optional_integer(particles_keys.timestep);
+  if (particles.optional(particles_keys.columns)) options.columns = particles.strings(particles_keys.columns);
   const std::string file = read(particles, particles_keys.file);
   packing::Packing read =
       placed(particles, "file", [&] { return packing::read_packing(folder / file, options); });

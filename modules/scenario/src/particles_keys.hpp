@@ -21,9 +21,16 @@ struct ParticlesKeys : TableKeys {
   StringKey file = string(
       "file",
       "CSV with a header (x, y, z, radius or diameter; also id, material, density, mass, vx, spin_x, ...; SI), "
-      "or a data file or dump of LAMMPS or LIGGGHTS; relative to the scenario",
+      "a data file or dump of LAMMPS or LIGGGHTS, a .data file of MercuryDPM, or a table separated by blanks (YADE, "
+      "SpherePack, named columns); relative to the scenario",
       "this, lattice, random or state");
-  IntegerKey timestep = integer("timestep", Range::any(), "frame of a dump", "default the last");
+  IntegerKey timestep =
+      integer("timestep", Range::any(), "frame of a dump, or number of a frame of MercuryDPM, from 0",
+              "default the last");
+  Key columns =
+      other("columns", "[\"x\", \"y\", \"z\", \"radius\"]", Range::any(), "default from the file",
+            "of a table separated by blanks; also id, material, matId (from 0), type (from 1), diameter, "
+            "density, mass, vx, spin_x, ...; \"-\" is not read");
   BooleanKey keep_ids =
       boolean("keep_ids", true, "false: bodies of a file are numbered after the largest id of the scene");
   Key repeat = other("repeat", "[nx, ny, nz]", Range::between(1, 1e4), "optional",
@@ -36,8 +43,10 @@ struct ParticlesKeys : TableKeys {
       "this, lattice, random or file");
   Key leave_out = other("leave_out", "[\"histories\", \"walls\", \"orientations\"]", Range::any(),
                         "default nothing", "what is not taken over from the state");
-  StringKey material =
-      string("material", "", "of bodies without one in the file", "required with several materials");
+  StringKey material = string(
+      "material", "",
+      "of bodies without one in the file; or shares by number, { glass = 0.7, steel = 0.3 }, drawn at random",
+      "required with several materials");
   Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "default 0", "added to all bodies");
   Key velocity_gradient = other("velocity_gradient", "[x, y, z]", Range::any("1/s"), "default 0",
                                 "times the coordinates of a body, added to its velocity");

@@ -14,8 +14,8 @@ namespace {
 
 // Refuses keys that select or copy bodies of a file.
 void refuse_keys_of_files(const document::Table& particles) {
-  for (const Key& key : {Key(particles_keys.timestep), particles_keys.repeat, particles_keys.period,
-                         Key(particles_keys.keep_ids)})
+  for (const Key& key : {Key(particles_keys.timestep), particles_keys.columns, particles_keys.repeat,
+                         particles_keys.period, Key(particles_keys.keep_ids)})
     if (particles.has(key))
       throw particles.error(key, fmt::format("'{}' needs 'file', which is not given", key.name),
                             "add file = \"<path>\", or remove it; the size of a lattice is its count");
@@ -93,10 +93,13 @@ void read_table(BodyLot& lot, const Source& source, packing::Random random,
                 const std::vector<BodyLot>& lots) {
   const document::Table& particles = lot.table;
   refuse_without_state(particles);
-  const std::string material = read(particles, particles_keys.material);
+  const bool shares = particles.is_table(particles_keys.material);
+  const std::string material = shares ? "" : read(particles, particles_keys.material);
   const AddedVelocity added(particles, source.dimension);
   packing::Packing packing = read_packing(lot, source, random, lots);
   if (packing.bounds) lot.box = {packing.periodic, packing.bounds->lower, packing.bounds->upper};
+  if (shares)
+    share_materials(particles.table(particles_keys.material), source.materials, random, packing.bodies);
   lot.own_ids = packing.own_ids;
   lot.bodies.reserve(packing.bodies.size());
   for (packing::Body& from : packing.bodies) {
@@ -108,10 +111,10 @@ void read_table(BodyLot& lot, const Source& source, packing::Random random,
 
 void read_state_table(BodyLot& lot, const Source& source, packing::Random random, ReadBodies& read_bodies) {
   const document::Table& particles = lot.table;
-  for (const Key& key :
-       {Key(particles_keys.file), particles_keys.lattice, particles_keys.random, particles_keys.region,
-        Key(particles_keys.radius), Key(particles_keys.timestep), particles_keys.repeat,
-        particles_keys.period, Key(particles_keys.keep_ids), Key(particles_keys.material)})
+  for (const Key& key : {Key(particles_keys.file), particles_keys.lattice, particles_keys.random,
+                         particles_keys.region, Key(particles_keys.radius), Key(particles_keys.timestep),
+                         particles_keys.repeat, particles_keys.period, particles_keys.columns,
+                         Key(particles_keys.keep_ids), Key(particles_keys.material)})
     if (particles.has(key))
       throw particles.error(key, fmt::format("both state and {} are given", key.name), "keep one of them");
   if (read_bodies.state)

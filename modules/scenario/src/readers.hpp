@@ -72,6 +72,13 @@ struct Material {
 std::vector<Material> read_materials(const document::Table& root);
 std::vector<std::string> names_of(const std::vector<Material>& materials);
 
+// material_shares.cpp
+
+// Gives bodies without a material one at random, so that the numbers of each are those of the shares { glass = 0.7, steel
+// = 0.3 } to less than one body.
+void share_materials(const document::Table& table, const std::vector<Material>& materials,
+                     packing::Random& random, std::vector<packing::Body>& bodies);
+
 // state_reader.cpp
 
 // Path of the state that [particles] names: in or below `folder`, the working folder, or a folder in the

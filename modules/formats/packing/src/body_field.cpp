@@ -1,5 +1,6 @@
 #include "body_field.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -85,6 +86,17 @@ void require_planar(Body& body, BodyField field, const Token& token, const TextR
   reader.fail(token.column,
               fmt::format("{} {} is not 0 in two dimensions", name_of(field), quote_token(token.text)),
               "set it to 0, or read the file in three dimensions");
+}
+
+std::vector<Token> words_after(const TextReader& reader, std::size_t begin) {
+  const std::string_view line = reader.line();
+  std::vector<Token> words;
+  while (begin < line.size()) {
+    const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+    if (end > begin) words.push_back({line.substr(begin, end - begin), begin + 1});
+    begin = end + 1;
+  }
+  return words;
 }
 
 Packing checked_import(Packing packing, const std::string& file) {

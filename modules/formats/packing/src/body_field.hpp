@@ -26,6 +26,9 @@ double* field_component(Body& body, BodyField field);
 // Fails at the token if the field must be 0 in two dimensions and is not.
 void require_planar(Body& body, BodyField field, const Token& token, const TextReader& reader);
 
+// Words of the current line from a byte on, which may be in a comment.
+std::vector<Token> words_after(const TextReader& reader, std::size_t begin);
+
 // Returns the packing of a file after check(), whose errors then name the file.
 Packing checked_import(Packing packing, const std::string& file);
 

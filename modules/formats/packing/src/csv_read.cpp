@@ -77,17 +77,6 @@ int read_dimension(const std::vector<Token>& words, const TextReader& reader) {
   reader.fail(1, "the dimension is neither 2 nor 3", "write '# dimension: 2' or '# dimension: 3'");
 }
 
-std::vector<Token> words_after(const TextReader& reader, std::size_t begin) {
-  const std::string_view line = reader.line();
-  std::vector<Token> words;
-  while (begin < line.size()) {
-    const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
-    if (end > begin) words.push_back({line.substr(begin, end - begin), begin + 1});
-    begin = end + 1;
-  }
-  return words;
-}
-
 // Other comments are ignored.
 void read_comment(Preamble& preamble, const TextReader& reader) {
   const std::size_t hash = reader.line().find('#');

@@ -45,6 +45,20 @@ std::string material_of_type(const Token& token, const std::vector<std::string>&
   return materials[std::size_t(type - 1)];
 }
 
+std::string material_of_number(const Token& token, std::string_view what,
+                               const std::vector<std::string>& materials, const TextReader& reader) {
+  const std::int64_t number = reader.integer(token, what);
+  if (number < 0 || number >= max_type)
+    reader.fail(token.column, fmt::format("{} {} is not 0 to {}", what, number, max_type - 1), "correct it");
+  if (materials.empty()) return fmt::to_string(number + 1);
+  if (number >= std::int64_t(materials.size()))
+    reader.fail(token.column,
+                fmt::format("{} {} has no material: counted from 0, the scene has only {}", what, number,
+                            materials.size()),
+                "add a [[material]] for each number of the file, or leave the column out");
+  return materials[std::size_t(number)];
+}
+
 MaterialTypes::MaterialTypes(const Packing& packing, const std::vector<std::string>& materials) {
   const std::vector<std::string> used = names_in_order(packing);
   const bool numbers = std::all_of(used.begin(), used.end(),

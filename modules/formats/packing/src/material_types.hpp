@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -16,6 +17,10 @@ inline constexpr std::int64_t max_type = 10'000;
 // Material of a type number: its name in the list, or the number as text if the list is empty.
 std::string material_of_type(const files::Token& type, const std::vector<std::string>& materials,
                              const files::TextReader& reader);
+
+// The same of a number that counts from 0, such as a species of MercuryDPM or a material of YADE. what: its name.
+std::string material_of_number(const files::Token& number, std::string_view what,
+                               const std::vector<std::string>& materials, const files::TextReader& reader);
 
 // Type numbers for the materials of a packing; see ExportOptions::materials for the rule.
 class MaterialTypes {

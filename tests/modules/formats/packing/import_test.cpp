@@ -8,6 +8,7 @@
 #include <scree/packing/csv.hpp>
 #include <scree/packing/import.hpp>
 #include <scree/packing/lammps.hpp>
+#include <scree/packing/other_codes.hpp>
 
 using namespace scree::packing;
 using Catch::Matchers::Contains;
@@ -27,7 +28,13 @@ std::vector<Sample> samples() {
   return {{parse_csv, format_csv(packing)},
           {parse_lammps_data, format_lammps_data(packing)},
           {parse_lammps_dump, format_lammps_dump(packing)},
-          {parse_beads, "2 1 1\n0.1 0.1 0.1 0.1\n0.5 0.5 0.5 0.1\n"}};
+          {parse_beads, "2 1 1\n0.1 0.1 0.1 0.1\n0.5 0.5 0.5 0.1\n"},
+          {parse_table, "#format id_x_y_z_r_matId\n0 0.5 1 2 0.1 1\n7 3 1 2 0.1 0\n"},
+          {parse_table, "##PERIODIC:: 1 2 3\n0.5 1 2 0.1 -1\n0.5 1 1 0.2 -1\n"},
+          {parse_table, "Radius[m] PosX[m] PosY[m] Other\n0.1 1 2 -4\n0.2 5 6 8\n"},
+          {parse_mercury,
+           "1 0 0 0 0 1 2 3 \n0.1 0.2 0.3 1 2 3 0.01 9 9 9 4 5 6 0\n"
+           "1 0.25 0 0 1 2 \n0.4 0.5 -1 0 0.01 0 7 1\n"}};
 }
 
 // Either a valid packing, or a one-line message that begins with the file name and ends with a cure.
@@ -46,6 +53,12 @@ TEST_CASE("the format of a file is detected from its first lines", "[packing]") 
   CHECK(detect_format("title\n\n 3 atoms\n", "a") == FileFormat::lammps_data);
   CHECK(detect_format("# note\nx,y,radius\n", "a") == FileFormat::csv);
   CHECK(detect_format("1 0.5 0.5\n", "a") == FileFormat::beads);
+  CHECK(detect_format("1 0.5 0.5\n0.1 0.2 0.3 0.1\n", "a") == FileFormat::beads);
+  CHECK(detect_format("1 0.5 0.5\n0.1 0.2 0.3\n", "a") == FileFormat::table);
+  CHECK(detect_format("0.1 0.2 0.3 0.1\n", "a") == FileFormat::table);
+  CHECK(detect_format("PosX PosY Radius\n", "a") == FileFormat::table);
+  CHECK(detect_format("1 0 0 0 0 1 1 1\n1 2 3 4 5 6 7 8 9 10 11 12 13 0\n", "a") == FileFormat::mercury);
+  CHECK(detect_format("1 0 0 0 1 1\n1 2 3 4 5 6 7 8\n", "a") == FileFormat::mercury);
   CHECK_THAT(error_of([] { detect_format("hello\n", "a"); }),
              StartsWith("a:1:1: ") && Contains("give CSV with a header line"));
   CHECK_THAT(error_of([] { detect_format("", "a"); }), Contains("the file is empty"));

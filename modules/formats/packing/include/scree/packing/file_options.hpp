@@ -16,6 +16,7 @@ struct ImportOptions {
   std::optional<std::array<bool, 3>> periodic{};  // absent: as in the file, else none
   std::vector<std::string> materials{};           // names of types 1, 2, ...; empty: the type number as text
   std::optional<std::int64_t> timestep{};         // frame of a dump; absent: the last frame
+  std::vector<std::string> columns{};             // of a table without names, "-" for those not to be read
 };
 
 // Program that is to read the file; each rejects some details of the other's files.

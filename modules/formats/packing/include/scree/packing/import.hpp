@@ -9,9 +9,9 @@
 
 namespace scree::packing {
 
-enum class FileFormat { csv, beads, lammps_data, lammps_dump };
+enum class FileFormat { csv, beads, lammps_data, lammps_dump, table, mercury };
 
-// Format by name ("csv", "beads", "lammps_data", "lammps_dump"). Throws Error for an unknown name, with the
+// Format by name ("csv", "beads", "lammps_data", "lammps_dump", "table", "mercury"). Throws Error for an unknown name, with the
 // nearest known one.
 FileFormat file_format(std::string_view name);
 
