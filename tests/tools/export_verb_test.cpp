@@ -34,6 +34,10 @@ TEST_CASE("export writes the bodies of a state in each format, and scree reads t
         "scree: bodies.csv: is there already; give another --out, or --overwrite\n");
   CHECK_THAT(w.scree("export out --format xzy").err, Catch::Contains("xyz"));
   std::filesystem::create_directory(w / "empty");
+  CHECK_THAT(w.scree("export out --format csv --overwrite --out empty").err,
+             Catch::Contains("empty: is not a regular file; give another --out"));
+  CHECK_THAT(w.scree("export out --format csv --overwrite --out out/final_state.h5").err,
+             Catch::Contains("holds what is exported, or another state"));
   CHECK_THAT(w.scree("export empty --format xyz").err,
              Catch::Contains("empty: has neither a state nor snapshots of its bodies; give the directory"));
 }

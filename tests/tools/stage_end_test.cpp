@@ -44,6 +44,16 @@ TEST_CASE("a stage that is not reached keeps the run, and goes on with more time
   CHECK(results_of(w, "out") == results_of(w, "whole"));
 }
 
+TEST_CASE("a run that goes on keeps the functions of time of its stages", "[tools]") {
+  const Workspace w(stages(too_short + ", otherwise = 'go_on'"));
+  REQUIRE(w.run().status == 0);
+  const std::string whole = results_of(w, "out");
+  const Outcome refused = w.scree("resume out --set stage.hold.set.box.stress_x.duration=2");
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Contains("can change only how long its stages last"));
+  CHECK(results_of(w, "out") == whole);
+}
+
 TEST_CASE("a stage that may go on leaves a state at its end, to which resume goes back", "[tools]") {
   const Workspace w(stages(too_short + ", otherwise = 'go_on'"));
   REQUIRE(w.run().status == 0);

@@ -36,13 +36,18 @@ struct Format {
 std::string dump_text(const ExportedFrame& frame, packing::Dialect dialect) {
   packing::ExportOptions options;
   options.dialect = dialect;
+  options.materials = frame.materials;
   options.timestep = std::int64_t(frame.step);
   return packing::format_lammps_dump(frame.packing, options);
 }
 
 const Format formats[] = {
     {"lammps-data", ".data", false,
-     [](const ExportedFrame& f) { return packing::format_lammps_data(f.packing); }},
+     [](const ExportedFrame& f) {
+       packing::ExportOptions options;
+       options.materials = f.materials;
+       return packing::format_lammps_data(f.packing, options);
+     }},
     {"lammps-dump", ".dump", true,
      [](const ExportedFrame& f) { return dump_text(f, packing::Dialect::lammps); }},
     {"liggghts-dump", ".dump", true,
@@ -59,18 +64,29 @@ std::vector<std::string> format_names() {
 
 fs::path out_of(const ExportArguments& arguments, const Format& format) {
   if (!arguments.out.empty()) return arguments.out;
-  fs::path stem = fs::path(arguments.source).lexically_normal();
-  if (!stem.has_filename()) stem = stem.parent_path();
-  return stem.filename().replace_extension(format.suffix);
+  fs::path source = fs::absolute(arguments.source).lexically_normal();
+  if (!source.has_filename()) source = source.parent_path();
+  // The name of a directory may have a dot, as friction=0.1.
+  return (fs::is_directory(source) ? source.filename() : source.stem()).string() + format.suffix;
+}
+
+// Throws Error if the file may not be written.
+void check_out(const ExportArguments& arguments, const fs::path& out) {
+  std::error_code failed;
+  const fs::file_status there = fs::symlink_status(out, failed);
+  if (!fs::exists(there)) return;
+  if (!fs::is_regular_file(there)) throw Error(out.string(), "is not a regular file", "give another --out");
+  if (out.extension() == ".h5" || fs::equivalent(out, arguments.source, failed))
+    throw Error(out.string(), "holds what is exported, or another state", "give another --out");
+  if (!arguments.overwrite)
+    throw Error(out.string(), "is there already", "give another --out, or --overwrite");
 }
 
 ExitStatus export_bodies(const ExportArguments& arguments) {
   const Format& format = *std::find_if(std::begin(formats), std::end(formats),
                                        [&](const Format& f) { return f.name == arguments.format; });
   const fs::path out = out_of(arguments, format);
-  std::error_code failed;
-  if (!arguments.overwrite && fs::exists(fs::symlink_status(out, failed)))
-    throw Error(out.string(), "is there already", "give another --out, or --overwrite");
+  check_out(arguments, out);
   std::string text;
   std::size_t frames = 0, bodies = 0;
   for_each_frame(arguments.source, format.many_frames, [&](const ExportedFrame& frame) {

@@ -42,7 +42,7 @@ ExportedFrame frame_of(const State& state) {
   from.value("clock/steps", "1", frame.step);
   frame.packing.time = time_of(state);
   frame.packing.dimension = dimension_of(state);
-  const std::vector<std::string> materials = materials_of(state);
+  const std::vector<std::string> materials = frame.materials = materials_of(state);
   for (const Body& b : present_bodies(state))
     frame.packing.bodies.push_back({.id = b.id,
                                     .material = materials.at(b.material),
@@ -86,12 +86,17 @@ ExportedFrame frame_of(const pictures::Frame& shown, const Domain& domain) {
 // The last state of a run; none if it has none.
 std::optional<fs::path> state_in(const fs::path& directory) {
   std::error_code failed;
-  if (fs::exists(directory / "final_state.h5", failed)) return directory / "final_state.h5";
   std::vector<fs::path> states;
+  const fs::path at_end = directory / "final_state.h5";
   for (const auto& entry : fs::directory_iterator(directory / "checkpoint", failed))
     if (entry.path().extension() == ".h5") states.push_back(entry.path());
-  if (states.empty()) return std::nullopt;
-  return *std::max_element(states.begin(), states.end());
+  std::optional<fs::path> latest;
+  if (!states.empty()) latest = *std::max_element(states.begin(), states.end());
+  // A run that was prolonged and interrupted has checkpoints after its last end.
+  if (fs::exists(at_end, failed) &&
+      (!latest || fs::last_write_time(at_end, failed) >= fs::last_write_time(*latest, failed)))
+    return at_end;
+  return latest;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace scree::tool {
 struct ExportedFrame {
   packing::Packing packing;
   std::uint64_t step = 0;
+  std::vector<std::string> materials = {};  // of types 1, 2, ...; empty: numbers
 };
 
 // Calls use(frame) for the bodies of a state, of one particles_*.vtp, or of a run: of all its snapshots in order of time

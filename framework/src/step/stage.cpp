@@ -15,6 +15,7 @@ namespace {
 
 // Steps between tests of a condition on energies, which are sums over all bodies.
 constexpr std::uint64_t condition_interval = 100;
+constexpr std::uint64_t unlimited = ~std::uint64_t(0);
 
 template <class Entries>
 bool has(const Entries& entries, const Stage::Change& change) {
@@ -37,6 +38,14 @@ bool has(const Scene& scene, const Stage::Change& change) {
   }
 }
 
+// Probes begin in the first stage in which they record, so that they are followed in all stages if one needs a column.
+std::shared_ptr<StageColumns> needed(const std::vector<Stage>& stages,
+                                     std::shared_ptr<StageColumns> columns) {
+  const bool any = std::any_of(stages.begin(), stages.end(),
+                               [](const Stage& s) { return !s.duration && s.until.reads_columns(); });
+  return any ? columns : nullptr;
+}
+
 }  // namespace
 
 const char* name_of(StageEnd end) {
@@ -52,13 +61,13 @@ double duration_of(const std::vector<Stage>& stages) {
 
 StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages,
                          std::shared_ptr<StageColumns> columns)
-    : simulation_(simulation), stages_(std::move(stages)), columns_(std::move(columns)) {
+    : simulation_(simulation), stages_(std::move(stages)), columns_(needed(stages_, std::move(columns))) {
   if (!finished()) begin();
 }
 
 StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state,
                          std::shared_ptr<StageColumns> columns)
-    : simulation_(simulation), stages_(std::move(stages)), columns_(std::move(columns)) {
+    : simulation_(simulation), stages_(std::move(stages)), columns_(needed(stages_, std::move(columns))) {
   if (stages_.empty()) state.refuse("stage", "is one of a scenario without stages");
   transfer(state);
   if (began_step_ > simulation_.steps()) state.refuse("began_step", "is after the step of the state");
@@ -128,12 +137,10 @@ std::uint64_t StageRunner::steps_to_next_check() const {
   const Stage& stage = stages_[current_];
   const std::uint64_t steps = this->steps();
   const auto left = [&](std::uint64_t last) { return last > steps ? last - steps : 1; };
-  if (stage.duration) return left(steps_in(*stage.duration));
-  std::uint64_t next = condition_interval - steps % condition_interval;
-  if (stage.until.reads_columns()) {
-    const std::uint64_t due = left(columns_->next(simulation_, stage.name, steps));
-    next = stage.until.reads_energies() ? std::min(next, due) : due;
-  }
+  const std::uint64_t due = columns_ ? left(columns_->next(simulation_, stage.name, steps)) : unlimited;
+  if (stage.duration) return std::min(due, left(steps_in(*stage.duration)));
+  const std::uint64_t next_test = condition_interval - steps % condition_interval;
+  const std::uint64_t next = stage.until.reads_energies() || !columns_ ? std::min(due, next_test) : due;
   // One step early, because run() compares times, not step counts.
   return stage.until.at_most
              ? std::min(next, left(std::max<std::uint64_t>(steps_in(*stage.until.at_most), 1) - 1))
@@ -143,7 +150,6 @@ std::uint64_t StageRunner::steps_to_next_check() const {
 bool StageRunner::take_values() {
   bool taken = false;
   const Stage& stage = stages_[current_];
-  if (stage.until.reads_columns()) columns_->take(simulation_, stage.name, steps());
   for (std::size_t k = 0; k < values_.size(); ++k) {
     const Condition& condition = stage.until.conditions[k];
     if (condition.probe != Condition::energies) {
@@ -165,6 +171,7 @@ bool StageRunner::conditions_met() const {
 
 bool StageRunner::over() {
   const Stage& stage = stages_[current_];
+  if (columns_) columns_->take(simulation_, stage.name, steps());
   if (stage.duration) return steps() >= steps_in(*stage.duration);
   // Only where a value was taken: how often this is called depends on outputs.
   return take_values() && steps() >= steps_in(stage.until.at_least) && conditions_met();
@@ -185,14 +192,21 @@ void StageRunner::fail() const {
   for (const ConditionValues& values : values_)
     if (!values.met()) problems.push_back(values.problem());
   const auto moving = stage.until.reads_energies() ? movers(simulation_) : std::nullopt;
+  // As a shell and an override take it.
+  const bool plain =
+      stage.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+      stage.name.npos;
+  const std::string key = plain                ? "stage." + stage.name
+                          : stages_.size() > 1 ? fmt::format("stage[{}]", current_)
+                                               : "stage";
   throw Error(fmt::format("stage '{}': after {:g} s {}{}; {}, raise until.at_most (scree resume DIR --set "
-                          "stage.{}.until.at_most=<s> goes on from here), or set until.otherwise = \"go_on\"",
+                          "{}.until.at_most=<s> goes on from here), or set until.otherwise = \"go_on\"",
                           stage.name, simulation_.time() - began_, fmt::join(problems, ", and "),
                           moving ? ": " + moving->what : "",
                           moving                         ? moving->cure
                           : stage.until.reads_energies() ? "add damping"
                                                          : "check that it can be reached",
-                          stage.name),
+                          key),
               ExitStatus::not_reached);
 }
 
@@ -209,7 +223,7 @@ void StageRunner::step() {
 
 std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>& proceed) {
   const Stage& stage = stages_[current_];
-  if (stage.until.reads_columns() && this->steps() == 0) columns_->take(simulation_, stage.name, 0);
+  if (columns_ && this->steps() == 0) columns_->take(simulation_, stage.name, 0);
   const std::uint64_t taken = simulation_.run(std::min(steps, steps_to_next_check()), proceed);
   const std::optional<double> at_most = stage.until.at_most;
   if (over()) {

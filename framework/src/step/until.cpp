@@ -128,7 +128,7 @@ double ConditionValues::change() const {
     if (std::isnan(value)) return NAN;
     low = std::min(low, value), high = std::max(high, value), size = std::max(size, std::abs(value));
   }
-  return size > 0 ? (high - low) / size : 0;
+  return size > 0 ? (high - low) / size : INFINITY;  // of nothing there is no share
 }
 
 bool ConditionValues::met() const {

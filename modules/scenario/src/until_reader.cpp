@@ -101,6 +101,9 @@ Until read_until(const document::Table& t, double step) {
     until.conditions.push_back(c);
   }
   for_each_column(t, [&](const std::string& name, const document::Table& column) {
+    const auto same = [&](const Condition& c) { return c.name == name; };
+    if (std::any_of(until.conditions.begin(), until.conditions.end(), same))
+      throw column.error(fmt::format("'{}' has two conditions", files::one_line(name)), "give one of them");
     until.conditions.push_back(read_column(name, column));
   });
   until.any = read(t, until_keys.match) == "any";

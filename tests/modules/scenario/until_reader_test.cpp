@@ -71,6 +71,8 @@ TEST_CASE("conditions that no run can test are refused with the place and the ne
   refused("'energy.work' = { above = 1, over = 0.1 }, at_most = 1", "'over' is the time of 'steady'");
   refused("'energy.work' = { steady = 0.1, over = 1e-5 }, at_most = 1",
           "over = 1e-05 s is shorter than the 2e-05 s between samples of 'energy'");
+  refused("'energy.work' = { above = 1 }, energy.work = { below = 2 }, at_most = 1",
+          "'energy.work' has two conditions");
   refused("'energy.work' = { above = 1 }", "has no 'at_most'");
   refused("at_most = 1", "the stage has no condition; give kinetic_over_elastic");
   refused("kinetic_over_elastik = 1e-3, at_most = 1", "did you mean 'kinetic_over_elastic'?");

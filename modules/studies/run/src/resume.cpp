@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 bool is_length(const std::string& override_text) {
   const std::string key = override_text.substr(0, override_text.find('='));
   const std::string last = key.substr(key.rfind('.') + 1);
+  // Functions of time have durations and cycles too: stage.press.set.box.stress_z.duration.
+  if (key.find(".set.") != key.npos) return false;
   return (key.starts_with("stage") || key.starts_with("time")) &&
          (last == "duration" || last == "cycles" || last == "at_most");
 }
