@@ -77,6 +77,8 @@ TEST_CASE("a stage that may go on leaves a state at its end, to which resume goe
   CHECK(results_of(w, "out") == whole);
   CHECK(w.has("out/final_state.h5"));
 
+  REQUIRE(w.scree("run scene.toml --out odd --quiet --set stage[0].name='a/b'").status == 0);
+  CHECK(w.has("odd/states/a%2Fb.h5"));
   REQUIRE(w.scree("run scene.toml --out none --quiet --set checkpoint.stage_states=false").status == 0);
   CHECK_FALSE(w.has("none/states"));
 }

@@ -23,11 +23,16 @@ constexpr std::size_t kept = 2;
 
 std::string name_of(std::uint64_t steps) { return fmt::format("step_{:015}.h5", steps); }
 
-// A stage may have any name, and a file cannot.
+// A stage may have any name, and a file cannot: "a/b" is a%2Fb.h5. Other stages have other files.
 std::string file_name_of(const std::string& stage) {
-  std::string name = stage;
-  for (char& c : name)
-    if (c == '/' || static_cast<unsigned char>(c) < ' ') c = '_';
+  std::string name;
+  for (const char c : stage) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '/' || c == '%' || byte < ' ')
+      name += fmt::format("%{:02X}", byte);
+    else
+      name += c;
+  }
   return name + ".h5";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <scree/files/try_each.hpp>
@@ -160,7 +161,11 @@ void Run::save_failed() {
 void Run::save_unreached() {
   if (!not_reached_) return;
   observe(plan_.stages[runner_->current()].name, runner_->steps());
-  states_.write_before_failure();
+  try {
+    states_.write_before_failure();
+  } catch (const Error& error) {
+    session_.warn(fmt::format("the state before the failure is not kept: {}", error.what()));
+  }
 }
 
 nlohmann::ordered_json Run::record() { return results_.record(); }
