@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
@@ -90,6 +91,20 @@ TEST_CASE("sizes of 1 to 50 keep clear of each other, of their images and of obs
         [](const Body& body) { return body.position[0] < body.radius && body.position[0] > 0.0; });
     CHECK(reaches_through);
   }
+}
+
+TEST_CASE("large bodies keep clear of obstacles that are far smaller", "[packing]") {
+  Random random(3);
+  CloudOptions options = counted_in(unit_box, 10);
+  for (int n = 0; n < 100; ++n)
+    options.obstacles.push_back({{{random.uniform(), random.uniform(), random.uniform()}}, 0.002});
+  const Packing packing = cloud_of(options, ConstantRadius{0.08}, 6).packing;
+  double least = 1.0;
+  for (const Body& body : packing.bodies)
+    for (const auto& obstacle : options.obstacles)
+      least = std::min(least, norm(body.position - obstacle.position) - body.radius - obstacle.radius);
+  CHECK(least >= 0.0);
+  CHECK(least < 0.02);  // they come near
 }
 
 TEST_CASE("a solid fraction is met to rounding by one factor of all radii near 1", "[packing]") {
