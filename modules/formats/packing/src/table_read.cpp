@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <scree/counted.hpp>
+#include <scree/error.hpp>
 #include <scree/packing/other_codes.hpp>
 
 namespace scree::packing {
