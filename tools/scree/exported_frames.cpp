@@ -21,16 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Periodic axes of the scene around the bodies along the others.
-void add_box(const Domain& domain, packing::Packing& packing) {
-  if (!domain.any_periodic()) return;
-  packing.periodic = domain.periodic;
-  packing.bounds = packing::enclosing_bounds(packing);
-  for (int k = 0; k < 3; ++k)
-    if (domain.periodic[std::size_t(k)])
-      packing.bounds->lower[k] = domain.lower[k], packing.bounds->upper[k] = domain.upper[k];
-}
-
 void sort_by_id(packing::Packing& packing) {
   std::stable_sort(packing.bodies.begin(), packing.bodies.end(),
                    [](const packing::Body& a, const packing::Body& b) { return a.id < b.id; });
@@ -52,7 +42,7 @@ ExportedFrame frame_of(const State& state) {
                                     .velocity = b.velocity,
                                     .spin = b.spin});
   sort_by_id(frame.packing);
-  add_box(domain_of(state), frame.packing);
+  packing::set_periodic(frame.packing, domain_of(state));
   return frame;
 }
 
@@ -79,7 +69,7 @@ ExportedFrame frame_of(const pictures::Frame& shown, const Domain& domain) {
          .velocity = vector_at(shown.velocity, i),
          .spin = vector_at(shown.spin, i)});
   sort_by_id(frame.packing);
-  add_box(domain, frame.packing);
+  packing::set_periodic(frame.packing, domain);
   return frame;
 }
 

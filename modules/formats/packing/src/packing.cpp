@@ -86,6 +86,15 @@ Bounds enclosing_bounds(const Packing& packing) {
   return box;
 }
 
+void set_periodic(Packing& packing, const Domain& domain) {
+  if (!domain.any_periodic()) return;
+  packing.periodic = domain.periodic;
+  packing.bounds = enclosing_bounds(packing);
+  for (int k = 0; k < 3; ++k)
+    if (domain.periodic[std::size_t(k)])
+      packing.bounds->lower[k] = domain.lower[k], packing.bounds->upper[k] = domain.upper[k];
+}
+
 double sphere_density(const Body& body) {
   if (std::isnan(body.mass)) return body.density;
   return body.mass / (4.0 / 3.0 * std::numbers::pi * body.radius * body.radius * body.radius);

@@ -64,8 +64,8 @@ void change(const LawUnderCheck& law, ContactColumns& contact, PairMotion motion
 }
 
 // Output of the law at a step of the passage, with a given history.
-std::vector<double> response(const LawUnderCheck& law, int variant, int step,
-                             const std::vector<double>& history, PairMotion motion, int k, double amount) {
+std::vector<double> outputs_of(const LawUnderCheck& law, int variant, int step,
+                               const std::vector<double>& history, PairMotion motion, int k, double amount) {
   ContactColumns contact(1);
   law.passage.set(contact, 0, variant, step);
   for (std::size_t h = 0; h < history.size(); ++h) contact.history(h) = history[h];
@@ -106,7 +106,7 @@ void compare(const LawUnderCheck& law, int variant, int step, const std::vector<
   const int rows = derivative.rows();
   const double scale = scale_of(motion, law.passage), amount = 1e-4 * scale;
   const auto at = [&](double share) {
-    return response(law, variant, step, history, motion, k, share * amount);
+    return outputs_of(law, variant, step, history, motion, k, share * amount);
   };
   const std::vector<double> middle = at(0), left = at(-1), right = at(1), far_left = at(-2),
                             far_right = at(2);

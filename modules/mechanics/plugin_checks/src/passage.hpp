@@ -5,7 +5,7 @@
 
 namespace scree::plugin_checks {
 
-// A change of the frame of reference, under which the response of a law must change likewise.
+// A change of the frame of reference, under which the outputs of a law must change likewise.
 struct Frame {
   bool exchanged = false;  // a and b change their names
   double angle = 0;        // (rad) by which everything is rotated about `axis`

@@ -192,16 +192,6 @@ packing::Packing packing_of(const Simulation& s) {
   return all;
 }
 
-// The periodic axes of the scene, around the bodies along the others.
-void add_box(const Domain& domain, packing::Packing& all) {
-  if (!domain.any_periodic()) return;
-  all.periodic = domain.periodic;
-  all.bounds = packing::enclosing_bounds(all);
-  for (int k = 0; k < 3; ++k)
-    if (domain.periodic[std::size_t(k)])
-      all.bounds->lower[k] = domain.lower[k], all.bounds->upper[k] = domain.upper[k];
-}
-
 bool is_finite(const packing::Body& b) {
   return std::isfinite(norm(b.position)) && std::isfinite(norm(b.velocity)) && std::isfinite(norm(b.spin));
 }
@@ -218,7 +208,7 @@ void write_final_packing(const Simulation& simulation, const std::filesystem::pa
               "that final_packing.csv is not written; use a shorter time.step or a shorter run",
               body.id, simulation.time()),
           ExitStatus::failure);
-  add_box(simulation.domain(), last);
+  packing::set_periodic(last, simulation.domain());
   packing::write_csv(last, path);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/domain.hpp>
 #include <scree/plugin/vec.hpp>
 
 namespace scree::packing {
@@ -48,6 +49,9 @@ void check(const Packing& packing);
 
 // Bounding box of all bodies, including their surfaces (m). The packing must have a body.
 Bounds enclosing_bounds(const Packing& packing);
+
+// Gives a packing the periodic axes of a scene, around the bodies along the others; leaves it without a box if there are none.
+void set_periodic(Packing& packing, const Domain& domain);
 
 // Density (kg/m³) of a sphere with the radius and mass of this body; unset if it has neither.
 double sphere_density(const Body& body);
