@@ -376,3 +376,25 @@ TEST_CASE("a body without contacts is a rattler unless it is fixed, and fixed bo
   for (Body& body : scene.bodies) body.fixed = true;
   CHECK_THROWS_WITH(system_of(Simulation(scene)), Catch::Contains("no body is held"));
 }
+
+// γ = 2 ζ √(k m), with the mass of the body and ζ = −ln e/√(π² + ln² e). The error of a short step, 1e-12.
+TEST_CASE("a wall on a fixed body has the stiffness and the dashpot of the contact", "[response]") {
+  const double stiffness = 1000, mass = 2, decay = -std::log(0.5);
+  Scene scene = test::scene(2, 1e-4, {test::body(1, 1, mass, {{0, 0, 0}}, {}, {}, 2)},
+                            {{"normal_stiffness", {stiffness}}, {"restitution", {0.5}}});
+  scene.bodies[0].fixed = true;
+  test::add_boundary(scene, "plane",
+                     {{"point", {0, 0.9, 0}},
+                      {"normal", {0, -1, 0}},
+                      {"direction", {0, -1, 0}},
+                      {"control", {4}},  // force
+                      {"force", {0, 1}},
+                      {"mass", {5}},
+                      {"viscosity", {0}}});
+  const LinearSystem system = system_of(Simulation(scene));
+  REQUIRE(system.freedom.size() == 1);
+  CHECK(system.stiffness.coeff(0, 0) == Approx(stiffness));
+  CHECK(system.damping.coeff(0, 0) ==
+        Approx(2 * decay / std::hypot(3.14159265358979, decay) * std::sqrt(stiffness * mass)));
+  CHECK(system.mass[0] == 5);
+}
