@@ -21,7 +21,7 @@ struct MercuryColumn {
   bool read = true;
 };
 
-constexpr MercuryColumn unread = {BodyField::id, false};
+constexpr MercuryColumn unused = {BodyField::id, false};
 constexpr std::array<MercuryColumn, 14> columns_3d = {{{BodyField::x},
                                                        {BodyField::y},
                                                        {BodyField::z},
@@ -29,9 +29,9 @@ constexpr std::array<MercuryColumn, 14> columns_3d = {{{BodyField::x},
                                                        {BodyField::vy},
                                                        {BodyField::vz},
                                                        {BodyField::radius},
-                                                       unread,
-                                                       unread,
-                                                       unread,
+                                                       unused,
+                                                       unused,
+                                                       unused,
                                                        {BodyField::wx},
                                                        {BodyField::wy},
                                                        {BodyField::wz},
@@ -41,7 +41,7 @@ constexpr std::array<MercuryColumn, 8> columns_2d = {{{BodyField::x},
                                                       {BodyField::vx},
                                                       {BodyField::vy},
                                                       {BodyField::radius},
-                                                      unread,
+                                                      unused,
                                                       {BodyField::wz},
                                                       {BodyField::material}}};
 
