@@ -1,12 +1,13 @@
 // Viscous drag on the translation and rotation of every body.
 
 #include <scree/plugin/body_force.hpp>
+#include <scree/plugin/program.hpp>
 
 namespace {
 
 struct BackgroundDamping {
-  double translational = 0;
-  double rotational = 0;
+  scree::Program translational_of, rotational_of;
+  double translational = 0, rotational = 0;  // at the present time
 
   static constexpr scree::About about = {
       "background_damping", "viscous drag on translation and rotation",
@@ -15,14 +16,22 @@ struct BackgroundDamping {
       "David et al. 2005, section 2; Lemrich et al. 2017 (γ_a)"};
 
   void declare(scree::Declaration& d) {
-    d.number("translational", translational, "kg/s", scree::non_negative, "γ_b");
-    d.number("rotational", rotational, "kg/s", scree::non_negative,
-             "γ_br; no effect in a scene without spin");
+    d.program("translational", translational_of, "kg/s", scree::non_negative, "γ_b; 0 if not given")
+        .optional();
+    d.program("rotational", rotational_of, "kg/s", scree::non_negative,
+              "γ_br; 0 if not given; no effect in a scene without spin")
+        .optional();
+  }
+
+  void at(double time) {
+    translational = translational_of.given() ? translational_of(time) : 0;
+    rotational = rotational_of.given() ? rotational_of(time) : 0;
   }
 
   double damping_rate(double mass, double inertia, double radius) const {
-    const double turning = inertia > 0 ? rotational * radius * radius / inertia : 0;
-    return turning > translational / mass ? turning : translational / mass;
+    const double moving = largest(translational_of) / mass;
+    const double turning = inertia > 0 ? largest(rotational_of) * radius * radius / inertia : 0;
+    return turning > moving ? turning : moving;
   }
 
   void act(const scree::BodyState& body, scree::BodyForceOutput& out) const {
@@ -31,6 +40,11 @@ struct BackgroundDamping {
     out.torque = -turning * body.spin;
     out.dissipation_rate_translation = translational * dot(body.velocity, body.velocity);
     out.dissipation_rate_rotation = turning * dot(body.spin, body.spin);
+  }
+
+ private:
+  static double largest(const scree::Program& program) {
+    return program.given() ? program.extremes().second : 0;
   }
 };
 

@@ -1,23 +1,41 @@
-// Uniform gravity.
+// Uniform gravity, constant or a function of time.
 
 #include <scree/plugin/body_force.hpp>
+#include <scree/plugin/program.hpp>
 
 namespace {
 
 struct Gravity {
   std::array<double, 3> acceleration = {0, 0, 0};
+  scree::Program components[3];
+  scree::Vec3 g = {}, change = {};  // (m/s²), (m/s³) at the present time
 
-  static constexpr scree::About about = {"gravity", "uniform acceleration of every body",
-                                         "f = m g, E = −m g·x", "David et al. 2005, equation 5"};
+  static constexpr scree::About about = {
+      "gravity", "uniform acceleration of every body",
+      "f = m g(t), E = −m g·x\n"
+      "work is done at the rate −m g'·x, by which E changes where bodies rest",
+      "David et al. 2005, equation 5"};
 
   void declare(scree::Declaration& d) {
+    static constexpr const char* keys[] = {"acceleration_x", "acceleration_y", "acceleration_z"};
     d.vector("acceleration", acceleration, "m/s^2", "g, for example [0, 0, -9.81]").required();
+    for (int k = 0; k < 3; ++k)
+      d.program(keys[k], components[k], "m/s^2", scree::any_number, "in place of this component of g")
+          .optional();
+  }
+
+  void at(double time) {
+    for (int k = 0; k < 3; ++k) {
+      const bool given = components[k].given();
+      g[k] = given ? components[k](time) : acceleration[std::size_t(k)];
+      change[k] = given ? components[k].rate(time) : 0;
+    }
   }
 
   void act(const scree::BodyState& body, scree::BodyForceOutput& out) const {
-    const scree::Vec3 g = {{acceleration[0], acceleration[1], acceleration[2]}};
     out.force = body.mass * g;
     out.potential = -dot(out.force, body.position);
+    out.work_rate = -body.mass * dot(change, body.position);
   }
 };
 

@@ -15,8 +15,9 @@ using scree::BoundaryStep;
 using scree::WallMotion;
 
 struct Box {
-  enum Control { stress, fixed, displacement, velocity, strain_rate, servo, massless };
-  static constexpr const char* controls = "stress|fixed|displacement|velocity|strain_rate|servo|massless";
+  enum Control { stress, fixed, displacement, velocity, strain_rate, servo, massless, absent };
+  static constexpr const char* controls =
+      "stress|fixed|displacement|velocity|strain_rate|servo|massless|absent";
 
   std::optional<std::array<double, 3>> lower_given, upper_given;
   std::array<double, 3> lower = {}, upper = {};
@@ -34,6 +35,7 @@ struct Box {
   int dimension = 3;
   bool superposes = false, tries = false;
   double masses[max_walls] = {};  // (kg); 0 for walls that forces do not move
+  std::uint32_t left_out[max_walls] = {};
 
   static constexpr scree::About about = {
       "box", "4 or 6 walls, each fixed, moved by a program, or stress-controlled with mass and viscosity",
@@ -99,6 +101,7 @@ struct Box {
     layout.state = std::uint32_t((1 + superposes + tries) * walls());
     layout.names = wall_names;
     layout.masses = masses;
+    layout.absent = left_out;
     layout.still = true;
     for (int w = 0; w < walls(); ++w) {
       if (pressed(w)) layout.damping_rate = viscosity / mass;
@@ -196,13 +199,14 @@ struct Box {
   bool prepare_wall(int w, const scree::Setup& setup) {
     static constexpr int motion_of[] = {WallMotion::pressed,     WallMotion::fixed,    WallMotion::displaced,
                                         WallMotion::at_velocity, WallMotion::strained, WallMotion::servo,
-                                        WallMotion::massless};
+                                        WallMotion::massless,    WallMotion::fixed};
     WallMotion& motion = motions[w];
     const int of_axis = axis_control[w / 2], chosen = std::max({control[w], of_axis, int(stress)});
     motion.control = motion_of[chosen];
     motion.mass = mass;
     motion.viscosity = viscosity;
     masses[w] = pressed(w) ? mass : 0;
+    left_out[w] = chosen == absent;
     superposes = superposes || motion.superposes();
     tries = tries || motion.seeks_load();
     if (!wall_stress[w].given())

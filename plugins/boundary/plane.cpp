@@ -9,7 +9,7 @@
 namespace {
 
 struct Plane {
-  enum Control { fixed, displacement, velocity, stress, force, servo, massless };
+  enum Control { fixed, displacement, velocity, stress, force, servo, massless, absent };
   // Layout of the state: the load of the last step (N), which the hash of the state covers; s' if a motion is
   // superposed under stress or force, or the stiffness of the contacts (N/m) if displacements are tried.
   enum State { load, free_speed = 3, stiffness = 3, state_width };
@@ -20,6 +20,7 @@ struct Plane {
   int control = -1;
   double area = 0;  // (m²)
   double mass = 0;  // (kg) 0 unless forces move the plane
+  std::uint32_t left_out = 0;
   scree::Program pressing_stress, pressing_force;
   scree::WallMotion motion;
   scree::LoadControl limits;
@@ -44,8 +45,9 @@ struct Plane {
     d.program("displacement", motion.displacement, "m", any_number,
               "d(t) along the direction; fixed if neither this nor control is given")
         .optional();
-    d.choice("control", control, "fixed|displacement|velocity|stress|force|servo|massless",
-             "what moves the plane; if absent the displacement, if given")
+    d.choice(
+         "control", control, "fixed|displacement|velocity|stress|force|servo|massless|absent",
+         "what moves the plane; if not given the displacement, if there is one; absent: it keeps its place and nothing touches it")
         .optional();
     d.program("velocity", motion.velocity, "m/s", any_number,
               "u(t) along the direction, for control = \"velocity\"; reached at once, a ramp starts smoothly")
@@ -96,12 +98,13 @@ struct Plane {
     if (tries && !(limits.speed_limit > 0))
       return setup.refuse(
           "control = \"servo\" or \"massless\" without speed_limit; give speed_limit = <m/s>");
-    motion.control = control == fixed          ? WallMotion::fixed
-                     : control == displacement ? WallMotion::displaced
-                     : control == velocity     ? WallMotion::at_velocity
-                     : control == servo        ? WallMotion::servo
-                     : control == massless     ? WallMotion::massless
-                                               : WallMotion::pressed;
+    left_out = control == absent;
+    motion.control = control == fixed || left_out ? WallMotion::fixed
+                     : control == displacement    ? WallMotion::displaced
+                     : control == velocity        ? WallMotion::at_velocity
+                     : control == servo           ? WallMotion::servo
+                     : control == massless        ? WallMotion::massless
+                                                  : WallMotion::pressed;
     mass = motion.control == WallMotion::pressed ? motion.mass : 0;
   }
 
@@ -109,6 +112,7 @@ struct Plane {
     layout.walls = 1;
     layout.state = motion.superposes() || motion.seeks_load() ? state_width : free_speed;
     layout.masses = &mass;
+    layout.absent = &left_out;
     layout.damping_rate = mass > 0 ? motion.viscosity / mass : 0;
     layout.displacement_speed = motion.displacement_speed(limits);
     layout.still = !motion.moves();

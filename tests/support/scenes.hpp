@@ -20,9 +20,14 @@ inline PluginHost& host() {
   return all;
 }
 
+// A number for a function of time is a constant.
 inline Parameters parameters(const std::string& plugin, scree_kind kind, const Values& values) {
   Parameters p(host().find(plugin, kind));
-  for (const auto& [key, value] : values) p.set(key, value);
+  for (const auto& [key, value] : values) {
+    const scree_parameter* const declared = p.find(key);
+    const bool constant = declared && declared->type == SCREE_PROGRAM && value.size() == 1;
+    p.set(key, constant ? std::vector<double>{0, value[0]} : value);
+  }
   return p;
 }
 

@@ -29,6 +29,9 @@ class Parameters {
   void check_complete() const;
 
   bool given(const std::string& key) const;
+  // Whether a contact law or body force is left out of the scene, as a stage may ask.
+  bool absent() const { return absent_; }
+  void set_absent(bool absent) { absent_ = absent; }
   // One value per declared parameter, defaults filled in; valid until this object is changed or destroyed.
   std::vector<scree_value> values() const;
   // Columns of other probes, in the order in which they were set; valid as values() are.
@@ -44,6 +47,7 @@ class Parameters {
   std::vector<std::vector<double>> data_;
   std::vector<bool> given_;
   std::vector<NamedInput> inputs_;
+  bool absent_ = false;
 };
 
 // The words of a choice parameter: "first|second" split at '|'.

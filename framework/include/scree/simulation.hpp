@@ -57,11 +57,15 @@ class Simulation {
   void measure(Profile* profile);
 
   // Set new parameters for a law, boundary or body force by name, between steps; histories and wall positions
-  // are kept. Throw Error for an unknown name or for parameters that change the layout of the scene.
+  // are kept. Functions of time start again, except those of the keys that go on. Throw Error for an unknown name or for
+  // parameters that change the layout of the scene.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
-  void reconfigure_boundary(const std::string& name, const Parameters& parameters);
-  void reconfigure_body_force(const std::string& name, const Parameters& parameters);
-  // Must be called after reconfigurations, before the next step.
+  void reconfigure_boundary(const std::string& name, const Parameters& parameters,
+                            const std::vector<std::string>& going_on = {});
+  void reconfigure_body_force(const std::string& name, const Parameters& parameters,
+                              const std::vector<std::string>& going_on = {});
+  // Must be called after reconfigurations, before the next step. Throws Error if a wall that was absent has bodies
+  // behind it.
   void apply_reconfiguration();
 
   int dimension() const;
@@ -72,7 +76,9 @@ class Simulation {
   const Particles& particles() const;
   const Domain& domain() const;
   const std::vector<scree_plane>& planes() const;
-  const std::vector<scree_load>& loads() const;         // contact force on each plane (N)
+  const std::vector<scree_load>& loads() const;  // contact force on each plane (N)
+  const std::vector<std::uint8_t>& absent_planes()
+      const;  // of each, whether it exerts no force: it is not there
   const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
   const std::vector<std::uint32_t>& plane_materials() const;
   // Length along each axis (m) between the walls that enclose the bodies, or the period; NaN along an axis
@@ -124,6 +130,8 @@ class Simulation {
   // For the framework and its tests only; the types are private.
   const Boundaries& boundaries() const;
   const BodyForces& body_forces() const;
+  // Adds the present body forces to the loads of bodies.
+  void add_body_forces(scree_body_batch& batch) const;
   const Contacts& contacts() const;
 
  private:

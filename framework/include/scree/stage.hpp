@@ -18,6 +18,8 @@ struct Stage {
     scree_kind kind;
     std::string name;  // of the law, boundary or body force
     Parameters parameters;
+    // Functions of time that the stage does not set and that go on.
+    std::vector<std::string> going_on = {};
   };
 
   std::string name;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -28,10 +29,11 @@ scree_load_column loads_from(Strided<double> column, std::size_t body) {
 BodyForces::BodyForces(const std::vector<Scene::BodyForce>& entries, int dimension, bool audit)
     : dimension_(dimension), audit_(audit) {
   for (const Scene::BodyForce& entry : entries)
-    members_.push_back({entry.name, ConfiguredBodyForce(entry.parameters, dimension, no_bounds, no_bounds)});
+    members_.push_back({entry, ConfiguredBodyForce(entry.parameters, dimension, no_bounds, no_bounds)});
 }
 
-void BodyForces::apply(Particles& p, const Domain& domain, BodyRange bodies, BodySums& sums) const {
+void BodyForces::apply(double time, Particles& p, const Domain& domain, BodyRange bodies,
+                       BodySums& sums) const {
   if (members_.empty()) return;
   const std::size_t first = bodies.begin;
   scree_body_batch batch = {};
@@ -52,28 +54,60 @@ void BodyForces::apply(Particles& p, const Domain& domain, BodyRange bodies, Bod
   batch.radius = from(p.radius(), first);
   batch.mass = from(p.mass, first);
   batch.inertia = from(p.inertia, first);
-  for (const Member& member : members_) member.plugin.interface().apply(member.plugin.storage(), &batch);
+  apply(time, batch);
   sums.potential += batch.potential;
   sums.dissipation_rate_translation += batch.dissipation_rate_translation;
   sums.dissipation_rate_rotation += batch.dissipation_rate_rotation;
+  sums.work_rate += batch.work_rate;
+}
+
+void BodyForces::apply(double time, scree_body_batch& batch) const {
+  for (const Member& member : members_) {
+    if (member.absent()) continue;
+    batch.time = member.clock.at(time);
+    member.plugin.interface().apply(member.plugin.storage(), &batch);
+  }
 }
 
 double BodyForces::largest_damping_rate(const std::vector<Body>& bodies) const {
   double largest = 0;
   for (const Member& member : members_)
-    if (const auto rate = member.plugin.interface().damping_rate)
+    if (const auto rate = member.plugin.interface().damping_rate; rate && !member.absent())
       for (const Body& b : bodies)
         if (!b.fixed) largest = std::max(largest, rate(member.plugin.storage(), b.mass, b.inertia, b.radius));
   return largest;
 }
 
-void BodyForces::reconfigure(const std::string& name, const Parameters& parameters) {
+void BodyForces::configure(Member& member) const {
+  member.plugin =
+      ConfiguredBodyForce(member.clock.shown(member.entry.parameters), dimension_, no_bounds, no_bounds);
+}
+
+void BodyForces::reconfigure(const std::string& name, const Parameters& parameters, double time,
+                             const std::vector<std::string>& going_on) {
   for (Member& member : members_)
-    if (member.name == name) {
-      member.plugin = ConfiguredBodyForce(parameters, dimension_, no_bounds, no_bounds);
-      return;
+    if (member.entry.name == name) {
+      member.entry.parameters = parameters;
+      member.clock.restart(time, going_on);
+      return configure(member);
     }
   throw Error(fmt::format("no body force '{}'", name));
+}
+
+void BodyForces::begin_anew() {
+  for (Member& member : members_) {
+    const bool others = std::exchange(member.clock, {}).shows_others();
+    if (others) configure(member);
+  }
+}
+
+void BodyForces::transfer(const StateTransfer& state) {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    Member& member = members_[k];
+    const StateTransfer of_member = state.below(std::to_string(k));
+    member.clock.transfer(of_member);
+    if (state.restoring() && member.clock.shows_others()) configure(member);
+  }
 }
 
 }  // namespace scree

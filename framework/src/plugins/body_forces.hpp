@@ -2,6 +2,7 @@
 
 #include "bodies/body_range.hpp"
 #include "bodies/body_sums.hpp"
+#include "plugins/clock.hpp"
 
 #include <string>
 #include <vector>
@@ -19,17 +20,27 @@ class BodyForces {
   // audit: whether energies are computed.
   BodyForces(const std::vector<Scene::BodyForce>& entries, int dimension, bool audit);
 
-  // Adds to the forces and torques of a range of bodies, and to the sums.
-  void apply(Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
+  // Adds to the forces and torques of a range of bodies at a time (s), and to the sums.
+  void apply(double time, Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
+  // Adds to the loads and energies of a batch.
+  void apply(double time, scree_body_batch& batch) const;
   // Largest rate at which any body force damps any of the bodies (1/s); 0 without drag.
   double largest_damping_rate(const std::vector<Body>& bodies) const;
-  void reconfigure(const std::string& name, const Parameters& parameters);
+  // Its functions of time start again at `time` (s), except those of the keys that go on.
+  void reconfigure(const std::string& name, const Parameters& parameters, double time,
+                   const std::vector<std::string>& going_on);
+  // Begins functions of time anew, at t = 0.
+  void begin_anew();
+  void transfer(const class StateTransfer& state);
 
  private:
   struct Member {
-    std::string name;
+    Scene::BodyForce entry;
     ConfiguredBodyForce plugin;
+    Clock clock = {};
+    bool absent() const { return entry.parameters.absent(); }
   };
+  void configure(Member& member) const;
   int dimension_;
   bool audit_;
   std::vector<Member> members_;

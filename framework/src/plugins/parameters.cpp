@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <scree/parameters.hpp>
+#include <scree/plugin/program.hpp>
 
 namespace scree {
 
@@ -103,7 +104,7 @@ std::optional<Error> Parameters::problem(const scree_parameter& p, const std::ve
   if (p.type == SCREE_INPUT) return Error("", "is a number", fmt::format("give {}", describe_range(p)));
   if (p.type == SCREE_PROGRAM) {
     if (const auto invalid = program_problem(data)) return invalid;
-    const auto [least, most] = program_extremes(data);
+    const auto [least, most] = Program({data.data(), data.size()}).extremes();
     for (const double x : {least, most})
       if (out_of_range(p, x)) return wrong(fmt::format("reaches {:g}, which is out of range", x));
     return {};

@@ -70,6 +70,8 @@ std::optional<Error> drive_problem(const std::vector<double>& data) {
 }  // namespace
 
 std::optional<Error> program_problem(const std::vector<double>& data) {
+  if (data.size() > 2 && data[0] == double(Program::ahead) && std::isfinite(data[1]))
+    return program_problem({data.begin() + 2, data.end()});
   if (!fits(data))
     return Error("", "is not a program (function of time)", "use one of the forms in program.hpp");
   if (!std::all_of(data.begin(), data.end(), [](double x) { return std::isfinite(x); }))
@@ -80,20 +82,6 @@ std::optional<Error> program_problem(const std::vector<double>& data) {
   if (kind == Program::table && !increases(data, 1, false))
     return Error("", "has decreasing times", "sort the rows");
   return drive_problem(data);
-}
-
-std::pair<double, double> program_extremes(const std::vector<double>& data) {
-  const auto kind = Program::Kind(int(data[0]));
-  if (kind == Program::constant) return {data[1], data[1]};
-  if (kind == Program::cycle || kind == Program::ramp) return std::minmax(data[1], data[2]);
-  if (kind == Program::table) {
-    std::pair<double, double> all = {data[2], data[2]};
-    for (std::size_t k = 4; k < data.size(); k += 2)
-      all = {std::min(all.first, data[k]), std::max(all.second, data[k])};
-    return all;
-  }
-  const double waves = kind == Program::noise ? double(data.size() - 6) : 1;
-  return {data[1] - waves * std::abs(data[2]), data[1] + waves * std::abs(data[2])};
 }
 
 }  // namespace scree

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <scree/error.hpp>
@@ -11,8 +10,5 @@ namespace scree {
 // What is wrong with the numbers of a function of time (see program.hpp), which plug-ins read unchecked,
 // without a place; nothing if they are valid.
 std::optional<Error> program_problem(const std::vector<double>& data);
-
-// Values between which a valid one stays.
-std::pair<double, double> program_extremes(const std::vector<double>& data);
 
 }  // namespace scree

@@ -61,11 +61,13 @@ std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>&
   return pairs;
 }
 
-std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const std::vector<scree_plane>& planes,
+std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const Boundaries& boundaries,
                                    int dimension, double skin) {
+  const std::vector<scree_plane>& planes = boundaries.planes();
   std::vector<PlanePair> pairs;
   for (std::uint32_t i = 0; i < bodies.size(); ++i)
     for (std::uint32_t w = 0; w < planes.size(); ++w) {
+      if (boundaries.absent()[w]) continue;
       double height = 0;
       for (int k = 0; k < dimension; ++k)
         height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
@@ -153,8 +155,9 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
       search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
-                   near_planes(bodies_at_search_, boundaries.planes(), dimension, skin_), lookup);
+                   near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup);
   planes_at_search_ = boundaries.planes();
+  absent_at_search_ = boundaries.absent();
   body_travel_ = plane_travel_ = 0;
   steps_ = 0;
   ++rebuilds_;
@@ -166,6 +169,7 @@ void NeighbourList::transfer(const StateTransfer& state, const Particles& partic
     bodies_at_search_.resize(particles.size());
     for (std::size_t i = 0; i < particles.size(); ++i) bodies_at_search_[i] = {{}, particles.radius()[i]};
     planes_at_search_ = boundaries.planes();
+    absent_at_search_ = boundaries.absent();
   }
   state.value("skin", "m", skin_, stored::positive);
   skin_ = std::min(skin_, choice_.largest());

@@ -35,6 +35,8 @@ class NeighbourList {
   void transfer(const class StateTransfer& state, const Particles& particles, const Boundaries& boundaries);
 
   double skin() const { return skin_; }
+  // Of each plane, whether it was absent at the last search.
+  const std::vector<std::uint8_t>& absent_at_search() const { return absent_at_search_; }
   double first_skin() const { return choice_.first(); }
   std::uint64_t rebuilds() const { return rebuilds_; }
 
@@ -56,6 +58,7 @@ class NeighbourList {
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
   Column<Sphere> bodies_at_search_;            // bodies at the last search
   std::vector<scree_plane> planes_at_search_;
+  std::vector<std::uint8_t> absent_at_search_;
   std::uint64_t rebuilds_ = 0;
 };
 

@@ -15,6 +15,8 @@ namespace scree {
 
 namespace {
 
+constexpr const char* absent_line = "control = absent";
+
 // Names, plug-ins and parameters of the laws, boundaries or body forces of a scene.
 template <class Entries>
 void save_plugins(const StateTransfer& state, const std::string& kind, const Entries& entries) {
@@ -112,6 +114,7 @@ std::vector<std::string> parameter_lines(const Parameters& parameters) {
       lines.push_back(
           fmt::format("{} = {}", parameters.plugin().parameters[k].key, fmt::join(data, data + count, ", ")));
   }
+  if (parameters.absent()) lines.emplace_back(absent_line);
   return lines;
 }
 
@@ -121,6 +124,10 @@ Parameters parameters_of(const scree_plugin& plugin, const std::vector<std::stri
   for (const std::string& line : lines) {
     // A default that is set would count as given, beside an alternative that excludes it.
     if (std::find(defaults.begin(), defaults.end(), line) != defaults.end()) continue;
+    if (line == absent_line) {
+      parameters.set_absent(true);
+      continue;
+    }
     const std::size_t equals = line.find(" = ");
     std::vector<double> data;
     const char* at = line.data() + std::min(line.size(), equals + 3);

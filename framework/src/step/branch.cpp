@@ -111,6 +111,7 @@ void Branch::take_over_all(SimulationParts& parts) {
   parts.transfer(from(state_));
   parts.stepper.begin_anew();
   parts.boundaries.begin_anew();
+  parts.body_forces.begin_anew();
   parts.audit = {};
   parts.momentum_audit = {};
   report_.emplace_back("everything else, since no law, wall or body force differs");
@@ -130,6 +131,7 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
     if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))
       simulation.reconfigure_boundary(wanted.name, wanted.parameters);
   }
+  if (parts.boundaries.absent() != parts.neighbours.absent_at_search()) parts.search_after_change();
   parts.stepper.reevaluate_forces(0);
   count_lost(parts);
   // Evaluated without a motion, contacts at the limit of friction stick; they go on as they were.

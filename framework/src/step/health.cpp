@@ -113,4 +113,27 @@ void report_blow_up(const Simulation& s, double speed_limit) {
        fmt::format("use a shorter time.step (now {:g} s)", s.step_length()));
 }
 
+void check_appeared(const Particles& p, const Boundaries& boundaries,
+                    const std::vector<std::uint8_t>& absent_before) {
+  for (std::size_t w = 0; w < absent_before.size(); ++w) {
+    if (!absent_before[w] || boundaries.absent()[w]) continue;
+    const scree_plane& plane = boundaries.planes()[w];
+    std::size_t behind = 0, deepest = 0;
+    double lowest = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      double height = 0;
+      for (int k = 0; k < p.dimension(); ++k)
+        height += (p.position()[k][i] - plane.point[k]) * plane.normal[k];
+      if (height < 0) ++behind;
+      if (height < lowest) lowest = height, deepest = i;
+    }
+    if (behind > 0)
+      throw Error(
+          "",
+          fmt::format("wall {} is to be there again with the centre of {} behind it, of body {} by {:.3g} m",
+                      boundaries.plane_names()[w], counted(behind, "body", "bodies"), p.id[deepest], -lowest),
+          "let it come back before they pass, or place it beyond them", ExitStatus::blow_up);
+  }
+}
+
 }  // namespace scree

@@ -165,16 +165,18 @@ void Simulation::reconfigure_law(const std::string& name, const Parameters& para
   set_parameters(parts_->scene.laws, "contact law", name, parameters);
 }
 
-void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters) {
+void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters,
+                                      const std::vector<std::string>& going_on) {
   parts_->stepper.synchronise();
   parts_->audit.add_turned_over(parts_->boundaries.energy().kinetic);
-  parts_->boundaries.reconfigure(name, parameters, time());
+  parts_->boundaries.reconfigure(name, parameters, time(), going_on);
   set_parameters(parts_->scene.boundaries, "boundary", name, parameters);
 }
 
-void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters) {
+void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters,
+                                        const std::vector<std::string>& going_on) {
   parts_->stepper.synchronise();
-  parts_->body_forces.reconfigure(name, parameters);
+  parts_->body_forces.reconfigure(name, parameters, time(), going_on);
   set_parameters(parts_->scene.body_forces, "body force", name, parameters);
 }
 
@@ -183,7 +185,7 @@ void Simulation::apply_reconfiguration() {
   p.configure_laws();
   for (PairGroup& group : p.contacts.groups())
     group.history_width = p.laws[group.law].interface.history_width;
-  p.search_neighbours();
+  p.search_after_change();
   p.stepper.reevaluate_forces(0);
   p.integrator->restart();
   p.audit.set_stored(p.contact_sums, p.body_sums);
@@ -200,6 +202,7 @@ const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
 const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
 const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }
 const std::vector<std::string>& Simulation::plane_names() const { return parts_->boundaries.plane_names(); }
+const std::vector<std::uint8_t>& Simulation::absent_planes() const { return parts_->boundaries.absent(); }
 const std::vector<std::uint32_t>& Simulation::plane_materials() const {
   return parts_->boundaries.plane_materials();
 }
@@ -209,6 +212,9 @@ const std::vector<std::string>& Simulation::taken_over() const { return parts_->
 const std::vector<std::string>& Simulation::let_go() const { return parts_->let_go; }
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
+void Simulation::add_body_forces(scree_body_batch& batch) const {
+  parts_->body_forces.apply(parts_->stepper.time(), batch);
+}
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
 
 WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time(), planes()); }

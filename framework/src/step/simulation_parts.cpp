@@ -18,6 +18,7 @@ namespace scree {
 
 namespace {
 
+constexpr std::uint32_t no_law = ~0u;
 constexpr const char* path_of_contact_sums = "sums/contacts";
 
 bool needs_spin(const Scene& scene) {
@@ -80,10 +81,6 @@ Contacts make_contacts(const SimulationParts& parts) {
   return Contacts(kinds, parts.scene.precision);
 }
 
-Contacts::Lookup lookup_of(const Scene& scene) {
-  return {.law_of = scene.law_of.data(), .materials = std::uint32_t(scene.materials.size())};
-}
-
 }  // namespace
 
 bool exerts_torque(const Parameters& law, int dimension) {
@@ -103,7 +100,9 @@ SimulationParts::SimulationParts(const Scene& given)
                  .images = boundaries.domain().any_periodic(),
                  .orientations = needs_orientations(scene)},
                 scene.bodies),
-      neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()), lookup_of(scene)),
+      law_of(scene.law_of),
+      neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()),
+                 {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())}),
       forces({.dimension = scene.dimension,
               .spin = particles.has_spin(),
               .periodic = boundaries.domain().any_periodic(),
@@ -132,6 +131,7 @@ void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
   boundaries.transfer(state.below("walls"), mid_step);
   integrator->transfer(state.below("integrator"));
   contact_sums.transfer(state.below(path_of_contact_sums));
+  body_forces.transfer(state.below("body_forces"));
   body_sums.transfer(state.below("sums/body_forces"));
   audit.transfer(state.below("audit/energy"));
   momentum_audit.transfer(state.below("audit/momentum"));
@@ -148,6 +148,11 @@ ContactSums SimulationParts::contact_sums_in(const State& state) {
   ContactSums sums;
   sums.transfer(StateTransfer::restoring_from(state).below(path_of_contact_sums));
   return sums;
+}
+
+void SimulationParts::search_after_change() {
+  check_appeared(particles, boundaries, neighbours.absent_at_search());
+  search_neighbours();
 }
 
 void SimulationParts::come_to_rest(const RestingPacking& packing) {
@@ -173,6 +178,8 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
 void SimulationParts::configure_laws() {
   configured_laws.clear();
   laws.clear();
+  for (std::size_t pair = 0; pair < law_of.size(); ++pair)
+    law_of[pair] = scene.laws[scene.law_of[pair]].parameters.absent() ? no_law : scene.law_of[pair];
   for (const Scene::Law& law : scene.laws) {
     configured_laws.emplace_back(law.parameters, scene.dimension, no_bounds, no_bounds);
     const scree_contact_instance& instance = configured_laws.back().instance();

@@ -41,6 +41,8 @@ struct SimulationParts {
   // Moves bodies, walls and contacts to their places in a packing at rest.
   void come_to_rest(const RestingPacking& packing);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
+  // After new parameters. Throws Error if a wall that was absent has bodies behind it.
+  void search_after_change();
 
   Scene scene;
   std::vector<ConfiguredLaw> configured_laws;
@@ -48,6 +50,7 @@ struct SimulationParts {
   Boundaries boundaries;
   BodyForces body_forces;
   Particles particles;
+  std::vector<std::uint32_t> law_of;  // of the scene, without the laws that are absent
   Contacts contacts;
   NeighbourList neighbours;
   Forces forces;

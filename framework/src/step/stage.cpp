@@ -123,8 +123,10 @@ void StageRunner::begin() {
   if (std::all_of(stage.changes.begin(), stage.changes.end(), begun)) return;
   for (const Stage::Change& change : stage.changes) {
     if (change.kind == SCREE_CONTACT_LAW) simulation_.reconfigure_law(change.name, change.parameters);
-    if (change.kind == SCREE_BOUNDARY) simulation_.reconfigure_boundary(change.name, change.parameters);
-    if (change.kind == SCREE_BODY_FORCE) simulation_.reconfigure_body_force(change.name, change.parameters);
+    if (change.kind == SCREE_BOUNDARY)
+      simulation_.reconfigure_boundary(change.name, change.parameters, change.going_on);
+    if (change.kind == SCREE_BODY_FORCE)
+      simulation_.reconfigure_body_force(change.name, change.parameters, change.going_on);
   }
   simulation_.apply_reconfiguration();
 }

@@ -121,6 +121,7 @@ double Stepper::largest_square_speed() const {
 bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   SimulationParts& p = parts_;
   bodies_advanced_ = moves.begin.has_value();
+  evaluated_at_ = force_time_ + elapsed;
   p.contact_sums = p.forces.evaluate(
       {.particles = p.particles,
        .contacts = p.contacts,
@@ -155,7 +156,7 @@ void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile
   PartSums& sums = part_sums_[part] = {};
   sums.momentum.add(p.particles, bodies);
   laps.lap(Profile::audit);
-  p.body_forces.apply(p.particles, p.boundaries.domain(), bodies, sums.bodies);
+  p.body_forces.apply(evaluated_at_, p.particles, p.boundaries.domain(), bodies, sums.bodies);
   laps.lap(Profile::body_forces);
   if (moves.finish && moves.begin) {
     const auto moved = p.integrator->finish_and_begin_step(p.particles, *moves.finish, *moves.begin, bodies);

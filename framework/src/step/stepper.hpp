@@ -86,6 +86,7 @@ class Stepper {
   bool bodies_advanced_ = false;  // the first half of the next substep has been taken
   double time_ = 0;               // (s)
   double force_time_ = 0;         // (s) of the last force evaluation
+  double evaluated_at_ = 0;       // (s) of the one that goes on
   ForcesAt forces_at_ = ForcesAt::end_of_step;
   std::uint64_t steps_ = 0;
   double max_square_speed_ = 0;  // (m²/s²)

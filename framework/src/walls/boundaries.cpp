@@ -44,9 +44,11 @@ void Boundaries::list_planes(const Member& member) {
     names_.push_back(instance.plane_names ? fmt::format("{}.{}", member.entry.name, instance.plane_names[k])
                                           : member.entry.name);
     materials_.push_back(member.entry.material);
-    masses_.push_back(instance.plane_masses ? instance.plane_masses[k] : 0);
   }
   planes_.resize(names_.size());
+  masses_.resize(names_.size());
+  absent_.resize(names_.size());
+  show_planes(member);
   loads_.resize(names_.size());
   name_pointers_.clear();
   for (const std::string& name : names_) name_pointers_.push_back(name.c_str());
@@ -54,6 +56,14 @@ void Boundaries::list_planes(const Member& member) {
   shared_.planes = planes_.data();
   shared_.loads = loads_.data();
   shared_.plane_names = name_pointers_.data();
+}
+
+void Boundaries::show_planes(const Member& member) {
+  const scree_boundary_instance& instance = member.plugin.instance();
+  for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
+    masses_[member.first_plane + k] = instance.plane_masses ? instance.plane_masses[k] : 0;
+    absent_[member.first_plane + k] = instance.plane_absent && instance.plane_absent[k];
+  }
 }
 
 void Boundaries::start(Member& member) {
@@ -118,7 +128,7 @@ scree_boundary_step Boundaries::step_of(const Member& member, std::span<scree_pl
   scree_boundary_step s = {};
   s.struct_size = sizeof(s);
   s.dimension = std::uint32_t(dimension_);
-  s.time = time - member.clock_start;
+  s.time = member.clock.at(time);
   s.step = step;
   s.plane_count = std::uint32_t(planes.size());
   s.state_width = std::uint32_t(state.size());
@@ -140,29 +150,31 @@ void Boundaries::extrapolate(double time) {
     for (int k = 0; k < 3; ++k) plane.point[k] += time * plane.velocity[k];
 }
 
-void Boundaries::reconfigure(const std::string& name, const Parameters& parameters, double time) {
+void Boundaries::reconfigure(const std::string& name, const Parameters& parameters, double time,
+                             const std::vector<std::string>& going_on) {
   for (Member& member : members_) {
     if (member.entry.name != name) continue;
-    ConfiguredBoundary changed(parameters, dimension_, lower_, upper_);
+    Clock clock = member.clock;
+    clock.restart(time, going_on);
+    ConfiguredBoundary changed(clock.shown(parameters), dimension_, lower_, upper_);
     check_layout(member.plugin_name(), changed.instance(), dimension_);
     if (changed.instance().plane_count != member.plugin.instance().plane_count)
       throw Error(fmt::format(
           "boundary '{}': these parameters change its number of walls, which must be the same in all stages",
           name));
     std::swap(member.plugin, changed);
+    std::swap(member.clock, clock);
+    member.entry.parameters = parameters;
     set_displacement_speed();
-    change(member, changed, time);
+    change(member, changed, clock.at(time), time);
     return;
   }
   throw Error(fmt::format("no boundary '{}'", name));
 }
 
-void Boundaries::change(Member& member, const ConfiguredBoundary& before, double time) {
+void Boundaries::change(Member& member, const ConfiguredBoundary& before, double time_before, double time) {
   const scree_boundary_instance& instance = member.plugin.instance();
-  const double time_before = time - member.clock_start;
-  for (std::uint32_t k = 0; k < instance.plane_count; ++k)
-    masses_[member.first_plane + k] = instance.plane_masses ? instance.plane_masses[k] : 0;
-  member.clock_start = time;
+  show_planes(member);
   scree_boundary_energy energy = {};
   if (member.plugin.interface().change) {
     if (instance.state_width > member.state.size()) member.state.resize(instance.state_width, 0.0);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "plugins/clock.hpp"
+
 #include <functional>
 #include <span>
 #include <string>
@@ -34,9 +36,10 @@ class Boundaries {
   // velocity, for output; and back to the positions of the force evaluation, before the next begin_step.
   void extrapolate(double time);
   void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
-  // Sets new parameters of a boundary; its programs restart at `time` (s), positions of planes are kept. A
-  // jump of kinetic energy counts as work.
-  void reconfigure(const std::string& name, const Parameters& parameters, double time);
+  // Sets new parameters of a boundary; its functions of time start again at `time` (s), except those of the keys that go
+  // on; positions of planes are kept. A jump of kinetic energy counts as work.
+  void reconfigure(const std::string& name, const Parameters& parameters, double time,
+                   const std::vector<std::string>& going_on = {});
 
   const Domain& domain() const { return domain_; }
   const std::vector<scree_plane>& planes() const { return planes_; }
@@ -47,6 +50,8 @@ class Boundaries {
   const std::vector<std::string>& plane_names() const { return names_; }
   // Mass of each plane (kg); 0 for planes that forces do not move.
   const std::vector<double>& plane_masses() const { return masses_; }
+  // Of each plane, whether it exerts no force, as if it were not there.
+  const std::vector<std::uint8_t>& absent() const { return absent_; }
   // Largest speed with which boundaries try displacements of planes (m/s); 0: none does.
   double displacement_speed() const { return displacement_speed_; }
   // Largest rate at which a boundary's own viscosity damps a plane (1/s); 0 without viscosity.
@@ -80,7 +85,7 @@ class Boundaries {
     Scene::Boundary entry;
     ConfiguredBoundary plugin;
     std::size_t first_plane;
-    double clock_start = 0;  // (s)
+    Clock clock = {};
     std::vector<double> state = {};
     scree_boundary_energy energy = {};
     bool still() const { return plugin.instance().still; }
@@ -89,6 +94,8 @@ class Boundaries {
   void add(const Scene::Boundary& entry);
   void add_domain(const Member& member);
   void list_planes(const Member& member);
+  // Masses and absences of its planes, which change with the parameters.
+  void show_planes(const Member& member);
   void start(Member& member);
   void check_walls_against_domain() const;
   void linearise(const Member& member, double time, const std::vector<scree_plane>& at,
@@ -98,10 +105,12 @@ class Boundaries {
   scree_boundary_step step_of(const Member& member, std::span<scree_plane> planes, std::span<double> state,
                               double time, double step, scree_boundary_energy& energy) const;
   std::span<scree_plane> planes_of(const Member& member);
-  void change(Member& member, const ConfiguredBoundary& before, double time);
+  // time_before: `time` (s) as the plug-in saw it until now.
+  void change(Member& member, const ConfiguredBoundary& before, double time_before, double time);
   // Adds work and dissipated energy of a call.
   static void add_energy(Member& member, const scree_boundary_energy& energy);
   void check_finite(const Member& member, double time);
+  void configure_by_clock(Member& member);
   void show_domain();
   void set_displacement_speed();
 
@@ -116,6 +125,7 @@ class Boundaries {
   std::vector<std::string> names_;
   std::vector<const char*> name_pointers_;
   std::vector<double> masses_;
+  std::vector<std::uint8_t> absent_;
   double displacement_speed_ = 0;
 };
 

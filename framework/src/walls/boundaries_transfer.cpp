@@ -2,6 +2,7 @@
 #include "walls/plane_transfer.hpp"
 
 #include <string>
+#include <utility>
 
 #include <scree/state_transfer.hpp>
 
@@ -16,7 +17,8 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
     of_member.value("plane_count", "1", planes);
     if (first_plane != member.first_plane || planes != member.plugin.instance().plane_count)
       of_member.refuse("plane_count", "or 'first_plane' is not that of the boundary here");
-    of_member.value("clock_start", "s", member.clock_start);
+    member.clock.transfer(of_member);
+    if (state.restoring() && member.clock.shows_others()) configure_by_clock(member);
     of_member.sized_rows("state", "1", member.state, 1, stored::any);
     of_member.value("kinetic", "J", member.energy.kinetic, stored::any);
     of_member.value("work", "J", member.energy.work, stored::any);
@@ -63,9 +65,14 @@ void Boundaries::take_over(const State& state, std::size_t from, const std::stri
   }
 }
 
+void Boundaries::configure_by_clock(Member& member) {
+  member.plugin = ConfiguredBoundary(member.clock.shown(member.entry.parameters), dimension_, lower_, upper_);
+}
+
 void Boundaries::begin_anew() {
   for (Member& member : members_) {
-    member.clock_start = 0;
+    const bool others = std::exchange(member.clock, {}).shows_others();
+    if (others) configure_by_clock(member);
     member.energy.work = member.energy.dissipated = 0;
   }
 }

@@ -1,4 +1,5 @@
 #include "readers.hpp"
+#include "scene_keys.hpp"
 
 #include <algorithm>
 
@@ -48,6 +49,14 @@ std::string misspelt(const document::Table& table, const Parameters& parameters)
   return "";
 }
 
+// Whether a law or a body force is there. Boundaries leave out single walls by keys of their own.
+void read_absence(const document::Table& table, Parameters& parameters) {
+  const std::uint32_t kind = parameters.plugin().kind;
+  if (kind != SCREE_CONTACT_LAW && kind != SCREE_BODY_FORCE) return;
+  const ChoiceKey& control = kind == SCREE_CONTACT_LAW ? contact_keys.control : body_force_keys.control;
+  if (table.optional(control)) parameters.set_absent(read(table, control) == "absent");
+}
+
 }  // namespace
 
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host) {
@@ -71,6 +80,7 @@ void read_parameters(const document::Table& table, int dimension, Parameters& pa
       throw table.error(p.key, fmt::format("{} {}", p.key, wrong->problem()), wrong->cure());
     parameters.set(p.key, std::move(data));
   }
+  read_absence(table, parameters);
 }
 
 void check_complete(const document::Table& table, const Parameters& parameters) {

@@ -65,6 +65,8 @@ struct ContactKeys : TableKeys {
   StringKey name = string("name", "for stages and messages", "default the plug-in's");
   Key between = other("between", "[\"a\", \"b\"]", Range::any(),
                       "default all pairs without a law of their own", "two materials");
+  ChoiceKey control =
+      choice_or_first("control", {"present", "absent"}, "absent: bodies pass through each other; for stages");
 };
 
 struct BoundaryKeys : TableKeys {
@@ -82,6 +84,7 @@ struct BodyForceKeys : TableKeys {
                   "a force on every body; beside these the parameters of the plug-in") {}
   StringKey plugin = string("plugin", "of kind body_force");
   StringKey name = string("name", "for stages and messages", "default the plug-in's");
+  ChoiceKey control = choice_or_first("control", {"present", "absent"}, "absent: no force; for stages");
 };
 
 struct StageKeys : TableKeys {

@@ -96,41 +96,24 @@ void warn_of_other_periods(const document::Table& t, const Scene& scene, const S
                          .what());
 }
 
-// Keys of the functions of time of an instance that vary and that a stage does not set.
-std::vector<std::string> kept_programs(const Stage::Change& instance, const document::Table& set) {
-  std::vector<std::string> kept;
+// Keys of the functions of time of an instance that vary and that a stage does not set: their time goes on.
+std::vector<std::string> going_on(const Stage::Change& instance, const document::Table& set) {
+  std::vector<std::string> keys;
   for (const auto& [key, program] : programs_of(instance.parameters))
-    if (!set.has(key) && program.kind() != Program::constant) kept.push_back(key);
-  return kept;
-}
-
-// Warns that the clock of a boundary starts again when any of its parameters is set, unless the boundary no
-// longer uses its functions of time.
-void warn_of_restart(const document::Table& set, const Stage::Change& before, const Stage::Change& instance,
-                     const Scene& scene, std::vector<std::string>& warnings) {
-  if (instance.kind != SCREE_BOUNDARY) return;
-  std::vector<std::string> kept = kept_programs(before, set.table(instance.name));
-  std::erase_if(kept, [&](const std::string& key) { return !has_effect(scene, instance.parameters, key); });
-  if (kept.empty()) return;
-  warnings.push_back(
-      set.error(instance.name,
-                fmt::format("the stage sets other keys of '{}', so that its time, and with it {}, "
-                            "starts again at 0",
-                            instance.name, fmt::join(kept, ", ")),
-                "set these too, as they are to go on")
-          .what());
+    if (!set.has(key) && program.kind() != Program::constant) keys.push_back(key);
+  return keys;
 }
 
 void read_changes(const document::Table& t, const Scene& scene, std::vector<Stage::Change>& instances,
-                  Stage& stage, std::vector<std::string>& warnings) {
+                  Stage& stage) {
   const auto set = t.optional_table(stage_keys.set);
   if (!set) return;
   std::vector<std::string> names;
   for (const Stage::Change& instance : instances) names.push_back(instance.name);
   for (const std::string& name : set->keys()) {
     Stage::Change& instance = instances[find_name(*set, name, "law, boundary or body force", name, names)];
-    const Stage::Change before = std::exchange(instance, changed_instance(set->table(name), instance, scene));
-    warn_of_restart(*set, before, instance, scene, warnings);
+    instance = changed_instance(set->table(name), instance, scene);
+    instance.going_on = going_on(instance, set->table(name));
     stage.changes.push_back(instance);
   }
 }
@@ -161,7 +144,7 @@ std::vector<Stage> read_stages(const document::Table& root, const Scene& scene, 
     names.add(t, stage.name);
     read_end(t, scene.step, stage);
     warn_of_phases(t, scene.step, stage, warnings);
-    read_changes(t, scene, instances.all, stage, warnings);
+    read_changes(t, scene, instances.all, stage);
     warn_of_other_periods(t, scene, stage, instances.all, warnings);
     stages.push_back(std::move(stage));
   }

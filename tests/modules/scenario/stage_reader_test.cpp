@@ -87,45 +87,42 @@ TEST_CASE("a stage that changes something unknown or fixed is refused", "[scenar
         "scene.toml:5:12: both stages and time.duration are given; keep [[stage]] or time.duration");
 }
 
-TEST_CASE("a stage that restarts functions of time of a boundary which it does not set is warned of",
-          "[scenario]") {
-  const std::string box = with(discs, "duration = 1e-4\n", "") +
-                          "[[boundary]]\nplugin = 'box'\nname = 'cell'\ngap = 0.01\nx = 'fixed'\n"
-                          "stress_y = { from = 10, to = 20, duration = 1 }\n";
+TEST_CASE("functions of time that a stage does not set go on", "[scenario]") {
+  const std::string scene = with(discs, "duration = 1e-4\n", "") +
+                            "[[boundary]]\nplugin = 'box'\nname = 'cell'\ngap = 0.01\nx = 'fixed'\n"
+                            "stress_y = { from = 10, to = 20, duration = 1 }\nstress_z_low = 3\n"
+                            "[[body_force]]\nplugin = 'gravity'\nacceleration = [0, 0]\n"
+                            "acceleration_y = { amplitude = 1, frequency_hz = 1 }\n";
   const std::string first = "[[stage]]\nduration = 0.5\n",
                     second = "[[stage]]\nname = 'two'\nduration = 0.5\n";
-  const auto warnings = [&](const std::string& set) { return plan_of(box + first + second + set).warnings; };
-  CHECK(warnings("").empty());
-  CHECK(warnings("set.cell = { stress_y = 15 }\n").empty());
-  // Walls that stand still have no use for it.
-  CHECK(warnings("set.cell = { y = 'fixed' }\n").empty());
-  // Nor have walls that follow something else, where others move.
-  const std::string other = with(box, "x = 'fixed'", "x = 'stress'\nstress_x = 10");
-  CHECK(plan_of(other + first + second + "set.cell = { y = 'fixed' }\n").warnings.empty());
-  CHECK(plan_of(other + first + second + "set.cell = { stress_x = 11 }\n").warnings.size() == 1);
-  const std::string plane = with(discs, "duration = 1e-4\n", "") +
-                            "[[boundary]]\nplugin = 'plane'\nname = 'lid'\npoint = [0, 9]\nnormal = [0, -1]\n"
-                            "displacement = { from = 0, to = 1, duration = 1 }\nmass = 1\n";
-  for (const char* control :
-       {"control = 'force', force = 1", "control = 'massless', force = 1, speed_limit = 1",
-        "control = 'velocity', velocity = 1"}) {
-    CAPTURE(control);
-    CHECK(plan_of(plane + first + second + "set.lid = { " + control + " }\n").warnings.empty());
-  }
-  for (const char* control : {"force", "massless", "servo"}) {
-    CAPTURE(control);
-    const std::string pressed =
-        with(plane, "displacement = { from = 0, to = 1, duration = 1 }",
-             fmt::format("control = '{}'\nforce = {{ from = 0, to = 1, duration = 1 }}\n"
-                         "speed_limit = 1\ntries = 8",
-                         control));
-    CHECK(plan_of(pressed + first + second + "set.lid.viscosity = 1\n").warnings.size() == 1);
-  }
-  const std::vector<std::string> found = warnings("set.cell = { viscosity = 1 }\n");
-  REQUIRE(found.size() == 1);
-  CHECK_THAT(found[0],
-             Catch::Contains("sets other keys of 'cell', so that its time, and with it stress_y, starts "
-                             "again at 0; set these too"));
+  const auto going_on = [&](const std::string& set) {
+    const Plan plan = plan_of(scene + first + second + set);
+    CHECK(plan.warnings.empty());
+    REQUIRE(plan.stages[1].changes.size() == 1);
+    return plan.stages[1].changes[0].going_on;
+  };
+  using Keys = std::vector<std::string>;
+  CHECK(going_on("set.cell = { viscosity = 1 }\n") == Keys{"stress_y"});
+  CHECK(going_on("set.cell = { stress_y = { from = 10, to = 20, duration = 1 } }\n").empty());
+  CHECK(going_on("set.gravity = { acceleration = [1, 0] }\n") == Keys{"acceleration_y"});
+}
+
+TEST_CASE("laws and body forces can be absent from a stage on, and come back", "[scenario]") {
+  const std::string first = "[[stage]]\nduration = 0.5\n",
+                    second = "[[stage]]\nname = 'two'\nduration = 0.5\n";
+  const std::string scene =
+      with(discs, "duration = 1e-4\n", "") +
+      "[[body_force]]\nplugin = 'gravity'\nacceleration = [0, -1]\ncontrol = 'absent'\n";
+  const Plan plan =
+      plan_of(scene + first + second +
+              "set.gravity.control = 'present'\nset.linear_spring_dashpot.control = 'absent'\n");
+  CHECK(plan.scene.body_forces[0].parameters.absent());
+  CHECK_FALSE(plan.scene.laws[0].parameters.absent());
+  REQUIRE(plan.stages[1].changes.size() == 2);
+  for (const Stage::Change& change : plan.stages[1].changes)
+    CHECK(change.parameters.absent() == (change.kind == SCREE_CONTACT_LAW));
+  CHECK_THAT(refusal(scene + first + "set.gravity.control = 'off'\n"),
+             Catch::Contains("present") && Catch::Contains("absent"));
 }
 
 TEST_CASE("cycles whose period is no number of steps are warned of", "[scenario]") {

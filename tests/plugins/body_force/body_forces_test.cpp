@@ -56,3 +56,42 @@ TEST_CASE("rotational damping does not make a scene carry spin", "[background_da
   CHECK_FALSE(s.particles().has_spin());
   CHECK(velocity(s, 0)[0] < 1);
 }
+
+TEST_CASE("gravity: components that are functions of time accelerate every body alike, and do work on it",
+          "[gravity]") {
+  constexpr double pi = 3.14159265358979323846, amplitude = 3, hz = 2, omega = 2 * pi * hz;
+  const auto errors = [&](double step) {
+    Scene sc = scene(3, step, {body(1, 0.1, 2, {{5, 0, 0}}, {{1, 0, 0}})}, elastic);
+    add_body_force(sc, "gravity",
+                   {{"acceleration", {0, 0, -9.81}},
+                    {"acceleration_x", {1, 0, amplitude, hz, 0}},
+                    {"acceleration_z", {1, -4, 1, hz, 0.5 * pi}}});
+    Simulation s(sc);
+    run(s, std::uint64_t(std::llround(0.7 / step)));
+    const double t = 0.7;
+    // x" = a sin ωt; z" = −4 + cos ωt in place of −9.81.
+    const double x = 5 + (1 + amplitude / omega) * t - amplitude / (omega * omega) * std::sin(omega * t);
+    const double z = -2 * t * t + (1 - std::cos(omega * t)) / (omega * omega);
+    return std::array<double, 3>{std::abs(position(s, 0)[0] - x), std::abs(position(s, 0)[2] - z),
+                                 std::abs(s.energy().residual)};
+  };
+  const auto coarse = errors(2e-3), fine = errors(1e-3);
+  // Velocity Verlet: a (ω Δt)² t/12 / ω of position, 2e-5 m; the work m g' x likewise, with 2 kg and 5 m. Factor 10.
+  CHECK(coarse[0] < 2e-4);
+  CHECK(coarse[1] < 2e-4);
+  CHECK(coarse[2] < 1e-1);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(std::log2(coarse[k] / fine[k]) == Approx(2).margin(0.2));
+}
+
+TEST_CASE("background damping: drags that are functions of time", "[background_damping]") {
+  Scene sc = scene(3, 1e-4, {body(1, 0.1, 2, {}, {{1, 0, 0}}, {{0, 0, 4}})}, elastic);
+  add_body_force(
+      sc, "background_damping",
+      {{"translational", {3, 0, 8, 1}}, {"rotational", {2, 0, 8, 1}}});  // a ramp of 8 kg/s in 1 s, a cycle
+  Simulation s(sc);
+  run(s, 10000);
+  // exp(−∫γ dt/m), ∫γ dt = 4 kg for both; I = 2mR²/5. Order 2: (γΔt/m)² of 1e-7, with a factor of 10.
+  CHECK(velocity(s, 0)[0] == Approx(std::exp(-4.0 / 2)).epsilon(1e-6));
+  CHECK(s.particles().has_spin());
+  CHECK(s.particles().body(0).spin[2] == Approx(4 * std::exp(-4.0 / (0.4 * 2))).epsilon(1e-5));
+}

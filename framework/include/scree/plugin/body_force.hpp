@@ -9,10 +9,12 @@
 //   static constexpr scree::About about;
 //   void declare(scree::Declaration&);
 //   void prepare(const scree::Setup&);                          optional: derived values, refusals
+//   void at(double time);                                       optional: derived values at a time (s) since the
+//                                                               parameters were set
 //   void act(const scree::BodyState&, scree::BodyForceOutput&) const;
 //   double damping_rate(double mass, double inertia, double radius) const;
-//                                               optional: rate at which drag slows a body (1/s), for the
-//                                               step guard
+//                                               optional: largest rate at which drag slows a body (1/s), for
+//                                               the step guard
 
 namespace scree {
 
@@ -32,6 +34,7 @@ struct BodyForceOutput {
   double potential;                     // (J)
   double dissipation_rate_translation;  // (W)
   double dissipation_rate_rotation;     // (W)
+  double work_rate;  // (W) beyond potential and drag, such as the change of the potential with time alone
 };
 
 namespace detail {
@@ -49,7 +52,9 @@ template <class Author, int D, bool with_spin, bool audit>
 [[gnu::flatten]] void act_on_batch(const Author& shared, scree_body_batch& sums) {
   constexpr int first_spin = with_spin ? first_spin_axis<D> : 3;
   // Local copies: the compiler need not assume that writing a load changes them.
-  const Author author = shared;
+  Author timed = shared;
+  if constexpr (requires(Author & a) { a.at(0.0); }) timed.at(sums.time);
+  const Author author = timed;
   const scree_body_batch batch = sums;
   const std::uint64_t state_stride = batch.radius.stride, load_stride = batch.force[0].stride;
   std::uint64_t state = 0, load = 0;
@@ -71,11 +76,13 @@ template <class Author, int D, bool with_spin, bool audit>
       all.potential += out.potential;
       all.dissipation_rate_translation += out.dissipation_rate_translation;
       all.dissipation_rate_rotation += out.dissipation_rate_rotation;
+      all.work_rate += out.work_rate;
     }
   }
   sums.potential += all.potential;
   sums.dissipation_rate_translation += all.dissipation_rate_translation;
   sums.dissipation_rate_rotation += all.dissipation_rate_rotation;
+  sums.work_rate += all.work_rate;
 }
 
 template <class Author, int D, bool with_spin>

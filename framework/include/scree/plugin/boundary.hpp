@@ -81,15 +81,16 @@ struct BoundaryLayout {
   struct Axis {
     double lower, upper;  // (m)
   };
-  std::uint32_t walls = 0;               // the same in all stages
-  std::uint32_t state = 0;               // number of doubles that the host keeps
-  const char* const* names = nullptr;    // of the walls, if they have names
-  const double* masses = nullptr;        // (kg) of the walls, a member of the struct; 0: not moved by forces
-  double damping_rate = 0;               // (1/s) at which viscosity slows the lightest wall
-  double displacement_speed = 0;         // (m/s) largest speed of displacements for which begin_step asks
-                                         // load_after; 0: it does not
-  bool still = false;                    // no wall moves, and begin_step and finish_step are not called
-  std::optional<Axis> periodic[3] = {};  // the same in all stages
+  std::uint32_t walls = 0;                // the same in all stages
+  std::uint32_t state = 0;                // number of doubles that the host keeps
+  const char* const* names = nullptr;     // of the walls, if they have names
+  const double* masses = nullptr;         // (kg) of the walls, a member of the struct; 0: not moved by forces
+  const std::uint32_t* absent = nullptr;  // of the walls, a member of the struct; nonzero: exerts no force
+  double damping_rate = 0;                // (1/s) at which viscosity slows the lightest wall
+  double displacement_speed = 0;          // (m/s) largest speed of displacements for which begin_step asks
+                                          // load_after; 0: it does not
+  bool still = false;                     // no wall moves, and begin_step and finish_step are not called
+  std::optional<Axis> periodic[3] = {};   // the same in all stages
 };
 
 // Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
@@ -152,6 +153,7 @@ inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layo
   instance.state_width = layout.state;
   instance.plane_names = layout.names;
   instance.plane_masses = layout.masses;
+  instance.plane_absent = layout.absent;
   instance.damping_rate = layout.damping_rate;
   instance.displacement_speed = layout.displacement_speed;
   instance.still = layout.still;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <scree/plugin/abi.h>
 #include <scree/plugin/waveform.hpp>
@@ -22,10 +24,12 @@ namespace scree {
 //   ricker    {8, mean, amplitude, at (s), frequency_hz}
 //   noise     {9, mean, amplitude, rise (s), first_hz, spacing_hz, φ0, φ1, ...}: a sine for each phase (rad)
 //   sweep     {10, mean, amplitude, rise (s), end (s), f0, t0, f1, t1, ...}: sin(2π f (t − t_k)) from t_k (s) on
+// The host gives one that goes on while others start again as
+//   ahead     {11, by (s), kind, ...}: the function of that kind at t + by
 // A default-constructed program is not given and must not be evaluated.
 class Program {
  public:
-  enum Kind { constant, sine, cycle, ramp, table, drive, chirp, gaussian, ricker, noise, sweep };
+  enum Kind { constant, sine, cycle, ramp, table, drive, chirp, gaussian, ricker, noise, sweep, ahead };
 
   Program() = default;
   explicit Program(const scree_value& value) : value_(value) {}
@@ -36,6 +40,7 @@ class Program {
   // (s) of a sine or cycle that varies; 0 of the others.
   double period() const {
     const double* p = value_.data + 1;
+    if (kind() == ahead) return inner().period();
     if (kind() == sine) return p[1] != 0 ? 1 / p[2] : 0;
     return kind() == cycle && p[0] != p[1] ? p[2] : 0;
   }
@@ -43,6 +48,8 @@ class Program {
   double operator()(double time) const {
     const double* p = value_.data + 1;
     switch (kind()) {
+      case ahead:
+        return inner()(time + p[0]);
       case sine:
         return p[0] + p[1] * std::sin(two_pi * p[2] * time + p[3]);
       case cycle:
@@ -62,6 +69,8 @@ class Program {
   double rate(double time) const {
     const double* p = value_.data + 1;
     switch (kind()) {
+      case ahead:
+        return inner().rate(time + p[0]);
       case sine:
         return p[1] * two_pi * p[2] * std::cos(two_pi * p[2] * time + p[3]);
       case cycle:
@@ -77,8 +86,34 @@ class Program {
     }
   }
 
+  // Values between which it stays.
+  std::pair<double, double> extremes() const {
+    const double* p = value_.data + 1;
+    switch (kind()) {
+      case ahead:
+        return inner().extremes();
+      case constant:
+        return {p[0], p[0]};
+      case cycle:
+      case ramp:
+        return std::minmax(p[0], p[1]);
+      case table: {
+        std::pair<double, double> all = {value_of(0), value_of(0)};
+        for (std::uint64_t k = 1; k < points(); ++k)
+          all = {std::min(all.first, value_of(k)), std::max(all.second, value_of(k))};
+        return all;
+      }
+      default: {
+        const double reach = (kind() == noise ? double(value_.count - 6) : 1) * std::abs(p[1]);
+        return {p[0] - reach, p[0] + reach};
+      }
+    }
+  }
+
  private:
   static constexpr double two_pi = 6.283185307179586476925;
+
+  Program inner() const { return Program({value_.data + 2, value_.count - 2}); }
 
   // w and w' of a drive.
   waveform::Value wave(double time) const {

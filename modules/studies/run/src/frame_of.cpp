@@ -60,7 +60,8 @@ SceneBox scene_box(const Simulation& s) {
   const BodyBounds bodies = bounds_of(present, s.dimension());
   for (std::size_t k = 0; k < std::size_t(s.dimension()); ++k) {
     double low = bodies.lower[int(k)], high = bodies.upper[int(k)];
-    for (const scree_plane& plane : s.planes())
+    for (const scree_plane& plane :
+         s.planes())  // those that are absent too, so that no view jumps when they come
       if (std::abs(plane.normal[k]) > 0.999)
         low = std::min(low, plane.point[k]), high = std::max(high, plane.point[k]);
     const Domain& domain = s.domain();
@@ -101,6 +102,7 @@ pictures::Frame frame_of(const Simulation& s, const std::string& title, const Sc
   add_bodies(s.particles(), frame);
   add_contacts(s, frame);
   for (std::size_t w = 0; w < s.planes().size(); ++w) {
+    if (s.absent_planes()[w]) continue;
     const scree_plane& plane = s.planes()[w];
     frame.walls.push_back({s.plane_names()[w],
                            {plane.point[0], plane.point[1], plane.point[2]},

@@ -28,6 +28,10 @@ typedef struct scree_body_batch {
   double dissipation_rate_rotation;      /* (W) output, added to */
   const int32_t* image[3]; /* (optional) periods each body has crossed; NULL: axis not periodic */
   double period[3];        /* (m) */
+  double time;             /* (s) of the forces; starts again from 0 when a stage sets parameters */
+  double
+      work_rate; /* (W) output, added to: what the force does beyond its potential and its drag, such as the change of
+                       the potential with time alone */
 } scree_body_batch;
 
 typedef struct scree_body_force {
@@ -35,7 +39,7 @@ typedef struct scree_body_force {
   uint32_t storage_size;
   int (*configure)(const scree_setup* setup, void* storage);
   void (*apply)(const void* storage, scree_body_batch* batch);
-  /* (optional) Largest rate (1/s) at which the force damps a body of this mass, inertia and radius. */
+  /* (optional) Largest rate (1/s) at which the force ever damps a body of this mass, inertia and radius. */
   double (*damping_rate)(const void* storage, double mass, double inertia, double radius);
 } scree_body_force;
 

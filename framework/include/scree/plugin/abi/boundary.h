@@ -82,6 +82,9 @@ typedef struct scree_boundary_instance {
   double
       displacement_speed; /* (m/s) above 0: `begin_step` asks for loads after displacements of at most this speed * |step| */
   uint32_t still; /* nonzero: no plane moves, and `begin_step` and `finish_step` are not called */
+  const uint32_t*
+      plane_absent; /* (optional) plane_count, in the plug-in's storage; nonzero: the plane keeps its place
+                                   and exerts no force, as if it were not there */
 } scree_boundary_instance;
 
 /* Equation of small motions of a plane about its present state, along one direction:

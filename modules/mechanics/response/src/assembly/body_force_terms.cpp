@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include <scree/plugin_host.hpp>
-
 namespace scree::response {
 
 namespace {
@@ -16,7 +14,7 @@ constexpr double probe_displacement = 1e-4, probe_speed = 1e-6;
 class SingleBody {
  public:
   SingleBody(const Simulation& simulation, std::size_t i, int spins)
-      : dimension_(simulation.dimension()), spins_(spins) {
+      : simulation_(simulation), dimension_(simulation.dimension()), spins_(spins) {
     const Particles& p = simulation.particles();
     const Body body = p.body(i);
     for (int k = 0; k < 3; ++k) state_[std::size_t(k)] = body.position[k];
@@ -34,9 +32,9 @@ class SingleBody {
     return state_[k < dimension_ ? velocity + std::size_t(k) : spin + spin_axis(k - dimension_)];
   }
   // Force, then torque, of all plug-ins.
-  Eigen::VectorXd load(const std::vector<ConfiguredBodyForce>& forces) {
+  Eigen::VectorXd load() {
     load_.fill(0);
-    for (const ConfiguredBodyForce& force : forces) add(force);
+    add_body_forces();
     Eigen::VectorXd all(dimension_ + spins_);
     for (int k = 0; k < dimension_; ++k) all[k] = load_[std::size_t(k)];
     for (int k = 0; k < spins_; ++k) all[dimension_ + k] = load_[3 + spin_axis(k)];
@@ -47,7 +45,7 @@ class SingleBody {
   enum Column : std::size_t { velocity = 3, spin = 6, radius = 9, mass = 10, inertia = 11, columns = 12 };
   std::size_t spin_axis(int k) const { return std::size_t(dimension_ == 2 ? 2 : k); }
 
-  void add(const ConfiguredBodyForce& force) {
+  void add_body_forces() {
     scree_body_batch batch = {};
     batch.struct_size = sizeof(batch);
     batch.dimension = std::uint32_t(dimension_);
@@ -66,9 +64,10 @@ class SingleBody {
     batch.radius = {&state_[radius], 1};
     batch.mass = {&state_[mass], 1};
     batch.inertia = {&state_[inertia], 1};
-    force.interface().apply(force.storage(), &batch);
+    simulation_.add_body_forces(batch);
   }
 
+  const Simulation& simulation_;
   int dimension_, spins_;
   std::array<double, columns> state_ = {};
   std::array<double, 6> load_ = {};
@@ -77,15 +76,14 @@ class SingleBody {
 };
 
 // Derivative of the loads of a body by one of its numbers.
-Eigen::VectorXd difference(SingleBody& body, const std::vector<ConfiguredBodyForce>& forces, double& number,
-                           double change) {
+Eigen::VectorXd difference(SingleBody& body, double& number, double change) {
   const double before = number;
   number = before + change;
   const double upper = number;
-  const Eigen::VectorXd more = body.load(forces);
+  const Eigen::VectorXd more = body.load();
   number = before - change;
   const double lower = number;
-  const Eigen::VectorXd less = body.load(forces);
+  const Eigen::VectorXd less = body.load();
   number = before;
   return (more - less) / (upper - lower);
 }
@@ -93,21 +91,18 @@ Eigen::VectorXd difference(SingleBody& body, const std::vector<ConfiguredBodyFor
 }  // namespace
 
 std::vector<BodyForceTerms> linearise_body_forces(const Simulation& simulation, int spins) {
-  std::vector<ConfiguredBodyForce> forces;
-  for (const Scene::BodyForce& force : simulation.scene().body_forces)
-    forces.emplace_back(force.parameters, simulation.dimension(), no_bounds, no_bounds);
   std::vector<BodyForceTerms> terms;
-  if (forces.empty()) return terms;
+  if (simulation.scene().body_forces.empty()) return terms;
   const int D = simulation.dimension(), of_body = D + spins;
   for (std::size_t i = 0; i < simulation.particles().size(); ++i) {
     SingleBody body(simulation, i, spins);
     const double radius = simulation.particles().radius()[i];
-    BodyForceTerms of = {Block::Zero(of_body, of_body), Block::Zero(of_body, of_body), body.load(forces)};
+    BodyForceTerms of = {Block::Zero(of_body, of_body), Block::Zero(of_body, of_body), body.load()};
     for (int k = 0; k < D; ++k)
-      of.stiffness.col(k) = -difference(body, forces, body.position(k), probe_displacement * radius);
+      of.stiffness.col(k) = -difference(body, body.position(k), probe_displacement * radius);
     for (int k = 0; k < of_body; ++k) {
       const double change = probe_speed * (k < D ? radius : 1) / simulation.step_length();
-      of.damping.col(k) = -difference(body, forces, body.motion(k), change);
+      of.damping.col(k) = -difference(body, body.motion(k), change);
     }
     terms.push_back(of);
   }

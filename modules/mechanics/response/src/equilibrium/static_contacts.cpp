@@ -40,6 +40,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
   std::vector<std::vector<StaticPair>> pairs(laws_.size());
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t material_b, const Vec3& shift) {
     const std::uint32_t law = simulation_.scene().law_of[p.material[a] * materials + material_b];
+    if (simulation_.scene().laws[law].parameters.absent()) return;
     pairs[law].push_back({a, b, shift});
   };
   const std::vector<NeighbourPair>& near = search_.find(spheres(at), p.dimension(), domain, gap, threads_);
@@ -55,6 +56,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
       add(a, next->b, p.material[next->b], shift);
     }
     for (std::size_t w = 0; w < simulation_.planes().size(); ++w) {
+      if (simulation_.absent_planes()[w]) continue;
       const auto b = std::uint32_t(p.size() + w);
       const Vec3 apart = at.position[a] - at.position[b];
       double distance = 0;
