@@ -50,21 +50,21 @@ struct Box {
   void declare(scree::Declaration& d) {
     using namespace scree;
     d.vector("lower", lower_given, "m",
-             "lower corner; that of the bodies' bounding box minus the gap if absent")
+             "lower corner; that of the bodies' bounding box minus the gap if not given")
         .at_start_only();
     d.vector("upper", upper_given, "m",
-             "upper corner; that of the bodies' bounding box plus the gap if absent")
+             "upper corner; that of the bodies' bounding box plus the gap if not given")
         .at_start_only();
     d.number("gap", gap, "m", non_negative, "distance from the bodies where a corner is not given")
         .at_start_only();
     d.number("mass", mass, "kg", positive, "m_w of each stress-controlled wall");
     d.number("viscosity", viscosity, "kg/s", non_negative, "γ_w of each stress-controlled wall");
     for (int w = 0; w < max_walls; ++w)
-      d.choice(wall_names[w], control[w], controls, "what moves this wall; if absent that of its axis")
+      d.choice(wall_names[w], control[w], controls, "what moves this wall; if not given that of its axis")
           .optional();
     for (int k = 0; k < 3; ++k)
       d.choice(axis_keys[k].control, axis_control[k], controls,
-               "what moves both walls of this axis; stress if absent; excludes the keys of single walls")
+               "what moves both walls of this axis; stress if not given; excludes the keys of single walls")
           .optional();
     d.program("stress", all_stress, "Pa", any_number, "p of every wall, pressing inwards").optional();
     for (int k = 0; k < 3; ++k)

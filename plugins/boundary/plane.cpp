@@ -41,7 +41,7 @@ struct Plane {
     d.vector("normal", normal, "", "normal pointing to the bodies; need not be a unit vector")
         .required()
         .at_start_only();
-    d.vector("direction", direction, "", "direction of motion; the normal if absent").optional();
+    d.vector("direction", direction, "", "direction of motion; the normal if not given").optional();
     d.program("displacement", motion.displacement, "m", any_number,
               "d(t) along the direction; fixed if neither this nor control is given")
         .optional();

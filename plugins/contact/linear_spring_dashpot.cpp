@@ -57,7 +57,7 @@ struct LinearSpringDashpot : scree::ContactLaw {
     d.number("tangential_damping", tangent.damping, "kg/s", non_negative, "γ_t of the tangential dashpot");
     d.number("static_friction", tangent.static_friction, "", non_negative,
              "μ_s; 0: frictionless, no tangential force");
-    d.number("dynamic_friction", tangent.dynamic_friction, "", non_negative, "μ_d <= μ_s; μ_s if absent")
+    d.number("dynamic_friction", tangent.dynamic_friction, "", non_negative, "μ_d <= μ_s; μ_s if not given")
         .optional();
     d.choice("slip_rule", slip_rule, "spring|total",
              "force compared with the limit: that of the spring, or the total as in David et al.");

@@ -325,6 +325,18 @@ TEST_CASE("a failure to write the output gives a failure status", "[tools]") {
   CHECK(full.err == "scree: standard output cannot be written; free disk space or redirect it elsewhere\n");
 }
 
+TEST_CASE("describe folds keys that differ in an axis or a side only", "[tools]") {
+  const Workspace w;
+  const std::string box = w.scree("describe boundary/box").out;
+  CHECK(contains(box, "\n  stress_{x,y,z}_{low,high} "));
+  CHECK(contains(box, "\n  {x,y,z}_{low,high} "));
+  CHECK(contains(box, "\n  stress_{x,y,z} "));
+  CHECK_FALSE(contains(box, "stress_x_low"));
+  const std::string all = w.scree("describe --all").out;
+  CHECK(contains(all, "[box](#box), [periodic](#periodic), [plane](#plane)\n"));
+  CHECK(contains(all, "[box](#box-1)"));
+}
+
 TEST_CASE("describe shows the keys of a table, and KEYS.md is what it prints of all", "[tools]") {
   const Workspace w;
   const Outcome time = w.scree("describe time");

@@ -1,11 +1,14 @@
 #include "describe_markdown.hpp"
 
+#include "folded_keys.hpp"
 #include "probe_columns.hpp"
 #include "support/study_tables.hpp"
 
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scree/scenario/keys.hpp>
 
@@ -46,16 +49,12 @@ void print_column_rows(const std::vector<ColumnLine>& columns) {
 void print_plugin(const scree_plugin& plugin) {
   fmt::print("\n### {}\n\n{}\n", plugin.name, plugin.summary);
   if (plugin.parameter_count > 0) print_header("parameter");
-  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    const scree_parameter& p = plugin.parameters[k];
-    print_row(p.key, describe_range(p), when_absent(p), p.doc);
-  }
+  for (const ParameterLine& p : parameter_lines_of(plugin)) print_row(p.keys, p.range, p.without, p.doc);
   if (plugin.kind == SCREE_PROBE) print_column_rows(described_columns(Parameters(plugin)));
 }
 
-}  // namespace
-
-std::string when_absent(const scree_parameter& p) {
+// What holds when a parameter is not given.
+std::string without(const scree_parameter& p) {
   if (p.excludes) return fmt::format("either this or {}", p.excludes);
   if (p.flags & SCREE_REQUIRED) return "required";
   if (p.flags & SCREE_OPTIONAL) return "optional";
@@ -63,10 +62,67 @@ std::string when_absent(const scree_parameter& p) {
   return fmt::format("default {:g}", p.default_value);
 }
 
+}  // namespace
+
+std::vector<ParameterLine> parameter_lines_of(const scree_plugin& plugin) {
+  std::vector<ParameterLine> lines;
+  std::vector<std::string> alike;  // keys of the last line
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    const scree_parameter& p = plugin.parameters[k];
+    const ParameterLine line = {p.key, describe_range(p), without(p), p.doc};
+    const bool same = !lines.empty() && lines.back().range == line.range &&
+                      lines.back().without == line.without && lines.back().doc == line.doc;
+    if (!same) {
+      lines.push_back(line);
+      alike = {p.key};
+      continue;
+    }
+    alike.emplace_back(p.key);
+    lines.back().keys = folded(alike);
+  }
+  return lines;
+}
+
+namespace {
+
+// "Tables: [scene](#scene), ..."; the second heading of a name has another address.
+class Contents {
+ public:
+  void print(const char* title, const std::vector<std::string>& names) {
+    std::vector<std::string> links;
+    for (const std::string& name : names) {
+      std::string address;
+      for (const char c : name)
+        if (c != '.') address += c;
+      const int before = headings_[address]++;
+      links.push_back(fmt::format("[{}](#{}{})", name, address, before ? fmt::format("-{}", before) : ""));
+    }
+    fmt::print("- {}: {}\n", title, fmt::join(links, ", "));
+  }
+
+ private:
+  std::map<std::string, int> headings_;
+};
+
+void print_contents(PluginHost& host, const std::vector<scenario::TableDescription>& tables) {
+  Contents contents;
+  std::vector<std::string> names;
+  for (const scenario::TableDescription& table : tables) names.push_back(table.name);
+  fmt::print("\n");
+  contents.print("Tables", names);
+  for (const KindTitle& title : titles) contents.print(title.title, host.names(title.kind));
+}
+
+}  // namespace
+
 void print_markdown(PluginHost& host) {
+  const std::vector<scenario::TableDescription> tables = scenario::describe_tables(study_tables());
   fmt::print(
-      "# Keys of a scenario\n\nPrinted by `scree describe --all`, from the declarations that scenarios are checked with.\n\n## Tables\n");
-  for (const scenario::TableDescription& table : scenario::describe_tables(study_tables())) {
+      "# Keys of a scenario\n\nPrinted by `scree describe --all`, from the declarations that scenarios are checked with. "
+      "`stress_{{x,y}}` stands for `stress_x` and `stress_y`.\n");
+  print_contents(host, tables);
+  fmt::print("\n## Tables\n");
+  for (const scenario::TableDescription& table : tables) {
     fmt::print("\n### {}\n\n`{}`: {}\n", table.name, table.header, table.doc);
     print_header("key");
     for (const scenario::KeyDescription& key : table.keys)

@@ -60,10 +60,8 @@ void list_all(PluginHost& host) {
 
 void print_parameters(const scree_plugin& plugin) {
   fmt::print("\nparameters\n");
-  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    const scree_parameter& p = plugin.parameters[k];
-    fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", p.key, describe_range(p), when_absent(p), "", p.doc);
-  }
+  for (const ParameterLine& p : parameter_lines_of(plugin))
+    fmt::print("  {:<22} {}; {}\n  {:<22} {}\n", p.keys, p.range, p.without, "", p.doc);
   if (plugin.parameter_count == 0) fmt::print("  none\n");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <scree/domain.hpp>
@@ -16,6 +17,8 @@ std::size_t plane_count(const Scene& scene);
 Domain periodic_domain(const Scene& scene);
 // Whether the walls of a boundary of a scene follow one of its functions of time: with another control it has no effect.
 bool has_effect(const Scene& scene, const Parameters& boundary, const std::string& program);
+// The first function of time of a body force that varies, "gravity.acceleration_x"; none if all are constant.
+std::optional<std::string> varying_body_force(const Scene& scene);
 // Configures the body force and discards it.
 void check_body_force(const Scene::BodyForce& force, const Scene& scene);
 

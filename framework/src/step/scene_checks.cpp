@@ -44,6 +44,18 @@ bool has_effect(const Scene& scene, const Parameters& boundary, const std::strin
   }
 }
 
+std::optional<std::string> varying_body_force(const Scene& scene) {
+  for (const Scene::BodyForce& force : scene.body_forces) {
+    const Parameters& parameters = force.parameters;
+    const std::vector<scree_value> values = parameters.values();
+    for (std::uint32_t k = 0; k < parameters.plugin().parameter_count && !parameters.absent(); ++k)
+      if (const scree_parameter& p = parameters.plugin().parameters[k];
+          p.type == SCREE_PROGRAM && values[k].count > 0 && Program(values[k]).kind() != Program::constant)
+        return force.name + '.' + p.key;
+  }
+  return {};
+}
+
 void check_body_force(const Scene::BodyForce& force, const Scene& scene) {
   BodyForces({force}, scene.dimension, scene.audit);
 }

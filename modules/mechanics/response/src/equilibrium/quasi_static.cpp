@@ -10,6 +10,7 @@
 
 #include <scree/error.hpp>
 #include <scree/response/quasi_static.hpp>
+#include <scree/scene_checks.hpp>
 
 namespace scree::response {
 
@@ -64,6 +65,10 @@ class QuasiStatic::Packing {
     if (options_.shortest_increment == 0) options_.shortest_increment = options_.longest_increment / 64;
     next_increment_ = options_.longest_increment;
     loads_of_walls(simulation_, time_);  // throws where a program moves a wall
+    if (const auto varying = varying_body_force(simulation_.scene()))
+      throw Error(fmt::format(
+          "{} changes with time, and body forces of a quasi-static load are constant; give a number",
+          *varying));
   }
 
   bool advance(double time) {

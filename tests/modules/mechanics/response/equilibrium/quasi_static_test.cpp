@@ -153,6 +153,39 @@ TEST_CASE("a quasi-static load refuses what it cannot follow") {
   for (const double tolerance : {0.0, std::nan("")})
     CHECK_THROWS_WITH(QuasiStatic(*q.simulation, {.longest_increment = 1, .tolerance = tolerance}),
                       Catch::Contains("of a quasi-static load is not within 0 and 1"));
+  Scene swinging = column(2);
+  add_body_force(swinging, "gravity", {{"acceleration", {0, 0, 0}}, {"acceleration_y", {1, 0, 1, 2, 0}}});
+  CHECK_THROWS_WITH(QuasiStatic(Simulation(swinging), {.longest_increment = 1}),
+                    Catch::Contains("gravity.acceleration_y changes with time"));
+  swinging.body_forces[0].parameters.set_absent(true);
+  CHECK_NOTHROW(QuasiStatic(Simulation(swinging), {.longest_increment = 1}));
+}
+
+TEST_CASE("a quasi-static load passes through walls and bodies of laws that are absent") {
+  const auto wall_after = [](bool others) {
+    Scene scene = column(6);
+    const std::size_t top = 1;
+    if (others) {
+      const double middle = scene.bodies[3].position[1];
+      add_boundary(scene, "plane", {{"point", {0, middle, 0}}, {"normal", {0, 1, 0}}, {"control", {7}}},
+                   "gate");
+      scene.materials.push_back("ghost");
+      scene.laws.push_back(scene.laws[0]);
+      scene.laws[1].name = "ghosts";
+      scene.laws[1].parameters.set_absent(true);
+      scene.law_of = {0, 1, 1, 1};
+      scene.bodies.push_back(body(100, 1, 1, {{0.2, middle, 0}}, {}, {}, 2));
+      scene.bodies.back().material = 1;
+      scene.bodies.back().fixed = true;
+    }
+    const Simulation simulation(scene);
+    const double start = simulation.planes()[top].point[1];
+    QuasiStatic packing(simulation, {.longest_increment = 1});
+    REQUIRE(packing.advance(0));
+    CHECK(packing.touching() == column_discs + 1);
+    return packing.planes()[top].point[1] - start;
+  };
+  CHECK(wall_after(true) == wall_after(false));
 }
 
 TEST_CASE("a quasi-static packing has a state before its first balance") {
