@@ -96,11 +96,20 @@ void warn_of_other_periods(const document::Table& t, const Scene& scene, const S
                          .what());
 }
 
-// Keys of the functions of time of an instance that vary and that a stage does not set: their time goes on.
-std::vector<std::string> going_on(const Stage::Change& instance, const document::Table& set) {
+// Whether an instance follows one of its functions of time.
+bool follows(const Stage::Change& instance, const std::string& key, const Scene& scene) {
+  return instance.kind == SCREE_BOUNDARY ? has_effect(scene, instance.parameters, key)
+                                         : !instance.parameters.absent();
+}
+
+// Keys of the functions of time that vary, that the instance has followed before a stage, and that the stage does not set:
+// their time goes on.
+std::vector<std::string> going_on(const Stage::Change& before, const document::Table& set,
+                                  const Scene& scene) {
   std::vector<std::string> keys;
-  for (const auto& [key, program] : programs_of(instance.parameters))
-    if (!set.has(key) && program.kind() != Program::constant) keys.push_back(key);
+  for (const auto& [key, program] : programs_of(before.parameters))
+    if (!set.has(key) && program.kind() != Program::constant && follows(before, key, scene))
+      keys.push_back(key);
   return keys;
 }
 
@@ -112,8 +121,8 @@ void read_changes(const document::Table& t, const Scene& scene, std::vector<Stag
   for (const Stage::Change& instance : instances) names.push_back(instance.name);
   for (const std::string& name : set->keys()) {
     Stage::Change& instance = instances[find_name(*set, name, "law, boundary or body force", name, names)];
-    instance = changed_instance(set->table(name), instance, scene);
-    instance.going_on = going_on(instance, set->table(name));
+    const Stage::Change before = std::exchange(instance, changed_instance(set->table(name), instance, scene));
+    instance.going_on = going_on(before, set->table(name), scene);
     stage.changes.push_back(instance);
   }
 }

@@ -43,9 +43,12 @@ Condition read_column(const std::string& name, const document::Table& t) {
   c.above = read_optional(t, until_column_keys.above);
   c.below = read_optional(t, until_column_keys.below);
   c.steady = read_optional(t, until_column_keys.steady);
-  if (!c.above && !c.below && !c.steady)
+  if (!c.above && !c.below && !c.steady) {
+    t.optional(until_column_keys.over);
+    t.refuse_unused();
     throw t.error(fmt::format("the condition on '{}' has no bound", files::one_line(name)),
                   "give above, below, or steady with over = <s>");
+  }
   if (c.above && c.below && *c.above >= *c.below)
     throw t.error("above", fmt::format("above = {:g} is not less than below = {:g}", *c.above, *c.below),
                   "give a range that a number can be in");
@@ -63,7 +66,7 @@ bool records_in(const ProbePlan& probe, const std::string& stage) {
 }
 
 void find_column(const document::Table& until, const std::string& key, const std::vector<ProbePlan>& probes,
-                 int dimension, const std::string& stage, Condition& c) {
+                 int dimension, const Stage& stage, Condition& c) {
   std::vector<std::string> names;
   for (const ProbePlan& probe : probes) names.push_back(probe.name);
   const std::size_t dot = c.name.find('.');
@@ -79,15 +82,27 @@ void find_column(const document::Table& until, const std::string& key, const std
   if (c.column == 0)
     throw until.error(key, "time is no condition of a stage", "give duration, at_least or at_most");
   --c.column;  // of the row, which has no time
-  if (!records_in(probe, stage))
+  if (!records_in(probe, stage.name))
     throw until.error(
-        key, fmt::format("the probe '{}' does not record in stage '{}'", probe.name, files::one_line(stage)),
+        key,
+        fmt::format("the probe '{}' does not record in stage '{}'", probe.name, files::one_line(stage.name)),
         "add the stage to its 'stages', or leave these out");
   if (c.steady && c.over < probe.every)
     throw until.error(key,
                       fmt::format("over = {:g} s is shorter than the {:g} s between samples of '{}'", c.over,
                                   probe.every, probe.name),
                       "give a longer time, or sample more often");
+  const double at_most = *stage.until.at_most;
+  if (c.steady && c.over >= at_most)
+    throw until.error(
+        key,
+        fmt::format("over = {:g} s is not below at_most = {:g} s, so that it cannot be met", c.over, at_most),
+        "give a shorter time, or a larger at_most");
+  if (probe.every > at_most)
+    throw until.error(key,
+                      fmt::format("'{}' is sampled every {:g} s, which is more than at_most = {:g} s",
+                                  probe.name, probe.every, at_most),
+                      "sample more often, or give a larger at_most");
 }
 
 }  // namespace
@@ -133,7 +148,7 @@ void find_conditions(const document::Table& root, const std::vector<ProbePlan>& 
       if (c.probe != Condition::energies) {
         const document::Table until = tables[k].table(stage_keys.until);
         const std::string key = until.has(c.name) ? c.name : c.name.substr(0, c.name.find('.'));
-        find_column(until, key, probes, dimension, stages[k].name, c);
+        find_column(until, key, probes, dimension, stages[k], c);
       }
 }
 

@@ -105,6 +105,12 @@ TEST_CASE("functions of time that a stage does not set go on", "[scenario]") {
   CHECK(going_on("set.cell = { viscosity = 1 }\n") == Keys{"stress_y"});
   CHECK(going_on("set.cell = { stress_y = { from = 10, to = 20, duration = 1 } }\n").empty());
   CHECK(going_on("set.gravity = { acceleration = [1, 0] }\n") == Keys{"acceleration_y"});
+  // A function that is followed from this stage on begins with it.
+  const std::string lid = with(discs, "duration = 1e-4\n", "") +
+                          "[[boundary]]\nplugin = 'plane'\nname = 'lid'\npoint = [0, 9]\nnormal = [0, -1]\n"
+                          "control = 'fixed'\nvelocity = { from = 0, to = 1, duration = 1 }\n";
+  CHECK(
+      plan_of(lid + first + second + "set.lid.control = 'velocity'\n").stages[1].changes[0].going_on.empty());
 }
 
 TEST_CASE("laws and body forces can be absent from a stage on, and come back", "[scenario]") {
