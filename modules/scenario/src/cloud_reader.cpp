@@ -62,6 +62,7 @@ packing::CloudOptions read_options(const document::Table& particles, int dimensi
   options.region = read_region(particles.table(particles_keys.region), dimension);
   options.periodic = read_axes(random, options.region, dimension);
   options.solid_fraction = read_optional(random, random_keys.solid_fraction);
+  options.growth = read(random, random_keys.growth);
   options.count = random.optional_integer(random_keys.count, random_keys.count.range);
   if (options.count.has_value() == options.solid_fraction.has_value())
     throw random.error(

@@ -80,8 +80,10 @@ struct RandomKeys : TableKeys {
   NumberKey solid_fraction = number(
       "solid_fraction", Range::between(0, 1),
       "volume of the bodies over that of the region, met to rounding, since all radii are multiplied by one "
-      "factor near 1; some 0.3 can be reached, in 2D 0.45",
+      "factor near 1; some 0.3 can be reached, in 2D 0.45, with growth 0.55 and 0.8",
       "or count");
+  BooleanKey growth =
+      boolean("growth", false, "bodies are placed smaller, grow together and push each other");
   StringKey periodic =
       string("periodic", "",
              "axes along which the box is periodic, such as \"xz\": bodies reach through its "

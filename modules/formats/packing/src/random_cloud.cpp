@@ -1,3 +1,4 @@
+#include "growth.hpp"
 #include "sphere_grid.hpp"
 
 #include <algorithm>
@@ -118,6 +119,8 @@ class Placement {
     require_size(box_, options.dimension, radii[order_.back()], radii[order_.front()]);
   }
 
+  // Obstacles that reach into the region, in the domain.
+  std::vector<Sphere> obstacles() const;
   std::vector<Vec3> find(Random& random, std::size_t& distances) const {
     SphereGrid grid = with_obstacles();
     std::vector<Vec3> places(radii_.size());
@@ -145,10 +148,9 @@ class Placement {
   std::vector<std::uint32_t> order_;  // of the bodies, the largest first
 };
 
-SphereGrid Placement::with_obstacles() const {
-  const Domain domain = {options_.periodic, box_.lower, box_.upper};
-  const double first = radii_[order_.front()];
-  double largest = first;
+std::vector<Sphere> Placement::obstacles() const {
+  Domain domain;
+  domain.periodic = options_.periodic, domain.lower = box_.lower, domain.upper = box_.upper;
   std::vector<Sphere> near;
   for (Sphere sphere : options_.obstacles) {
     bool reaches = true;
@@ -159,11 +161,17 @@ SphereGrid Placement::with_obstacles() const {
       else
         reaches &= x + sphere.radius > box_.lower[k] && x - sphere.radius < box_.upper[k];
     }
-    if (!reaches) continue;
-    near.push_back(sphere);
-    largest = std::max(largest, sphere.radius);
+    if (reaches) near.push_back(sphere);
   }
-  SphereGrid grid(options_.dimension, domain, largest);
+  return near;
+}
+
+SphereGrid Placement::with_obstacles() const {
+  const double first = radii_[order_.front()];
+  double largest = first;
+  const std::vector<Sphere> near = obstacles();
+  for (const Sphere& sphere : near) largest = std::max(largest, sphere.radius);
+  SphereGrid grid(options_.dimension, {options_.periodic, box_.lower, box_.upper}, largest);
   for (const Sphere& sphere : near) grid.add(sphere, first);
   return grid;
 }
@@ -192,8 +200,29 @@ void Placement::give_up(std::size_t placed, double reached) const {
       : options_.solid_fraction
           ? fmt::format("give a solid fraction of at most {:.2g}", sure * reached)
           : fmt::format("give at most {}", counted(std::size_t(sure * double(placed)) + 1, "body", "bodies"));
-  throw Error("random cloud", problem,
-              less + ", or a larger region, and make the packing denser in the stages");
+  throw Error(
+      "random cloud", problem,
+      less + (options_.growth
+                  ? ", or a larger region"
+                  : ", or a larger region, or growth = true, with which small bodies grow to their radii"));
+}
+
+// Solid fraction that bodies at random places reach easily.
+double easy_fraction(int dimension) { return dimension == 2 ? 0.4 : 0.2; }
+
+std::vector<Vec3> places_of(const CloudOptions& options, const std::vector<double>& radii, Random& random,
+                            std::size_t& distances) {
+  const double wanted = total_volume(radii, options.dimension) / volume_of(options.region, options.dimension);
+  const double easy = easy_fraction(options.dimension);
+  if (!options.growth || wanted <= easy) return Placement(options, radii).find(random, distances);
+  const Bounds box = bounds_of(options.region, options.dimension);
+  const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
+  require_size(box, options.dimension, *smallest, *largest);
+  const double first = root(easy / wanted, options.dimension);
+  std::vector<double> small = radii;
+  for (double& radius : small) radius *= first;
+  const Placement placement(options, small);
+  return grow(options, radii, placement.obstacles(), placement.find(random, distances), first);
 }
 
 }  // namespace
@@ -217,7 +246,7 @@ Cloud fill_randomly(const CloudOptions& options, const RadiusDistribution& distr
     radii = radii_of_volume(wanted_volume(options), distribution, options.dimension, random);
     cloud.radius_factor = scale_to(wanted_volume(options), radii, options.dimension);
   }
-  const std::vector<Vec3> places = Placement(options, radii).find(random, cloud.distances);
+  const std::vector<Vec3> places = places_of(options, radii, random, cloud.distances);
   cloud.solid_fraction =
       total_volume(radii, options.dimension) / volume_of(options.region, options.dimension);
   cloud.packing.dimension = options.dimension;
