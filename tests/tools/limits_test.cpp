@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,5 +52,28 @@ TEST_CASE("what the page of limits says is not there is refused in a line", "[to
     const Outcome outcome = w.scree("check scene.toml");
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+  }
+}
+
+TEST_CASE("the plug-ins, tables and probes that the dictionary of other codes names exist", "[tools]") {
+  const std::string page = text_of(SCREE_TEST_SOURCE "/scenarios/FROM_OTHER_CODES.md"),
+                    keys = text_of(SCREE_TEST_SOURCE "/scenarios/KEYS.md");
+  const auto all = [&](const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::set<std::string> found;
+    for (std::sregex_iterator at(page.begin(), page.end(), expression), end; at != end; ++at)
+      found.insert((*at)[1]);
+    return found;
+  };
+  const std::set<std::string> plugins = all("plugin = \"([a-z_]+)\""), tables = all("(\\[\\[?[a-z]+\\]\\]?)");
+  CHECK(plugins.size() > 5);
+  CHECK(tables.size() > 10);
+  for (const std::string& name : plugins) {
+    CAPTURE(name);
+    CHECK(keys.find("\n### " + name + "\n") != keys.npos);
+  }
+  for (const std::string& name : tables) {
+    CAPTURE(name);
+    CHECK(keys.find(name) != keys.npos);
   }
 }
