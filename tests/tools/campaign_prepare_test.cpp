@@ -112,9 +112,9 @@ TEST_CASE("a misspelt key is refused before anything is prepared", "[tools]") {
   };
   refused("[set]\ncontact.normal_stifness = [1e4, 2e4]\n" + prepare,
           "campaign.toml:4:28: in run 'normal_stifness=10000' --set contact.normal_stifness=10000",
-          "rolling_friction, rolling_time, name, between");
+          "rolling_friction, rolling_time, control, name, between");
   refused("[prepare]\nscenario = 'prepare.toml'\nset.contact.normal_stifness = 1e4\n",
-          "campaign.toml:5:31: in run 'prepare/", "rolling_friction, rolling_time, name, between");
+          "campaign.toml:5:31: in run 'prepare/", "rolling_friction, rolling_time, control, name, between");
   refused(prepare, "campaign.toml:2:12: in run 'run' scene.toml:", "overlap_ratio, speed",
           scene + "[limits]\noverlap_rato = 0.5\n");
 }
