@@ -65,7 +65,8 @@ TEST_CASE("the plug-ins, tables and probes that the dictionary of other codes na
       found.insert((*at)[1]);
     return found;
   };
-  const std::set<std::string> plugins = all("plugin = \"([a-z_]+)\""), tables = all("`(\\[\\[?[a-z]+\\]\\]?)");
+  const std::set<std::string> plugins = all("plugin = \"([a-z_]+)\""),
+                              tables = all("`(\\[\\[?[a-z]+\\]\\]?)");
   CHECK(plugins.size() > 5);
   CHECK(tables.size() > 10);
   for (const std::string& name : plugins) {
