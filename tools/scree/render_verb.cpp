@@ -28,11 +28,6 @@ struct RenderArguments {
   pictures::RenderOptions options;
 };
 
-bool is_folder(const fs::path& path) {
-  std::error_code failed;
-  return fs::is_directory(path, failed);
-}
-
 // particles_0000000100.vtp becomes frame_0000000100.png, any other name x.vtp x.png.
 std::string picture_name(const fs::path& frame) {
   constexpr std::string_view prefix = "particles_";

@@ -11,14 +11,10 @@ namespace scree::tool {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 bool is_folder(const fs::path& path) {
   std::error_code failed;
   return fs::is_directory(path, failed);
 }
-
-}  // namespace
 
 std::vector<fs::path> snapshot_files(const fs::path& source) {
   if (!is_folder(source)) return {source};
