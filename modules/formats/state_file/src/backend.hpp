@@ -10,7 +10,7 @@
 namespace scree::state_file {
 
 // Incremented when this interface or a struct in it changes; loader and library must have the same version.
-inline constexpr int backend_version = 2;
+inline constexpr int backend_version = 3;
 
 // Reads and writes what follows the seal of a state file: HDF5. Every function throws Error with what
 // is wrong, without path and cure.
