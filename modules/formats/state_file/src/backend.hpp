@@ -26,7 +26,8 @@ class StateBackend {
   virtual std::vector<PlacedArray> places(const std::filesystem::path& file) = 0;
 
   // As append_frame() and check_frames() of trajectory.hpp, and the frame of this number.
-  virtual void append_frame(const std::filesystem::path& file, const TrajectoryFrame& frame, std::uint64_t frames) = 0;
+  virtual void append_frame(const std::filesystem::path& file, const TrajectoryFrame& frame,
+                            std::uint64_t frames) = 0;
   virtual void check_frames(const std::filesystem::path& file, std::uint64_t frames) = 0;
   virtual TrajectoryFrame frame(const std::filesystem::path& file, std::uint64_t number) = 0;
 };

@@ -65,7 +65,8 @@ class Hdf5Backend final : public StateBackend {
     return arrays;
   }
 
-  void append_frame(const std::filesystem::path& file, const TrajectoryFrame& frame, std::uint64_t frames) override {
+  void append_frame(const std::filesystem::path& file, const TrajectoryFrame& frame,
+                    std::uint64_t frames) override {
     print_no_failures();
     append_to_trajectory(file, frame, frames);
   }

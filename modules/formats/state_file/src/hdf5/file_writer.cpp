@@ -154,11 +154,12 @@ Handle FileWriter::growing(const std::string& name, hid_t type, const StateArray
   const Handle space(H5Screate_simple(int(now.size()), now.data(), most.data()), H5Sclose, name);
   const Handle properties(H5Pcopy(dataset_properties_), H5Pclose, name);
   checked(H5Pset_chunk(properties, int(piece.size()), piece.data()), name);
-  Handle made(H5Dcreate2(parent, own.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, name);
+  Handle made(H5Dcreate2(parent, own.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+              name);
   if (!label.empty())
-    write_attribute(made, label_attribute, label);
+    write_variable_attribute(made, label_attribute, label);
   else
-    write_attribute(made, unit_attribute, array.unit.empty() ? "1" : h5md_unit(array.unit));
+    write_variable_attribute(made, unit_attribute, array.unit.empty() ? "1" : h5md_unit(array.unit));
   return made;
 }
 
@@ -167,15 +168,18 @@ void FileWriter::append(const std::string& name, const StateArray& array, std::u
   std::visit(
       [&]<class T>(const std::vector<T>& numbers) {
         if constexpr (!std::is_same_v<T, std::string>) {
-          const Handle grown = frame == 0 ? growing(name, file_type<T>(), array, label)
-                                          : Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+          const Handle grown = frame == 0
+                                   ? growing(name, file_type<T>(), array, label)
+                                   : Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
           std::vector<hsize_t> extents(array.shape.begin(), array.shape.end());
           extents.insert(extents.begin(), frame + 1);
           checked(H5Dset_extent(grown, extents.data()), name);
-          const Handle space(H5Dget_space(grown), H5Sclose, name), memory = dataspace({numbers.size()}, false);
+          const Handle space(H5Dget_space(grown), H5Sclose, name),
+              memory = dataspace({numbers.size()}, false);
           std::vector<hsize_t> offset(extents.size(), 0);
           offset[0] = frame, extents[0] = 1;
-          checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr), name);
+          checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr),
+                  name);
           checked(H5Dwrite(grown, memory_type<T>(), memory, space, H5P_DEFAULT, numbers.data()), name);
         }
       },

@@ -39,7 +39,8 @@ class FileWriter {
   void array(const std::string& name, const StateArray& array, bool as_frame);
   // Writes an array, which is not of texts, as the frame of this number of a dataset that has those before it. A label, if
   // there is one, is written instead of the unit.
-  void append(const std::string& name, const StateArray& array, std::uint64_t frame, const std::string& label);
+  void append(const std::string& name, const StateArray& array, std::uint64_t frame,
+              const std::string& label);
   // A second name of a dataset.
   void link(const std::string& existing, const std::string& name);
   // Writes the rest, and closes the file.

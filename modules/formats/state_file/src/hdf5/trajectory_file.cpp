@@ -35,7 +35,8 @@ StateArray edges_of(const TrajectoryFrame& frame) {
 }
 
 // All elements are of the same times, so that they share their datasets.
-void append_element(FileWriter& writer, const std::string& name, const StateArray& array, std::uint64_t frame) {
+void append_element(FileWriter& writer, const std::string& name, const StateArray& array,
+                    std::uint64_t frame) {
   writer.append(all + name + "/value", array, frame, name == first ? "length in m" : "");
   if (frame > 0 || name == first) return;
   for (const char* when : {"/step", "/time"}) writer.link(all + first + when, all + name + when);
@@ -43,7 +44,8 @@ void append_element(FileWriter& writer, const std::string& name, const StateArra
 
 }  // namespace
 
-void append_to_trajectory(const std::filesystem::path& file, const TrajectoryFrame& now, std::uint64_t frame) {
+void append_to_trajectory(const std::filesystem::path& file, const TrajectoryFrame& now,
+                          std::uint64_t frame) {
   FileWriter writer = frame == 0 ? FileWriter(file, no_user_block) : FileWriter::existing(file);
   if (frame == 0) write_fixed(writer, now);
   writer.append(all + first + "/step", {std::vector{now.step}, {}, "1"}, frame, "");

@@ -27,6 +27,14 @@ std::vector<hsize_t> extents_of(hid_t space, const std::string& name) {
   return extents;
 }
 
+// Fixed elements have texts of fixed length, as states.
+std::string unit_of(hid_t dataset, const std::string& name) {
+  if (checked(H5Aexists(dataset, label_attribute), name) > 0) return "";
+  std::string unit = read_variable_attribute(dataset, unit_attribute);
+  if (unit.empty()) unit = read_attribute(dataset, unit_attribute);
+  return unit.empty() ? "" : state_unit(unit);
+}
+
 // Reads the selected values if they are of this type.
 template <class T>
 bool read(hid_t dataset, hid_t type, hid_t memory, hid_t space, std::size_t count, StateArray& array) {
@@ -40,7 +48,8 @@ bool read(hid_t dataset, hid_t type, hid_t memory, hid_t space, std::size_t coun
 }  // namespace
 
 TrajectoryReader::TrajectoryReader(const std::filesystem::path& file)
-    : file_(open_file(file)), all_(H5Gopen2(file_, "particles/all", H5P_DEFAULT), H5Gclose, "/particles/all") {}
+    : file_(open_file(file)),
+      all_(H5Gopen2(file_, "particles/all", H5P_DEFAULT), H5Gclose, "/particles/all") {}
 
 std::vector<std::string> TrajectoryReader::elements(H5I_type_t type) const {
   std::vector<std::string> names, found;
@@ -58,11 +67,14 @@ bool TrajectoryReader::has(const std::string& name) const {
 }
 
 std::vector<std::string> TrajectoryReader::boundary() const {
-  const Handle attribute(H5Aopen_by_name(all_, "box", "boundary", H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "boundary");
-  const Handle type(H5Aget_type(attribute), H5Tclose, "boundary"), space(H5Aget_space(attribute), H5Sclose, "boundary");
+  const Handle attribute(H5Aopen_by_name(all_, "box", "boundary", H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         "boundary");
+  const Handle type(H5Aget_type(attribute), H5Tclose, "boundary"),
+      space(H5Aget_space(attribute), H5Sclose, "boundary");
   const std::size_t width = H5Tget_size(type);
   const std::size_t count = std::size_t(checked(H5Sget_simple_extent_npoints(space), "boundary"));
-  if (H5Tis_variable_str(type) != 0 || H5Tget_class(type) != H5T_STRING) throw Error("the boundary is no text");
+  if (H5Tis_variable_str(type) != 0 || H5Tget_class(type) != H5T_STRING)
+    throw Error("the boundary is no text");
   std::string text(width * count, '\0');
   checked(H5Aread(attribute, type, text.data()), "boundary");
   std::vector<std::string> all;
@@ -85,15 +97,14 @@ StateArray TrajectoryReader::array(const std::string& name, std::optional<std::u
   if (frame) {
     check(name, *frame + 1);
     offset[0] = *frame, extents[0] = 1;
-    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr), name);
+    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr),
+            name);
   }
   const std::size_t count = std::size_t(checked(H5Sget_select_npoints(space), name));
   const Handle memory = dataspace({count}, false);
   StateArray array;
   array.shape.assign(extents.begin() + (frame ? 1 : 0), extents.end());
-  const std::string unit = read_attribute(dataset, unit_attribute);
-  const bool labelled = checked(H5Aexists(dataset, label_attribute), name) > 0;
-  array.unit = labelled || unit.empty() ? "" : state_unit(unit);
+  array.unit = unit_of(dataset, name);
   const bool known = read<double>(dataset, type, memory, space, count, array) ||
                      read<std::int64_t>(dataset, type, memory, space, count, array) ||
                      read<std::uint64_t>(dataset, type, memory, space, count, array) ||

@@ -14,11 +14,12 @@ namespace scree::state_file {
 struct TrajectoryFrame {
   double time = 0;  // (s)
   std::uint64_t step = 0;
-  int dimension = 3;                          // 2 or 3
-  std::array<bool, 3> periodic{};             // axes
-  std::array<double, 3> edges{};              // (m) periods; 0 along other axes
-  std::map<std::string, StateArray> fixed;    // one row for each body, of the first frame: "id", "species", "mass", "radius"
-  std::map<std::string, StateArray> moving;   // the same of each frame: "position", "velocity", ...
+  int dimension = 3;               // 2 or 3
+  std::array<bool, 3> periodic{};  // axes
+  std::array<double, 3> edges{};   // (m) periods; 0 along other axes
+  std::map<std::string, StateArray>
+      fixed;  // one row for each body, of the first frame: "id", "species", "mass", "radius"
+  std::map<std::string, StateArray> moving;  // the same of each frame: "position", "velocity", ...
 };
 
 // Adds a frame to an H5MD file (https://www.nongnu.org/h5md/h5md.html, 1.1) that has so many, or makes the file if it has
