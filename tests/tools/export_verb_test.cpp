@@ -42,7 +42,51 @@ TEST_CASE("export writes the bodies of a state in each format, and scree reads t
              Catch::Contains("empty: has neither a state nor snapshots of its bodies; give the directory"));
 }
 
+namespace {
+
+// Two discs pressed together by 1e-4 m, and the lower one into a wall by as much.
+const std::string pressed =
+    "[scene]\ndimension = 2\n[time]\nstep = 1e-5\nduration = 2e-5\n[[material]]\nname = 'grain'\ndensity = 1000\n"
+    "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n"
+    "[[particle]]\nid = 5\nposition = [0, 0.0099]\nradius = 0.01\nmass = 1e6\n"
+    "[[particle]]\nid = 2\nposition = [0, 0.0298]\nradius = 0.01\nmass = 1e6\n"
+    "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0]\nnormal = [0, 1]\n";
+
+}  // namespace
+
+TEST_CASE("export writes the contacts of a run as a table", "[tools]") {
+  const Workspace w(pressed);
+  REQUIRE(w.run().status == 0);
+  const Outcome outcome = w.scree("export out --format contacts-csv");
+  INFO(outcome.err);
+  CHECK(outcome.out == "out-contacts.csv: 2 contacts\n");
+  const std::vector<std::string> lines = lines_of(w.text("out-contacts.csv"));
+  REQUIRE(lines.size() == 6);
+  CHECK(lines[2] == "# forces: evaluated from positions, velocities and springs, since the state has none");
+  CHECK(lines[3] == "a,b,wall,normal_x,normal_y,force_x [N],force_y [N],overlap [m],sliding,x [m],y [m]");
+  // k δ = 1 N; in two steps the heavy discs move by less than 1e-15 m.
+  CHECK_THAT(lines[4],
+             Catch::StartsWith("2,5,,0,1,0,1.00000000000") || Catch::StartsWith("2,5,,0,1,0,0.99999999999"));
+  CHECK_THAT(lines[5], Catch::StartsWith("5,,floor,0,1,0,1.00000000000") ||
+                           Catch::StartsWith("5,,floor,0,1,0,0.99999999999"));
+  CHECK_THAT(w.scree("export out --format contacts-csv").err,
+             Catch::Contains("out-contacts.csv: is there already"));
+  CHECK(w.scree("export out/final_state.h5 --format contacts-csv --out state.csv").status == 0);
+  CHECK(w.text("state.csv") == w.text("out-contacts.csv"));
+}
+
 #if SCREE_TEST_PICTURES
+TEST_CASE("a snapshot has the same table of contacts as the state at its time", "[tools]") {
+  const Workspace w(pressed + "[snapshot]\nevery = 1e-5\n");
+  REQUIRE(w.run().status == 0);
+  REQUIRE(w.scree("export out --format contacts-csv --out state.csv").status == 0);
+  CHECK(w.text("state.csv").find("# forces") == std::string::npos);
+  const Outcome outcome =
+      w.scree("export out/snapshots/particles_0000000002.vtp --format contacts-csv --out frame.csv");
+  INFO(outcome.err);
+  CHECK(w.text("frame.csv") == w.text("state.csv"));
+}
+
 TEST_CASE("export joins all snapshots of a run in a dump and in extended XYZ", "[tools]") {
   const Workspace w(discs_with_snapshots);
   REQUIRE(w.run().status == 0);

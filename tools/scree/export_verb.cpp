@@ -1,3 +1,4 @@
+#include "exported_contacts.hpp"
 #include "exported_frames.hpp"
 #include "program_verbs.hpp"
 
@@ -24,7 +25,10 @@ namespace fs = std::filesystem;
 struct ExportArguments {
   std::string source, format, out;
   bool overwrite = false;
+  PluginOptions plugins;
 };
+
+constexpr const char* contacts_format = "contacts-csv";
 
 struct Format {
   const char* name;
@@ -59,15 +63,16 @@ const Format formats[] = {
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
   for (const Format& format : formats) names.push_back(format.name);
+  names.push_back(contacts_format);
   return names;
 }
 
-fs::path out_of(const ExportArguments& arguments, const Format& format) {
+fs::path out_of(const ExportArguments& arguments, const std::string& suffix) {
   if (!arguments.out.empty()) return arguments.out;
   fs::path source = fs::absolute(arguments.source).lexically_normal();
   if (!source.has_filename()) source = source.parent_path();
   // The name of a directory may have a dot, as friction=0.1.
-  return (fs::is_directory(source) ? source.filename() : source.stem()).string() + format.suffix;
+  return (fs::is_directory(source) ? source.filename() : source.stem()).string() + suffix;
 }
 
 // Throws Error if the file may not be written.
@@ -85,7 +90,7 @@ void check_out(const ExportArguments& arguments, const fs::path& out) {
 ExitStatus export_bodies(const ExportArguments& arguments) {
   const Format& format = *std::find_if(std::begin(formats), std::end(formats),
                                        [&](const Format& f) { return f.name == arguments.format; });
-  const fs::path out = out_of(arguments, format);
+  const fs::path out = out_of(arguments, format.suffix);
   check_out(arguments, out);
   std::string text;
   std::size_t frames = 0, bodies = 0;
@@ -99,11 +104,21 @@ ExitStatus export_bodies(const ExportArguments& arguments) {
   return ExitStatus::success;
 }
 
+ExitStatus export_contacts(const ExportArguments& arguments) {
+  const fs::path out = out_of(arguments, "-contacts.csv");
+  check_out(arguments, out);
+  PluginHost host = make_host(arguments.plugins);
+  const packing::ContactTable table = contacts_in(arguments.source, host);
+  files::write_atomically(out, packing::format_contacts_csv(table));
+  fmt::print("{}: {}\n", out.string(), counted(table.contacts.size(), "contact"));
+  return ExitStatus::success;
+}
+
 }  // namespace
 
 void add_export_verb(CommandLine& line) {
-  Verb verb =
-      line.verb("export", "Write the bodies of a run or state for LAMMPS, OVITO, ASE, YADE or as a table");
+  Verb verb = line.verb(
+      "export", "Write the bodies or contacts of a run or state for LAMMPS, OVITO, ASE, YADE or as a table");
   auto a = std::make_shared<ExportArguments>();
   verb.option("source", a->source, "Run directory, state (.h5), or one particles_*.vtp file")
       .required()
@@ -112,11 +127,14 @@ void add_export_verb(CommandLine& line) {
   verb.option("--out", a->out, "File; default: the name of the source with the suffix of the format, here")
       .shown_as("FILE");
   verb.flag("--overwrite", a->overwrite, "Replace the file");
+  add_plugin_options(verb, a->plugins);
   verb.footer(
       "lammps-dump, liggghts-dump and xyz hold all snapshots of a run, if it has any ([snapshot] every); other\n"
-      "formats its last state. SI units. Materials are numbered in the order in which bodies have them.\n"
+      "formats its last state. contacts-csv holds its contacts: ids of both bodies, or of a body and the name of\n"
+      "the wall, unit normal, force on the first, overlap, whether it slides, point. SI units. Materials are numbered\n"
+      "in the order in which bodies have them.\n"
       "Example: scree export runs/first --format xyz --out first.xyz");
-  verb.action([a] { return export_bodies(*a); });
+  verb.action([a] { return a->format == contacts_format ? export_contacts(*a) : export_bodies(*a); });
 }
 
 }  // namespace scree::tool

@@ -51,10 +51,6 @@ ExportedFrame frame_of_state(const fs::path& path) {
   return with_state_of(path.string(), [&] { return frame_of(state); });
 }
 
-Vec3 vector_at(const std::vector<double>& values, std::size_t i) {
-  return values.empty() ? Vec3{} : Vec3{{values[3 * i], values[3 * i + 1], values[3 * i + 2]}};
-}
-
 ExportedFrame frame_of(const pictures::Frame& shown, const Domain& domain) {
   ExportedFrame frame;
   frame.step = shown.step;
@@ -90,6 +86,16 @@ std::optional<fs::path> state_in(const fs::path& directory) {
 }
 
 }  // namespace
+
+Vec3 vector_at(const std::vector<double>& values, std::size_t i) {
+  return values.empty() ? Vec3{} : Vec3{{values[3 * i], values[3 * i + 1], values[3 * i + 2]}};
+}
+
+fs::path state_of(const fs::path& source) {
+  if (source.extension() == ".h5") return source;
+  if (const auto state = state_in(source)) return *state;
+  throw Error(source.string(), "has no state", "give the directory of a run that has one, or a state (.h5)");
+}
 
 void for_each_frame(const fs::path& source, bool all, const std::function<void(const ExportedFrame&)>& use) {
   std::error_code failed;

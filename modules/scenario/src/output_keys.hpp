@@ -43,6 +43,7 @@ struct SnapshotKeys : TableKeys {
   SnapshotKeys()
       : TableKeys("snapshot", "[snapshot]", "files for ParaView and pictures of the whole scene") {}
   Key every = other("every", "number", Range::positive("s"), "default never", "time between .vtp files");
+  BooleanKey h5md = boolean("h5md", false, "the bodies of the same times in one file too, trajectory.h5md");
   Key image_every = other("image_every", "number", Range::positive("s"), "default never",
                           "time between pictures, from the start of each stage; each stage ends with one");
   ChoiceKey color_by =

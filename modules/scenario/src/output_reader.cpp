@@ -73,6 +73,10 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   if (t->optional(snapshot_keys.every)) plan.every = read_interval(*t, snapshot_keys.every, step);
   if (t->optional(snapshot_keys.image_every))
     plan.image_every = read_interval(*t, snapshot_keys.image_every, step);
+  plan.h5md = read(*t, snapshot_keys.h5md);
+  if (plan.h5md && !plan.every)
+    throw t->error(snapshot_keys.h5md, "a trajectory needs the time between its frames",
+                   "give every = <s> too");
   plan.color_by = read(*t, snapshot_keys.color_by);
   if (t->optional(snapshot_keys.color_range)) {
     const std::vector<double> range = t->numbers(snapshot_keys.color_range, 2);

@@ -29,7 +29,7 @@ struct DumpColumn {
   Scale scale = Scale::none;
 };
 
-constexpr std::array columns = {
+constexpr std::array columns_of_dumps = {
     DumpColumn{"id", BodyField::id},         DumpColumn{"type", BodyField::material},
     DumpColumn{"x", BodyField::x},           DumpColumn{"xs", BodyField::x, Scale::box},
     DumpColumn{"xu", BodyField::x},          DumpColumn{"xsu", BodyField::x, Scale::box},
@@ -60,7 +60,7 @@ bool same_quantity(BodyField a, BodyField b) {
 
 std::vector<Source> choose_sources(const std::vector<Token>& names) {
   std::vector<Source> sources;
-  for (const DumpColumn& column : columns) {
+  for (const DumpColumn& column : columns_of_dumps) {
     const auto known = [&](const Source& source) { return same_quantity(source.field, column.field); };
     if (std::any_of(sources.begin(), sources.end(), known)) continue;
     for (std::size_t k = 0; k < names.size(); ++k) {

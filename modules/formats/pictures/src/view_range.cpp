@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <unordered_map>
 
 #include <scree/pictures/view_range.hpp>
 
@@ -14,13 +16,47 @@ std::vector<double> magnitudes(const std::vector<double>& vectors) {
   return values;
 }
 
+// Calls use(body, contact) for both bodies of each contact; false if the frame does not say which they are.
+template <class Use>
+bool for_each_end(const Frame& frame, const Use& use) {
+  if (frame.contact_a.size() != frame.contact_count()) return false;
+  std::unordered_map<std::int64_t, std::size_t> bodies;
+  for (std::size_t i = 0; i < frame.particle_count(); ++i) bodies[frame.id[i]] = i;
+  for (std::size_t c = 0; c < frame.contact_count(); ++c)
+    for (const std::int64_t id : {frame.contact_a[c], frame.contact_b[c]})
+      if (const auto found = bodies.find(id); found != bodies.end()) use(found->second, c);
+  return true;
+}
+
+std::vector<double> largest_forces(const Frame& frame) {
+  const std::vector<double> forces = magnitudes(frame.contact_force);
+  std::vector<double> largest(frame.particle_count(), 0.0);
+  const bool known = for_each_end(
+      frame, [&](std::size_t body, std::size_t c) { largest[body] = std::max(largest[body], forces[c]); });
+  return known ? largest : std::vector<double>();
+}
+
+// Mean normal stress of each body by Love and Weber, Σ_c f_n l/(D V), with the arms l to the middle of the overlap.
+std::vector<double> pressures(const Frame& frame) {
+  std::vector<double> pressure(frame.particle_count(), 0.0);
+  const bool known = for_each_end(frame, [&](std::size_t body, std::size_t c) {
+    const double r = frame.radius[body], pi = std::numbers::pi;
+    const double volume = frame.dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r;
+    pressure[body] += frame.contact_normal_force[c] * (r - 0.5 * frame.contact_overlap[c]) /
+                      (double(frame.dimension) * volume);
+  });
+  return known ? pressure : std::vector<double>();
+}
+
 }  // namespace
 
 std::vector<double> color_values(const Frame& frame, const std::string& color_by) {
   if (color_by == "radius") return frame.radius;
   if (color_by == "speed") return magnitudes(frame.velocity);
   if (color_by == "spin") return magnitudes(frame.spin);
-  if (color_by == "force") return magnitudes(frame.force);
+  if (color_by == "net_force") return magnitudes(frame.force);
+  if (color_by == "largest_force") return largest_forces(frame);
+  if (color_by == "pressure") return pressures(frame);
   if (color_by == "coordination") return {frame.coordination.begin(), frame.coordination.end()};
   return {frame.id.begin(), frame.id.end()};
 }

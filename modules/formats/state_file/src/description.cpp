@@ -8,6 +8,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/files/text.hpp>
+#include <scree/plugin/abi.h>
 #include <scree/state_file/description.hpp>
 
 namespace scree::state_file {
@@ -47,17 +48,19 @@ std::string short_values(const std::vector<T>& values) {
   return files::escaped(text);
 }
 
-std::string shape_of(const StateArray& array) {
-  return array.shape.empty() ? "single" : fmt::format("{}", fmt::join(array.shape, " x "));
+// Of the dataset.
+std::string shape_of(const PlacedArray& place) {
+  if (place.shape.empty()) return place.as_frame ? "1" : "single";
+  return fmt::format("{}{}", place.as_frame ? "1 x " : "", fmt::join(place.shape, " x "));
 }
 
-std::string line_of(const std::string& path, const StateArray& array, std::size_t width) {
+std::string line_of(const PlacedArray& place, const StateArray& array, std::size_t width) {
   return std::visit(
       [&]<class T>(const std::vector<T>& values) {
         const std::string shown = short_values(values);
-        return fmt::format("  {:<{}}  {:<6}  {:<12}  {:<8}  {:>12} bytes{}{}\n", path, width, type_name<T>(),
-                           shape_of(array), files::one_line(array.unit, longest_value), bytes_of(values),
-                           shown.empty() ? "" : "  ", shown);
+        return fmt::format("  {:<{}}  {:<6}  {:<12}  {:<8}  {:>12} bytes{}{}\n", place.dataset, width,
+                           type_name<T>(), shape_of(place), files::one_line(array.unit, longest_value),
+                           bytes_of(values), shown.empty() ? "" : "  ", shown);
       },
       array.values);
 }
@@ -78,11 +81,27 @@ std::string bodies_line(const State& state) {
   return fmt::format("{:<12} {} in {}D\n", "bodies", found->second.shape[0], found->second.shape[1]);
 }
 
+// What the names of the arrays of contacts do not say.
+std::string notes(const State& state) {
+  if (!state.has("contacts/0/a")) return "";
+  std::string text =
+      "contacts as a table: scree export --format contacts-csv\n"
+      "  scree/contacts/G: pairs a, b that are listed, of bodies, or if planes = 1 of a body and a wall;\n"
+      "    row k of history is that of the pair history_row[k]\n";
+  if (state.has("contacts/force_row"))
+    text += fmt::format(
+        "  scree/contacts/force: row k is that of the pair force_row[k], counted from 0 through the groups 0, 1, ...,\n"
+        "    each filled up to a multiple of {} pairs; on a\n",
+        SCREE_LANES);
+  return text;
+}
+
 }  // namespace
 
 std::string describe_state_file(const std::filesystem::path& path) {
   const OpenedFile file(path);
-  const State state = file.state();
+  std::vector<PlacedArray> places = file.places();
+  const State state = file.state(places);
   const Seal& seal = file.seal();
   std::string text = fmt::format(
       "{}: state written by scree {}, format {}, {} bytes, checksum {:016x}\n", files::escaped(path.string()),
@@ -95,11 +114,12 @@ std::string describe_state_file(const std::filesystem::path& path) {
   text += summary_line(state, "walls", "scene/boundary_plugins");
   text += summary_line(state, "integrator", "scene/integrator");
   text += summary_line(state, "stages done", "run/stages/stage");
+  std::sort(places.begin(), places.end(), [](const auto& p, const auto& q) { return p.dataset < q.dataset; });
   std::size_t width = 0;
-  for (const auto& [name, array] : state.arrays()) width = std::max(width, name.size());
-  text += counted(state.arrays().size(), "array") + "\n";
-  for (const auto& [name, array] : state.arrays()) text += line_of(name, array, width);
-  return text;
+  for (const PlacedArray& place : places) width = std::max(width, place.dataset.size());
+  text += counted(places.size(), "array") + ", by their paths in HDF5\n";
+  for (const PlacedArray& place : places) text += line_of(place, state.at(place.path), width);
+  return text + notes(state);
 }
 
 }  // namespace scree::state_file

@@ -88,14 +88,10 @@ void OpenedFile::refuse(const std::string& problem) const {
   throw Error(path_.string(), files::one_line(problem, 300), "write it anew with this version of scree");
 }
 
-State OpenedFile::state() const {
-  StateBackend& backend = load_backend(path_);
+template <class Work>
+auto OpenedFile::refusing(const Work& work) const {
   try {
-    State state;
-    ArrayReader reader(descriptor_, seal_.bytes, available_memory());
-    for (const PlacedArray& place : places_in(descriptor_, backend))
-      state.put(place.path, reader.read(place));
-    return state;
+    return work();
   } catch (const Error& error) {
     refuse(error.what());
   } catch (const std::length_error& error) {
@@ -103,6 +99,20 @@ State OpenedFile::state() const {
   } catch (const std::bad_alloc&) {
     throw Error(path_.string(), "does not fit into memory", "use a computer with more");
   }
+}
+
+std::vector<PlacedArray> OpenedFile::places() const {
+  StateBackend& backend = load_backend(path_);
+  return refusing([&] { return places_in(descriptor_, backend); });
+}
+
+State OpenedFile::state(const std::vector<PlacedArray>& places) const {
+  return refusing([&] {
+    State state;
+    ArrayReader reader(descriptor_, seal_.bytes, available_memory());
+    for (const PlacedArray& place : places) state.put(place.path, reader.read(place));
+    return state;
+  });
 }
 
 std::filesystem::path name_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }

@@ -19,9 +19,15 @@ class OpenedFile {
   OpenedFile& operator=(const OpenedFile&) = delete;
 
   const Seal& seal() const { return seal_; }
-  State state() const;
+  State state() const { return state(places()); }
+  // Where its arrays are, and the state of these.
+  std::vector<PlacedArray> places() const;
+  State state(const std::vector<PlacedArray>& places) const;
 
  private:
+  // Does what HDF5 or memory may prevent.
+  template <class Work>
+  auto refusing(const Work& work) const;
   // Throws Error with the path and a cure, which differs for a file that was removed meanwhile.
   [[noreturn]] void refuse(const std::string& problem) const;
 

@@ -49,6 +49,7 @@ void transfer(Packing& packing, Array& array) {
   packing.numbers(array.shape);
   packing.number(array.offset), packing.number(array.width);
   packing.numbers(array.lengths);
+  packing.text(array.dataset), packing.number(array.as_frame);
 }
 
 }  // namespace

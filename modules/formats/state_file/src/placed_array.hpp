@@ -17,6 +17,8 @@ struct PlacedArray {
   std::uint64_t offset = 0;            // (bytes) from the start of the file
   std::uint64_t width = 0;             // bytes of a value
   std::vector<std::uint64_t> lengths;  // bytes of each text; empty: up to the zeros with which it is filled
+  std::string dataset = {};            // its path in the file, which other programs know
+  std::uint64_t as_frame = 0;          // 1 if the dataset has a leading dimension of 1, the time
 
   bool operator==(const PlacedArray&) const = default;
 };

@@ -15,10 +15,12 @@ constexpr double longest = 3;  // in mean radii
 
 // Their forces are not known where nothing has asked for them.
 pictures::Frame without_contacts(pictures::Frame frame) {
-  for (std::vector<double>* column : {&frame.contact_from, &frame.contact_to, &frame.contact_normal_force,
-                                      &frame.contact_tangential_force, &frame.contact_overlap})
+  for (std::vector<double>* column :
+       {&frame.contact_from, &frame.contact_to, &frame.contact_normal_force, &frame.contact_tangential_force,
+        &frame.contact_overlap, &frame.contact_normal, &frame.contact_force, &frame.contact_point})
     column->clear();
   frame.contact_sliding.clear();
+  frame.contact_a.clear(), frame.contact_b.clear(), frame.contact_wall.clear();
   return frame;
 }
 

@@ -26,6 +26,25 @@ void add_bodies(const Particles& p, pictures::Frame& frame) {
   if (p.has_spin()) frame.spin = interleave(p.spin(), p.size());
 }
 
+// What a table of contacts says of contact c besides its numbers in the picture.
+void add_table_row(const Simulation& s, const ContactList& list, std::size_t c, pictures::Frame& frame) {
+  const Particles& p = s.particles();
+  const std::uint32_t a = list.a[c], b = list.b[c];
+  const bool wall = b >= p.size();
+  frame.contact_a.push_back(p.id[a]);
+  frame.contact_b.push_back(wall ? -1 : p.id[b]);
+  // Among the walls of the frame, which has no absent ones.
+  const auto first = s.absent_planes().begin();
+  frame.contact_wall.push_back(wall ? std::int32_t(std::count(first, first + (b - p.size()), 0)) : -1);
+  const double arm = p.radius()[a] - 0.5 * list.overlap[c];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double n = list.normal[3 * c + k];
+    frame.contact_normal.push_back(n);
+    frame.contact_force.push_back(list.force[3 * c + k]);
+    frame.contact_point.push_back(frame.position[3 * a + k] - arm * n);
+  }
+}
+
 void add_contacts(const Simulation& s, pictures::Frame& frame) {
   const Particles& p = s.particles();
   const ContactList list = s.contact_list();
@@ -48,6 +67,7 @@ void add_contacts(const Simulation& s, pictures::Frame& frame) {
     frame.contact_tangential_force.push_back(std::sqrt(std::max(0.0, square - normal_force * normal_force)));
     frame.contact_overlap.push_back(list.overlap[c]);
     frame.contact_sliding.push_back(list.sliding[c]);
+    add_table_row(s, list, c, frame);
   }
 }
 

@@ -13,7 +13,7 @@
 namespace scree::run {
 
 Pictures::Pictures(const scenario::Plan& plan, const RunDirectory& directory)
-    : plan_(plan), directory_(directory), range_(plan.snapshot.color_by) {
+    : plan_(plan), directory_(directory), range_(plan.snapshot.color_by), trajectory_(directory) {
   if (plan.snapshot.any()) backend();
 }
 
@@ -47,6 +47,11 @@ void Pictures::transfer(const StateTransfer& state) {
   state.value("last_snapshot", "1", last_snapshot_);
   state.value("last_image", "1", last_image_);
   if (state.restoring() && colors.size() == 2) range_.extend_colors({colors[0], colors[1]});
+  if (plan_.snapshot.h5md) trajectory_.transfer(state.below("trajectory"));
+}
+
+void Pictures::cut() {
+  if (plan_.snapshot.h5md) trajectory_.cut();
 }
 
 void Pictures::take_last(const Simulation& s) {
@@ -61,6 +66,7 @@ void Pictures::write_snapshot(const Simulation& s) {
     directory_.add("snapshots/" + pictures::frame_file(kind, s.steps())),
         directory_.add("snapshots/" + pictures::frame_index(kind));
   backend().write_frame(frame_of(s, plan_.title, scene_box(s)), directory_.path() / "snapshots");
+  if (plan_.snapshot.h5md) trajectory_.add(s);
 }
 
 void Pictures::write_image(const Simulation& s) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sampler.hpp"
+#include "trajectory.hpp"
 
 #include <functional>
 #include <memory>
@@ -26,8 +27,11 @@ class Pictures {
   std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
   // Step count after the start of a stage at which the next output is due.
   std::uint64_t next(const Simulation& simulation, std::uint64_t steps) const;
-  // What the next pictures take from the last: their frame and the range of their colours.
+  // What the next pictures take from the last: their frame and the range of their colours; and how many frames the
+  // trajectory has. Throws Error if that of a run that goes on has not so many.
   void transfer(const StateTransfer& state);
+  // Drops the frames of the trajectory that came after the state.
+  void cut();
   // Writes the final state, if the plan has snapshots or images.
   void take_last(const Simulation& simulation);
   // Draws the charts; one that cannot be drawn is reported and skipped.
@@ -44,6 +48,7 @@ class Pictures {
   std::shared_ptr<pictures::SnapshotBackend> backend_;
   SceneBox shown_;             // by the last picture
   pictures::ViewRange range_;  // of the colours of all pictures so far
+  Trajectory trajectory_;
   std::uint64_t last_snapshot_ = ~0ull, last_image_ = ~0ull;
 };
 

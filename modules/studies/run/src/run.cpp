@@ -96,6 +96,7 @@ void Run::reopen() {
   session_.directory().written().return_to(written_);
   states_.remove_later();
   sampler_.cut();
+  pictures_.cut();
 }
 
 void Run::announce() {

@@ -68,5 +68,5 @@ TEST_CASE("a field that is unknown or not in the frame is refused", "[pictures]"
     return error_of([&] { color_field(frame, options); });
   };
   CHECK_THAT(refusal("sped"), Contains("unknown field \"sped\"; choose one of radius, speed"));
-  CHECK_THAT(refusal("force"), Contains("this scene has no force; "));
+  CHECK_THAT(refusal("net_force"), Contains("this scene has no net_force; "));
 }

@@ -26,6 +26,12 @@ void check_equal(const Frame& a, const Frame& b) {
   CHECK(a.contact_tangential_force == b.contact_tangential_force);
   CHECK(a.contact_overlap == b.contact_overlap);
   CHECK(a.contact_sliding == b.contact_sliding);
+  CHECK(a.contact_a == b.contact_a);
+  CHECK(a.contact_b == b.contact_b);
+  CHECK(a.contact_wall == b.contact_wall);
+  CHECK(a.contact_normal == b.contact_normal);
+  CHECK(a.contact_force == b.contact_force);
+  CHECK(a.contact_point == b.contact_point);
   CHECK(a.lower == b.lower);
   CHECK(a.upper == b.upper);
   REQUIRE(a.walls.size() == b.walls.size());
@@ -55,6 +61,15 @@ TEST_CASE("an empty frame is written and read", "[snapshot]") {
   const Frame empty;
   backend().write_frame(empty, directory.path());
   check_equal(empty, backend().read_frame(directory / "particles_0000000000.vtp"));
+}
+
+TEST_CASE("a frame with the contact columns of earlier versions is written and read", "[snapshot]") {
+  const ScratchDirectory directory;
+  Frame frame = sample_frame();
+  frame.contact_a.clear(), frame.contact_b.clear(), frame.contact_wall.clear();
+  frame.contact_normal.clear(), frame.contact_force.clear(), frame.contact_point.clear();
+  backend().write_frame(frame, directory.path());
+  check_equal(frame, backend().read_frame(directory / particles_file));
 }
 
 TEST_CASE("columns that a scene lacks are omitted from the file", "[snapshot]") {

@@ -86,6 +86,14 @@ inline Frame sample_frame() {
     frame.contact_tangential_force.push_back(std::cbrt(c + 3.0));
     frame.contact_overlap.push_back(1e-6 / (c + 3));
     frame.contact_sliding.push_back(c % 2 == 1);
+    frame.contact_a.push_back(frame.id[c]);
+    frame.contact_b.push_back(c < 3 ? frame.id[c + 1] : -1);
+    frame.contact_wall.push_back(c < 3 ? -1 : 1);
+    for (int k = 0; k < 3; ++k) {
+      frame.contact_normal.push_back(std::cos(2.0 * c + k));
+      frame.contact_force.push_back(std::exp(-c * k - 1.0));
+      frame.contact_point.push_back(std::sin(5.0 * c + k));
+    }
   }
   frame.walls = {{"floor", {0, 0, -1}, {0, 0, 1}}, {"slope", {-1, 0, 0}, {0.6, 0, 0.8}}};
   frame.lower = {-1, -1, -1};

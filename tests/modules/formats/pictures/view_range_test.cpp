@@ -1,6 +1,8 @@
 #include "sample_frame.hpp"
 
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -39,4 +41,29 @@ TEST_CASE("the view of several frames holds their boxes, bodies and walls and al
   view.add_box(lost), view.add_colors(lost);
   CHECK(view.upper()[0] == 3.1);
   CHECK((*view.colors())[1] == 5.0);
+}
+
+TEST_CASE("bodies are coloured by the pressure of Love and Weber, and by their largest contact force",
+          "[snapshot]") {
+  constexpr double pi = 3.14159265358979323846;
+  Frame frame;
+  frame.id = {7, 9};
+  frame.radius = {2.0, 1.0};
+  frame.position = {0, 0, 0, 2.9, 0, 0};
+  frame.contact_a = {7, 7};
+  frame.contact_b = {9, -1};  // and a wall
+  frame.contact_normal_force = {10, 4};
+  frame.contact_overlap = {0.1, 0.2};
+  frame.contact_force = {-10, 3, 0, 4, 0, 0};
+  // Σ f_n (R − δ/2)/(3 V).
+  const std::vector<double> pressure = color_values(frame, "pressure");
+  REQUIRE(pressure.size() == 2);
+  CHECK(pressure[0] == Approx((10 * 1.95 + 4 * 1.9) / (3 * 4.0 / 3 * pi * 8)));
+  CHECK(pressure[1] == Approx(10 * 0.95 / (3 * 4.0 / 3 * pi)));
+  CHECK(color_values(frame, "largest_force") ==
+        std::vector<double>{std::hypot(10.0, 3.0), std::hypot(10.0, 3.0)});
+  frame.dimension = 2;
+  CHECK(color_values(frame, "pressure")[1] == Approx(10 * 0.95 / (2 * pi)));
+  frame.contact_a.clear();  // a file of an earlier version
+  CHECK(color_values(frame, "pressure").empty());
 }

@@ -14,7 +14,8 @@ TEST_CASE("files contain the names of the arrays and binary data", "[snapshot]")
     CHECK_THAT(particles, Contains("Name=\"" + std::string(name) + "\""));
   CHECK_THAT(particles, Contains("type=\"PolyData\"") && Contains("encoding=\"base64\""));
   const std::string contacts = read_text(directory / "contacts_0123456789.vtp");
-  for (const char* name : {"normal_force", "tangential_force", "overlap", "sliding"})
+  for (const char* name : {"normal_force", "tangential_force", "overlap", "sliding", "body_a", "body_b",
+                           "wall", "normal", "force", "point", "wall_name"})
     CHECK_THAT(contacts, Contains("Name=\"" + std::string(name) + "\""));
   CHECK_THAT(contacts, Contains("NumberOfLines=\"4\""));
 }

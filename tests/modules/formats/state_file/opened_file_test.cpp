@@ -21,6 +21,9 @@ struct Backend final : StateBackend {
   explicit Backend(std::function<std::vector<PlacedArray>()> w) : work(std::move(w)) {}
   void write(const std::filesystem::path&, const State&) override {}
   std::vector<PlacedArray> places(const std::filesystem::path&) override { return work(); }
+  void append_frame(const std::filesystem::path&, const TrajectoryFrame&, std::uint64_t) override {}
+  void check_frames(const std::filesystem::path&, std::uint64_t) override {}
+  TrajectoryFrame frame(const std::filesystem::path&, std::uint64_t) override { return {}; }
 };
 
 std::string refusal_of(std::function<std::vector<PlacedArray>()> work) {

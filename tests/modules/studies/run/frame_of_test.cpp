@@ -1,3 +1,5 @@
+#include "scenes.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <scree/run/frame_of.hpp>
@@ -27,4 +29,16 @@ TEST_CASE("pictures keep their view while the scene fills it, and follow it when
   const SceneBox wider = {{-0.7, 0, 0}, {1.7, 1, 0.4}};
   CHECK(same(next_view(wide, wider), wide));                      // within the room
   CHECK(same(next_view(first, cube(0.4, 0.8)), cube(0.4, 0.8)));  // compressed to 40 %
+}
+
+TEST_CASE("a picture leaves out walls that are absent, and contacts name the walls that are there", "[run]") {
+  using namespace scree::test;
+  scree::Scene sc =
+      scene(3, 1e-3, {body(1, 1, 1, {{0, 0, 0.99}})}, {{"normal_stiffness", {100}}, {"normal_damping", {0}}});
+  add_boundary(sc, "plane", {{"point", {0, 0, 0.5}}, {"normal", {0, 0, 1}}, {"control", {7}}}, "gate");
+  add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}}, "floor");
+  const scree::pictures::Frame frame = scree::run::frame_of(scree::Simulation(sc), "", cube(0, 1));
+  REQUIRE(frame.walls.size() == 1);
+  CHECK(frame.walls[0].name == "floor");
+  CHECK(frame.contact_wall == std::vector<std::int32_t>{0});
 }

@@ -43,6 +43,12 @@ void check_columns(const Frame& frame) {
   check_length("contact_tangential_force", frame.contact_tangential_force, c, false);
   check_length("contact_overlap", frame.contact_overlap, c, false);
   check_length("contact_sliding", frame.contact_sliding, c, false);
+  check_length("contact_a", frame.contact_a, c, true);
+  check_length("contact_b", frame.contact_b, c, true);
+  check_length("contact_wall", frame.contact_wall, c, true);
+  check_length("contact_normal", frame.contact_normal, 3 * c, true);
+  check_length("contact_force", frame.contact_force, 3 * c, true);
+  check_length("contact_point", frame.contact_point, 3 * c, true);
 }
 
 void check_drawable(const Frame& frame) {

@@ -54,7 +54,8 @@ void transfer(Packing& packing, Frame& f) {
   const auto columns = [&](auto&... column) { (transfer_column(packing, column), ...); };
   columns(f.title, f.id, f.radius, f.position, f.material, f.coordination, f.velocity, f.spin, f.force,
           f.contact_from, f.contact_to, f.contact_normal_force, f.contact_tangential_force, f.contact_overlap,
-          f.contact_sliding);
+          f.contact_sliding, f.contact_a, f.contact_b, f.contact_wall, f.contact_normal, f.contact_force,
+          f.contact_point);
   std::size_t walls = f.walls.size();
   packing.raw(&walls, sizeof(walls));
   packing.require(walls);

@@ -29,6 +29,11 @@ inline constexpr const char* normal_force = "normal_force";
 inline constexpr const char* tangential_force = "tangential_force";
 inline constexpr const char* overlap = "overlap";
 inline constexpr const char* sliding = "sliding";
+inline constexpr const char* body_a = "body_a";
+inline constexpr const char* body_b = "body_b";
+inline constexpr const char* wall = "wall";
+inline constexpr const char* normal = "normal";
+inline constexpr const char* point = "point";  // the force has the name of that of bodies
 
 inline constexpr const char* time = "TimeValue";  // the name that ParaView expects
 inline constexpr const char* step = "step";

@@ -107,6 +107,12 @@ void read_contacts(vtkPolyData* data, Frame& frame) {
   frame.contact_tangential_force = column<double>(columns, vtp::tangential_force);
   frame.contact_overlap = column<double>(columns, vtp::overlap);
   frame.contact_sliding = column<std::uint8_t>(columns, vtp::sliding);
+  frame.contact_a = column<std::int64_t>(columns, vtp::body_a);
+  frame.contact_b = column<std::int64_t>(columns, vtp::body_b);
+  frame.contact_wall = column<std::int32_t>(columns, vtp::wall);
+  frame.contact_normal = column<double>(columns, vtp::normal);
+  frame.contact_force = column<double>(columns, vtp::force);
+  frame.contact_point = column<double>(columns, vtp::point);
 }
 
 double read_time(vtkFieldData* fields, const std::filesystem::path& particles_file) {

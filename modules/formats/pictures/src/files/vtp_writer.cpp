@@ -131,7 +131,14 @@ std::string contacts_vtp(const Frame& frame) {
   add_column<vtkDoubleArray>(columns, vtp::tangential_force, frame.contact_tangential_force);
   add_column<vtkDoubleArray>(columns, vtp::overlap, frame.contact_overlap);
   add_column<vtkTypeUInt8Array>(columns, vtp::sliding, frame.contact_sliding);
+  add_carried_column<vtkTypeInt64Array>(columns, vtp::body_a, frame.contact_a);
+  add_carried_column<vtkTypeInt64Array>(columns, vtp::body_b, frame.contact_b);
+  add_carried_column<vtkTypeInt32Array>(columns, vtp::wall, frame.contact_wall);
+  add_carried_column<vtkDoubleArray>(columns, vtp::normal, frame.contact_normal, 3);
+  add_carried_column<vtkDoubleArray>(columns, vtp::force, frame.contact_force, 3);
+  add_carried_column<vtkDoubleArray>(columns, vtp::point, frame.contact_point, 3);
   add_column<vtkDoubleArray>(data->GetFieldData(), vtp::time, std::vector{frame.time});
+  if (!frame.walls.empty()) add_walls(data->GetFieldData(), frame.walls);
   return serialise(data);
 }
 

@@ -33,9 +33,11 @@ RawField raw_field(const Frame& frame, const std::string& name) {
     const char *title, *unit;
     bool whole_numbers;
   };
-  static constexpr Known all[] = {{"radius", "radius", "m", false},       {"speed", "speed", "m/s", false},
-                                  {"spin", "spin", "rad/s", false},       {"force", "net force", "N", false},
-                                  {"coordination", "contacts", "", true}, {"id", "id", "", true}};
+  static constexpr Known all[] = {
+      {"radius", "radius", "m", false},       {"speed", "speed", "m/s", false},
+      {"spin", "spin", "rad/s", false},       {"coordination", "contacts", "", true},
+      {"pressure", "pressure", "Pa", false},  {"largest_force", "largest contact force", "N", false},
+      {"net_force", "net force", "N", false}, {"id", "id", "", true}};
   for (const Known& known : all)
     if (known.name == name) return {known.title, known.unit, color_values(frame, name), known.whole_numbers};
   throw Error(

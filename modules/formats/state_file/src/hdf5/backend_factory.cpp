@@ -3,7 +3,9 @@
 #include "file_reader.hpp"
 #include "file_writer.hpp"
 #include "h5md_place.hpp"
+#include "seal.hpp"
 #include "state_path.hpp"
+#include "trajectory_file.hpp"
 
 #include <optional>
 #include <string_view>
@@ -38,7 +40,7 @@ class Hdf5Backend final : public StateBackend {
 
   void write(const std::filesystem::path& file, const State& state) override {
     print_no_failures();
-    FileWriter writer(file);
+    FileWriter writer(file, Seal::size);
     write_h5md_group(writer);
     writer.group("scree");
     BodiesWriter bodies(writer, state);
@@ -61,6 +63,20 @@ class Hdf5Backend final : public StateBackend {
       arrays.back().path = *path;
     }
     return arrays;
+  }
+
+  void append_frame(const std::filesystem::path& file, const TrajectoryFrame& frame,
+                    std::uint64_t frames) override {
+    print_no_failures();
+    append_to_trajectory(file, frame, frames);
+  }
+  void check_frames(const std::filesystem::path& file, std::uint64_t frames) override {
+    print_no_failures();
+    check_trajectory(file, frames);
+  }
+  TrajectoryFrame frame(const std::filesystem::path& file, std::uint64_t number) override {
+    print_no_failures();
+    return frame_of_trajectory(file, number);
   }
 };
 

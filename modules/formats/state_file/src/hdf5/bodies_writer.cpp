@@ -24,14 +24,6 @@ void write_integers(hid_t object, const char* name, const std::vector<std::int32
   checked(H5Awrite(attribute, memory_type<std::int32_t>(), values.data()), name);
 }
 
-void write_boundary(hid_t box, const std::vector<std::string>& boundary) {
-  const PaddedText text(boundary);
-  const Handle type = text_type(text.width), space = dataspace({boundary.size()}, false);
-  const Handle attribute(H5Acreate2(box, "boundary", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         "boundary");
-  checked(H5Awrite(attribute, type, text.bytes.data()), "boundary");
-}
-
 }  // namespace
 
 void write_h5md_group(FileWriter& writer) {
@@ -43,6 +35,15 @@ void write_h5md_group(FileWriter& writer) {
   const Handle units = writer.group("h5md/modules/units");
   write_integers(units, "version", {1, 0}, false);
   write_attribute(units, "system", "SI");
+}
+
+void write_box_attributes(hid_t box, const std::vector<std::string>& boundary) {
+  write_integers(box, "dimension", {std::int32_t(boundary.size())}, true);
+  const PaddedText text(boundary);
+  const Handle type = text_type(text.width), space = dataspace({boundary.size()}, false);
+  const Handle attribute(H5Acreate2(box, "boundary", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         "boundary");
+  checked(H5Awrite(attribute, type, text.bytes.data()), "boundary");
 }
 
 BodiesWriter::BodiesWriter(FileWriter& writer, const State& state) : writer_(writer), state_(state) {
@@ -65,7 +66,6 @@ bool BodiesWriter::write(const std::string& path, const StateArray& array) {
 void BodiesWriter::write_box() {
   const std::string name = "particles/bodies/box";
   const Handle box = writer_.group(name);
-  write_integers(box, "dimension", {std::int32_t(dimension_)}, true);
   const auto* lower = numbers<double>(state_, "walls/domain_lower", dimension_);
   const auto* upper = numbers<double>(state_, "walls/domain_upper", dimension_);
   std::vector<std::string> boundary(dimension_, "none");
@@ -76,7 +76,7 @@ void BodiesWriter::write_box() {
     if (upper[k] <= lower[k]) continue;  // the domain has no extent along an axis that is not periodic
     boundary[k] = "periodic", periodic = true;
   }
-  write_boundary(box, boundary);
+  write_box_attributes(box, boundary);
   if (!periodic) return;  // a box that is not periodic has no edges
   writer_.array(name + "/edges/value", {edges, {dimension_, dimension_}, "m"}, true);
   write_time(name + "/edges");

@@ -3,6 +3,7 @@
 #include "file_writer.hpp"
 
 #include <string>
+#include <vector>
 
 #include <scree/state.hpp>
 
@@ -28,5 +29,8 @@ class BodiesWriter {
 
 // Writes the group that identifies a file as H5MD: version, this program as creator, and the module of units.
 void write_h5md_group(FileWriter& writer);
+
+// Of a box with an axis for each boundary, "periodic" or "none".
+void write_box_attributes(hid_t box, const std::vector<std::string>& boundary);
 
 }  // namespace scree::state_file

@@ -137,6 +137,8 @@ PlacedArray FileReader::array(const std::string& name, bool as_frame) const {
   const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
   const Handle type(H5Dget_type(dataset), H5Tclose, name);
   PlacedArray array;
+  array.dataset = name;
+  array.as_frame = as_frame;
   array.kind = kind_of(type);
   if (array.kind == std::variant_size_v<Values>) refuse(name, "has a type that no state has");
   array.shape = shape_of(dataset, name, as_frame);

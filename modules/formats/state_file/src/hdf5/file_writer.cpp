@@ -26,14 +26,18 @@ Handle group_properties() {
   return properties;
 }
 
-Handle create_file(const std::filesystem::path& file) {
-  const Handle creation = without_times(H5P_FILE_CREATE),
-               access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
-  checked(H5Pset_userblock(creation, Seal::size), "room for the seal");
+Handle access_properties() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
   // The format of HDF5 1.8 and later: shorter than the first one, and with its own checksums.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "version of the format");
   // No other process knows the file yet, and some network file systems have no locks.
   checked(H5Pset_file_locking(access, false, true), "locks");
+  return access;
+}
+
+Handle create_file(const std::filesystem::path& file, std::size_t user_block) {
+  const Handle creation = without_times(H5P_FILE_CREATE), access = access_properties();
+  checked(H5Pset_userblock(creation, user_block), "room for the seal");
   return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "new file"};
 }
 
@@ -64,8 +68,16 @@ Handle dataspace(const std::vector<std::size_t>& shape, bool as_frame) {
   return {H5Screate_simple(int(extents.size()), extents.data(), nullptr), H5Sclose, "shape"};
 }
 
-FileWriter::FileWriter(const std::filesystem::path& file)
-    : file_(create_file(file)),
+FileWriter::FileWriter(const std::filesystem::path& file, std::size_t user_block)
+    : FileWriter(create_file(file, user_block)) {}
+
+FileWriter FileWriter::existing(const std::filesystem::path& file) {
+  const Handle access = access_properties();
+  return FileWriter({H5Fopen(file.c_str(), H5F_ACC_RDWR, access), H5Fclose, "is not a whole HDF5 file"});
+}
+
+FileWriter::FileWriter(Handle file)
+    : file_(std::move(file)),
       group_properties_(group_properties()),
       dataset_properties_(without_times(H5P_DATASET_CREATE)) {}
 
@@ -126,6 +138,52 @@ void FileWriter::array(const std::string& name, const StateArray& array, bool as
   const std::string own = split(name, folder);
   const Handle parent = group(folder), space = dataspace(array.shape, as_frame);
   std::visit([&](const auto& numbers) { write(parent, own, numbers, space, array); }, array.values);
+}
+
+Handle FileWriter::growing(const std::string& name, hid_t type, const StateArray& array,
+                           const std::string& label) {
+  constexpr hsize_t numbers_of_a_piece = 64;  // of datasets with one number a frame
+  std::string folder;
+  const std::string own = split(name, folder);
+  const Handle parent = group(folder);
+  std::vector<hsize_t> now(array.shape.begin(), array.shape.end()), most, piece;
+  now.insert(now.begin(), 0);
+  most = piece = now;
+  most[0] = H5S_UNLIMITED;
+  piece[0] = array.shape.empty() ? numbers_of_a_piece : 1;
+  const Handle space(H5Screate_simple(int(now.size()), now.data(), most.data()), H5Sclose, name);
+  const Handle properties(H5Pcopy(dataset_properties_), H5Pclose, name);
+  checked(H5Pset_chunk(properties, int(piece.size()), piece.data()), name);
+  Handle made(H5Dcreate2(parent, own.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+              name);
+  if (!label.empty())
+    write_variable_attribute(made, label_attribute, label);
+  else
+    write_variable_attribute(made, unit_attribute, array.unit.empty() ? "1" : h5md_unit(array.unit));
+  return made;
+}
+
+void FileWriter::append(const std::string& name, const StateArray& array, std::uint64_t frame,
+                        const std::string& label) {
+  std::visit(
+      [&]<class T>(const std::vector<T>& numbers) {
+        if constexpr (!std::is_same_v<T, std::string>) {
+          const Handle grown = frame == 0
+                                   ? growing(name, file_type<T>(), array, label)
+                                   : Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+          std::vector<hsize_t> extents(array.shape.begin(), array.shape.end());
+          extents.insert(extents.begin(), frame + 1);
+          checked(H5Dset_extent(grown, extents.data()), name);
+          const Handle space(H5Dget_space(grown), H5Sclose, name),
+              memory = dataspace({numbers.size()}, false);
+          std::vector<hsize_t> offset(extents.size(), 0);
+          offset[0] = frame, extents[0] = 1;
+          checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr),
+                  name);
+          checked(H5Dwrite(grown, memory_type<T>(), memory, space, H5P_DEFAULT, numbers.data()), name);
+        }
+      },
+      array.values);
 }
 
 void FileWriter::link(const std::string& existing, const std::string& name) {

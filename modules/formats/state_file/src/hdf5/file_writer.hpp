@@ -25,7 +25,11 @@ inline constexpr const char* lengths_attribute = "lengths";
 // 1.8 s instead of 0.2 to read. Every function throws Error without path and cure.
 class FileWriter {
  public:
-  explicit FileWriter(const std::filesystem::path& file);
+  // Replaces the content of a file by room for what comes before HDF5 (bytes, 0 or 512 and more), and an empty file.
+  explicit FileWriter(const std::filesystem::path& file, std::size_t user_block);
+  // Adds to a file that was closed.
+  static FileWriter existing(const std::filesystem::path& file);
+  FileWriter(FileWriter&&) = delete;
   // A file that was not closed stays incomplete.
   ~FileWriter();
 
@@ -33,12 +37,18 @@ class FileWriter {
   Handle group(const std::string& name);
   // Writes an array; as_frame: with a leading dimension of 1, the time.
   void array(const std::string& name, const StateArray& array, bool as_frame);
+  // Writes an array, which is not of texts, as the frame of this number of a dataset that has those before it. A label, if
+  // there is one, is written instead of the unit.
+  void append(const std::string& name, const StateArray& array, std::uint64_t frame,
+              const std::string& label);
   // A second name of a dataset.
   void link(const std::string& existing, const std::string& name);
   // Writes the rest, and closes the file.
   void close();
 
  private:
+  explicit FileWriter(Handle file);
+  Handle growing(const std::string& name, hid_t type, const StateArray& array, const std::string& label);
   template <class T>
   void write(hid_t group, const std::string& name, const std::vector<T>& numbers, hid_t space,
              const StateArray& array);

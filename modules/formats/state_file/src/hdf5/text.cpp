@@ -21,6 +21,37 @@ void write_attribute(hid_t object, const char* name, std::string_view text) {
   checked(H5Awrite(attribute, type, terminated.c_str()), name);
 }
 
+namespace {
+
+Handle variable_text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "type of text");
+  checked(H5Tset_size(type, H5T_VARIABLE), "size of text");
+  checked(H5Tset_cset(type, H5T_CSET_UTF8), "encoding of text");
+  return type;
+}
+
+}  // namespace
+
+void write_variable_attribute(hid_t object, const char* name, const std::string& text) {
+  const Handle type = variable_text_type(), space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  const char* const characters = text.c_str();
+  checked(H5Awrite(attribute, type, &characters), name);
+}
+
+std::string read_variable_attribute(hid_t object, const char* name) {
+  if (checked(H5Aexists(object, name), name) == 0) return "";
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name);
+  const Handle own(H5Aget_type(attribute), H5Tclose, name), space(H5Aget_space(attribute), H5Sclose, name);
+  if (H5Tis_variable_str(own) <= 0 || H5Sget_simple_extent_npoints(space) != 1) return "";
+  const Handle type = variable_text_type();
+  char* characters = nullptr;
+  checked(H5Aread(attribute, type, &characters), name);
+  const std::string text = characters ? characters : "";
+  H5free_memory(characters);
+  return text;
+}
+
 std::string read_attribute(hid_t object, const char* name) {
   constexpr std::size_t longest = 1000;  // of units
   if (checked(H5Aexists(object, name), name) == 0) return "";

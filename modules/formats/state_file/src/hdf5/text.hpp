@@ -13,6 +13,9 @@ Handle text_type(std::size_t bytes);
 
 // Adds an attribute with one text.
 void write_attribute(hid_t object, const char* name, std::string_view text);
+// The same of variable length, which h5py gives as text and not as bytes.
+void write_variable_attribute(hid_t object, const char* name, const std::string& text);
+std::string read_variable_attribute(hid_t object, const char* name);
 // Text of an attribute; empty if there is none, or none of the kind that write_attribute writes.
 std::string read_attribute(hid_t object, const char* name);
 

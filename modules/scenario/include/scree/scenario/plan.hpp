@@ -54,6 +54,7 @@ struct ProbePlan {
 struct SnapshotPlan {
   std::optional<double> every;        // (s) between .vtp files
   std::optional<double> image_every;  // (s) between images
+  bool h5md = false;                  // the same frames in trajectory.h5md
   std::string color_by = "radius";
   std::optional<std::array<double, 2>> color_range;  // (SI); absent: of all pictures so far
   std::string view;

@@ -16,7 +16,8 @@ struct Wall {
 
 // State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0.
 // id, radius and position always have N entries; the other particle columns have N entries, or none if the
-// scene lacks the quantity. Contact columns have C entries each.
+// scene lacks the quantity. Contact columns have C entries each; those from contact_a on have none in files of
+// earlier versions.
 struct Frame {
   double time = 0;  // (s)
   std::uint64_t step = 0;
@@ -39,6 +40,12 @@ struct Frame {
   std::vector<double> contact_tangential_force;  // (N)
   std::vector<double> contact_overlap;           // (m)
   std::vector<std::uint8_t> contact_sliding;     // 0 or 1
+  std::vector<std::int64_t> contact_a;           // id of the body on which the force acts
+  std::vector<std::int64_t> contact_b;           // id of the other body; -1 at a wall
+  std::vector<std::int32_t> contact_wall;        // index into walls; -1 between bodies
+  std::vector<double> contact_normal;            // (3C) unit vector from b to a
+  std::vector<double> contact_force;             // (N) (3C) on a
+  std::vector<double> contact_point;             // (m) (3C) in the middle of the overlap
 
   std::vector<Wall> walls;
   std::array<double, 3> lower{};  // (m) corner of the scene; fixes the camera for all frames.

@@ -7,8 +7,8 @@
 
 namespace scree::pictures {
 
-inline constexpr std::array<std::string_view, 6> color_fields = {"radius",       "speed", "spin",
-                                                                 "coordination", "force", "id"};
+inline constexpr std::array<std::string_view, 8> color_fields = {
+    "radius", "speed", "spin", "coordination", "pressure", "largest_force", "net_force", "id"};
 inline constexpr std::array<std::string_view, 4> view_names = {"iso", "x", "y", "z"};
 
 // Options for drawing a frame.
