@@ -13,7 +13,8 @@ struct BoxProbe {
 
   static constexpr scree::About about = {
       "box", "lengths, stresses and strains of the box formed by opposite walls",
-      "σ_kk = mean of the contact forces on both walls of axis k / their area\n"
+      "σ_kk = mean of the contact forces on the walls of axis k that are there / their area; a wall behind fixed bodies "
+      "bears nothing\n"
       "ε_kk = 1 − L_k/L_k0          L_k0: at the first sample\n"
       "σ_D = 2(σ_xx − σ_yy)/3,  ε_D = ε_xx − ε_yy",
       "David et al. 2005, section 3.1; McNamara et al. 2008, equation 2 (γ = ε_D)"};
@@ -30,12 +31,14 @@ struct BoxProbe {
     const std::uint32_t d = std::uint32_t(dimension);
     const std::string axis(1, "xyz"[c % d]);
     if (c < d) return {"length_" + axis, "m", "distance between the walls"};
-    if (c < 2 * d) return {"stress_" + axis + axis, "Pa", "mean of both walls, above 0 in compression"};
+    if (c < 2 * d)
+      return {"stress_" + axis + axis, "Pa", "mean of the walls that are there, above 0 in compression"};
     if (c < 3 * d) return {"strain_" + axis + axis, "", "1 − length / length at the first sample"};
     if (c == 3 * d) return {"deviatoric_stress", "Pa", "2 (stress_xx − stress_yy)/3"};
     if (c == 3 * d + 1) return {"deviatoric_strain", "", "strain_xx − strain_yy"};
-    return {"solid_fraction", "",
-            "volume of the bodies / volume between the walls (2D: areas); overlaps count twice"};
+    return {
+        "solid_fraction", "",
+        "volume of the bodies with centres between the walls / volume there (2D: areas); overlaps count twice"};
   }
 
   const char* start(const scree_view& view, double* state) const {
@@ -56,7 +59,8 @@ struct BoxProbe {
       const double low = -view.loads[wall(view, k, 1)].force[k],
                    high = view.loads[wall(view, k, -1)].force[k];
       row[k] = lengths[k];
-      stress[k] = 0.5 * (low + high) / (volume / lengths[k]);
+      const bool both = is_there(view, k, 1) == is_there(view, k, -1);
+      stress[k] = (both ? 0.5 : 1) * (low + high) / (volume / lengths[k]);
       strain[k] = 1 - lengths[k] / state[k];
     }
     double* last = row + 3 * dimension;
@@ -68,15 +72,27 @@ struct BoxProbe {
  private:
   // Index of the innermost wall at the lower (sign 1) or upper end (sign −1) of an axis, or −1.
   static int wall(const scree_view& view, int axis, int sign) {
-    return scree::wall_across({view.planes, view.plane_count}, axis, sign);
+    return scree::wall_across({view.planes, view.plane_count}, axis, sign, view.plane_absent);
+  }
+  static bool is_there(const scree_view& view, int axis, int sign) {
+    return !view.plane_absent[wall(view, axis, sign)];
   }
   static double length(const scree_view& view, int axis) {
     return view.planes[wall(view, axis, -1)].point[axis] - view.planes[wall(view, axis, 1)].point[axis];
+  }
+  bool is_between(const scree_view& view, std::uint64_t i) const {
+    for (int k = 0; k < dimension; ++k) {
+      const double x = view.position[k][i];
+      if (x < view.planes[wall(view, k, 1)].point[k] || x > view.planes[wall(view, k, -1)].point[k])
+        return false;
+    }
+    return true;
   }
   double solid_volume(const scree_view& view) const {
     constexpr double pi = std::numbers::pi;
     double sum = 0;
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      if (!is_between(view, i)) continue;
       const double r = view.radius[i];
       sum += dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r;
     }

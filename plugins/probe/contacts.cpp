@@ -12,7 +12,7 @@ struct ContactsProbe {
   double rattler_below = 2;
 
   static constexpr scree::About about = {"contacts", "coordination, sliding fraction, overlaps, rattlers",
-                                         "Z = (2 C_bodies + C_walls)/N\n"
+                                         "Z = (2 C_bodies + C_walls)/N, of bodies that are not fixed\n"
                                          "Z without rattlers: (2 C − N_1)/(N − N_0 − N_1), "
                                          "the mean over the other bodies\n"
                                          "sliding fraction = sliding contacts / contacts",
@@ -30,25 +30,29 @@ struct ContactsProbe {
   scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c], meanings[c]}; }
 
   void sample(const scree_view& view, const double*, double* row) const {
-    double ends = 0, sliding = 0, overlap = 0, largest = 0, force = 0;
+    const auto is_free = [&](std::uint64_t i) { return !view.fixed || !view.fixed[i]; };
+    double ends = 0, free = 0, rattlers = 0, ends_of_rattlers = 0, sliding = 0, overlap = 0, largest = 0,
+           force = 0;
     std::vector<std::uint32_t> coordination(view.body_count, 0);
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      ++coordination[view.contact_a[c]], ++ends;
-      if (view.contact_b[c] < view.body_count) ++coordination[view.contact_b[c]], ++ends;
+      ++coordination[view.contact_a[c]];
+      if (view.contact_b[c] < view.body_count) ++coordination[view.contact_b[c]];
       sliding += view.contact_sliding[c];
       overlap += view.contact_overlap[c];
       largest = std::max(largest, view.contact_overlap[c]);
       for (int k = 0; k < 3; ++k) force += view.contact_force[3 * c + k] * view.contact_normal[3 * c + k];
     }
-    const auto rattlers = double(std::count_if(coordination.begin(), coordination.end(),
-                                               [this](std::uint32_t n) { return n < rattler_below; }));
-    double ends_of_rattlers = 0;
-    for (const std::uint32_t n : coordination) ends_of_rattlers += n < rattler_below ? n : 0;
-    const double contacts = double(view.contact_count), bodies = double(view.body_count);
+    for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      if (!is_free(i)) continue;
+      const std::uint32_t n = coordination[i];
+      ++free, ends += n;
+      if (n < rattler_below) ++rattlers, ends_of_rattlers += n;
+    }
+    const double contacts = double(view.contact_count);
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     const double values[] = {contacts,
-                             ratio(ends, bodies),
-                             ratio(ends - ends_of_rattlers, bodies - rattlers),
+                             ratio(ends, free),
+                             ratio(ends - ends_of_rattlers, free - rattlers),
                              ratio(sliding, contacts),
                              ratio(overlap, contacts),
                              largest,
@@ -67,14 +71,15 @@ struct ContactsProbe {
                                           "mean_normal_force",
                                           "rattlers"};
   static constexpr const char* units[] = {"", "", "", "", "m", "m", "N", ""};
-  static constexpr const char* meanings[] = {"number of touching pairs, walls included",
-                                             "contacts per body; one with a wall counts for its body",
-                                             "the same of the bodies that are no rattlers",
-                                             "share of the contacts that slide",
-                                             "over the contacts",
-                                             "of all contacts",
-                                             "over the contacts, above 0 if repulsive",
-                                             "number of bodies with fewer than rattler_below contacts"};
+  static constexpr const char* meanings[] = {
+      "number of touching pairs, walls included",
+      "contacts per body that is not fixed; one with a wall or a fixed body counts for its body",
+      "the same of the bodies that are no rattlers",
+      "share of the contacts that slide",
+      "over the contacts",
+      "of all contacts",
+      "over the contacts, above 0 if repulsive",
+      "number of bodies that are not fixed with fewer than rattler_below contacts"};
 };
 
 }  // namespace

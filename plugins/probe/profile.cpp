@@ -79,7 +79,9 @@ struct ProfileProbe {
  private:
   // The end that is given (m), or that of the wall; NaN without either.
   double end(const scree_view& view, double given, int sign) const {
-    return std::isnan(given) ? scree::wall_height({view.planes, view.plane_count}, layers.axis, sign) : given;
+    return std::isnan(given)
+               ? scree::wall_height({view.planes, view.plane_count}, layers.axis, sign, view.plane_absent)
+               : given;
   }
   std::string no_wall() const {
     return std::string("the axis ") + "xyz"[layers.axis] + " has no walls at its ends; give low and high";

@@ -76,8 +76,11 @@ std::string expected_wall_time(const scenario::Plan& plan, Simulation& simulatio
   }
   const double rate = double(taken) / elapsed();  // steps/s
   const double work = rate * double(simulation.particles().size());
-  return fmt::format("{} of wall time at {:.2g} M particle-steps/s, the speed of the first steps on one core",
-                     about(steps / rate), work / 1e6);
+  const bool bounded =
+      std::any_of(plan.stages.begin(), plan.stages.end(), [](const Stage& s) { return !s.duration; });
+  return fmt::format(
+      "{}{} of wall time at {:.2g} M particle-steps/s, the speed of the first steps on one core",
+      bounded ? "at most " : "", about(steps / rate), work / 1e6);
 }
 
 std::vector<std::string> unusual_numbers(const scenario::Plan& plan) {

@@ -75,6 +75,7 @@ class StageRunner {
   void transfer(const StateTransfer& state);
   void check_resumed() const;
   void begin();
+  void apply_changes();
   void forget_values();
   void end_stage(StageEnd end);
   // Takes the values of conditions that are due; false if none is.

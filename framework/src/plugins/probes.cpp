@@ -90,6 +90,7 @@ void SimulationView::show_boundaries(const Simulation& s) {
   view_.planes = s.planes().data();
   view_.loads = s.loads().data();
   view_.plane_names = plane_names_.data();
+  view_.plane_absent = s.absent_planes().data();
 }
 
 void SimulationView::show_contacts(const Simulation& s) {

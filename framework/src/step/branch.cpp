@@ -103,8 +103,7 @@ void Branch::take_over(Simulation& simulation, SimulationParts& parts) {
     take_over_all(parts);
   else
     take_over_by_name(simulation, parts);
-  parts.lengths_at_start =
-      enclosed_lengths(parts.boundaries.planes(), parts.boundaries.domain(), scene_.dimension);
+  parts.lengths_at_start = enclosed_lengths(parts.boundaries, scene_.dimension);
 }
 
 void Branch::take_over_all(SimulationParts& parts) {

@@ -206,7 +206,7 @@ const std::vector<std::uint8_t>& Simulation::absent_planes() const { return part
 const std::vector<std::uint32_t>& Simulation::plane_materials() const {
   return parts_->boundaries.plane_materials();
 }
-Vec3 Simulation::lengths() const { return enclosed_lengths(planes(), domain(), dimension()); }
+Vec3 Simulation::lengths() const { return enclosed_lengths(parts_->boundaries, dimension()); }
 const Vec3& Simulation::lengths_at_start() const { return parts_->lengths_at_start; }
 const std::vector<std::string>& Simulation::taken_over() const { return parts_->taken_over; }
 const std::vector<std::string>& Simulation::let_go() const { return parts_->let_go; }

@@ -113,7 +113,7 @@ SimulationParts::SimulationParts(const Scene& given)
       threads(std::make_unique<ThreadPool>(threads_of(scene))),
       smallest_radius(smallest_radius_of(scene)),
       speed_limit(speed_limit_of(scene)),
-      lengths_at_start(enclosed_lengths(boundaries.planes(), boundaries.domain(), scene.dimension)),
+      lengths_at_start(enclosed_lengths(boundaries, scene.dimension)),
       stepper(*this) {
   configure_laws();
   contacts = make_contacts(*this);

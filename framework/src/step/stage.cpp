@@ -121,7 +121,15 @@ void StageRunner::begin() {
     return simulation_.steps() == 0 && has(simulation_.scene(), change);
   };
   if (std::all_of(stage.changes.begin(), stage.changes.end(), begun)) return;
-  for (const Stage::Change& change : stage.changes) {
+  try {
+    apply_changes();
+  } catch (const Error& error) {
+    throw error.at(fmt::format("stage '{}'", stage.name), error.status());
+  }
+}
+
+void StageRunner::apply_changes() {
+  for (const Stage::Change& change : stages_[current_].changes) {
     if (change.kind == SCREE_CONTACT_LAW) simulation_.reconfigure_law(change.name, change.parameters);
     if (change.kind == SCREE_BOUNDARY)
       simulation_.reconfigure_boundary(change.name, change.parameters, change.going_on);

@@ -6,12 +6,15 @@
 
 namespace scree {
 
-Vec3 enclosed_lengths(const std::vector<scree_plane>& planes, const Domain& domain, int dimension) {
+Vec3 enclosed_lengths(const Boundaries& boundaries, int dimension) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Domain& domain = boundaries.domain();
+  const auto height = [&](int axis, int sign) {
+    return wall_height(boundaries.planes(), axis, sign, boundaries.absent().data());
+  };
   Vec3 lengths = {{none, none, none}};
   for (int k = 0; k < dimension; ++k)
-    lengths[k] = domain.periodic[std::size_t(k)] ? domain.length(k)
-                                                 : wall_height(planes, k, -1) - wall_height(planes, k, 1);
+    lengths[k] = domain.periodic[std::size_t(k)] ? domain.length(k) : height(k, -1) - height(k, 1);
   return lengths;
 }
 

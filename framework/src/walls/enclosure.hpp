@@ -1,14 +1,11 @@
 #pragma once
 
-#include <vector>
-
-#include <scree/domain.hpp>
-#include <scree/plugin/abi.h>
+#include "walls/boundaries.hpp"
 
 namespace scree {
 
 // Lengths of a scene along each axis (m): the period, or the distance of the two opposite walls that are normal
-// to the axis and nearest to the bodies. NaN along an axis that is not enclosed.
-Vec3 enclosed_lengths(const std::vector<scree_plane>& planes, const Domain& domain, int dimension);
+// to the axis and nearest to the bodies, of those that are not absent if there are others. NaN along an axis that is not enclosed.
+Vec3 enclosed_lengths(const Boundaries& boundaries, int dimension);
 
 }  // namespace scree

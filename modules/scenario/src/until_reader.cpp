@@ -30,6 +30,10 @@ void for_each_column(const document::Table& until, const Use& use) {
       use(key, until.table(key));
     } else if (until.is_table(key)) {
       const document::Table nested = until.table(key);
+      for (const auto& bound : until_column_keys.description().keys)
+        if (nested.has(bound.name))
+          throw until.error(key, fmt::format("'{}' is not a column of a probe", files::one_line(key)),
+                            fmt::format("give one of its columns, as \"{}.<column>\"", files::one_line(key)));
       for (const std::string& column : nested.keys())
         if (nested.is_table(column)) use(key + "." + column, nested.table(column));
     }

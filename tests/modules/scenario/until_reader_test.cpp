@@ -70,6 +70,8 @@ TEST_CASE("conditions that no run can test are refused with the place and the ne
   refused("'energy.work' = { steady = 0.1 }, at_most = 1", "has no 'over'");
   refused("'energy.work' = { above = 1, over = 0.1 }, at_most = 1", "'over' is the time of 'steady'");
   refused("'energy.work' = { abov = 1 }, at_most = 1", "did you mean 'above'?");
+  refused("energy = { below = 1 }, at_most = 1",
+          "'energy' is not a column of a probe; give one of its columns, as \"energy.<column>\"");
   refused("'energy.work' = { steady = 0.1, over = 1 }, at_most = 1", "over = 1 s is not below at_most = 1 s");
   refused("'energy.work' = { above = 1 }, at_most = 1e-5",
           "'energy' is sampled every 2e-05 s, which is more than at_most = 1e-05 s");

@@ -47,6 +47,28 @@ TEST_CASE("box: lengths, stresses from forces over areas, solid fraction", "[pro
   CHECK(box["solid_fraction"] == Approx(4 * 4.0 / 3.0 * M_PI * std::pow(0.005, 3) / (0.0296 * 0.04 * 0.05)));
 }
 
+TEST_CASE("box: an absent wall is not in the mean, and bodies outside are not in the solid fraction",
+          "[probe]") {
+  Scene sc = row_in_box();
+  // Overlaps of 1e-4 m at both ends of the row: the wall that is there bears as much as both did.
+  sc.boundaries[0].parameters.set("x_low", {7});
+  sc.bodies.push_back(body(5, 0.005, 1e-3, {{-0.02, 0.02, 0.02}}));
+  const Sampled box = sample(Simulation(sc), "box");
+  CHECK(box["stress_xx"] == Approx(5000 * 1e-4 / (0.04 * 0.05)));
+  CHECK(box["solid_fraction"] == Approx(4 * 4.0 / 3.0 * M_PI * std::pow(0.005, 3) / (0.0296 * 0.04 * 0.05)));
+}
+
+TEST_CASE("contacts: bodies that are fixed do not count in means over bodies", "[probe]") {
+  Scene sc = row_in_box();
+  sc.bodies[0].fixed = true;
+  const Sampled contacts = sample(Simulation(sc), "contacts");
+  CHECK(contacts["contacts"] == 4);
+  // Of the three others two have two contacts each.
+  CHECK(contacts["coordination_number"] == Approx(4.0 / 3));
+  CHECK(contacts["rattlers"] == 1);
+  CHECK(contacts["coordination_without_rattlers"] == 2);
+}
+
 TEST_CASE("box: strain is relative to the first sample", "[probe]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0.5, 0.5, 0.5}})}, law);
   add_boundary(sc, "box",

@@ -29,7 +29,7 @@ bool is_length(const std::string& override_text) {
   // Functions of time have durations and cycles too: stage.press.set.box.stress_z.duration.
   if (key.find(".set.") != key.npos) return false;
   return (key.starts_with("stage") || key.starts_with("time")) &&
-         (last == "duration" || last == "cycles" || last == "at_most");
+         (last == "duration" || last == "cycles" || last == "at_most" || last == "otherwise");
 }
 
 // How far a run has come in its stages.
@@ -45,7 +45,7 @@ void check_overrides(const std::vector<std::string>& overrides) {
     if (!is_length(text))
       throw Error(
           fmt::format("--set {}: a run that goes on can change only how long its stages last (duration, "
-                      "cycles, at_most); begin a new run from its state (particles.state)",
+                      "cycles, at_most, otherwise); begin a new run from its state (particles.state)",
                       text));
 }
 

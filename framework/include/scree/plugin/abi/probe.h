@@ -73,10 +73,11 @@ typedef struct scree_view {
   const scree_plane* planes;      /* plane_count */
   const scree_load* loads;        /* plane_count */
   const char* const* plane_names; /* plane_count: "<boundary>.<plane>" */
-  const scree_energy* energy;     /* all NaN unless SCREE_NEEDS_ENERGY, or without the balance */
-  double end_time;                /* (s) when the run ends; NaN where that is not known */
-  uint32_t input_count;           /* of the probe that is called, in observe and sample; else 0 */
-  const double* inputs;           /* input_count: values of scree_setup.inputs at this time */
+  const uint8_t* plane_absent; /* plane_count: 1 for planes that exert no force, as if they were not there */
+  const scree_energy* energy;  /* all NaN unless SCREE_NEEDS_ENERGY, or without the balance */
+  double end_time;             /* (s) when the run ends; NaN where that is not known */
+  uint32_t input_count;        /* of the probe that is called, in observe and sample; else 0 */
+  const double* inputs;        /* input_count: values of scree_setup.inputs at this time */
   const uint8_t* fixed; /* (optional) body_count: 1 for bodies that no force moves; NULL if there are none */
 } scree_view;
 
