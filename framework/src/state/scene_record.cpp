@@ -15,6 +15,8 @@ namespace scree {
 
 namespace {
 
+constexpr const char *group_names = "group_names", *group_prefix = "group_";
+
 // Names, plug-ins and parameters of the laws, boundaries or body forces of a scene.
 template <class Entries>
 void save_plugins(const StateTransfer& state, const std::string& kind, const Entries& entries) {
@@ -27,6 +29,34 @@ void save_plugins(const StateTransfer& state, const std::string& kind, const Ent
   }
   state.rows(kind + "_names", "", names);
   state.rows(kind + "_plugins", "", plugins);
+}
+
+// A function of time is stored where it is given.
+template <class Group, class Visit>
+void each_program(Group& group, std::size_t number, const Visit& visit) {
+  const auto all = [&](const char* name, auto& programs) {
+    for (std::size_t k = 0; k < programs.size(); ++k)
+      visit(fmt::format("{}{}_{}_{}", group_prefix, number, name, k), programs[k]);
+  };
+  all("velocity", group.velocity);
+  all("displacement", group.displacement);
+  all("load", group.load);
+}
+
+// Nothing without groups.
+void save_groups(const StateTransfer& state, const std::vector<BodyGroup>& groups) {
+  if (groups.empty()) return;
+  std::vector<std::string> names;
+  for (const BodyGroup& group : groups) names.push_back(group.name);
+  state.rows(group_names, "", names);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::vector<std::uint32_t> bodies = groups[g].bodies;
+    state.rows(fmt::format("{}{}_bodies", group_prefix, g), "", bodies);
+    each_program(groups[g], g, [&](const std::string& name, const std::vector<double>& program) {
+      std::vector<double> numbers = program;
+      if (!program.empty()) state.rows(name, "", numbers);
+    });
+  }
 }
 
 std::vector<double> components(const std::vector<Body>& bodies, Vec3 Body::*vector) {
@@ -62,6 +92,16 @@ void transfer_vector(const StateTransfer& state, const char* name, const char* u
 
 // Stored only if there are any.
 template <class Bodies>
+void transfer_held(const StateTransfer& state, Bodies& bodies) {
+  const auto is_held = [](const Body& body) { return body.held != 0; };
+  if (state.restoring() ? !state.has("held") : std::none_of(bodies.begin(), bodies.end(), is_held)) return;
+  std::vector<freedom::Mask> all;
+  for (const Body& body : bodies) all.push_back(body.held);
+  state.moved_rows("held", "", all, 1, stored::at_most(freedom::all));
+  if constexpr (!std::is_const_v<Bodies>)
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].held = all[i];
+}
+template <class Bodies>
 void transfer_fixed(const StateTransfer& state, Bodies& bodies) {
   const auto is_fixed = [](const Body& body) { return body.fixed; };
   if (state.restoring() ? !state.has("fixed") : std::none_of(bodies.begin(), bodies.end(), is_fixed)) return;
@@ -81,6 +121,7 @@ void transfer_bodies_at_start(const StateTransfer& state, Bodies& bodies) {
   transfer_property(constant, "mass", "kg", bodies, &Body::mass);
   transfer_property(constant, "inertia", "kg m^2", bodies, &Body::inertia);
   transfer_fixed(constant, bodies);
+  transfer_held(constant, bodies);
   transfer_vector(start, "position", "m", bodies, &Body::position, true);
   transfer_vector(start, "velocity", "m/s", bodies, &Body::velocity, false);
   transfer_vector(start, "spin", "rad/s", bodies, &Body::spin, false);
@@ -154,6 +195,7 @@ void save_scene(const StateTransfer& state, const Scene& scene) {
   save_plugins(state, "law", scene.laws);
   save_plugins(state, "boundary", scene.boundaries);
   save_plugins(state, "body_force", scene.body_forces);
+  save_groups(state, scene.groups);
 }
 
 namespace {
@@ -174,6 +216,8 @@ std::vector<RecordedPlugin> recorded_plugins(const State& state, const std::stri
   return all;
 }
 
+constexpr std::string_view path_of_groups = "scene/group_";
+
 State record_of(const Scene& scene) {
   State record;
   save_scene(StateTransfer::saving_to(record).below("scene"), scene);
@@ -181,8 +225,7 @@ State record_of(const Scene& scene) {
 }
 
 // Whether all that is recorded of a scene below a path is that of the state.
-bool is_recorded(const State& state, const Scene& scene, std::string_view below) {
-  const State present = record_of(scene);
+bool is_recorded(const State& state, const State& present, std::string_view below) {
   return std::all_of(present.arrays().begin(), present.arrays().end(), [&](const auto& entry) {
     return !entry.first.starts_with(below) ||
            (state.has(entry.first) && state.at(entry.first) == entry.second);
@@ -208,9 +251,15 @@ std::vector<std::int64_t> body_ids(const State& state) {
   return ids;
 }
 
-bool is_scene_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/"); }
+bool is_scene_of(const State& state, const Scene& scene) {
+  const State present = record_of(scene);
+  // A state may have groups that the scene does not have.
+  return is_recorded(state, present, "scene/") && is_recorded(present, state, path_of_groups);
+}
 
-bool has_laws_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/law_"); }
+bool has_laws_of(const State& state, const Scene& scene) {
+  return is_recorded(state, record_of(scene), "scene/law_");
+}
 
 void check_scene(const State& state, const Scene& scene) {
   const State present = record_of(scene);
@@ -220,6 +269,9 @@ void check_scene(const State& state, const Scene& scene) {
           fmt::format("'{}' is not that of this scene: {}; go on with the scenario of the state, or "
                       "begin a new run from it (particles.state)",
                       path, difference(stored, array)));
+  if (!is_recorded(present, state, path_of_groups))
+    throw StateError(
+        "the groups of bodies are not those of this scene; go on with the scenario of the state");
 }
 
 void save_bodies_at_start(const StateTransfer& state, const Scene& scene) {
@@ -244,8 +296,6 @@ void check_bodies(const StateTransfer& state, const std::vector<Body>& bodies, s
       state.refuse("inertia", "has a moment of inertia that is not above 0 kg m^2");
     if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
       state.refuse("position", "has a body whose position, velocity or spin is not finite");
-    if (body.fixed && !(body.velocity == Vec3{} && body.spin == Vec3{}))
-      state.refuse("fixed", "has a fixed body that moves");
   }
 }
 
@@ -281,6 +331,24 @@ std::vector<Body> present_bodies(const State& state) {
   }
   check_bodies(present, bodies, materials_of(state).size(), spinning);
   return bodies;
+}
+
+std::vector<BodyGroup> groups_of(const State& state) {
+  const StateTransfer scene = StateTransfer::restoring_from(state).below("scene");
+  if (!scene.has(group_names)) return {};
+  std::vector<std::string> names;
+  scene.rows(group_names, "", names);
+  const std::size_t bodies = body_ids(state).size();
+  std::vector<BodyGroup> groups(names.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g].name = names[g];
+    scene.rows(fmt::format("{}{}_bodies", group_prefix, g), "", groups[g].bodies, 1,
+               stored::at_most(std::max<std::size_t>(bodies, 1) - 1));
+    each_program(groups[g], g, [&](const std::string& name, std::vector<double>& program) {
+      if (scene.has(name)) scene.rows(name, "", program);
+    });
+  }
+  return groups;
 }
 
 std::vector<std::string> materials_of(const State& state) {
