@@ -1,3 +1,5 @@
+#include "state/group_record.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,8 +17,6 @@ namespace scree {
 
 namespace {
 
-constexpr const char *group_names = "group_names", *group_prefix = "group_";
-
 // Names, plug-ins and parameters of the laws, boundaries or body forces of a scene.
 template <class Entries>
 void save_plugins(const StateTransfer& state, const std::string& kind, const Entries& entries) {
@@ -29,34 +29,6 @@ void save_plugins(const StateTransfer& state, const std::string& kind, const Ent
   }
   state.rows(kind + "_names", "", names);
   state.rows(kind + "_plugins", "", plugins);
-}
-
-// A function of time is stored where it is given.
-template <class Group, class Visit>
-void each_program(Group& group, std::size_t number, const Visit& visit) {
-  const auto all = [&](const char* name, auto& programs) {
-    for (std::size_t k = 0; k < programs.size(); ++k)
-      visit(fmt::format("{}{}_{}_{}", group_prefix, number, name, k), programs[k]);
-  };
-  all("velocity", group.velocity);
-  all("displacement", group.displacement);
-  all("load", group.load);
-}
-
-// Nothing without groups.
-void save_groups(const StateTransfer& state, const std::vector<BodyGroup>& groups) {
-  if (groups.empty()) return;
-  std::vector<std::string> names;
-  for (const BodyGroup& group : groups) names.push_back(group.name);
-  state.rows(group_names, "", names);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    std::vector<std::uint32_t> bodies = groups[g].bodies;
-    state.rows(fmt::format("{}{}_bodies", group_prefix, g), "", bodies);
-    each_program(groups[g], g, [&](const std::string& name, const std::vector<double>& program) {
-      std::vector<double> numbers = program;
-      if (!program.empty()) state.rows(name, "", numbers);
-    });
-  }
 }
 
 std::vector<double> components(const std::vector<Body>& bodies, Vec3 Body::*vector) {
@@ -331,24 +303,6 @@ std::vector<Body> present_bodies(const State& state) {
   }
   check_bodies(present, bodies, materials_of(state).size(), spinning);
   return bodies;
-}
-
-std::vector<BodyGroup> groups_of(const State& state) {
-  const StateTransfer scene = StateTransfer::restoring_from(state).below("scene");
-  if (!scene.has(group_names)) return {};
-  std::vector<std::string> names;
-  scene.rows(group_names, "", names);
-  const std::size_t bodies = body_ids(state).size();
-  std::vector<BodyGroup> groups(names.size());
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    groups[g].name = names[g];
-    scene.rows(fmt::format("{}{}_bodies", group_prefix, g), "", groups[g].bodies, 1,
-               stored::at_most(std::max<std::size_t>(bodies, 1) - 1));
-    each_program(groups[g], g, [&](const std::string& name, std::vector<double>& program) {
-      if (scene.has(name)) scene.rows(name, "", program);
-    });
-  }
-  return groups;
 }
 
 std::vector<std::string> materials_of(const State& state) {
