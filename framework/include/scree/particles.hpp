@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/body_group.hpp>
 #include <scree/column.hpp>
 #include <scree/domain.hpp>
 #include <scree/orientations.hpp>
@@ -24,7 +25,9 @@ struct Body {
   Vec3 position = {};          // (m)
   Vec3 velocity = {};          // (m/s)
   Vec3 spin = {};              // (rad/s)
-  bool fixed = false;          // it neither moves nor turns, whatever acts on it: as a wall that is fixed
+  // No force moves or turns it: its velocity and spin are those given, or those of its BodyGroup, as of a wall.
+  bool fixed = false;
+  freedom::Mask held = 0;  // the same of some components, of a body that is not fixed
 };
 
 // Layout of a body's record and of its loads: offsets, in doubles, of parts of four doubles each.
@@ -64,6 +67,11 @@ class Particles {
   Axes axes() const { return {0, dimension_}; }
   // Components of a spin: z in 2D, x to z in 3D, none in a scene without spin.
   Axes spin_axes() const { return has_spin_ ? Axes{dimension_ == 2 ? 2 : 0, 3} : Axes{0, 0}; }
+  // Components of motion that the scene carries.
+  freedom::Mask components() const {
+    const freedom::Mask all = freedom::of_dimension(dimension_);
+    return has_spin_ ? all : freedom::Mask(all & ~freedom::rotations);
+  }
   Body body(std::size_t i) const;
   std::size_t bytes_per_body() const;
 
@@ -128,7 +136,11 @@ class Particles {
   Column<std::int64_t> id;
   Column<std::uint32_t> material;
   Column<std::uint8_t> fixed;  // 1 for fixed bodies, 0 for others; empty if none is fixed
+  Column<freedom::Mask> held;  // held components of bodies that are not fixed; empty if none is held
   bool is_fixed(std::size_t i) const { return !fixed.empty() && fixed[i]; }
+  bool is_held(std::size_t i, int component) const {
+    return is_fixed(i) || (!held.empty() && freedom::is_in(held[i], component));
+  }
 
  private:
   void transfer_images(const class StateTransfer& state);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/body_group.hpp>
 #include <scree/integration.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
@@ -49,6 +50,7 @@ struct Scene {
   Limits limits;
   std::vector<std::string> materials;
   std::vector<Body> bodies;
+  std::vector<BodyGroup> groups;
   std::vector<Law> laws;
   std::vector<std::uint32_t> law_of;  // (materials, materials), symmetric: index into laws
   std::vector<Boundary> boundaries;

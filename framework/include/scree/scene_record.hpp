@@ -10,8 +10,8 @@
 namespace scree {
 
 // The scene in the state of a simulation:
-//   scene/       dimension, integrator, precision, materials, and plug-ins with names and parameter values
-//   bodies/      id, material, radius, mass, inertia and, if any body is fixed, fixed, which are constant
+//   scene/       dimension, integrator, precision, materials, plug-ins with names and parameter values, and groups
+//   bodies/      id, material, radius, mass, inertia and, if there are any, fixed and held, which are constant
 //   start/       position, velocity and spin at t = 0, from which limits of the scene follow; velocity and
 //                spin only if not all are 0
 
@@ -37,6 +37,9 @@ std::vector<std::int64_t> body_ids(const State& state);
 
 // The bodies at t = 0. Throws Error if an array is missing or has another size.
 std::vector<Body> bodies_at_start(const State& state);
+
+// The groups that move or load bodies.
+std::vector<BodyGroup> groups_of(const State& state);
 
 // "key = value" of every parameter, with defaults; and the parameters that such lines give.
 std::vector<std::string> parameter_lines(const Parameters& parameters);

@@ -25,7 +25,7 @@ struct SimulationParts;
 
 // Memory and degrees of freedom of a scene; it carries only what its laws need.
 struct Footprint {
-  std::size_t degrees_of_freedom, fixed_bodies, bytes_per_body, bytes_per_pair;
+  std::size_t degrees_of_freedom, fixed_bodies, held_bodies, bytes_per_body, bytes_per_pair;  // held: in part
   std::uint32_t history_width;  // history columns per pair, the most of any law
 };
 

@@ -12,6 +12,8 @@ class EnergyAudit {
  public:
   // Adds one step: powers are integrated by the trapezoidal rule.
   void add_step(double step, const ContactSums& contacts, const BodySums& bodies);
+  // Adds work (J) that was done on bodies which are held, or by a load on them.
+  void add_work(double work) { totals_.work += work; }
   // Sets the energy stored in contacts and potentials without advancing time: at the start, or when a stage
   // changes parameters; a jump then counts as work.
   void set_stored(const ContactSums& contacts, const BodySums& bodies);

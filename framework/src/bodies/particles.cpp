@@ -19,6 +19,7 @@ Particles::Particles(int dimension, const Features& features, const std::vector<
   id.resize(n);
   material.resize(n);
   if (std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.fixed; })) fixed.resize(n);
+  if (std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.held; })) held.resize(n);
 
   for (std::size_t i = 0; i < n; ++i) {
     const Body& body = bodies[i];
@@ -34,6 +35,7 @@ Particles::Particles(int dimension, const Features& features, const std::vector<
     if (has_spin_)
       record[dimension == 2 ? record::position + 2 : record::spin + 3] = body.fixed ? 0 : 1 / body.inertia;
     if (!fixed.empty()) fixed[i] = body.fixed;
+    if (!held.empty()) held[i] = body.held;
     mass[i] = body.mass;
     if (has_spin_) inertia[i] = body.inertia;
     id[i] = body.id;
@@ -82,13 +84,15 @@ Body Particles::body(std::size_t i) const {
   for (int k = 0; k < dimension_; ++k) b.position[k] = position()[k][i], b.velocity[k] = velocity()[k][i];
   for (int k = spin_axes().first; k < spin_axes().last; ++k) b.spin[k] = spin()[k][i];
   b.fixed = is_fixed(i);
+  if (!held.empty()) b.held = held[i];
   return b;
 }
 
 std::size_t Particles::bytes_per_body() const {
   const std::size_t doubles = width() + load_width() + (has_spin_ ? 2 : 1) + orientations.stride();
   const std::size_t images = image[0].empty() ? 0 : std::size_t(dimension_) * sizeof(std::int32_t);
-  const std::size_t flags = fixed.empty() ? 0 : sizeof(std::uint8_t);
+  const std::size_t flags =
+      (fixed.empty() ? 0u : sizeof(std::uint8_t)) + (held.empty() ? 0u : sizeof(freedom::Mask));
   return doubles * sizeof(double) + images + sizeof(std::int64_t) + sizeof(std::uint32_t) + flags;
 }
 

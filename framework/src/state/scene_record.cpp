@@ -1,3 +1,5 @@
+#include "state/group_record.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -64,6 +66,16 @@ void transfer_vector(const StateTransfer& state, const char* name, const char* u
 
 // Stored only if there are any.
 template <class Bodies>
+void transfer_held(const StateTransfer& state, Bodies& bodies) {
+  const auto is_held = [](const Body& body) { return body.held != 0; };
+  if (state.restoring() ? !state.has("held") : std::none_of(bodies.begin(), bodies.end(), is_held)) return;
+  std::vector<freedom::Mask> all;
+  for (const Body& body : bodies) all.push_back(body.held);
+  state.moved_rows("held", "", all, 1, stored::at_most(freedom::all));
+  if constexpr (!std::is_const_v<Bodies>)
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].held = all[i];
+}
+template <class Bodies>
 void transfer_fixed(const StateTransfer& state, Bodies& bodies) {
   const auto is_fixed = [](const Body& body) { return body.fixed; };
   if (state.restoring() ? !state.has("fixed") : std::none_of(bodies.begin(), bodies.end(), is_fixed)) return;
@@ -83,6 +95,7 @@ void transfer_bodies_at_start(const StateTransfer& state, Bodies& bodies) {
   transfer_property(constant, "mass", "kg", bodies, &Body::mass);
   transfer_property(constant, "inertia", "kg m^2", bodies, &Body::inertia);
   transfer_fixed(constant, bodies);
+  transfer_held(constant, bodies);
   transfer_vector(start, "position", "m", bodies, &Body::position, true);
   transfer_vector(start, "velocity", "m/s", bodies, &Body::velocity, false);
   transfer_vector(start, "spin", "rad/s", bodies, &Body::spin, false);
@@ -161,6 +174,7 @@ void save_scene(const StateTransfer& state, const Scene& scene) {
   save_plugins(state, "law", scene.laws);
   save_plugins(state, "boundary", scene.boundaries);
   save_plugins(state, "body_force", scene.body_forces);
+  save_groups(state, scene.groups);
 }
 
 namespace {
@@ -181,6 +195,8 @@ std::vector<RecordedPlugin> recorded_plugins(const State& state, const std::stri
   return all;
 }
 
+constexpr std::string_view path_of_groups = "scene/group_";
+
 State record_of(const Scene& scene) {
   State record;
   save_scene(StateTransfer::saving_to(record).below("scene"), scene);
@@ -188,8 +204,7 @@ State record_of(const Scene& scene) {
 }
 
 // Whether all that is recorded of a scene below a path is that of the state.
-bool is_recorded(const State& state, const Scene& scene, std::string_view below) {
-  const State present = record_of(scene);
+bool is_recorded(const State& state, const State& present, std::string_view below) {
   return std::all_of(present.arrays().begin(), present.arrays().end(), [&](const auto& entry) {
     return !entry.first.starts_with(below) ||
            (state.has(entry.first) && state.at(entry.first) == entry.second);
@@ -215,9 +230,15 @@ std::vector<std::int64_t> body_ids(const State& state) {
   return ids;
 }
 
-bool is_scene_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/"); }
+bool is_scene_of(const State& state, const Scene& scene) {
+  const State present = record_of(scene);
+  // A state may have groups that the scene does not have.
+  return is_recorded(state, present, "scene/") && is_recorded(present, state, path_of_groups);
+}
 
-bool has_laws_of(const State& state, const Scene& scene) { return is_recorded(state, scene, "scene/law_"); }
+bool has_laws_of(const State& state, const Scene& scene) {
+  return is_recorded(state, record_of(scene), "scene/law_");
+}
 
 void check_scene(const State& state, const Scene& scene) {
   const State present = record_of(scene);
@@ -227,6 +248,9 @@ void check_scene(const State& state, const Scene& scene) {
           fmt::format("'{}' is not that of this scene: {}; go on with the scenario of the state, or "
                       "begin a new run from it (particles.state)",
                       path, difference(stored, array)));
+  if (!is_recorded(present, state, path_of_groups))
+    throw StateError(
+        "the groups of bodies are not those of this scene; go on with the scenario of the state");
 }
 
 void save_bodies_at_start(const StateTransfer& state, const Scene& scene) {
@@ -251,8 +275,6 @@ void check_bodies(const StateTransfer& state, const std::vector<Body>& bodies, s
       state.refuse("inertia", "has a moment of inertia that is not above 0 kg m^2");
     if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
       state.refuse("position", "has a body whose position, velocity or spin is not finite");
-    if (body.fixed && !(body.velocity == Vec3{} && body.spin == Vec3{}))
-      state.refuse("fixed", "has a fixed body that moves");
   }
 }
 

@@ -84,14 +84,15 @@ bool has_bodies_of(const State& state, const Scene& scene) {
                     [](const Body& a, const Body& b) {
                       return a.material == b.material && a.radius == b.radius && a.mass == b.mass &&
                              a.inertia == b.inertia && a.position == b.position && a.velocity == b.velocity &&
-                             a.spin == b.spin && a.fixed == b.fixed;
+                             a.spin == b.spin && a.fixed == b.fixed && a.held == b.held;
                     });
 }
 
 }  // namespace
 
 bool Branch::nothing_differs() const {
-  return branching_.histories && branching_.walls && branching_.orientations &&
+  // Functions of time of groups begin anew.
+  return wanted_.groups.empty() && branching_.histories && branching_.walls && branching_.orientations &&
          is_scene_of(state_, wanted_) && has_bodies_of(state_, wanted_);
 }
 

@@ -1,5 +1,7 @@
 #include "step/health.hpp"
 
+#include "plugins/program_checks.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,6 +67,39 @@ void report_overlap(const Simulation& s) {
        fmt::format("{}, or raise limits.overlap_ratio", cure));
 }
 
+[[noreturn]] void refuse(const BodyGroup& group, int component, const std::string& problem,
+                         const char* cure) {
+  throw Error(fmt::format("group '{}', component {}: {}; {}", group.name, component, problem, cure));
+}
+
+// Functions of time are read unchecked, and only what is held follows one.
+void check_groups(const Scene& scene) {
+  std::vector<freedom::Mask> moved(scene.groups.empty() ? 0 : scene.bodies.size(), 0);
+  for (const BodyGroup& group : scene.groups) {
+    for (const std::uint32_t i : group.bodies)
+      if (i >= scene.bodies.size())
+        refuse(group, 0, "has a body that does not exist", "give indices of bodies");
+    for (int k = 0; k < freedom::count; ++k) {
+      const auto c = std::size_t(k);
+      for (const auto* program : {&group.velocity[c], &group.displacement[c], &group.load[c]})
+        if (const auto problem = program->empty() ? std::nullopt : program_problem(*program))
+          refuse(group, k, problem->what(), "correct it");
+      if (group.velocity[c].empty() && group.displacement[c].empty()) continue;
+      if (!group.velocity[c].empty() && !group.displacement[c].empty())
+        refuse(group, k, "has a velocity and a displacement", "keep one of them");
+      for (const std::uint32_t i : group.bodies) {
+        const Body& body = scene.bodies[i];
+        if (!body.fixed && !freedom::is_in(body.held, k))
+          refuse(group, k, fmt::format("moves particle {}, which is not held there", body.id), "hold it");
+        if (freedom::is_in(moved[i], k))
+          refuse(group, k, fmt::format("moves particle {}, as another group does", body.id),
+                 "keep one of them");
+        moved[i] |= freedom::Mask(1u << k);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const Scene& checked(const Scene& scene) {
@@ -84,8 +119,6 @@ const Scene& checked(const Scene& scene) {
     if (!(b.radius > 0 && std::isfinite(b.radius) && b.mass > 0 && std::isfinite(b.mass)))
       throw Error(fmt::format("particle {}: radius {:g} m or mass {:g} kg is not above 0; correct it", b.id,
                               b.radius, b.mass));
-    if (b.fixed && !(b.velocity == Vec3{} && b.spin == Vec3{}))
-      throw Error(fmt::format("particle {} is fixed and moves; give it no velocity and no spin", b.id));
     if (b.material >= materials)
       throw Error(fmt::format("particle {}: material {} of {}; give the index of a material", b.id,
                               b.material, materials));
@@ -94,6 +127,7 @@ const Scene& checked(const Scene& scene) {
     if (boundary.material >= materials)
       throw Error(fmt::format("boundary '{}': material {} of {}; give the index of a material", boundary.name,
                               boundary.material, materials));
+  check_groups(scene);
   return scene;
 }
 

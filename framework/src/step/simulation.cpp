@@ -4,6 +4,7 @@
 #include "walls/enclosure.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <new>
 
@@ -281,6 +282,7 @@ std::uint64_t Simulation::state_hash() const {
   for (int k = 0; k < p.orientations.components(); ++k)
     for (const double component : p.orientations[k]) hash.add(component);
   for (const std::uint8_t fixed : p.fixed) hash.add(std::uint64_t(fixed));
+  for (const freedom::Mask held : p.held) hash.add(std::uint64_t(held));
   parts_->integrator->add_to_hash(hash);
   const Contacts& contacts = parts_->contacts;
   for (const PairGroup& group : contacts.groups())
@@ -302,8 +304,13 @@ Footprint Simulation::footprint() const {
   const std::size_t history_bytes = PairColumns(parts_->scene.precision).bytes_per_number();
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
   const auto fixed = std::size_t(std::count(p.fixed.begin(), p.fixed.end(), 1));
-  return {.degrees_of_freedom = (p.size() - fixed) * (std::size_t(dimension()) + spins),
+  const auto held = p.held.size() - std::size_t(std::count(p.held.begin(), p.held.end(), 0));
+  std::size_t held_components = 0;
+  for (const freedom::Mask mask : p.held)
+    held_components += std::size_t(std::popcount(freedom::Mask(mask & p.components())));
+  return {.degrees_of_freedom = (p.size() - fixed) * (std::size_t(dimension()) + spins) - held_components,
           .fixed_bodies = fixed,
+          .held_bodies = held,
           .bytes_per_body = p.bytes_per_body(),
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * history_bytes,
           .history_width = width};

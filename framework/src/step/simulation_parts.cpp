@@ -21,13 +21,23 @@ namespace {
 constexpr std::uint32_t no_law = ~0u;
 constexpr const char* path_of_contact_sums = "sums/contacts";
 
+// Whether a group moves or loads a rotation.
+bool turns(const BodyGroup& group) {
+  for (const BodyGroup::Programs* programs : {&group.velocity, &group.displacement, &group.load})
+    if (std::any_of(programs->begin() + freedom::first_rotation, programs->end(),
+                    [](const std::vector<double>& program) { return !program.empty(); }))
+      return true;
+  return false;
+}
+
 bool needs_spin(const Scene& scene) {
   const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const Body& b) { return !(b.spin == Vec3{}); });
   const bool turning = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
     return exerts_torque(law.parameters, scene.dimension);
   });
-  return scene.spin || scene.orientations || spinning || turning;
+  const bool driven = std::any_of(scene.groups.begin(), scene.groups.end(), turns);
+  return scene.spin || scene.orientations || spinning || turning || driven;
 }
 
 bool needs_orientations(const Scene& scene) {
@@ -100,6 +110,7 @@ SimulationParts::SimulationParts(const Scene& given)
                  .images = boundaries.domain().any_periodic(),
                  .orientations = needs_orientations(scene)},
                 scene.bodies),
+      driven(scene, particles),
       law_of(scene.law_of),
       neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()),
                  {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())}),

@@ -6,6 +6,7 @@
 #include "contacts/displaced_loads.hpp"
 #include "contacts/forces.hpp"
 #include "contacts/touching_contacts.hpp"
+#include "motion/driven_bodies.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
 #include "search/neighbour_list.hpp"
@@ -50,6 +51,7 @@ struct SimulationParts {
   Boundaries boundaries;
   BodyForces body_forces;
   Particles particles;
+  DrivenBodies driven;
   std::vector<std::uint32_t> law_of;  // of the scene, without the laws that are absent
   Contacts contacts;
   NeighbourList neighbours;

@@ -162,9 +162,9 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
 }  // namespace
 
 Vec3 drift_velocity(const Scene& scene) {
-  const bool any_fixed =
-      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.fixed; });
-  if (any_fixed || !boundaries_of(scene).planes().empty()) return {};
+  const bool any_held =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.fixed || b.held; });
+  if (any_held || !boundaries_of(scene).planes().empty()) return {};
   double mass = 0;
   Vec3 momentum = {};
   for (const Body& body : scene.bodies) mass += body.mass, momentum += body.mass * body.velocity;

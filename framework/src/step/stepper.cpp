@@ -12,6 +12,7 @@
 // Sequence of a substep from t to t + h (one per step; five in `fourth_order`):
 //
 //   bodies begin      Integrator::begin_step       positions to t + h, velocities predicted there
+//                     DrivenBodies                 only if bodies are held in part, moved or loaded by a group
 //                     Orientations::rotate         only if the scene carries them
 //   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
 //                     DisplacedLoads::load             only for boundaries that try displacements
@@ -38,6 +39,7 @@ bool Stepper::step(Next next) {
   const std::span<const double> shares = parts_.integrator->substeps();
   double square_speed = 0;
   for (std::size_t k = 0; k < shares.size(); ++k) {
+    substep_ = k;
     std::optional<double> following;
     if (k + 1 < shares.size() || next == Next::follows) following = shares[(k + 1) % shares.size()] * h;
     const std::optional<double> moved = substep(shares[k] * h, following);
@@ -56,7 +58,9 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   const bool mid_step = p.integrator->evaluates_at_mid_step();
   const double elapsed = mid_step && forces_at_ == ForcesAt::end_of_step ? 0.5 * step : step;
   if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.undo_extrapolation();
-  if (!bodies_advanced_) begin_bodies(step);
+  const DrivenBodies::Times times = {time_, step, force_time_, elapsed, mid_step};
+  if (!bodies_advanced_) begin_bodies(times);
+  add_work_of_begun_step();
   const double square_speed = largest_square_speed(), speed = std::sqrt(square_speed);
   if (!std::isfinite(square_speed)) return std::nullopt;
 
@@ -75,6 +79,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
 
   // Do not start the next step when a limit may be exceeded, so that errors are reported for the right time.
   if (too_fast(square_speed) || may_become_too_deep(std::max(speed, plane_speed) * step)) next.reset();
+  if (p.driven.any()) plan_driven(times, next);
   const bool finite = evaluate_forces(elapsed, {.finish = step, .begin = next});
 
   laps = Laps(p.profile);
@@ -99,17 +104,63 @@ void Stepper::begin_walls(double step, double kick) {
   });
 }
 
-void Stepper::begin_bodies(double step) {
+void Stepper::begin_bodies(const DrivenBodies::Times& times) {
   SimulationParts& p = parts_;
   Laps laps(p.profile);
-  p.integrator->prepare(p.particles, step);
+  const double step = times.step;
+  if (p.driven.any()) {
+    p.driven.plan_begin(times);
+    p.driven.prepare(*p.integrator, p.particles, step);
+  } else {
+    p.integrator->prepare(p.particles, step);
+  }
   p.threads->each(tiles_.parts(), [&](std::size_t part, unsigned) {
     const BodyRange bodies = tiles_.part(part);
-    (part_sums_[part] = {}).square_speed = p.integrator->begin_step(p.particles, step, bodies);
+    PartSums& sums = part_sums_[part] = {};
+    if (p.driven.any_in(part)) return begin_driven(part, bodies, step, sums);
+    sums.square_speed = p.integrator->begin_step(p.particles, step, bodies);
     if (p.particles.orientations) rotate(bodies, {.begin = step});
     Forces::clear(p.particles, bodies);
   });
   laps.lap(Profile::integrate);
+}
+
+void Stepper::begin_driven(std::size_t part, BodyRange bodies, double step, PartSums& sums) {
+  SimulationParts& p = parts_;
+  sums.square_speed = p.driven.begin_step(*p.integrator, p.particles, step, bodies, part);
+  if (p.particles.orientations) rotate(bodies, {.begin = step});
+  sums.work_to_begin = p.driven.predict(p.particles, part);
+  Forces::clear(p.particles, bodies);
+}
+
+void Stepper::move_driven(std::size_t part, BodyRange bodies, const Moves& moves, PartSums& sums) {
+  SimulationParts& p = parts_;
+  p.driven.add_loads(p.particles, part);
+  sums.work = p.driven.work(p.particles, part);
+  if (!moves.finish) return;
+  sums.finite = p.driven.finish_step(*p.integrator, p.particles, *moves.finish, bodies, part);
+  if (p.particles.orientations) rotate(bodies, {.finish = moves.finish});
+  if (moves.begin) begin_driven(part, bodies, *moves.begin, sums);
+}
+
+void Stepper::plan_driven(const DrivenBodies::Times& now, std::optional<double> next) {
+  SimulationParts& p = parts_;
+  p.driven.plan_finish(now);
+  if (!next) return;
+  // As the clock will show after this step.
+  const bool last = substep_ + 1 == p.integrator->substeps().size();
+  const double time = last ? double(steps_ + 1) * p.scene.step : now.time + now.step;
+  const double force_time = !last          ? now.force_time + now.elapsed
+                            : now.mid_step ? time - 0.5 * p.scene.step
+                                           : time;
+  p.driven.plan_begin({time, *next, force_time, *next, now.mid_step});
+}
+
+void Stepper::add_work_of_begun_step() {
+  if (!parts_.driven.any() || !parts_.scene.audit) return;
+  double work = 0;
+  for (const PartSums& sums : part_sums_) work += sums.work_to_begin;
+  parts_.audit.add_work(work);
 }
 
 double Stepper::largest_square_speed() const {
@@ -140,11 +191,14 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   p.body_sums = {};
   MomentumAudit::Sums momentum;
   bool finite = true;
+  double work = 0;
   for (const PartSums& sums : part_sums_) {
     p.body_sums += sums.bodies;
     momentum.add(sums.momentum);
     finite &= sums.finite;
+    work += sums.work;
   }
+  if (p.driven.any() && p.scene.audit) p.audit.add_work(work);
   p.momentum_audit.add_step(elapsed, momentum, p.boundaries.loads());
   return finite;
 }
@@ -158,6 +212,10 @@ void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile
   laps.lap(Profile::audit);
   p.body_forces.apply(evaluated_at_, p.particles, p.boundaries.domain(), bodies, sums.bodies);
   laps.lap(Profile::body_forces);
+  if (p.driven.any_in(part)) {
+    move_driven(part, bodies, moves, sums);
+    return laps.lap(Profile::integrate);
+  }
   if (moves.finish && moves.begin) {
     const auto moved = p.integrator->finish_and_begin_step(p.particles, *moves.finish, *moves.begin, bodies);
     sums.finite = moved.finite;
@@ -185,6 +243,7 @@ void Stepper::rotate(BodyRange bodies, const Moves& moves) {
 
 void Stepper::reevaluate_forces(double elapsed) {
   Forces::clear(parts_.particles, {0, parts_.particles.size()});
+  parts_.driven.plan_finish({time_, 0, time_, 0, false});
   evaluate_forces(elapsed, {});
 }
 
@@ -198,9 +257,16 @@ void Stepper::synchronise() {
       p.particles.mid_spin()[k][i] = p.particles.spin()[k][i];
   }
   const double behind = time_ - force_time_;
+  const DrivenBodies::Times times = {time_, 0, force_time_, behind, true};
+  p.driven.plan_begin(times);
+  for (std::size_t part = 0; part < tiles_.parts(); ++part)
+    part_sums_[part].work_to_begin = p.driven.predict(p.particles, part);
+  add_work_of_begun_step();
   p.boundaries.undo_extrapolation();
   begin_walls(behind, 0);
-  reevaluate_forces(behind);
+  Forces::clear(p.particles, {0, p.particles.size()});
+  p.driven.plan_finish(times);
+  evaluate_forces(behind, {});
   p.boundaries.finish_step(force_time_, behind);
   if (p.scene.audit) p.audit.add_step(behind, p.contact_sums, p.body_sums);
   force_time_ = time_;

@@ -3,6 +3,7 @@
 #include "audit/energy_audit.hpp"
 #include "audit/momentum_audit.hpp"
 #include "bodies/body_range.hpp"
+#include "motion/driven_bodies.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -59,13 +60,21 @@ class Stepper {
     MomentumAudit::Sums momentum;
     double square_speed = 0;
     bool finite = true;
+    double work = 0,
+           work_to_begin = 0;  // on driven bodies, and by the loads with which the next step begins (J)
   };
 
   // Takes one substep and, if `next` is given, the first half of the next for the bodies (s). Returns the
   // largest squared speed (m²/s²); infinite if any velocity or spin is not finite at the end, nothing if
   // bodies or walls could not be moved.
   std::optional<double> substep(double step, std::optional<double> next);
-  void begin_bodies(double step);
+  void begin_bodies(const DrivenBodies::Times& times);
+  // The same for a part with driven bodies, and what finish_part does for it.
+  void begin_driven(std::size_t part, BodyRange bodies, double step, PartSums& sums);
+  void move_driven(std::size_t part, BodyRange bodies, const Moves& moves, PartSums& sums);
+  // Before an evaluation that ends a substep, after which one of `next` (s) follows.
+  void plan_driven(const DrivenBodies::Times& now, std::optional<double> next);
+  void add_work_of_begun_step();
   // First half of a step (s) for the walls; the bodies are at its end, where forces act for `kick` (s).
   void begin_walls(double step, double kick);
   double largest_square_speed() const;
@@ -89,6 +98,7 @@ class Stepper {
   double evaluated_at_ = 0;       // (s) of the one that goes on
   ForcesAt forces_at_ = ForcesAt::end_of_step;
   std::uint64_t steps_ = 0;
+  std::size_t substep_ = 0;      // of the step that is taken
   double max_square_speed_ = 0;  // (m²/s²)
 };
 

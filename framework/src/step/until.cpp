@@ -22,6 +22,16 @@ KineticEnergy kinetic_energy_of(const Body& b) {
   return {0.5 * b.mass * dot(b.velocity, b.velocity), 0.5 * b.inertia * dot(b.spin, b.spin)};
 }
 
+// A body without the motion in which it is held, which no force ends.
+Body body_that_comes_to_rest(const Particles& p, std::size_t i) {
+  Body body = p.body(i);
+  for (int k = 0; k < 3; ++k) {
+    if (p.is_held(i, k)) body.velocity[k] = 0;
+    if (p.is_held(i, freedom::first_rotation + k)) body.spin[k] = 0;
+  }
+  return body;
+}
+
 bool is_free(const Particles& p, std::size_t i) {
   const Vectors<const double> force = p.force();
   for (int k = 0; k < p.dimension(); ++k)
@@ -183,7 +193,7 @@ double kinetic_over_elastic(const Simulation& simulation) {
     return kinetic_energy(energy) / elastic;
   double kinetic = energy.kinetic_boundary;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Body body = p.body(i);
+    const Body body = body_that_comes_to_rest(p, i);
     if (supports[i].contacts == 1)
       kinetic += 0.5 * body.mass * std::pow(dot(body.velocity, supports[i].normal), 2);
     else if (supports[i].contacts > 1 || !is_free(p, i))

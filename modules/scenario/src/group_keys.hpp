@@ -5,13 +5,28 @@
 namespace scree::scenario {
 
 struct GroupKeys : TableKeys {
-  GroupKeys() : TableKeys("group", "[[group]]", "bodies that are fixed, or start with a velocity") {}
+  GroupKeys()
+      : TableKeys("group", "[[group]]",
+                  "bodies that are held, moved or loaded together, or start with a velocity") {}
   StringKey name = string("name", "unique, for messages");
   Key where = other("where", "table", Range::any(), "required", "which bodies, see group.where");
-  Key fixed = other("fixed", "true or false", Range::any(), "optional",
-                    "true: they neither move nor turn; false: those that a state has fixed move again");
-  Key velocity = other("velocity", "[x, y, z]", Range::any("m/s"), "optional",
-                       "at the start, in place of the one that they have");
+  Key fixed = other(
+      "fixed", "true, false or an array of x, y, z, rotation, rotation_x, ...", Range::any(), "optional",
+      "true: no force moves or turns them; an array: not along these axes, nor about them; false: those "
+      "that a state holds move again");
+  Key velocity =
+      other("velocity", "[x, y, z]", Range::any("m/s"), "optional",
+            "at the start, in place of the one that they have; it lasts along fixed axes (without it 0), "
+            "where each component may be a function of time");
+  Key spin =
+      other("spin", "[x, y, z], in 2D a number", Range::any("rad/s"), "optional", "the same of rotations");
+  Key displacement =
+      other("displacement", "[x, y, z]", Range::any("m"), "optional",
+            "along fixed axes, in place of velocity: functions of time, of which increments count");
+  Key force = other("force", "[x, y, z]", Range::any("N"), "optional",
+                    "on each of them, besides all others; each component may be a function of time");
+  Key torque =
+      other("torque", "[x, y, z], in 2D a number", Range::any("N m"), "optional", "the same of torques");
 };
 
 struct GroupWhereKeys : TableKeys {

@@ -25,9 +25,9 @@ class Selection {
     ++conditions_;
   }
   std::size_t conditions() const { return conditions_; }
-  std::vector<std::size_t> bodies() const {
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < chosen_.size(); ++i)
+  std::vector<std::uint32_t> bodies() const {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < chosen_.size(); ++i)
       if (chosen_[i]) all.push_back(i);
     return all;
   }
@@ -125,8 +125,8 @@ std::string extent_text(const Scene& scene) {
   return fmt::format("{} m", fmt::join(axes, ", "));
 }
 
-std::vector<std::size_t> bodies_of_group(const document::Table& group, const std::string& name,
-                                         const std::vector<BodySource>& sources, const Scene& scene) {
+std::vector<std::uint32_t> bodies_of_group(const document::Table& group, const std::string& name,
+                                           const std::vector<BodySource>& sources, const Scene& scene) {
   const document::Table where = group.table(group_keys.where);
   Selection selection(scene);
   keep_ids(where, scene, selection);
@@ -139,7 +139,7 @@ std::vector<std::size_t> bodies_of_group(const document::Table& group, const std
   if (selection.conditions() == 0)
     throw group.error(group_keys.where, fmt::format("group '{}' has no condition", files::one_line(name)),
                       "give particles, ids, material, x, y or z = [low, high], sphere or cylinder");
-  std::vector<std::size_t> bodies = selection.bodies();
+  std::vector<std::uint32_t> bodies = selection.bodies();
   if (bodies.empty())
     throw group.error(group_keys.where, fmt::format("group '{}' has no bodies", files::one_line(name)),
                       "correct its conditions: the centres of the " +
@@ -147,37 +147,15 @@ std::vector<std::size_t> bodies_of_group(const document::Table& group, const std
   return bodies;
 }
 
-void fix(const document::Table& group, Body& body) {
-  body.fixed = group.boolean(group_keys.fixed);
-  if (body.fixed) body.velocity = body.spin = {};
-}
-
-void set_moving(const document::Table& group, const std::string& name, const Vec3& velocity, Body& body) {
-  if (body.fixed && !(velocity == Vec3{}))
-    throw group.error(
-        group_keys.velocity,
-        fmt::format("particle {} of group '{}' is fixed and cannot move", body.id, files::one_line(name)),
-        "remove velocity, or leave the body out of the group that is fixed");
-  body.velocity = velocity;
-}
-
 }  // namespace
 
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene) {
   UniqueNames names{"group"};
+  std::vector<freedom::Mask> moved(scene.bodies.size(), 0);
   for (const document::Table& group : root.tables("group")) {
     const std::string name = read(group, group_keys.name);
     names.add(group, name);
-    const std::vector<std::size_t> bodies = bodies_of_group(group, name, sources, scene);
-    const bool fixes = group.optional(group_keys.fixed), moves = group.optional(group_keys.velocity);
-    if (!fixes && !moves)
-      throw group.error(fmt::format("group '{}' is given nothing", files::one_line(name)),
-                        "add fixed = true, or velocity = [x, y, z]");
-    const Vec3 velocity = read_vector(group, group_keys.velocity, scene.dimension, false);
-    for (const std::size_t i : bodies) {
-      if (fixes) fix(group, scene.bodies[i]);
-      if (moves) set_moving(group, name, velocity, scene.bodies[i]);
-    }
+    read_group_motion(group, name, bodies_of_group(group, name, sources, scene), moved, scene);
   }
 }
 

@@ -112,7 +112,10 @@ std::vector<double> read_wave(const document::Table& t) {
 
 std::vector<double> read_program(const document::Table& table, const std::string& key) {
   if (!table.is_table(key)) return {Program::constant, table.number(key)};
-  const document::Table t = table.table(key);
+  return read_program_of(table.table(key), key);
+}
+
+std::vector<double> read_program_of(const document::Table& t, const std::string& key) {
   if (t.optional("wave")) return read_wave(t);
   refuse_mixture(t);
   if (t.optional("table")) return read_rows(t);

@@ -160,6 +160,14 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
 // Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials. sources: of its bodies.
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene);
 
+// group_motion_reader.cpp
+
+// What a [[group]] gives its bodies (indices): which components are held, velocities, and functions of time, for which it
+// adds a BodyGroup to the scene. moved: of each body, the components that follow a function of a group before.
+void read_group_motion(const document::Table& group, const std::string& name,
+                       const std::vector<std::uint32_t>& bodies, std::vector<freedom::Mask>& moved,
+                       Scene& scene);
+
 // plugin_parameters.cpp
 
 // The plug-in that the key `plugin` of the table names.
@@ -175,6 +183,8 @@ void check_complete(const document::Table& table, const Parameters& parameters);
 // A function of time: a number, or a table whose keys determine its kind. Returns the numbers of a Program
 // (see program.hpp of the framework).
 std::vector<double> read_program(const document::Table& table, const std::string& key);
+// The same of the table that is the value of a key, or an element of it.
+std::vector<double> read_program_of(const document::Table& function, const std::string& key);
 
 // instances.cpp
 

@@ -204,15 +204,21 @@ TEST_CASE("a rebound from a fixed body has the same restitution in mixed precisi
   CHECK(scree::test::velocity(s, 1)[1] == Approx(0.6 * 3).epsilon(1e-4));
 }
 
-TEST_CASE("a body that is fixed and moves is refused") {
-  const Values law = {{"normal_stiffness", {stiffness}}, {"normal_damping", {0}}};
-  for (const bool spins : {false, true}) {
-    const Vec3 motion = {{0, 0, 1}};
-    CHECK_THROWS_WITH(
-        Simulation(scree::test::scene(
-            3, 1e-4, {fixed(ball(7, {}, spins ? Vec3{} : motion, spins ? motion : Vec3{}))}, law)),
-        "particle 7 is fixed and moves; give it no velocity and no spin");
-  }
+TEST_CASE("a fixed body with a velocity keeps it, and pushes what it meets at the work of its force") {
+  const double damping = 100;
+  Scene scene =
+      scree::test::scene(3, 1e-4, {fixed(ball(0, {}, {{0, 0.5, 0}}, {{0, 0, 2}})), ball(1, {{0, 2, 0}})},
+                         {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}});
+  Simulation s(scene);
+  scree::test::run(s, 2000);
+  CHECK(scree::test::position(s, 0)[1] == Approx(0.5 * s.time()).epsilon(1e-12));
+  CHECK(s.particles().body(0).spin == Vec3{{0, 0, 2}});
+  REQUIRE(s.particles().force()[1][1] == 0);
+  // It has left with the momentum m v that the fixed body has given it at 0.5 m/s.
+  const double speed = scree::test::velocity(s, 1)[1];
+  CHECK(speed > 0.5);
+  CHECK(s.energy().work == Approx(0.5 * s.particles().mass[1] * speed).epsilon(1e-6));
+  CHECK(s.energy_residual() < 1e-3);
 }
 
 TEST_CASE("only bodies that are fixed change the state hash, the footprint and the size of a scene") {

@@ -5,7 +5,10 @@
 #include <random>
 #include <string>
 
+#include <catch2/catch.hpp>
+
 #include <scree/error.hpp>
+#include <scree/state.hpp>
 
 namespace scree::test {
 
@@ -41,6 +44,15 @@ inline Scene heap(int dimension, bool periodic) {
     add_boundary(s, "box", {{"stress", {0, 30}}, {"mass", {1000}}, {"viscosity", {10}}, {"x_low", {1}}});
   add_body_force(s, "gravity", {{"acceleration", {0, -10, 0}}});
   return s;
+}
+
+// Compares array by array, for a message that names the first difference.
+inline void check_same(const State& a, const State& b) {
+  REQUIRE(a.arrays().size() == b.arrays().size());
+  for (const auto& [path, array] : a.arrays()) {
+    INFO(path);
+    CHECK(b.at(path) == array);
+  }
 }
 
 inline std::string message_of(const auto& action) {

@@ -1,5 +1,6 @@
 #include "plan_support.hpp"
 
+#include <cmath>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -110,8 +111,9 @@ TEST_CASE("a group that is fixed has no velocity, and others keep or are given t
 
 TEST_CASE("a group that a scene cannot have is refused with its place and a cure", "[scenario]") {
   CHECK(refused("name = 'g'\nfixed = true").starts_with("scene.toml:27:1: "));
-  CHECK(refused("name = 'g'\nwhere.ids = [1]") ==
-        "scene.toml:27:1: group 'g' is given nothing; add fixed = true, or velocity = [x, y, z]");
+  CHECK(
+      refused("name = 'g'\nwhere.ids = [1]") ==
+      "scene.toml:27:1: group 'g' is given nothing; add fixed = true, velocity = [x, y, z] or force = [x, y, z]");
   CHECK(refused("fixed = true\nwhere.ids = [1]").starts_with("scene.toml:27:1: "));
   CHECK_THAT(
       refused(
@@ -144,8 +146,86 @@ TEST_CASE("a group that a scene cannot have is refused with its place and a cure
   CHECK(
       refused(
           "name = 'g'\nfixed = true\nwhere.ids = [1, 2]\n[[group]]\nname = 'h'\nvelocity = [1, 0]\nwhere.ids = [4, 2]") ==
-      "scene.toml:33:12: particle 2 of group 'h' is fixed and cannot move; remove velocity, or leave the body out "
-      "of the group that is fixed");
+      "scene.toml:33:12: particle 2 of group 'h' is fixed and cannot move; remove velocity, leave the body out of the "
+      "group that is fixed, or give velocity there");
+}
+
+TEST_CASE("bodies are held along the axes that a group names, and have its velocity there, or none",
+          "[scenario]") {
+  const Scene scene =
+      plan_of(with_group("name = 'a'\nfixed = ['x']\nwhere.ids = [1]\n"
+                         "[[group]]\nname = 'b'\nfixed = ['y', 'rotation']\nwhere.ids = [2]\n"
+                         "velocity = [3, -4]\n"
+                         "[[group]]\nname = 'c'\nfixed = ['x', 'y', 'rotation']\nspin = 5\n"
+                         "where.ids = [3]\n"
+                         "[[group]]\nname = 'd'\nfixed = true\nvelocity = [0, 0.5]\nwhere.ids = [4]\n"))
+          .scene;
+  const std::vector<Body> before = plan_of(discs).scene.bodies;
+  const std::vector<Body>& after = scene.bodies;
+  CHECK(after[0].held == 1);
+  CHECK_FALSE(after[0].fixed);
+  REQUIRE(before[0].velocity[1] != 0);
+  CHECK(after[0].velocity == Vec3{{0, before[0].velocity[1], 0}});
+  CHECK(after[1].held == (2 | 32));
+  CHECK(after[1].velocity == Vec3{{3, -4, 0}});
+  // All that a disc has.
+  CHECK(after[2].fixed);
+  CHECK(after[2].held == 0);
+  CHECK(after[2].spin == Vec3{{0, 0, 5}});
+  CHECK(after[3].fixed);
+  CHECK(after[3].velocity == Vec3{{0, 0.5, 0}});
+  CHECK(scene.groups.empty());
+}
+
+TEST_CASE("a group follows functions of time, and a later one may hold other bodies", "[scenario]") {
+  const Scene scene =
+      plan_of(with_group("name = 'shaker'\nfixed = true\nwhere.ids = [1, 2]\n"
+                         "velocity = [0.25, { amplitude = 2, frequency_hz = 3, phase_deg = 90 }]\n"
+                         "[[group]]\nname = 'lift'\nfixed = ['y']\nwhere.ids = [3]\n"
+                         "displacement = [0, { from = 0, to = 4, duration = 2 }]\n"
+                         "[[group]]\nname = 'load'\nwhere.ids = [4]\nforce = [0, -7]\n"
+                         "torque = { amplitude = 1, frequency_hz = 1 }\n"))
+          .scene;
+  REQUIRE(scene.groups.size() == 3);
+  CHECK(scene.groups[0].bodies == std::vector<std::uint32_t>{0, 1});
+  CHECK(scene.groups[0].velocity[0].empty());  // a number: the velocity of the body
+  CHECK(scene.groups[0].velocity[1] == std::vector<double>{1, 0, 2, 3, std::acos(-1.0) / 2});
+  CHECK(scene.bodies[0].velocity == Vec3{{0.25, 2, 0}});
+  CHECK(scene.groups[1].displacement[1] == std::vector<double>{3, 0, 4, 2});
+  CHECK(scene.bodies[2].velocity[1] == 2);
+  CHECK(scene.groups[2].load[0].empty());
+  CHECK(scene.groups[2].load[1] == std::vector<double>{0, -7});
+  CHECK(scene.groups[2].load[5] == std::vector<double>{1, 0, 1, 1, 0});
+  CHECK_FALSE(scene.bodies[3].fixed);
+}
+
+TEST_CASE("motions and loads of groups that a scene cannot have are refused with a cure", "[scenario]") {
+  const std::string sine = "{ amplitude = 1, frequency_hz = 1 }";
+  CHECK(
+      refused("name = 'g'\nwhere.ids = [1]\nvelocity = [0, " + sine + "]") ==
+      "scene.toml:30:12: velocity is a function of time along an axis that is not fixed; add fixed = true, or fixed = "
+      "[\"y\"]");
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = ['y']\nspin = " + sine),
+             Catch::Contains("add fixed = true, or fixed = [\"rotation_z\"]"));
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = ['y', 'z']"),
+             Catch::Contains("scene.toml:30:15: a scene of two dimensions has no z"));
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = ['w']"),
+             Catch::Contains("'w' is no axis; give x, y, z"));
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = []"), Catch::Contains("no axis is fixed"));
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = true\ndisplacement = [0, 1]"),
+             Catch::Contains("scene.toml:31:20: a displacement that does not change moves nothing"));
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = true\nvelocity = [0, 0]\ndisplacement = [" + sine +
+                     ", 0]"),
+             Catch::Contains("velocity and displacement are both given"));
+  CHECK_THAT(
+      refused("name = 'g'\nwhere.ids = [1]\nfixed = true\nvelocity = [0, { amplitud = 1 }]"),
+      Catch::Contains("'velocity' is not a function of time") || Catch::Contains("unknown key 'amplitud'"));
+  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = true\nforce = [0, 0, 1]"),
+             Catch::Contains("give an array of 2 numbers or tables"));
+  CHECK_THAT(
+      refused("name = 'g'\nwhere.ids = [1, 2]\nfixed = true\nvelocity = [0, " + sine +
+              "]\n[[group]]\nname = 'h'\nwhere.ids = [2]\nfixed = true"),
+      Catch::Contains("particle 2 of group 'h' already follows a function of time; leave it out of one"));
 }
 
 TEST_CASE("bodies that a state has fixed stay fixed until a group lets them go", "[scenario]") {

@@ -29,7 +29,7 @@ inline constexpr NamedEnergy energies[] = {
     {"dissipated_rotation", &scree_energy::dissipated_rotation, "by drag on the spin"},
     {"dissipated_boundary", &scree_energy::dissipated_boundary, "by viscosity of walls"},
     {"created", &scree_energy::created, "by contact laws that are known to create energy"},
-    {"work", &scree_energy::work, "done by walls on the bodies"},
+    {"work", &scree_energy::work, "done by walls, and by what groups hold, move or load, on the bodies"},
     {"residual", &scree_energy::residual, "what no other column accounts for"}};
 static_assert(sizeof(scree_energy) == sizeof(double) * std::size(energies));
 

@@ -106,6 +106,13 @@ auto read_array(const DocumentState& document, const toml::node& node, std::opti
   return values;
 }
 
+std::variant<double, Table> read_number_or_table(const std::shared_ptr<TableState>& from,
+                                                 const toml::node& node) {
+  if (const toml::table* table = node.as_table())
+    return Table(std::shared_ptr<TableState>(from, &from->document->state_of(*table)));
+  return read_number(*from->document, node, Range::any());
+}
+
 std::vector<double> read_numbers(const DocumentState& document, const toml::node& node,
                                  std::optional<std::size_t> count, const Range& range) {
   return read_array(document, node, count, "numbers" + unit_behind(" in ", range), read_number, range);
@@ -211,6 +218,19 @@ std::vector<std::vector<double>> Table::rows(std::string_view key, std::size_t c
   return read_array(*state_->document,
                     state_->require(key, form(key, fmt::format("[{}, ...]", row_form(columns)), range)),
                     std::nullopt, what, read_numbers, columns, range);
+}
+
+std::variant<double, Table> Table::number_or_table(std::string_view key) const {
+  return read_number_or_table(state_, state_->require(key, form(key, "<number or table>")));
+}
+
+std::vector<std::variant<double, Table>> Table::numbers_or_tables(std::string_view key,
+                                                                  std::size_t count) const {
+  const auto read = [this](const DocumentState&, const toml::node& node) {
+    return read_number_or_table(state_, node);
+  };
+  return read_array(*state_->document, state_->require(key, form(key, row_form(count))), count,
+                    "numbers or tables", read);
 }
 
 std::vector<std::string> Table::strings(std::string_view key) const {

@@ -124,6 +124,7 @@ scenario::Plan plan_of(const Checkpoints::Latest& latest, const std::vector<Body
                     restored = restored_scenario(options.out, text, options.on_warning);
   return changed_plan(changes, &latest.state, [&](const std::vector<std::string>& overrides) {
     scenario::Plan plan = scenario::read_plan_again(text, name, overrides, bodies, host);
+    plan.scene.groups = groups_of(latest.state);
     if (!overrides.empty() || !restored.empty())
       plan.text_for_any_folder = text_in(options.out, restored, overrides);
     return plan;

@@ -191,9 +191,12 @@ std::optional<Error> too_long(const Simulation& s) {
 }  // namespace
 
 std::string describe_bodies(const Simulation& s) {
-  const std::size_t fixed = s.footprint().fixed_bodies;
+  const Footprint print = s.footprint();
+  std::vector<std::string> parts;
+  if (print.fixed_bodies > 0) parts.push_back(fmt::format("{} fixed", print.fixed_bodies));
+  if (print.held_bodies > 0) parts.push_back(fmt::format("{} fixed along some axes", print.held_bodies));
   return fmt::format("{}{} in {}D", counted(s.particles().size(), "body", "bodies"),
-                     fixed > 0 ? fmt::format(" ({} fixed)", fixed) : "", s.dimension());
+                     parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")), s.dimension());
 }
 
 std::string describe_step(const Simulation& s) {

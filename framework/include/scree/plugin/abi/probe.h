@@ -24,7 +24,7 @@ typedef struct scree_energy { /* the energy balance (J); dissipated, created and
   double dissipated_friction, dissipated_release;                      /* slip, released springs */
   double dissipated_translation, dissipated_rotation, dissipated_boundary;
   double created;  /* by contact laws that are neither conservative nor purely dissipative */
-  double work;     /* done by boundaries */
+  double work;     /* done by boundaries and groups */
   double residual; /* stored now − stored at the start + dissipated − created − work */
 } scree_energy;
 

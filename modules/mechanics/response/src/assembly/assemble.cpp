@@ -1,6 +1,7 @@
 #include "assembly/body_force_terms.hpp"
 #include "assembly/contact_terms.hpp"
 #include "assembly/entries.hpp"
+#include "assembly/group_terms.hpp"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ bool counts(const ContactTerms& c, const std::vector<bool>& held) {
   return held[c.a] && (c.b >= held.size() || held[c.b]);
 }
 
-// Whether each body is fixed, or held by at least `fewest_contacts` (AssemblyOptions) contacts with walls or held
+// Whether each body is fixed in place, or held by at least `fewest_contacts` (AssemblyOptions) contacts with walls or held
 // bodies.
 std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, const Particles& p, int dimension,
                               int fewest_contacts) {
@@ -38,8 +39,13 @@ std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, const P
       }
     }
     for (std::size_t i = 0; i < bodies; ++i) {
-      const int needed = fewest_contacts > 0 ? fewest_contacts : tangential[i] ? 2 : dimension + 1;
-      if (!held[i] || p.is_fixed(i) || number[i] >= needed) continue;
+      int free = 0;
+      for (int k = 0; k < dimension; ++k) free += !p.is_held(i, k);
+      const int needed = free == 0             ? 0
+                         : fewest_contacts > 0 ? fewest_contacts
+                         : tangential[i]       ? std::min(2, free + 1)
+                                               : free + 1;
+      if (!held[i] || number[i] >= needed) continue;
       held[i] = false;
       changed = true;
     }
@@ -69,16 +75,16 @@ DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const
     rotates[c.a] = true;
     if (c.b < held.size()) rotates[c.b] = true;
   }
-  return DegreesOfFreedom(p.dimension(), spins, translates, rotates, moved);
+  return DegreesOfFreedom(p.dimension(), spins, translates, rotates, moved, held_components(p));
 }
 
 Eigen::VectorXd masses(const DegreesOfFreedom& freedom, const Particles& p, const WallEquations& equations) {
   Eigen::VectorXd mass(freedom.size());
   for (std::size_t i = 0; i < freedom.bodies(); ++i) {
-    if (freedom.translation(i, 0) != DegreesOfFreedom::none)
-      mass.segment(freedom.translation(i, 0), freedom.dimension()).setConstant(p.mass[i]);
-    if (freedom.rotation(i, 0) != DegreesOfFreedom::none)
-      mass.segment(freedom.rotation(i, 0), freedom.spins()).setConstant(p.inertia[i]);
+    if (const auto [first, count] = freedom.translations(i); count > 0)
+      mass.segment(first, count).setConstant(p.mass[i]);
+    if (const auto [first, count] = freedom.rotations(i); count > 0)
+      mass.segment(first, count).setConstant(p.inertia[i]);
   }
   for (std::size_t w = 0; w < freedom.walls(); ++w)
     if (freedom.wall(w) != DegreesOfFreedom::none) mass[freedom.wall(w)] = equations.walls[w].mass;
@@ -114,6 +120,7 @@ void add_walls(const WallEquations& equations, const DegreesOfFreedom& freedom, 
 }  // namespace
 
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options) {
+  check_groups(simulation);
   const Particles& p = simulation.particles();
   const int spins = p.spin_axes().last - p.spin_axes().first;
   const std::vector<ContactTerms> contacts =

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <scree/plugin/program.hpp>
+
 namespace scree::response {
 
 namespace {
@@ -88,11 +90,25 @@ Eigen::VectorXd difference(SingleBody& body, double& number, double change) {
   return (more - less) / (upper - lower);
 }
 
+// Constant loads (N), (N m).
+void add_loads(const BodyGroup& group, int dimension, int spins, std::vector<BodyForceTerms>& terms) {
+  for (int k = 0; k < dimension + spins; ++k) {
+    const int component = k < dimension    ? k
+                          : dimension == 2 ? freedom::count - 1
+                                           : freedom::first_rotation + k - dimension;
+    const std::vector<double>& load = group.load[std::size_t(component)];
+    if (load.empty()) continue;
+    const double now = Program({.data = load.data(), .count = load.size()})(0);
+    for (const std::uint32_t i : group.bodies) terms[i].load[k] += now;
+  }
+}
+
 }  // namespace
 
 std::vector<BodyForceTerms> linearise_body_forces(const Simulation& simulation, int spins) {
   std::vector<BodyForceTerms> terms;
-  if (simulation.scene().body_forces.empty()) return terms;
+  const std::vector<BodyGroup>& groups = simulation.scene().groups;
+  if (simulation.scene().body_forces.empty() && groups.empty()) return terms;
   const int D = simulation.dimension(), of_body = D + spins;
   for (std::size_t i = 0; i < simulation.particles().size(); ++i) {
     SingleBody body(simulation, i, spins);
@@ -106,6 +122,7 @@ std::vector<BodyForceTerms> linearise_body_forces(const Simulation& simulation, 
     }
     terms.push_back(of);
   }
+  for (const BodyGroup& group : groups) add_loads(group, D, spins, terms);
   return terms;
 }
 

@@ -1,6 +1,7 @@
 #include "equilibrium/equilibrium.hpp"
 
 #include "assembly/entries.hpp"
+#include "assembly/group_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +25,14 @@ constexpr double longest_step = 0.005;
 constexpr double pair_gap = 0.4;
 
 DegreesOfFreedom all_motions(const Simulation& simulation, int spins, const WallEquations& walls) {
+  check_groups(simulation);
   const Particles& p = simulation.particles();
   std::vector<bool> bodies(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) bodies[i] = !p.is_fixed(i);
   std::vector<bool> free;
   for (const scree_linear_plane& wall : walls.walls) free.push_back(wall.free != 0);
   return DegreesOfFreedom(simulation.dimension(), spins, bodies, std::vector<bool>(bodies.size(), spins > 0),
-                          free);
+                          free, held_components(p));
 }
 
 int spins_of(const Particles& p) { return p.spin_axes().last - p.spin_axes().first; }
@@ -55,8 +57,8 @@ Equilibrium::Equilibrium(const Simulation& simulation, double tolerance)
       scale_(Vector::Ones(freedom_.size())) {
   const auto radii = simulation.particles().radius();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i)
-    for (int k = 0; k < freedom_.spins() && freedom_.moves(i); ++k)
-      scale_[freedom_.rotation(i, k)] = 1 / radii[i];
+    if (const auto [first, count] = freedom_.rotations(i); count > 0)
+      scale_.segment(first, count).setConstant(1 / radii[i]);
   // A drag, for example, is 0 at rest.
   if (std::all_of(body_forces_.begin(), body_forces_.end(), [](const BodyForceTerms& terms) {
         return terms.load.isZero(0) && terms.stiffness.isZero(0);
@@ -104,8 +106,8 @@ Equilibrium::Vector Equilibrium::without_free_bodies(Vector motion) const {
   const std::vector<bool> touched = contacts_.touched();
   for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
     if (touched[i] || !freedom_.moves(i)) continue;
-    motion.segment(freedom_.translation(i, 0), freedom_.dimension()).setZero();
-    if (freedom_.spins() > 0) motion.segment(freedom_.rotation(i, 0), freedom_.spins()).setZero();
+    for (const auto& [first, count] : {freedom_.translations(i), freedom_.rotations(i)})
+      if (count > 0) motion.segment(first, count).setZero();
   }
   return motion;
 }
@@ -151,8 +153,10 @@ void Equilibrium::add_bodies(const Search& search, Vector& residual) const {
     }
     for (int k = 0; k < S; ++k) load[D + k] = balance.loads.torque[i][D == 2 ? 2 : k];
     if (!body_forces_.empty()) load += body_forces_[i].load - body_forces_[i].stiffness * moved;
-    residual.segment(freedom_.translation(i, 0), D) = load.head(D);
-    if (S > 0) residual.segment(freedom_.rotation(i, 0), S) = load.tail(S);
+    for (int k = 0; k < D + S; ++k)
+      if (const Eigen::Index number = k < D ? freedom_.translation(i, k) : freedom_.rotation(i, k - D);
+          number != DegreesOfFreedom::none)
+        residual[number] = load[k];
   }
 }
 
@@ -186,7 +190,7 @@ bool Equilibrium::factorise(const WallEquations& walls, double grounding) {
 
 double Equilibrium::length_of(const Vector& motion) const {
   double longest = 0;
-  for_each_motion([&](Eigen::Index first, int count) {
+  for_each_motion([&](Eigen::Index first, Eigen::Index count) {
     const auto part = motion.segment(first, count).cwiseQuotient(scale_.segment(first, count));
     longest = std::max(longest, part.norm());
   });
@@ -202,7 +206,7 @@ Equilibrium::Vector Equilibrium::step_for(const Vector& residual) const {
   Vector step = factors_.solve(residual);
   if (body_forces_.empty()) step = without_free_bodies(std::move(step));
   const double allowed = longest_step * smallest_radius_;
-  for_each_motion([&](Eigen::Index first, int count) {
+  for_each_motion([&](Eigen::Index first, Eigen::Index count) {
     auto part = step.segment(first, count);
     const double length = part.cwiseQuotient(scale_.segment(first, count)).norm();
     if (length > allowed) part *= allowed / length;

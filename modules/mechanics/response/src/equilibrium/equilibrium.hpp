@@ -68,8 +68,8 @@ class Equilibrium {
   void for_each_motion(const Visit& visit) const {
     for (std::size_t i = 0; i < freedom_.bodies(); ++i) {
       if (!freedom_.moves(i)) continue;
-      visit(freedom_.translation(i, 0), freedom_.dimension());
-      if (freedom_.spins() > 0) visit(freedom_.rotation(i, 0), freedom_.spins());
+      for (const auto& [first, count] : {freedom_.translations(i), freedom_.rotations(i)})
+        if (count > 0) visit(first, count);
     }
   }
 

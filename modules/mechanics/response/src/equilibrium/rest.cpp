@@ -37,7 +37,11 @@ double unbalance_of(const Simulation& simulation, const DegreesOfFreedom& freedo
   }
   double largest = 0;
   for (std::size_t i = 0; i < freedom.bodies(); ++i)
-    if (freedom.moves(i)) largest = std::max(largest, net[i].norm());
+    if (freedom.moves(i)) {
+      for (int k = 0; k < freedom.dimension(); ++k)
+        if (freedom.translation(i, k) == DegreesOfFreedom::none) net[i][k] = 0;
+      largest = std::max(largest, net[i].norm());
+    }
   return sum > 0 ? largest / (sum / double(contacts.size())) : 0;
 }
 

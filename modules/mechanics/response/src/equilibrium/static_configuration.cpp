@@ -7,9 +7,9 @@ StaticMotion::StaticMotion(const Eigen::VectorXd& q, const DegreesOfFreedom& fre
     : displacement(freedom.bodies() + freedom.walls()), rotation(displacement.size()) {
   const int D = freedom.dimension(), S = freedom.spins();
   for (std::size_t i = 0; i < freedom.bodies(); ++i) {
-    if (!freedom.moves(i)) continue;
-    for (int k = 0; k < D; ++k) displacement[i][k] = q[freedom.translation(i, k)];
-    for (int k = 0; k < S; ++k) rotation[i][D == 2 ? 2 : k] = q[freedom.rotation(i, k)];
+    const auto moved = [&](Eigen::Index number) { return number == DegreesOfFreedom::none ? 0 : q[number]; };
+    for (int k = 0; k < D; ++k) displacement[i][k] = moved(freedom.translation(i, k));
+    for (int k = 0; k < S; ++k) rotation[i][D == 2 ? 2 : k] = moved(freedom.rotation(i, k));
   }
   for (std::size_t w = 0; w < freedom.walls(); ++w) {
     if (freedom.wall(w) == DegreesOfFreedom::none) continue;

@@ -129,7 +129,8 @@ std::string periodic_axes(const Simulation& simulation) {
 }  // namespace
 
 WallPair wall_pair(const Simulation& simulation) {
-  if (const std::size_t fixed = simulation.footprint().fixed_bodies; fixed > 0)
+  if (const std::size_t fixed = simulation.footprint().fixed_bodies + simulation.footprint().held_bodies;
+      fixed > 0)
     throw Error(fmt::format(
         "elastic constants are those of bodies between two walls, and here {} too, which {} load; leave "
         "--elastic out, or the [[group]] that fixes them",

@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include <scree/branching.hpp>
+#include <scree/error.hpp>
+#include <scree/plugin/program.hpp>
 #include <scree/response/linear_system.hpp>
 
 using namespace scree;
@@ -397,4 +399,46 @@ TEST_CASE("a wall on a fixed body has the stiffness and the dashpot of the conta
   CHECK(system.damping.coeff(0, 0) ==
         Approx(2 * decay / std::hypot(3.14159265358979, decay) * std::sqrt(stiffness * mass)));
   CHECK(system.mass[0] == 5);
+}
+
+// Components that are held have no rows and columns; K and C of the others are those of bodies that all move.
+TEST_CASE("the motions of a row whose spheres are held across it are those along it", "[response]") {
+  Scene scene = row_between(true);
+  const LinearSystem all = assemble(Simulation(scene), {.fewest_contacts = 1});
+  for (std::size_t i = 1; i <= 5; ++i) scene.bodies[i].held = freedom::all & ~1;
+  scene.bodies[3].held = freedom::all & ~(1 | 1 << 5);
+  const LinearSystem held = assemble(Simulation(scene), {});
+  REQUIRE(held.freedom.size() == 6);
+  CHECK(held.rattlers.empty());
+  CHECK(held.freedom.translation(3, 1) == DegreesOfFreedom::none);
+  CHECK(held.freedom.rotation(3, 2) == held.freedom.translation(3, 0) + 1);
+  CHECK((squares_along_x(held, 1) - squares_along_x(all, 1)).norm() == 0);
+  CHECK((Matrix(held.stiffness)(3, 3)) ==
+        Matrix(all.stiffness)(all.freedom.rotation(3, 2), all.freedom.rotation(3, 2)));
+  CHECK(held.mass[3] == scene.bodies[3].inertia);
+  CHECK(held.mass[4] == 1);
+}
+
+TEST_CASE("linear response refuses groups that move bodies, or load them as a function of time",
+          "[response]") {
+  const auto refused = [](const auto& change) {
+    Scene scene = row_between(true);
+    scene.groups.emplace_back().name = "g";
+    scene.groups[0].bodies = {0};
+    change(scene);
+    const Simulation simulation(scene);
+    try {
+      assemble(simulation, {.fewest_contacts = 1});
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::vector<double> sine = {Program::sine, 0, 1, 1, 0};
+  CHECK(refused([](Scene& s) { s.groups[0].load[0] = {Program::constant, 1}; }).empty());
+  CHECK_THAT(refused([&](Scene& s) { s.groups[0].velocity[0] = sine; }),
+             Catch::Contains("group 'g' moves its bodies"));
+  CHECK_THAT(refused([&](Scene& s) { s.groups[0].load[0] = sine; }), Catch::Contains("give it a number"));
+  CHECK_THAT(refused([](Scene& s) { s.bodies[0].velocity[1] = 1; }),
+             Catch::Contains("particle 0 is fixed and moves"));
 }

@@ -2,7 +2,11 @@
 
 #include "scenes.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
+
+#include <scree/plugin/program.hpp>
 
 using namespace scree;
 using namespace scree::response;
@@ -83,4 +87,26 @@ TEST_CASE("a column on a fixed sphere is in balance as on a floor, and the fixed
   CHECK(balance.loads.force[2][1] == Approx(-2 * gravity).epsilon(1e-10));
   CHECK(balance.loads.force[3] == Vec3{});
   CHECK(equilibrium.contacts().touching().size() == 2);
+}
+
+// N = (m g + F)/cos α with cos α = y/d, d = 2 − N/k: the support bears what acts along x.
+TEST_CASE("a sphere that is held along x, and loaded by a group, is in balance aside of a fixed one",
+          "[response]") {
+  constexpr double aside = 0.6, load = 0.3;
+  Scene scene = column();
+  scene.boundaries.clear();
+  scene.bodies = {test::body(0, 1, 1, {}),
+                  test::body(1, 1, 1, {{aside, std::sqrt(4 - aside * aside) - 1e-3, 0}})};
+  scene.bodies[0].fixed = true;
+  scene.bodies[1].held = 1;
+  scene.groups.emplace_back().bodies = {1};
+  scene.groups[0].load[1] = {Program::constant, -load};
+  const Simulation simulation(scene);
+  Equilibrium equilibrium(simulation, tolerance);
+  const Balance balance = equilibrium.find(StaticConfiguration(simulation), 0, {}, [] { return true; });
+  REQUIRE(balance.found);
+  CHECK(equilibrium.freedom().size() == 2);
+  CHECK(balance.at.position[1][0] == aside);
+  const double y = balance.at.position[1][1], d = std::hypot(aside, y);
+  CHECK(stiffness * (2 - d) * y / d == Approx(gravity + load).epsilon(1e-9));
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <scree/document/range.hpp>
@@ -77,6 +78,9 @@ class Table {
   // Array of any number of rows, each an array of `columns` numbers.
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns,
                                         const Range& range = Range::any()) const;
+  // A number or a table; and an array of `count` of them.
+  std::variant<double, Table> number_or_table(std::string_view key) const;
+  std::vector<std::variant<double, Table>> numbers_or_tables(std::string_view key, std::size_t count) const;
   std::vector<std::string> strings(std::string_view key) const;
   std::vector<std::int64_t> integers(std::string_view key, const Range& range = Range::any()) const;
 

@@ -13,7 +13,7 @@ namespace scree::response {
 
 // Small motions q of a packing about its present state, with its walls displaced by w:
 //   M q″ + C q′ + K q = f − M_w w″ − C_w w′ − K_w w
-// q: translations (m) and rotations (rad) of the bodies that are held but not fixed, and displacements (m) of the walls
+// q: translations (m) and rotations (rad) of the bodies that are held by contacts, along axes that are not fixed, and displacements (m) of the walls
 // that forces move and held bodies touch. For such a wall, w is the superposed displacement: inertia and viscosity
 // act on q − w. Rows are forces (N) and torques (N m).
 struct LinearSystem {
