@@ -158,6 +158,19 @@ std::vector<std::uint32_t> Branch::planes_here(const SimulationParts& parts) con
   return here;
 }
 
+namespace {
+
+// Whether a body does not touch what it touches in the state, since the wall or the law is absent.
+bool is_absent(const SimulationParts& parts, bool plane, std::uint32_t a, std::uint32_t b) {
+  if (plane && parts.boundaries.absent()[b]) return true;
+  const Scene& scene = parts.scene;
+  const std::uint32_t other = plane ? parts.boundaries.plane_materials()[b] : parts.particles.material[b];
+  const std::size_t pair = parts.particles.material[a] * scene.materials.size() + other;
+  return scene.laws[scene.law_of[pair]].parameters.absent();
+}
+
+}  // namespace
+
 std::size_t Branch::take_over_histories(SimulationParts& parts) {
   std::size_t taken = 0;
   dropped_ = each_row(parts, [&](PairGroup& group, std::size_t row, std::span<const double> numbers) {
@@ -177,6 +190,7 @@ Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) 
     if (!stored.plane && parts.particles.is_fixed(stored.a) && parts.particles.is_fixed(b))
       return void(++dropped.of_fixed);
     const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b);
+    if (!group && is_absent(parts, stored.plane, stored.a, b)) return void(++dropped.of_absent);
     if (!group)
       throw no_place("two bodies touch in the state and not in the scene", "keep its periodic faces",
                      "histories");
@@ -206,7 +220,7 @@ void Branch::count_lost(SimulationParts& parts) {
         missing(before.elastic_tangential, parts.contact_sums.elastic_tangential + (same_laws ? 0 : lost));
   // Other laws store another energy.
   const bool walls_left = !branching_.walls && Boundaries::plane_count(state_) > 0;
-  if (same_laws && (walls_left || dropped_.of_fixed > 0))
+  if (same_laws && (walls_left || dropped_.of_fixed > 0 || dropped_.of_absent > 0))
     released += missing(before.elastic_normal, parts.contact_sums.elastic_normal);
   parts.audit.add_released(released);
   report_dropped(released, before.elastic_normal + before.elastic_tangential);
@@ -244,6 +258,7 @@ void Branch::report_dropped(double energy, double before) {
   add(dropped_.of_walls, "their walls are left out",
       "remove \"walls\" from particles.leave_out to keep them");
   add(dropped_.of_fixed, "both of their bodies are fixed", "leave one of them free to keep them");
+  add(dropped_.of_absent, "their wall or law is absent", "let it be there in the first stage to keep them");
   add(dropped_.of_laws, "their law keeps other numbers with its present parameters",
       "give it those of the state to keep them");
   if (dropped_.all() == 0 && energy > 0)

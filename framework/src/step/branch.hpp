@@ -31,9 +31,9 @@ class Branch {
  private:
   // Contacts of the state whose histories have no place.
   struct Dropped {
-    // Left out; of walls that are; between fixed bodies; of another length.
-    std::size_t asked = 0, of_walls = 0, of_fixed = 0, of_laws = 0;
-    std::size_t all() const { return asked + of_walls + of_fixed + of_laws; }
+    // Left out; of walls that are; between fixed bodies; of absent walls or laws; of another length.
+    std::size_t asked = 0, of_walls = 0, of_fixed = 0, of_absent = 0, of_laws = 0;
+    std::size_t all() const { return asked + of_walls + of_fixed + of_absent + of_laws; }
   };
   struct Wall {
     std::size_t from, to;  // boundary in the state and in the scene

@@ -324,3 +324,30 @@ TEST_CASE("bodies that a scene lets go touch each other and move") {
   scree::test::run(branch, steps);
   CHECK_FALSE(scree::test::position(branch, 3) == scene.bodies[3].position);
 }
+
+TEST_CASE("a scene may begin from a state without one of its walls, whose contacts are released, and said") {
+  Stretched s;
+  s.next.boundaries[0].parameters.set("y_low", {7});  // absent
+  const Simulation branch(s.next, s.state, Branching());
+  REQUIRE(branch.absent_planes()[2]);
+  CHECK(branch.contact_list().size() < s.first.contact_list().size());
+  const scree_energy after = branch.energy();
+  CHECK(after.dissipated_release == Approx(s.before.elastic_normal + s.before.elastic_tangential -
+                                           after.elastic_normal - after.elastic_tangential)
+                                        .epsilon(1e-12));
+  CHECK(after.dissipated_release > 0);
+  check_closed(branch);
+  REQUIRE(branch.let_go().size() == 1);
+  CHECK_THAT(branch.let_go()[0], Catch::Contains("their wall or law is absent"));
+}
+
+TEST_CASE("a scene may begin from a state without one of its laws") {
+  Stretched s;
+  REQUIRE(s.first.contact_list().size() > 0);
+  s.next.laws[0].parameters.set_absent(true);
+  const Simulation branch(s.next, s.state, Branching());
+  CHECK(branch.contact_list().size() == 0);
+  check_closed(branch);
+  REQUIRE_FALSE(branch.let_go().empty());
+  CHECK_THAT(branch.let_go().back(), Catch::Contains("their wall or law is absent"));
+}
