@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view bodies = "bodies/", elements = "particles/bodies/", value = "/value";
 constexpr std::string_view material = "material", species = "species", box = "box";
 // Names of arrays that do not change in a run.
-constexpr std::string_view constant[] = {"fixed", "id", "inertia", "mass", "material", "radius"};
+constexpr std::string_view constant[] = {"fixed", "held", "id", "inertia", "mass", "material", "radius"};
 
 }  // namespace
 
