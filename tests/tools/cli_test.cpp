@@ -138,7 +138,8 @@ TEST_CASE("describe prints the columns of a probe with unit and meaning, those o
   const Workspace w;
   const Outcome box = w.scree("describe probe/box");
   CHECK(contains(box.out, "\n  length_z [m]            3D only; distance between the walls\n"));
-  CHECK(contains(box.out, "\n  solid_fraction [1]      volume of the bodies / "));
+  CHECK(contains(box.out,
+                 "\n  solid_fraction [1]      volume of the bodies with centres between the walls / "));
   CHECK(contains(w.scree("describe energy").out, "\n  residual [J]  "));
   const Outcome walls = w.scree("describe walls");
   CHECK(contains(walls.out, "\n  normal_force_<n> [N]      above 0 in compression\n"));

@@ -131,7 +131,12 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
     if (parameter_lines(wanted.parameters) != parameter_lines(scene_.boundaries[wall.to].parameters))
       simulation.reconfigure_boundary(wanted.name, wanted.parameters);
   }
-  if (parts.boundaries.absent() != parts.neighbours.absent_at_search()) parts.search_after_change();
+  if (parts.boundaries.absent() != parts.neighbours.absent_at_search()) {
+    parts.search_after_change();
+    // Without the contacts of walls that are absent now.
+    if (branching_.histories)
+      dropped_ = each_row(parts, [](PairGroup&, std::size_t, std::span<const double>) {});
+  }
   parts.stepper.reevaluate_forces(0);
   count_lost(parts);
   // Evaluated without a motion, contacts at the limit of friction stick; they go on as they were.
