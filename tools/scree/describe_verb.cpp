@@ -23,7 +23,7 @@ namespace scree::tool {
 
 namespace {
 
-constexpr scree_kind kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FORCE, SCREE_PROBE};
+constexpr scree_kind plugin_kinds[] = {SCREE_CONTACT_LAW, SCREE_BOUNDARY, SCREE_BODY_FORCE, SCREE_PROBE};
 
 struct DescribeArguments {
   std::string name;
@@ -44,7 +44,7 @@ void list_all(PluginHost& host) {
   list_tables();
   std::vector<PluginHost::Broken> broken;
   const auto plugins = host.load_all(broken);
-  for (const scree_kind kind : kinds) {
+  for (const scree_kind kind : plugin_kinds) {
     static constexpr const char* title_of_kind[] = {"", "contact laws, [[contact]]",
                                                     "boundaries, [[boundary]]", "body forces, [[body_force]]",
                                                     "probes, [[probe]]"};
@@ -117,7 +117,7 @@ std::optional<scenario::TableDescription> find_table(const std::string& name) {
 // All plug-ins of a name; "probe/box" selects a kind where a name stands for several.
 std::vector<const scree_plugin*> find_plugins(PluginHost& host, const std::string& name) {
   std::vector<const scree_plugin*> found;
-  for (const scree_kind kind : kinds)
+  for (const scree_kind kind : plugin_kinds)
     for (const std::string& known : host.names(kind))
       if (known == name || name == std::string(kind_folder(kind)) + "/" + known)
         found.push_back(&host.find(known, kind));
@@ -128,7 +128,7 @@ std::vector<const scree_plugin*> find_plugins(PluginHost& host, const std::strin
   std::vector<std::string> all;
   for (const scenario::TableDescription& table : scenario::describe_tables(study_tables()))
     all.push_back(table.name);
-  for (const scree_kind kind : kinds)
+  for (const scree_kind kind : plugin_kinds)
     for (const std::string& known : host.names(kind)) all.push_back(known);
   throw Error(fmt::format("no plug-in or table '{}'; {}", name, document::name_cure(name, all)));
 }

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kinds = {"contact", "boundary", "body_force", "probe"};
+const std::vector<std::string> project_kinds = {"contact", "boundary", "body_force", "probe"};
 
 struct NewPluginArguments {
   std::string kind, name, directory;
@@ -101,7 +101,7 @@ ExitStatus new_plugin(const NewPluginArguments& a) {
 void add_new_plugin_verb(CommandLine& line) {
   Verb verb = line.verb("new-plugin", "Write a project for a plug-in of your own, with a scene and a test");
   auto a = std::make_shared<NewPluginArguments>();
-  verb.option("kind", a->kind, "contact, boundary, body_force or probe").required().one_of(kinds);
+  verb.option("kind", a->kind, "contact, boundary, body_force or probe").required().one_of(project_kinds);
   verb.option("name", a->name, "Name of the plug-in: lower-case letters, digits and _").required();
   verb.option("--out", a->directory, "Directory to create (default: the name)").shown_as("DIR");
   verb.footer("Example: scree new-plugin contact viscous_spring");

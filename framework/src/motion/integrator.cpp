@@ -9,7 +9,7 @@ namespace {
 
 // Stable steps from the eigenvalues of one step of a damped oscillator, for damping ratios from 0 to 3;
 // verified in tests/framework/motion/integrator_choice_test.cpp.
-constexpr IntegrationTraits all[] = {
+constexpr IntegrationTraits all_integrations[] = {
     {Integration::velocity_verlet, "velocity_verlet",
      "order 2, symplectic; dashpots, contact onset, sliding and sticking keep order 2", 1, 1},
     {Integration::position_verlet, "position_verlet",
@@ -26,9 +26,11 @@ constexpr IntegrationTraits all[] = {
 
 }  // namespace
 
-std::span<const IntegrationTraits> integrations() { return all; }
+std::span<const IntegrationTraits> integrations() { return all_integrations; }
 
-const IntegrationTraits& traits_of(Integration integration) { return all[std::size_t(integration)]; }
+const IntegrationTraits& traits_of(Integration integration) {
+  return all_integrations[std::size_t(integration)];
+}
 
 std::span<const double> Integrator::substeps() const {
   static constexpr double whole[] = {1};

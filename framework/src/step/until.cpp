@@ -205,23 +205,23 @@ double kinetic_over_elastic(const Simulation& simulation) {
 std::optional<Movers> movers(const Simulation& simulation) {
   constexpr double share = 0.99;
   const Particles& p = simulation.particles();
-  std::vector<KineticEnergy> energies;
+  std::vector<KineticEnergy> kinetic;
   for (std::size_t i = 0; i < p.size(); ++i)
-    energies.push_back(is_free(p, i) ? KineticEnergy{0, 0} : kinetic_energy_of(p.body(i)));
-  const std::vector<std::size_t> few = holders(energies, share, std::max<std::size_t>(10, p.size() / 100));
-  if (few.empty() || !(energies[few[0]].sum() > 0)) return std::nullopt;
+    kinetic.push_back(is_free(p, i) ? KineticEnergy{0, 0} : kinetic_energy_of(p.body(i)));
+  const std::vector<std::size_t> few = holders(kinetic, share, std::max<std::size_t>(10, p.size() / 100));
+  if (few.empty() || !(kinetic[few[0]].sum() > 0)) return std::nullopt;
   const std::vector<Support> supports = supports_of(simulation);
   KineticEnergy held{0, 0};
   bool any_touches = false;
   std::vector<std::string> names;
   for (const std::size_t i : few) {
-    held.translation += energies[i].translation, held.rotation += energies[i].rotation;
+    held.translation += kinetic[i].translation, held.rotation += kinetic[i].rotation;
     any_touches = any_touches || supports[i].contacts > 0;
     if (names.size() < 3) names.push_back(fmt::format("particle {}", p.body(i).id));
   }
   if (few.size() > names.size()) names.push_back("...");
   double all = 0;
-  for (const KineticEnergy& e : energies) all += e.sum();
+  for (const KineticEnergy& e : kinetic) all += e.sum();
   const auto [how, cure] = told(motion_of(held, any_touches));
   return Movers{
       fmt::format("{} of {} ({}) {} {:.4g} % of the kinetic energy, {}", few.size(), p.size(),

@@ -44,12 +44,12 @@ void check_layout(const std::string& plugin, const scree_boundary_instance& i, i
 
 bool is_finite(const scree_plane& plane) {
   // On the bits, so that the compiler may take the largest in any order.
-  constexpr std::uint64_t magnitude = ~(std::uint64_t(1) << 63), infinite = std::uint64_t(0x7ff) << 52;
+  constexpr std::uint64_t magnitude = ~(std::uint64_t(1) << 63), infinite_bits = std::uint64_t(0x7ff) << 52;
   std::uint64_t largest = 0;
   for (int k = 0; k < 3; ++k)
     for (const double x : {plane.point[k], plane.normal[k], plane.velocity[k], plane.mid_velocity[k]})
       largest = std::max(largest, std::bit_cast<std::uint64_t>(x) & magnitude);
-  return largest < infinite;
+  return largest < infinite_bits;
 }
 
 std::string problem_of(const scree_plane& plane) {

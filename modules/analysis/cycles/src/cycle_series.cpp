@@ -16,7 +16,7 @@ namespace {
 
 constexpr double least_load_change = 1e-12;  // over the load: some thousand roundings
 constexpr double near_minimum = 0.25;        // over the range of the load
-constexpr double same_load = 0.05;         // over its range; eight straight lines differ from a sine by 0.04
+constexpr double repeated_load = 0.05;     // over its range; eight straight lines differ from a sine by 0.04
 constexpr std::size_t most_periods = 100;  // of the load in a cycle
 constexpr double least_change_in_part = 0.5;  // of the load in one of these periods, over its range
 constexpr double longest_gap = 0.5;           // over the period, about a minimum and within a loop
@@ -117,7 +117,7 @@ bool changes_within(double part, const Samples& load, const Path& path, double b
 // Whether the load is the same a part (s) of the cycle later, at as many times as the cycle has samples.
 bool repeats_after(double part, const Samples& load, const Path& path, double begin, double period) {
   const std::size_t samples = path.load.size() - 1;
-  const double allowed = same_load * range_of(path);
+  const double allowed = repeated_load * range_of(path);
   for (std::size_t k = 0; k < samples; ++k) {
     const double since = period * double(k) / double(samples);
     const double change = load.at(begin + std::fmod(since + part, period)) - load.at(begin + since);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kept = 2;
+constexpr std::size_t states_kept = 2;
 
 std::string name_of(std::uint64_t steps) { return fmt::format("step_{:015}.h5", steps); }
 
@@ -104,7 +104,7 @@ Checkpoints::Latest Checkpoints::at_end_of(const std::string& stage, const Refus
 void Checkpoints::remove_old() const {
   std::error_code failed;
   const std::vector<File> files = checkpoints();
-  for (std::size_t k = kept; k < files.size(); ++k) fs::remove(files[k].path, failed);
+  for (std::size_t k = states_kept; k < files.size(); ++k) fs::remove(files[k].path, failed);
 }
 
 void Checkpoints::remove_later(std::uint64_t steps) const {
