@@ -6,6 +6,15 @@
 
 namespace scree::test {
 
+// Whether the host finds that this processor supports the level x86-64-v<level>.
+inline bool is_supported(int level) {
+#if defined(__x86_64__) && !defined(__clang__)  // clang 14 knows no levels
+  if (level == 3) return __builtin_cpu_supports("x86-64-v3");
+  if (level == 4) return __builtin_cpu_supports("x86-64-v4");
+#endif
+  return level == 1;
+}
+
 // Selects the build of plug-ins that a host loads, during its lifetime; null: chosen by the host.
 class InstructionLevel {
  public:

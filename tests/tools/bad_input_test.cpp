@@ -6,8 +6,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // Checks the refusal of the discs scene with one part of the text replaced.
-void refused(const std::string& part, const std::string& other, const std::string& begin,
-             const std::string& end) {
+void refused_scene(const std::string& part, const std::string& other, const std::string& begin,
+                   const std::string& end) {
   const Workspace w(with(discs, part, other));
   check_refused(w, w.run(), begin, end);
 }
@@ -21,21 +21,22 @@ void refused_options(const std::string& options, const std::string& begin, const
 }  // namespace
 
 TEST_CASE("a wrong key, type or value is reported with position and cure", "[tools]") {
-  refused("radius = 0.01", "radius = 0.01\nrandom_velocty = 1",
-          "scene.toml:16:1: unknown key 'random_velocty' in [particles]; did you mean 'random_velocity'? ",
-          "velocity_gradient, random_velocity, random, file, radius, lattice");
-  refused("1e-5", "'1e-5'", "scene.toml:4:8: time.step is a string (\"1e-5\"); ",
-          "give a number in s, such as 1e-5");
-  refused("radius = 0.01", "radius = -1", "scene.toml:15:10: particles.radius = -1 m is negative; ",
-          "give a radius above 0");
-  refused("1e-5", "0", "scene.toml:4:8: time.step = 0 s is zero; ", "give a step above 0");
-  refused("1000", "nan", "scene.toml:8:11: material.density = nan is not finite; ",
-          "give a number in kg/m^3");
-  refused("gap = 0.1", "spacing = 0.01", "scene.toml:14:11: lattice: bodies ",
-          "give a spacing of at least 0.02 m");
-  refused("duration = 1e-4", "duration = 1e300", "scene.toml:5:12: 1e+300 s takes ",
-          "for at most 1e+12 steps");
-  refused("[3, 3]", "[30000, 30000]", "scene.toml:14:38: 9e+08 bodies need about ", "");
+  refused_scene(
+      "radius = 0.01", "radius = 0.01\nrandom_velocty = 1",
+      "scene.toml:16:1: unknown key 'random_velocty' in [particles]; did you mean 'random_velocity'? ",
+      "velocity_gradient, random_velocity, random, file, radius, lattice");
+  refused_scene("1e-5", "'1e-5'", "scene.toml:4:8: time.step is a string (\"1e-5\"); ",
+                "give a number in s, such as 1e-5");
+  refused_scene("radius = 0.01", "radius = -1", "scene.toml:15:10: particles.radius = -1 m is negative; ",
+                "give a radius above 0");
+  refused_scene("1e-5", "0", "scene.toml:4:8: time.step = 0 s is zero; ", "give a step above 0");
+  refused_scene("1000", "nan", "scene.toml:8:11: material.density = nan is not finite; ",
+                "give a number in kg/m^3");
+  refused_scene("gap = 0.1", "spacing = 0.01", "scene.toml:14:11: lattice: bodies ",
+                "give a spacing of at least 0.02 m");
+  refused_scene("duration = 1e-4", "duration = 1e300", "scene.toml:5:12: 1e+300 s takes ",
+                "for at most 1e+12 steps");
+  refused_scene("[3, 3]", "[30000, 30000]", "scene.toml:14:38: 9e+08 bodies need about ", "");
 }
 
 TEST_CASE("a mass of zero is refused", "[tools]") {
@@ -60,11 +61,11 @@ TEST_CASE("a file that is not a scenario is refused", "[tools]") {
   const Workspace w;
   check_refused(w, w.scree("run scen.toml --out out"),
                 "scen.toml: cannot be read (No such file or directory); ", "did you mean 'scene.toml'?");
-  refused("[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n", "",
-          "scene.toml:1:1: no [[contact]] applies to 'grain' and 'grain'; ",
-          "\"hertz_mindlin\" or \"linear_spring_dashpot\" or \"sphere_path_independent\"");
-  refused("[time]\nstep = 1e-5\nduration = 1e-4\n", "", "scene.toml:1:1: the file has no 'time'; ",
-          "add a table [time]");
+  refused_scene("[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n",
+                "", "scene.toml:1:1: no [[contact]] applies to 'grain' and 'grain'; ",
+                "\"hertz_mindlin\" or \"linear_spring_dashpot\" or \"sphere_path_independent\"");
+  refused_scene("[time]\nstep = 1e-5\nduration = 1e-4\n", "", "scene.toml:1:1: the file has no 'time'; ",
+                "add a table [time]");
 }
 
 TEST_CASE("invalid options are reported in one line", "[tools]") {

@@ -5,7 +5,7 @@ using namespace scree::test;
 namespace {
 
 // Discs without bodies of their own.
-const std::string scene =
+const std::string scene_without_bodies =
     with(with(with(discs, "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n", ""),
               "radius = 0.01\n", ""),
          "random_velocity = 0.1\n", "");
@@ -13,7 +13,7 @@ const std::string stiffnesses = "seeds = [1, 2]\n[set]\ncontact.normal_stiffness
 const std::string prepare = "[prepare]\nscenario = 'prepare.toml'\nset.time.duration = 0.05\n";
 
 struct PreparedWorkspace : CampaignWorkspace {
-  explicit PreparedWorkspace(const std::string& rest, const std::string& text = scene)
+  explicit PreparedWorkspace(const std::string& rest, const std::string& text = scene_without_bodies)
       : CampaignWorkspace(rest, text) {
     write("prepare.toml", discs);
   }
@@ -31,7 +31,7 @@ struct PreparedWorkspace : CampaignWorkspace {
 
 TEST_CASE("the runs of a campaign begin from one preparation per seed", "[tools]") {
   const PreparedWorkspace w(stiffnesses + prepare);
-  const Outcome outcome = w.scree(call + "--jobs 2");
+  const Outcome outcome = w.scree(campaign_call + "--jobs 2");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const std::vector<std::string> made = w.preparations();
@@ -54,8 +54,8 @@ TEST_CASE("the runs of a campaign begin from one preparation per seed", "[tools]
 
 TEST_CASE("prepared runs are kept, also where the directory of the campaign was moved to", "[tools]") {
   const PreparedWorkspace w(stiffnesses + prepare);
-  REQUIRE(w.scree(call).status == 0);
-  const std::string list = w.scree(call + "--list").out;
+  REQUIRE(w.scree(campaign_call).status == 0);
+  const std::string list = w.scree(campaign_call + "--list").out;
   CHECK(contains(list, "finished     " + w.preparations()[0].substr(4) + " (seed 1)\n"));
   CHECK_FALSE(contains(list, "no longer in the campaign"));
   const Outcome moved =
@@ -66,15 +66,15 @@ TEST_CASE("prepared runs are kept, also where the directory of the campaign was 
   // Another preparation has another directory, and runs from the former one are changed.
   REQUIRE(w.shell("mv moved out").status == 0);
   w.write("prepare.toml", with(discs, "normal_damping = 0", "normal_damping = 0.01"));
-  const std::string after = w.scree(call + "--list").out;
+  const std::string after = w.scree(campaign_call + "--list").out;
   CHECK(contains(after, "missing      prepare/"));
   CHECK(contains(after, "changed      normal_stiffness=10000,seed=1\n"));
-  CHECK(contains(w.scree(call).out, "\n4 finished\n"));
+  CHECK(contains(w.scree(campaign_call).out, "\n4 finished\n"));
 }
 
 TEST_CASE("a preparation that fails fails its runs, and those of the other seeds go on", "[tools]") {
   const PreparedWorkspace w(stiffnesses + prepare);
-  REQUIRE(w.scree(call).status == 0);
+  REQUIRE(w.scree(campaign_call).status == 0);
   const auto overlap = [&](std::size_t k) {
     return w.record(w.preparations()[k])["max_overlap_ratio"].get<double>();
   };
@@ -83,7 +83,7 @@ TEST_CASE("a preparation that fails fails its runs, and those of the other seeds
   REQUIRE(first != second);
   w.write("campaign.toml", "[campaign]\nscenario = 'scene.toml'\n" + stiffnesses + prepare +
                                "set.limits.overlap_ratio = " + std::to_string((first + second) / 2) + "\n");
-  const Outcome outcome = w.scree(call);
+  const Outcome outcome = w.scree(campaign_call);
   INFO(outcome.out);
   CHECK(outcome.status == 3);
   CHECK(contains(outcome.out, "\n2 finished, 2 failed\n"));
@@ -95,20 +95,21 @@ TEST_CASE("a preparation that fails fails its runs, and those of the other seeds
 
 TEST_CASE("runs that do not fit the prepared state are refused before any is run", "[tools]") {
   const PreparedWorkspace w(stiffnesses + prepare, discs);
-  const Outcome outcome = w.scree(call);
+  const Outcome outcome = w.scree(campaign_call);
   CHECK(outcome.status == 2);
   CHECK(contains(outcome.err, "scree: campaign.toml:2:12: in run 'normal_stiffness=10000,seed="));
   CHECK(contains(outcome.err, "both state and lattice are given; keep one of them\n"));
   CHECK_FALSE(w.has("out/normal_stiffness=10000,seed=1"));
   const PreparedWorkspace wrong("[prepare]\nscenario = 'prepare.toml'\nset.time.step = -1\n");
-  check_refused(wrong, wrong.scree(call), "campaign.toml:5:17: in run 'prepare/", "give a step above 0");
+  check_refused(wrong, wrong.scree(campaign_call), "campaign.toml:5:17: in run 'prepare/",
+                "give a step above 0");
 }
 
 TEST_CASE("a misspelt key is refused before anything is prepared", "[tools]") {
   const auto refused = [](const std::string& rest, const std::string& place, const std::string& known_keys,
-                          const std::string& text = scene) {
+                          const std::string& text = scene_without_bodies) {
     const PreparedWorkspace w(rest, text);
-    check_refused(w, w.scree(call), place, known_keys);
+    check_refused(w, w.scree(campaign_call), place, known_keys);
   };
   refused("[set]\ncontact.normal_stifness = [1e4, 2e4]\n" + prepare,
           "campaign.toml:4:28: in run 'normal_stifness=10000' --set contact.normal_stifness=10000",
@@ -116,14 +117,14 @@ TEST_CASE("a misspelt key is refused before anything is prepared", "[tools]") {
   refused("[prepare]\nscenario = 'prepare.toml'\nset.contact.normal_stifness = 1e4\n",
           "campaign.toml:5:31: in run 'prepare/", "rolling_friction, rolling_time, control, name, between");
   refused(prepare, "campaign.toml:2:12: in run 'run' scene.toml:", "overlap_ratio, speed",
-          scene + "[limits]\noverlap_rato = 0.5\n");
+          scene_without_bodies + "[limits]\noverlap_rato = 0.5\n");
 }
 
 TEST_CASE("preparations are not written through a link", "[tools]") {
   const PreparedWorkspace w(stiffnesses + prepare);
-  REQUIRE(w.scree(call).status == 0);
-  const Outcome outcome =
-      w.shell("mv out/prepare elsewhere; ln -s ../elsewhere out/prepare\nscree " + call + "--overwrite");
+  REQUIRE(w.scree(campaign_call).status == 0);
+  const Outcome outcome = w.shell("mv out/prepare elsewhere; ln -s ../elsewhere out/prepare\nscree " +
+                                  campaign_call + "--overwrite");
   CHECK(outcome.status == 2);
   CHECK(contains(outcome.err, "out/prepare: is a symbolic link, which is not followed; "));
 }

@@ -35,12 +35,12 @@ TEST_CASE("a campaign that was interrupted goes on where its run stopped, to the
   const CampaignWorkspace w("", lengthy());
   const Outcome first = interrupt(w);
   REQUIRE(first.status == 130);
-  CHECK(contains(w.scree(call + "--list").out, "interrupted  run\n"));
+  CHECK(contains(w.scree(campaign_call + "--list").out, "interrupted  run\n"));
   const auto before = w.text("out/run/log.txt");
   // As a run that was killed.
   set_status(w, "\"interrupted\"", "\"running\"");
-  CHECK(contains(w.scree(call + "--list").out, "interrupted  run\n"));
-  const Outcome second = w.scree(call);
+  CHECK(contains(w.scree(campaign_call + "--list").out, "interrupted  run\n"));
+  const Outcome second = w.scree(campaign_call);
   INFO(second.out);
   CHECK(second.status == 0);
   CHECK(contains(second.out, "\n1 finished\n1 run went on from the state at which it stopped\n"));
@@ -50,13 +50,14 @@ TEST_CASE("a campaign that was interrupted goes on where its run stopped, to the
   REQUIRE(w.run().status == 2);  // out is the directory of the campaign
   REQUIRE(w.scree("run scene.toml --out whole").status == 0);
   check_same_run(w, "out/run", "whole");
-  CHECK_FALSE(contains(w.scree(call).out, "went on"));
+  CHECK_FALSE(contains(w.scree(campaign_call).out, "went on"));
 }
 
 TEST_CASE("a run whose state cannot be read begins anew in the same call", "[tools]") {
   const CampaignWorkspace w("", lengthy("10"));
   REQUIRE(interrupt(w).status == 130);
-  const Outcome again = w.shell("for f in out/run/checkpoint/*.h5; do echo cut > $f; done\nscree " + call);
+  const Outcome again =
+      w.shell("for f in out/run/checkpoint/*.h5; do echo cut > $f; done\nscree " + campaign_call);
   INFO(again.out);
   CHECK(again.status == 0);
   CHECK(contains(again.out, "\n1 finished\nbegun anew run: out/run: none of its states can be read; "));
@@ -69,17 +70,17 @@ TEST_CASE("an interrupted run begins anew with --overwrite, with other values, a
           "[tools]") {
   const CampaignWorkspace w("", lengthy("10"));
   REQUIRE(interrupt(w).status == 130);
-  const Outcome all = w.scree(call + "--overwrite");
+  const Outcome all = w.scree(campaign_call + "--overwrite");
   CHECK(all.status == 0);
   CHECK_FALSE(contains(all.out, "went on"));
   REQUIRE(w.scree("run scene.toml --out whole").status == 0);
   set_status(w, "\"finished\"", "\"interrupted\"");
   REQUIRE_FALSE(w.has("out/run/checkpoint"));
-  CHECK_FALSE(contains(w.scree(call).out, "went on"));
+  CHECK_FALSE(contains(w.scree(campaign_call).out, "went on"));
   REQUIRE(w.shell("rm -r out").status == 0);
   REQUIRE(interrupt(w).status == 130);
   w.write("scene.toml", with(lengthy("10"), "normal_damping = 0", "normal_damping = 0.01"));
-  CHECK_FALSE(contains(w.scree(call).out, "went on"));
+  CHECK_FALSE(contains(w.scree(campaign_call).out, "went on"));
   CHECK(w.record("out/run")["state_hash"] != w.record("whole")["state_hash"]);
 }
 
@@ -91,8 +92,8 @@ TEST_CASE("a preparation that was interrupted goes on, and its runs begin from t
   const CampaignWorkspace w("[prepare]\nscenario = 'prepare.toml'\n", scene);
   w.write("prepare.toml", lengthy("20"));
   REQUIRE(interrupt(w, "out/prepare/*").status == 130);
-  CHECK(contains(w.scree(call + "--list").out, "\ninterrupted  prepare/"));
-  const Outcome second = w.scree(call);
+  CHECK(contains(w.scree(campaign_call + "--list").out, "\ninterrupted  prepare/"));
+  const Outcome second = w.scree(campaign_call);
   INFO(second.err + second.out);
   CHECK(second.status == 0);
   CHECK(contains(second.out, "1 finished\n1 run went on from the state at which it stopped\n"));

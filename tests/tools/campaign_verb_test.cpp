@@ -29,7 +29,7 @@ const std::string two_by_two = "seeds = [1, 2]\n[set]\ntime.duration = [1e-4, 2e
 
 TEST_CASE("a campaign runs every point and collects the results", "[tools]") {
   const CampaignWorkspace w(two_by_two);
-  const Outcome outcome = w.scree(call + "--jobs 2");
+  const Outcome outcome = w.scree(campaign_call + "--jobs 2");
   INFO(outcome.err);
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
@@ -50,7 +50,7 @@ TEST_CASE("a campaign runs every point and collects the results", "[tools]") {
 
 TEST_CASE("a run of a campaign has the same bits as the same single run", "[tools]") {
   const CampaignWorkspace w(two_by_two);
-  REQUIRE(w.scree(call).status == 0);
+  REQUIRE(w.scree(campaign_call).status == 0);
   REQUIRE(w.scree("run scene.toml --out hand --set time.duration=2e-4 --set scene.seed=2").status == 0);
   CHECK(w.record("hand")["state_hash"] == w.record("out/duration=0.0002,seed=2")["state_hash"]);
 }
@@ -90,13 +90,13 @@ TEST_CASE("several campaigns are run by one call, and checked before the first b
 
 TEST_CASE("finished runs are not repeated, a changed value repeats only its runs", "[tools]") {
   const CampaignWorkspace w(two_by_two);
-  REQUIRE(w.scree(call).status == 0);
+  REQUIRE(w.scree(campaign_call).status == 0);
   const auto wall = [&](const std::string& run) { return w.record("out/" + run)["wall_s"].get<double>(); };
   const double before = wall("duration=0.0001,seed=1");
   std::filesystem::remove_all(w / "out/duration=0.0001,seed=2");
   w.write("campaign.toml",
           "[campaign]\nscenario = 'scene.toml'\nseeds = [1, 2]\n[set]\ntime.duration = [1e-4, 3e-4]\n");
-  const Outcome list = w.scree(call + "--list");
+  const Outcome list = w.scree(campaign_call + "--list");
   CHECK(list.status == 0);
   CHECK(list.out ==
         "campaign: 4 runs, 2 values of time.duration x 2 seeds\n"
@@ -107,19 +107,19 @@ TEST_CASE("finished runs are not repeated, a changed value repeats only its runs
         "2 runs with values no longer in the campaign, not in the tables: duration=0.0002,seed=1  "
         "duration=0.0002,seed=2\n");
   CHECK_FALSE(w.has("out/duration=0.0003,seed=1"));
-  const Outcome again = w.scree(call + "--quiet");
+  const Outcome again = w.scree(campaign_call + "--quiet");
   CHECK(contains(again.out, "4 finished (1 of them in an earlier call)\n"));
   CHECK(wall("duration=0.0001,seed=1") == before);
   w.write("scene.toml", with(discs, "random_velocity = 0.1", "random_velocity = 0.2"));
-  CHECK(contains(w.scree(call + "--list").out, "changed      duration=0.0003,seed=2\n"));
-  CHECK(contains(w.scree(call).out, "\n4 finished\n"));
-  CHECK(contains(w.scree(call + "--overwrite").out, "\n4 finished\n"));
+  CHECK(contains(w.scree(campaign_call + "--list").out, "changed      duration=0.0003,seed=2\n"));
+  CHECK(contains(w.scree(campaign_call).out, "\n4 finished\n"));
+  CHECK(contains(w.scree(campaign_call + "--overwrite").out, "\n4 finished\n"));
 }
 
 // A limit on file sizes simulates a full disk; a block has 512 bytes.
 TEST_CASE("a campaign whose runs cannot be written has failed, and none has blown up", "[tools]") {
   const CampaignWorkspace w("[set]\ntime.duration = [1e-4, 0.02]\nprobe.every = 1e-5\n");
-  const Outcome outcome = w.shell("ulimit -f 300; scree " + call + "--jobs 1");
+  const Outcome outcome = w.shell("ulimit -f 300; scree " + campaign_call + "--jobs 1");
   INFO(outcome.out << outcome.err);
   CHECK(outcome.status == 1);
   CHECK(contains(outcome.out, "\n1 finished, 1 failed\n"));
@@ -129,20 +129,21 @@ TEST_CASE("a campaign whose runs cannot be written has failed, and none has blow
 TEST_CASE("a failed run does not stop the others and is reported with its reason", "[tools]") {
   const CampaignWorkspace w(
       "[set]\n\"time.step_guard\" = false\ntime.duration = 0.1\nparticles.random_velocity = [50, 0.1]\n");
-  const Outcome outcome = w.scree(call + "--jobs 1");
+  const Outcome outcome = w.scree(campaign_call + "--jobs 1");
   CHECK(outcome.status == 3);
   CHECK(contains(outcome.out, "\n1 finished, 1 failed\n"));
   CHECK(contains(outcome.out, "FAILED   random_velocity=50: contact of particle "));
   CHECK(contains(w.text("out/table.csv"), "random_velocity=50,50,,failed,,,"));
   CHECK(contains(w.text("out/table.csv"), "random_velocity=0.1,0.1,1,finished,"));
-  CHECK(contains(w.scree(call + "--list").out, "failed       random_velocity=50: contact of particle "));
+  CHECK(contains(w.scree(campaign_call + "--list").out,
+                 "failed       random_velocity=50: contact of particle "));
 }
 
 TEST_CASE("an expectation not met by all runs is reported and gives status 1", "[tools]") {
   const CampaignWorkspace w(
       two_by_two,
       std::string(discs) + "[[expect]]\nrequirement = 'Short'\nquantity = 'steps'\nat_most = 10\n");
-  const Outcome outcome = w.scree(call);
+  const Outcome outcome = w.scree(campaign_call);
   CHECK(outcome.status == 1);
   CHECK(contains(outcome.out, "NOT MET  in 2 of 4: Short\n"));
   CHECK(column(w.text("out/table.csv"), 4) == Cells{"1", "1", "0", "0"});
@@ -150,11 +151,11 @@ TEST_CASE("an expectation not met by all runs is reported and gives status 1", "
 
 TEST_CASE("nothing is written if any run is refused", "[tools]") {
   const CampaignWorkspace w("[set]\ncontact.normal_stiffness = [1e4, 0]\n");
-  check_refused(w, w.scree(call), "campaign.toml:4:34: in run 'normal_stiffness=0' --set ",
+  check_refused(w, w.scree(campaign_call), "campaign.toml:4:34: in run 'normal_stiffness=0' --set ",
                 "give a number above 0 (N/m)");
   check_refused(w, w.scree("campaign scene.toml --out out"), "scene.toml:1:1: the file has no 'campaign'; ",
                 "add a table [campaign]");
-  check_refused(w, w.scree(call + "--jobs 0"), "--jobs: ", "see scree campaign --help");
+  check_refused(w, w.scree(campaign_call + "--jobs 0"), "--jobs: ", "see scree campaign --help");
 }
 
 TEST_CASE("after Ctrl-C runs are saved, the table is written, and the same command continues", "[tools]") {
@@ -176,7 +177,7 @@ TEST_CASE("after Ctrl-C runs are saved, the table is written, and the same comma
   CHECK(w.record("out/duration=5000")["status"] == "interrupted");
   CHECK(contains(w.text("out/table.csv"), "\nduration=5000,5000,,interrupted,"));
   w.write("scene.toml", with(discs, "step = 1e-5", "step = 1e-5\n"));
-  CHECK(w.scree(call + "--list").out ==
+  CHECK(w.scree(campaign_call + "--list").out ==
         "campaign: 3 runs, 3 values of time.duration\n"
         "finished     duration=0.0001\ninterrupted  duration=5000\nmissing      duration=6000\n");
 }
@@ -203,7 +204,7 @@ TEST_CASE("without --out a campaign uses its own directory and continues there",
 TEST_CASE("a directory with other files is not changed", "[tools]") {
   const CampaignWorkspace w("");
   REQUIRE(w.run().status == 0);
-  const Outcome outcome = w.scree(call + "--overwrite");
+  const Outcome outcome = w.scree(campaign_call + "--overwrite");
   CHECK(outcome.status == 2);
   CHECK(outcome.err ==
         "scree: out: contains files that are not part of a scree campaign; give another --out\n");
@@ -212,10 +213,10 @@ TEST_CASE("a directory with other files is not changed", "[tools]") {
 
 TEST_CASE("files in the directory of a run are not changed", "[tools]") {
   const CampaignWorkspace w("");
-  REQUIRE(w.scree(call).status == 0);
+  REQUIRE(w.scree(campaign_call).status == 0);
   std::filesystem::remove(w / "out/run/run.json");
   std::filesystem::remove(w / "out/run/written.txt");
-  const Outcome outcome = w.scree(call);
+  const Outcome outcome = w.scree(campaign_call);
   CHECK(outcome.status == 2);
   CHECK(outcome.err ==
         "scree: out/run: contains files that are not part of a scree run; give another --out\n");
@@ -225,7 +226,7 @@ TEST_CASE("files in the directory of a run are not changed", "[tools]") {
 TEST_CASE("a campaign tells of warnings of its runs", "[tools]") {
   // 12 steps in the shortest contact of the second.
   const CampaignWorkspace w("[set]\ncontact.normal_stiffness = [1e4, 1e8]\n");
-  const Outcome outcome = w.scree(call);
+  const Outcome outcome = w.scree(campaign_call);
   CHECK(outcome.status == 0);
   CHECK(contains(outcome.out, "WARNINGS in 1 of 2 runs, see the column warnings of table.csv; "));
   CHECK(contains(w.text("out/table.csv"), ",\"the shortest contact takes "));
@@ -241,14 +242,14 @@ TEST_CASE("a campaign with a pipe or an option-like name as scenario, or with a 
   w.write("-x.toml", discs);
   w.write("dash.toml", "[campaign]\nscenario = '-x.toml'\n");
   CHECK(w.scree("campaign dash.toml --out dash").status == 0);
-  const Outcome folder = w.shell("mkdir -p out/campaign.json; scree " + call);
+  const Outcome folder = w.shell("mkdir -p out/campaign.json; scree " + campaign_call);
   CHECK(folder.status == 2);
   CHECK(contains(folder.err, "out/campaign.json: is not a file; remove it, or give another --out\n"));
 }
 
 TEST_CASE("a campaign that goes on writes through no link in its directory", "[tools]") {
   const CampaignWorkspace w("[set]\ntime.duration = [1e-4, 2e-4]\n");
-  REQUIRE(w.scree(call).status == 0);
+  REQUIRE(w.scree(campaign_call).status == 0);
   const Outcome outcome = w.shell(
       "for k in 1 2 3 4; do echo mine > precious$k; done\nrun=out/duration=0.0001\n"
       "ln -s ../precious1 out/table.csv.part; ln -s ../precious2 out/campaign.json.part\n"

@@ -13,10 +13,6 @@ struct CampaignWorkspace : Workspace {
   }
 };
 
-inline const std::string call = "campaign campaign.toml --out out ";
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+inline const std::string campaign_call = "campaign campaign.toml --out out ";
 
 }  // namespace scree::test

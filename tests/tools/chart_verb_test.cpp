@@ -4,7 +4,7 @@ using namespace scree::test;
 
 namespace {
 
-const std::string scene =
+const std::string charted_scene =
     std::string(discs) +
     "[[chart]]\nname = 'energies'\nprobe = 'energy'\ny = ['kinetic_translation', 'work']\nlog_x = true\n";
 
@@ -12,7 +12,7 @@ const std::string scene =
 
 TEST_CASE("chart draws the charts of a run again, changed, in another format or those of another file",
           "[tools]") {
-  const Workspace w(scene);
+  const Workspace w(charted_scene);
   const Outcome run = w.run();
   CHECK(run.status == 0);
   CHECK(run.err.empty());
@@ -50,7 +50,7 @@ TEST_CASE("chart draws the tables of a study", "[tools]") {
 }
 
 TEST_CASE("chart refuses what it cannot draw, and render names it", "[tools]") {
-  const Workspace w(scene);
+  const Workspace w(charted_scene);
   REQUIRE(w.run().status == 0);
   const auto refused = [&](const std::string& arguments, const std::string& line) {
     const Outcome outcome = w.scree(arguments);

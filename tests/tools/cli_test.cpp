@@ -4,14 +4,6 @@
 
 using namespace scree::test;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("the help of each verb shows an example and every option", "[tools]") {
   const Workspace w;
   for (const char* verb : {"run", "check", "describe", "render", "export", "campaign", "spectrum", "cycles",

@@ -45,7 +45,7 @@ TEST_CASE("export writes the bodies of a state in each format, and scree reads t
 namespace {
 
 // Two discs pressed together by 1e-4 m, and the lower one into a wall by as much.
-const std::string pressed =
+const std::string pressed_discs =
     "[scene]\ndimension = 2\n[time]\nstep = 1e-5\nduration = 2e-5\n[[material]]\nname = 'grain'\ndensity = 1000\n"
     "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e4\nnormal_damping = 0\n"
     "[[particle]]\nid = 5\nposition = [0, 0.0099]\nradius = 0.01\nmass = 1e6\n"
@@ -55,7 +55,7 @@ const std::string pressed =
 }  // namespace
 
 TEST_CASE("export writes the contacts of a run as a table", "[tools]") {
-  const Workspace w(pressed);
+  const Workspace w(pressed_discs);
   REQUIRE(w.run().status == 0);
   const Outcome outcome = w.scree("export out --format contacts-csv");
   INFO(outcome.err);
@@ -77,7 +77,7 @@ TEST_CASE("export writes the contacts of a run as a table", "[tools]") {
 
 #if SCREE_TEST_PICTURES
 TEST_CASE("a snapshot has the same table of contacts as the state at its time", "[tools]") {
-  const Workspace w(pressed + "[snapshot]\nevery = 1e-5\n");
+  const Workspace w(pressed_discs + "[snapshot]\nevery = 1e-5\n");
   REQUIRE(w.run().status == 0);
   REQUIRE(w.scree("export out --format contacts-csv --out state.csv").status == 0);
   CHECK(w.text("state.csv").find("# forces") == std::string::npos);

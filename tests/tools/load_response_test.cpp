@@ -14,7 +14,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::vector<Row> rows_of(const std::string& table) {
+std::vector<Row> rows_of_table(const std::string& table) {
   std::vector<Row> rows;
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
@@ -79,10 +79,10 @@ TEST_CASE("the straight paths of a linear response are those of a packing under 
   REQUIRE(response.status == 0);
   Workspace under_load(scenario(true));
   REQUIRE(under_load.scree("run scene.toml --quiet --set time.step=1.4e-3 --out out").status == 0);
-  const auto box = rows_of(under_load.text("out/series/box.csv")),
-             contact = rows_of(under_load.text("out/series/contact.csv"));
+  const auto box = rows_of_table(under_load.text("out/series/box.csv")),
+             contact = rows_of_table(under_load.text("out/series/contact.csv"));
   // Force of the contacts on the upper and the right wall, less the pressure of 1 Pa on it. Side walls bear a part of what the others lack.
-  const auto pressed = rows_of(under_load.text("out/series/walls.csv"));
+  const auto pressed = rows_of_table(under_load.text("out/series/walls.csv"));
   const double missing =
       std::max(std::abs(last_of(pressed, column_of(pressed, "normal_force_2"), 2) - last_of(box, 2, 2)),
                std::abs(last_of(pressed, column_of(pressed, "normal_force_4"), 2) - last_of(box, 1, 2)));
@@ -91,7 +91,7 @@ TEST_CASE("the straight paths of a linear response are those of a packing under 
   const double tolerance = 2 * missing / load + 1e-4;
   const double force = load * std::atof(box.back().at(1).c_str());  // on the upper wall, as long as the box
 
-  const auto walls = rows_of(w.text("out/loads.csv"));
+  const auto walls = rows_of_table(w.text("out/loads.csv"));
   for (const auto& [wall, column] :
        std::map<std::string, std::string>{{"box.x_high", "length_x"}, {"box.y_high", "length_y"}}) {
     CAPTURE(wall);
@@ -99,7 +99,7 @@ TEST_CASE("the straight paths of a linear response are those of a packing under 
     const double expected = -force * number(walls, {"box.y_high", wall}, 2);
     CHECK(change(box, column, 2) == Approx(expected).epsilon(tolerance));
   }
-  const auto contacts = rows_of(w.text("out/load_contacts.csv"));
+  const auto contacts = rows_of_table(w.text("out/load_contacts.csv"));
   for (const auto& [a, b] :
        std::vector<std::pair<std::string, std::string>>{{"1", "2"}, {"2", "6"}, {"3", "4"}}) {
     CAPTURE(a, b);
@@ -109,7 +109,7 @@ TEST_CASE("the straight paths of a linear response are those of a packing under 
     CHECK(change(contact, "tangential_force_" + a + "_" + b, 2) ==
           Approx(force * number(contacts, row, 7)).epsilon(tolerance));
   }
-  CHECK(rows_of(w.text("out/load_bodies.csv")).size() == 1 + 2 * 16);
+  CHECK(rows_of_table(w.text("out/load_bodies.csv")).size() == 1 + 2 * 16);
 }
 
 TEST_CASE("a packing without walls that forces move has no response to loads", "[tools]") {

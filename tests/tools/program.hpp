@@ -15,6 +15,10 @@ namespace scree::test {
 // The chain of spheres of scenarios/sound.
 inline const std::string chain = text_of(SCREE_TEST_SOURCE "/scenarios/sound/chain.toml");
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 // Result of a call of the program.
 struct Outcome {
   int status = -1;  // exit status; 128 + signal if killed by a signal

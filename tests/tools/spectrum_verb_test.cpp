@@ -22,7 +22,7 @@ std::string series(double step = 0.001) {
   return text;
 }
 
-std::vector<std::vector<double>> rows_of(const std::string& out) {
+std::vector<std::vector<double>> numbers_of(const std::string& out) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(out);
   for (std::string line; std::getline(lines, line);) {
@@ -45,7 +45,7 @@ TEST_CASE("spectrum prints amplitude, phase and errors of a frequency and its ha
     REQUIRE(outcome.status == 0);
     CHECK(outcome.out.starts_with("strain [1]: 2000 samples, 0 s to 1.999 s, step 0.001 s, drift: linear\n"));
     CHECK(outcome.out.find(" 1/Hz\n") != std::string::npos);
-    const auto rows = rows_of(outcome.out);
+    const auto rows = numbers_of(outcome.out);
     REQUIRE(rows.size() > 5);
     CHECK(rows[2][0] == 50);
     CHECK(rows[2][2] == Approx(5e-6).epsilon(1e-9));
@@ -67,7 +67,7 @@ TEST_CASE("spectrum detrends by the mean over one period too", "[tools]") {
       w.scree("spectrum --csv box.csv --frequency 50 --column strain --detrend period-average");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  CHECK(rows_of(outcome.out)[2][2] == Approx(5e-6).epsilon(1e-9));
+  CHECK(numbers_of(outcome.out)[2][2] == Approx(5e-6).epsilon(1e-9));
   CHECK(w.has("spectrum.csv"));
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("spectrum without a frequency lists the strongest lines", "[tools]") {
   const auto outcome = w.scree("spectrum --csv box.csv --column strain");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.status == 0);
-  const auto rows = rows_of(outcome.out);
+  const auto rows = numbers_of(outcome.out);
   CHECK(rows[2][0] == Approx(50).epsilon(1e-5));
   CHECK(rows[3][0] == Approx(100).epsilon(1e-4));
   const auto none = w.scree("spectrum --csv box.csv --column kinetic");
@@ -97,7 +97,7 @@ TEST_CASE("spectrum writes the lines that it finds, and their decay", "[tools]")
   REQUIRE(outcome.status == 0);
   CHECK(outcome.out.find("lines.csv\n") != std::string::npos);
   // Q = pi f / rate.
-  CHECK(rows_of(outcome.out)[2][6] == Approx(std::numbers::pi * 80 / 5).epsilon(1e-6));
+  CHECK(numbers_of(outcome.out)[2][6] == Approx(std::numbers::pi * 80 / 5).epsilon(1e-6));
   const std::string lines = w.text("lines.csv");
   CHECK(lines.starts_with(
       "# series: x.csv\nfrequency [Hz],frequency_error [Hz],amplitude [kg/m^3],amplitude_error [kg/m^3],"

@@ -60,6 +60,6 @@ struct Scene {
 // Whether a law with these parameters exerts torques, so that the scene must carry spins.
 bool exerts_torque(const Parameters& law, int dimension);
 // Whether it reads orientations, so that the scene must carry them.
-bool reads_orientations(const Parameters& law, int dimension);
+bool depends_on_orientations(const Parameters& law, int dimension);
 
 }  // namespace scree

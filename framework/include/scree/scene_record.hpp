@@ -33,7 +33,7 @@ struct RecordedPlugin {
 std::vector<RecordedPlugin> recorded_laws(const State& state);
 std::vector<RecordedPlugin> recorded_boundaries(const State& state);
 int dimension_of(const State& state);
-std::vector<std::int64_t> body_ids(const State& state);
+std::vector<std::int64_t> recorded_ids(const State& state);
 
 // The bodies at t = 0. Throws Error if an array is missing or has another size.
 std::vector<Body> bodies_at_start(const State& state);

@@ -46,7 +46,7 @@ std::vector<BodyGroup> groups_of(const State& state) {
   if (!scene.has(group_names)) return {};
   std::vector<std::string> names;
   scene.rows(group_names, "", names);
-  const std::size_t bodies = body_ids(state).size();
+  const std::size_t bodies = recorded_ids(state).size();
   std::vector<BodyGroup> groups(names.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].name = names[g];

@@ -224,7 +224,7 @@ int dimension_of(const State& state) {
   return dimension;
 }
 
-std::vector<std::int64_t> body_ids(const State& state) {
+std::vector<std::int64_t> recorded_ids(const State& state) {
   std::vector<std::int64_t> ids;
   StateTransfer::restoring_from(state).rows("bodies/id", "", ids);
   return ids;
@@ -281,7 +281,7 @@ void check_bodies(const StateTransfer& state, const std::vector<Body>& bodies, s
 }  // namespace
 
 std::vector<Body> bodies_at_start(const State& state) {
-  std::vector<Body> bodies(body_ids(state).size());
+  std::vector<Body> bodies(recorded_ids(state).size());
   const StateTransfer from = StateTransfer::restoring_from(state);
   transfer_bodies_at_start(from, bodies);
   check_bodies(from.below("bodies"), bodies, materials_of(state).size(), state.has("bodies/spin"));

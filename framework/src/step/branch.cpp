@@ -34,7 +34,7 @@ Error no_place(const std::string& what, const char* cure, const char* kind) {
 }
 
 void check_bodies(const Scene& scene, const State& state) {
-  const std::vector<std::int64_t> ids = body_ids(state);
+  const std::vector<std::int64_t> ids = recorded_ids(state);
   bool same = ids.size() <= scene.bodies.size();
   for (std::size_t i = 0; same && i < ids.size(); ++i) same = ids[i] == scene.bodies[i].id;
   const int dimension = dimension_of(state);
@@ -99,7 +99,7 @@ bool Branch::nothing_differs() const {
 void Branch::take_over(Simulation& simulation, SimulationParts& parts) {
   const bool carried = (!wanted_.pair_forces || Forces::are_in(state_)) &&
                        (!parts.particles.orientations || Orientations::are_in(bodies_of(state_)));
-  report_.push_back(counted(body_ids(state_).size(), "body", "bodies"));
+  report_.push_back(counted(recorded_ids(state_).size(), "body", "bodies"));
   if (nothing_differs() && carried)
     take_over_all(parts);
   else
@@ -149,7 +149,7 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
 void Branch::take_over_orientations(SimulationParts& parts) {
   if (!parts.particles.orientations || !branching_.orientations || !Orientations::are_in(bodies_of(state_)))
     return;
-  parts.particles.orientations.transfer(bodies_of(state_), body_ids(state_).size());
+  parts.particles.orientations.transfer(bodies_of(state_), recorded_ids(state_).size());
   report_.emplace_back("orientations");
 }
 

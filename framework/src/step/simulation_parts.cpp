@@ -42,7 +42,7 @@ bool needs_spin(const Scene& scene) {
 
 bool needs_orientations(const Scene& scene) {
   return scene.orientations || std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
-           return reads_orientations(law.parameters, scene.dimension);
+           return depends_on_orientations(law.parameters, scene.dimension);
          });
 }
 
@@ -97,7 +97,7 @@ bool exerts_torque(const Parameters& law, int dimension) {
   return ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance().tangential != 0;
 }
 
-bool reads_orientations(const Parameters& law, int dimension) {
+bool depends_on_orientations(const Parameters& law, int dimension) {
   return kernel::reads_orientations(ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance());
 }
 

@@ -1,3 +1,4 @@
+#include "motion/driven.hpp"
 #include "motion/integrator.hpp"
 #include "scenes.hpp"
 
@@ -13,9 +14,6 @@ using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-constexpr Integration integrators[] = {Integration::velocity_verlet, Integration::position_verlet,
-                                       Integration::predictor_corrector, Integration::fourth_order};
 
 // Instrumented steps are some fifty times slower.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -12,12 +12,12 @@ using namespace scree;
 
 namespace {
 
-constexpr double stiffness = 3;
+constexpr double torsion_stiffness = 3;
 
 ConfiguredLaw torsion(int dimension) {
   static PluginHost laws({SCREE_TEST_LAWS});
   Parameters law(laws.find("torsion", SCREE_CONTACT_LAW));
-  law.set("stiffness", {stiffness});
+  law.set("stiffness", {torsion_stiffness});
   return ConfiguredLaw(law, dimension, no_bounds, no_bounds);
 }
 
@@ -47,12 +47,12 @@ std::vector<double> couple_by_rotation(int dimension, double angle) {
 }  // namespace
 
 TEST_CASE("a Jacobian contains the couple that a rotation of a causes", "[derivative]") {
-  CHECK(couple_by_rotation(2, 0.4) == std::vector<double>{-stiffness});
+  CHECK(couple_by_rotation(2, 0.4) == std::vector<double>{-torsion_stiffness});
   // c = −2k v, v: vector part of the quaternion. A rotation by ε e changes it by ½ ε (w e + e × v): for
   // v = (0, 0, s), w = cos(φ/2), s = sin(φ/2), the columns are −k (w, −s, 0), −k (s, w, 0), −k (0, 0, w).
   const double w = std::cos(0.2), s = std::sin(0.2);
   const double expected[] = {w, s, 0, -s, w, 0, 0, 0, w};
   const std::vector<double> couple = couple_by_rotation(3, 0.4);
   for (std::size_t k = 0; k < 9; ++k)
-    CHECK(std::abs(couple[k] + stiffness * expected[k]) < 4e-16 * stiffness);
+    CHECK(std::abs(couple[k] + torsion_stiffness * expected[k]) < 4e-16 * torsion_stiffness);
 }

@@ -18,8 +18,8 @@ using scree::PlanePair;
 
 namespace {
 
-constexpr std::size_t bodies = 40, planes = 3;
-constexpr std::uint32_t width[] = {3, 5};  // history columns of the two laws
+constexpr std::size_t body_count = 40, plane_count = 3;
+constexpr std::uint32_t history_widths[] = {3, 5};  // history columns of the two laws
 
 // Materials 0, 1, 2; law 1 acts between different materials. Bodies and planes have the materials in turn.
 struct Table {
@@ -27,8 +27,8 @@ struct Table {
   std::vector<std::uint32_t> body_material, plane_material;
 
   Table() {
-    for (std::uint32_t i = 0; i < bodies; ++i) body_material.push_back(i % 3);
-    for (std::uint32_t i = 0; i < planes; ++i) plane_material.push_back(i % 3);
+    for (std::uint32_t i = 0; i < body_count; ++i) body_material.push_back(i % 3);
+    for (std::uint32_t i = 0; i < plane_count; ++i) plane_material.push_back(i % 3);
   }
   Contacts::Lookup lookup() const { return {law_of.data(), 3, body_material.data(), plane_material.data()}; }
   std::uint32_t law(bool plane, std::uint32_t a, std::uint32_t b) const {
@@ -36,30 +36,33 @@ struct Table {
   }
 };
 
-struct Pairs {
+struct ListedPairs {
   std::vector<NeighbourPair> body;
   std::vector<PlanePair> plane;
 };
 
 // Each possible pair is listed with this probability; sorted, as by a search.
-Pairs some_pairs(double probability, unsigned seed) {
+ListedPairs some_pairs(double probability, unsigned seed) {
   std::mt19937 generator(seed);
   std::bernoulli_distribution present(probability);
-  Pairs pairs;
-  for (std::uint32_t a = 0; a < bodies; ++a) {
-    for (std::uint32_t b = a + 1; b < bodies; ++b)
+  ListedPairs pairs;
+  for (std::uint32_t a = 0; a < body_count; ++a) {
+    for (std::uint32_t b = a + 1; b < body_count; ++b)
       if (present(generator)) pairs.body.push_back({a, b, std::uint8_t(b % 27)});
-    for (std::uint32_t w = 0; w < planes; ++w)
+    for (std::uint32_t w = 0; w < plane_count; ++w)
       if (present(generator)) pairs.plane.push_back({a, w});
   }
   return pairs;
 }
 
 Contacts two_laws() {
-  return Contacts({{0, false, width[0]}, {0, true, width[0]}, {1, false, width[1]}, {1, true, width[1]}});
+  return Contacts({{0, false, history_widths[0]},
+                   {0, true, history_widths[0]},
+                   {1, false, history_widths[1]},
+                   {1, true, history_widths[1]}});
 }
 
-void rebuild(Contacts& contacts, const Table& table, const Pairs& pairs) {
+void rebuild(Contacts& contacts, const Table& table, const ListedPairs& pairs) {
   contacts.rebuild(pairs.body, pairs.plane, table.lookup());
 }
 
@@ -68,7 +71,7 @@ using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;  // l
 // A number that identifies pair and column.
 double mark(const Key& key, std::uint32_t column) {
   const auto [law, plane, a, b] = key;
-  return 1 + column + 10.0 * (law + 2 * plane) + 100.0 * double(a + bodies * b);
+  return 1 + column + 10.0 * (law + 2 * plane) + 100.0 * double(a + body_count * b);
 }
 
 template <class Visit>
@@ -96,7 +99,7 @@ std::map<Key, std::size_t> positions(Contacts& contacts) {
 TEST_CASE("each pair is listed once, in order, in the group of its law and kind of partner") {
   const Table table;
   Contacts contacts = two_laws();
-  const Pairs pairs = some_pairs(0.3, 1);
+  const ListedPairs pairs = some_pairs(0.3, 1);
   rebuild(contacts, table, pairs);
 
   std::size_t filed = 0;
@@ -167,10 +170,10 @@ TEST_CASE("pairs that remain keep their history, new ones and padding start at z
 TEST_CASE("when a law changes its history width, the common columns are kept") {
   const Table table;
   Contacts contacts = two_laws();
-  const Pairs pairs = some_pairs(0.3, 4);
+  const ListedPairs pairs = some_pairs(0.3, 4);
   rebuild(contacts, table, pairs);
   mark_all(contacts);
-  std::uint32_t least = width[0];
+  std::uint32_t least = history_widths[0];
   for (const std::uint32_t columns : {5u, 1u, 4u, 0u, 2u}) {
     for (PairGroup& group : contacts.groups())
       if (group.law == 0) group.history_width = columns;

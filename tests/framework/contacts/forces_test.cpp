@@ -1,3 +1,4 @@
+#include "numbers.hpp"
 #include "reference_step.hpp"
 #include "scenes.hpp"
 
@@ -11,14 +12,14 @@ using scree::Body;
 using scree::Scene;
 using scree::Simulation;
 using scree::Vec3;
+using scree::test::epsilon;
 using scree::test::ReferenceContact;
 using scree::test::ReferenceLaw;
 using scree::test::ReferenceStep;
 
 namespace {
 
-constexpr double epsilon = 2.220446049250313e-16;
-constexpr double step = 1e-3, edge = 10;
+constexpr double forces_step = 1e-3, domain_edge = 10;
 
 scree::test::Values values(const ReferenceLaw& law) {
   return {{"normal_stiffness", {law.k}},
@@ -57,11 +58,11 @@ class Dealer {
   std::mt19937_64 generator_;
 };
 
-// Tolerance of a force (N): every coordinate, up to `edge` plus an image, has some roundings per step, times
+// Tolerance of a force (N): every coordinate, up to `domain_edge` plus an image, has some roundings per step, times
 // k; rounding of the force itself is smaller. 64 ulps for the dozen operations from position to force and
 // their sum over 2 contacts, once per step.
 double force_tolerance(const ReferenceLaw& law, int steps) {
-  return 64 * epsilon * (steps + 1) * (law.k + law.k_t) * 2 * edge;
+  return 64 * epsilon * (steps + 1) * (law.k + law.k_t) * 2 * domain_edge;
 }
 
 void compare(const Simulation& s, const ReferenceStep& reference, const ReferenceLaw& law, int steps) {
@@ -74,10 +75,10 @@ void compare(const Simulation& s, const ReferenceStep& reference, const Referenc
     const Body body = s.particles().body(i);
     // Forces on masses from 0.5 kg for a step each; inertias from 0.4 × 0.5 × 0.3² kg m².
     CHECK(norm(body.velocity - reference.now[i].velocity) <=
-          allowed * step * (steps + 1) / 0.5 + 8 * epsilon * steps);
+          allowed * forces_step * (steps + 1) / 0.5 + 8 * epsilon * steps);
     if (s.particles().has_spin())
       CHECK(norm(body.spin - reference.now[i].spin) <=
-            allowed * step * (steps + 1) / 0.018 + 64 * epsilon * steps);
+            allowed * forces_step * (steps + 1) / 0.018 + 64 * epsilon * steps);
   }
 }
 
@@ -89,11 +90,11 @@ void compare_run(const Scene& scene, const std::vector<ReferenceContact>& contac
     INFO("after step " << k);
     compare(s, reference, law, k);
     s.step();
-    reference.step(step);
+    reference.step(forces_step);
   }
 }
 
-const ReferenceLaw laws[] = {
+const ReferenceLaw reference_laws[] = {
     {.k = 1e4, .gamma = 3},
     {.k = 1e4, .gamma = 40, .tension_cut = true},
     {.k = 1e4, .k_t = 3e3, .static_friction = 1e6, .dynamic_friction = 1e6},
@@ -111,14 +112,14 @@ std::vector<Body> overlapping_pair(Dealer& deal, const Vec3& centre) {
 
 TEST_CASE("a pair's forces and torques equal the scalar reference, and are opposite to the last bit") {
   const int dimension = GENERATE(2, 3);
-  const ReferenceLaw law = GENERATE(from_range(std::begin(laws), std::end(laws)));
+  const ReferenceLaw law = GENERATE(from_range(std::begin(reference_laws), std::end(reference_laws)));
   CAPTURE(dimension, law.static_friction);
   for (unsigned seed = 0; seed < 60; ++seed) {
     Dealer deal(dimension, seed);
     const std::vector<Body> bodies = overlapping_pair(deal, deal.vector(1));
-    compare_run(scree::test::scene(dimension, step, bodies, values(law)), {{.a = 0, .b = 1}}, law);
+    compare_run(scree::test::scene(dimension, forces_step, bodies, values(law)), {{.a = 0, .b = 1}}, law);
 
-    Simulation s(scree::test::scene(dimension, step, bodies, values(law)));
+    Simulation s(scree::test::scene(dimension, forces_step, bodies, values(law)));
     scree::test::run(s, 3);
     for (int k = 0; k < dimension; ++k) CHECK(s.particles().force()[k][0] == -s.particles().force()[k][1]);
     CHECK(s.momentum_residual() == 0);
@@ -127,7 +128,7 @@ TEST_CASE("a pair's forces and torques equal the scalar reference, and are oppos
 
 TEST_CASE("a periodic image's forces equal the scalar reference") {
   const int dimension = GENERATE(2, 3);
-  const ReferenceLaw law = laws[3];
+  const ReferenceLaw law = reference_laws[3];
   for (unsigned seed = 0; seed < 60; ++seed) {
     Dealer deal(dimension, seed);
     // Around a corner; coordinates are wrapped into the domain as the kernel will have them.
@@ -136,20 +137,21 @@ TEST_CASE("a periodic image's forces equal the scalar reference") {
     for (int k = 0; k < dimension; ++k)
       for (std::size_t i = 0; i < 2; ++i)
         if (bodies[i].position[k] < 0) {
-          bodies[i].position[k] += edge;
-          contact.shift[k] += i ? -edge : edge;
+          bodies[i].position[k] += domain_edge;
+          contact.shift[k] += i ? -domain_edge : domain_edge;
         }
-    Scene s = scree::test::scene(dimension, step, bodies, values(law));
-    scree::test::add_boundary(
-        s, "periodic",
-        {{"axes", {dimension == 2 ? 3.0 : 6.0}}, {"lower", {0, 0, 0}}, {"upper", {edge, edge, edge}}});
+    Scene s = scree::test::scene(dimension, forces_step, bodies, values(law));
+    scree::test::add_boundary(s, "periodic",
+                              {{"axes", {dimension == 2 ? 3.0 : 6.0}},
+                               {"lower", {0, 0, 0}},
+                               {"upper", {domain_edge, domain_edge, domain_edge}}});
     compare_run(s, {contact}, law);
   }
 }
 
 TEST_CASE("a wall's forces equal the reference of a body of infinite radius and mass, and load it exactly") {
   const int dimension = GENERATE(2, 3);
-  const ReferenceLaw law = GENERATE(from_range(std::begin(laws), std::end(laws)));
+  const ReferenceLaw law = GENERATE(from_range(std::begin(reference_laws), std::end(reference_laws)));
   for (unsigned seed = 0; seed < 60; ++seed) {
     Dealer deal(dimension, seed);
     const Vec3 normal = deal.unit(), point = deal.vector(1);
@@ -157,7 +159,7 @@ TEST_CASE("a wall's forces equal the reference of a body of infinite radius and 
     // Anywhere on the plane, at a random depth.
     a.position = point + deal.vector(1);
     a.position += (a.radius - deal.between(-0.002, 0.06) - dot(a.position - point, normal)) * normal;
-    Scene scene = scree::test::scene(dimension, step, {a}, values(law));
+    Scene scene = scree::test::scene(dimension, forces_step, {a}, values(law));
     scree::test::add_boundary(
         scene, "plane",
         {{"point", {point[0], point[1], point[2]}}, {"normal", {normal[0], normal[1], normal[2]}}});
@@ -172,11 +174,11 @@ TEST_CASE("a wall's forces equal the reference of a body of infinite radius and 
 TEST_CASE("forces on a body between a wall and another body add up") {
   for (const int dimension : {2, 3})
     for (unsigned seed = 0; seed < 60; ++seed) {
-      const ReferenceLaw law = laws[3];
+      const ReferenceLaw law = reference_laws[3];
       Dealer deal(dimension, seed);
       std::vector<Body> bodies = overlapping_pair(deal, {});
       const Vec3 normal = {{0, 1, 0}}, point = {{0, bodies[0].position[1] - bodies[0].radius + 0.03, 0}};
-      Scene scene = scree::test::scene(dimension, step, bodies, values(law));
+      Scene scene = scree::test::scene(dimension, forces_step, bodies, values(law));
       scree::test::add_boundary(scene, "plane", {{"point", {0, point[1], 0}}, {"normal", {0, 1, 0}}});
       scene.limits.overlap_ratio = 100;  // the other body may overlap the wall
       std::vector<ReferenceContact> contacts = {{.a = 0, .b = 1}};
@@ -201,9 +203,9 @@ TEST_CASE("an isolated frictional cluster conserves momentum and angular momentu
     b.velocity = b.velocity - 1.5 * x;  // towards the centre
     bodies.push_back(b);
   }
-  ReferenceLaw law = laws[3];
+  ReferenceLaw law = reference_laws[3];
   law.k = 2e4;
-  Simulation s(scree::test::scene(dimension, step, bodies, values(law)));
+  Simulation s(scree::test::scene(dimension, forces_step, bodies, values(law)));
   const Vec3 momentum = scree::test::momentum(s), angular = scree::test::angular_momentum(s);
   double exchanged = 0, moment = 0, size = 0, spin_size = 0;
   for (int k = 0; k < steps; ++k) {
@@ -213,8 +215,8 @@ TEST_CASE("an isolated frictional cluster conserves momentum and angular momentu
       const Body b = s.particles().body(i);
       double force = 0;
       for (int axis = 0; axis < dimension; ++axis) force += std::abs(s.particles().force()[axis][i]);
-      exchanged += step * force;
-      moment += step * force * (norm(b.position) + b.radius);
+      exchanged += forces_step * force;
+      moment += forces_step * force * (norm(b.position) + b.radius);
       size += b.mass * norm(b.velocity);
       spin_size += b.mass * norm(b.velocity) * norm(b.position) + b.inertia * norm(b.spin);
     }

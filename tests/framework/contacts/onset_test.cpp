@@ -12,12 +12,13 @@ using namespace scree::kernel;
 
 namespace {
 
-constexpr double step = 1e-4;
+constexpr double onset_step = 1e-4;
 
 // Pairs that close at 1 m/s (or open, at −1), with overlaps of `depths` times the travel per step, and slide
 // at 1 m/s, with forces that begin and end as t to these powers and act for `kick` (s).
 std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, double closing,
-                                            double touching = 0, double parting = 0, double kick = step) {
+                                            double touching = 0, double parting = 0,
+                                            double kick = onset_step) {
   auto w = std::make_unique<BlockColumns<double>>();
   const std::vector<double> radius_sums(block_size, 1.0);
   for (std::uint32_t i = 0; i < block_size; ++i) {
@@ -26,10 +27,10 @@ std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, d
     w->input[SCREE_NORMAL][i] = w->separation[0][i] = w->distance[i] = 1;
     w->velocity[0][i] = -closing;
     w->mid_velocity[1][i] = 1;
-    w->input[SCREE_OVERLAP][i] = i < depths.size() ? depths[i] * step : -1;
+    w->input[SCREE_OVERLAP][i] = i < depths.size() ? depths[i] * onset_step : -1;
   }
-  if (resolve_motion<3, false, false, true>(true, radius_sums.data(), step, kick, block_size, *w) > 0)
-    resolve_onsets<3, false, false, true>(true, radius_sums.data(), step, kick,
+  if (resolve_motion<3, false, false, true>(true, radius_sums.data(), onset_step, kick, block_size, *w) > 0)
+    resolve_onsets<3, false, false, true>(true, radius_sums.data(), onset_step, kick,
                                           OnsetWeights::of_power(touching), OnsetWeights::of_power(parting),
                                           block_size, *w);
   else  // onset weights of a block without such pairs
@@ -40,7 +41,7 @@ std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, d
 // Fraction of the step during which a pair slid; sliding rotates the normal, by half a displacement, which
 // reduces it by 2.5e-9.
 double touched(const BlockColumns<double>& w, std::uint32_t pair) {
-  return w.input[SCREE_TANGENTIAL_INCREMENT + 1][pair] / step;
+  return w.input[SCREE_TANGENTIAL_INCREMENT + 1][pair] / onset_step;
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ TEST_CASE("the onset weights of a dashpot add up to the contact time") {
 
 TEST_CASE("onset weights count in kicks, displacements in steps; without a kick there are no weights") {
   // The first step of position Verlet evaluates after half a kick.
-  const auto w = pairs({0.5, 1.5, 3}, 1, 0, 0, 2 * step), still = pairs({0.5}, 1, 0, 0, 0);
+  const auto w = pairs({0.5, 1.5, 3}, 1, 0, 0, 2 * onset_step), still = pairs({0.5}, 1, 0, 0, 0);
   CHECK(w->input[SCREE_ONSET_WEIGHT][0] == Approx(1.5 * 0.25));
   CHECK(w->input[SCREE_ONSET_WEIGHT][1] == Approx(1.5 * 0.75));
   CHECK(w->input[SCREE_ONSET_WEIGHT][2] == Approx(2 - 0.5 * 1.5));

@@ -23,12 +23,12 @@ using scree::test::bit;
 using scree::test::group_of;
 using scree::test::integrators;
 using scree::test::Values;
+using std::numbers::pi;
 
 namespace {
 
 namespace freedom = scree::freedom;
 
-constexpr double pi = std::numbers::pi;
 // A free body of radius 1 m between two others along each axis, of which the first along x is driven. All contacts last.
 struct Cage {
   static constexpr double stiffness = 50, mass = 1.3, inner = 1.8, frequency = 0.3, amplitude = 0.06;

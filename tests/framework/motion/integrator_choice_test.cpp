@@ -17,34 +17,39 @@ using scree::test::Values;
 
 namespace {
 
-constexpr double mass = 1, stiffness = 1000, gravity = 10, radius = 1, amplitude = 0.002;
+constexpr double oscillator_mass = 1, oscillator_stiffness = 1000, oscillator_gravity = 10,
+                 oscillator_radius = 1, oscillator_amplitude = 0.002;
 
 // A body on a plane under its weight, displaced from rest: x = x_eq + A e^(−ηt)(cos ω₁t + η/ω₁ sin ω₁t).
 Scene oscillator(Integration integration, double step, double damping) {
-  const double rest = radius - mass * gravity / stiffness;
-  Scene s = scree::test::scene(3, step, {scree::test::body(0, radius, mass, {{0, 0, rest + amplitude}})},
-                               {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}});
+  const double rest = oscillator_radius - oscillator_mass * oscillator_gravity / oscillator_stiffness;
+  Scene s = scree::test::scene(
+      3, step,
+      {scree::test::body(0, oscillator_radius, oscillator_mass, {{0, 0, rest + oscillator_amplitude}})},
+      {{"normal_stiffness", {oscillator_stiffness}}, {"normal_damping", {damping}}});
   s.integration = integration;
   scree::test::add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
-  scree::test::add_body_force(s, "gravity", {{"acceleration", {0, 0, -gravity}}});
+  scree::test::add_body_force(s, "gravity", {{"acceleration", {0, 0, -oscillator_gravity}}});
   return s;
 }
 
 double displacement(const Simulation& s) {
-  return scree::test::position(s, 0)[2] - (radius - mass * gravity / stiffness);
+  return scree::test::position(s, 0)[2] -
+         (oscillator_radius - oscillator_mass * oscillator_gravity / oscillator_stiffness);
 }
 
 double error_at(Integration integration, int steps, double damping) {
   constexpr double time = 0.128;
   Simulation s(oscillator(integration, time / steps, damping));
   scree::test::run(s, std::uint64_t(steps));
-  const double eta = damping / (2 * mass), omega = std::sqrt(stiffness / mass - eta * eta);
-  return std::abs(displacement(s) - amplitude * std::exp(-eta * time) *
+  const double eta = damping / (2 * oscillator_mass),
+               omega = std::sqrt(oscillator_stiffness / oscillator_mass - eta * eta);
+  return std::abs(displacement(s) - oscillator_amplitude * std::exp(-eta * time) *
                                         (std::cos(omega * time) + eta / omega * std::sin(omega * time)));
 }
 
 // Observed order between two steps, ω h = 0.06 and 0.03: the next term of the error is smaller by that.
-double order_of(Integration integration, double damping) {
+double order_of_oscillation(Integration integration, double damping) {
   return std::log2(error_at(integration, 64, damping) / error_at(integration, 128, damping));
 }
 
@@ -52,16 +57,16 @@ double order_of(Integration integration, double damping) {
 
 TEST_CASE("each integrator has its stated order, with and without a dashpot") {
   // The next term of the error is smaller than the leading one by a few times ω h ~ 0.06.
-  CHECK(order_of(Integration::velocity_verlet, 0) == Approx(2).margin(0.25));
-  CHECK(order_of(Integration::velocity_verlet, 20) == Approx(2).margin(0.25));
-  CHECK(order_of(Integration::position_verlet, 0) == Approx(2).margin(0.25));
-  CHECK(order_of(Integration::position_verlet, 20) == Approx(2).margin(0.25));
-  CHECK(order_of(Integration::fourth_order, 0) == Approx(4).margin(0.25));
-  CHECK(order_of(Integration::fourth_order, 20) == Approx(2).margin(0.25));
+  CHECK(order_of_oscillation(Integration::velocity_verlet, 0) == Approx(2).margin(0.25));
+  CHECK(order_of_oscillation(Integration::velocity_verlet, 20) == Approx(2).margin(0.25));
+  CHECK(order_of_oscillation(Integration::position_verlet, 0) == Approx(2).margin(0.25));
+  CHECK(order_of_oscillation(Integration::position_verlet, 20) == Approx(2).margin(0.25));
+  CHECK(order_of_oscillation(Integration::fourth_order, 0) == Approx(4).margin(0.25));
+  CHECK(order_of_oscillation(Integration::fourth_order, 20) == Approx(2).margin(0.25));
   // Gear's series starts with its higher terms at 0, an error of the first step that a dashpot amplifies
   // at once.
-  CHECK(order_of(Integration::predictor_corrector, 0) >= 2.75);
-  CHECK(order_of(Integration::predictor_corrector, 20) >= 1.75);
+  CHECK(order_of_oscillation(Integration::predictor_corrector, 0) >= 2.75);
+  CHECK(order_of_oscillation(Integration::predictor_corrector, 20) >= 1.75);
 }
 
 TEST_CASE("the fourth order pays for its five evaluations in elastic motion") {
@@ -72,27 +77,30 @@ TEST_CASE("each integrator is stable up to its stated multiple of velocity Verle
   // The amplitude after enough steps to detect a growth of 2 % per step.
   for (const scree::IntegrationTraits& traits : scree::integrations())
     for (const double damping_ratio : {0.02, 0.1, 0.3, 1.0}) {
-      const double omega = std::sqrt(stiffness / mass), damping = 2 * damping_ratio * omega * mass;
+      const double omega = std::sqrt(oscillator_stiffness / oscillator_mass),
+                   damping = 2 * damping_ratio * omega * oscillator_mass;
       const double limit =
-          2 / (std::sqrt(std::pow(damping / mass, 2) + omega * omega) + damping / mass) * traits.stable_step;
+          2 /
+          (std::sqrt(std::pow(damping / oscillator_mass, 2) + omega * omega) + damping / oscillator_mass) *
+          traits.stable_step;
       Simulation s(oscillator(traits.integration, 0.97 * limit, damping));
       scree::test::run(s, 500);
       INFO(traits.name << ", damping ratio " << damping_ratio);
-      CHECK(std::abs(displacement(s)) <= amplitude);
+      CHECK(std::abs(displacement(s)) <= oscillator_amplitude);
     }
 }
 
 TEST_CASE("velocity Verlet is unstable beyond the longest step of the step guard") {
   for (const double damping_ratio : {0.1, 1.0}) {
-    const double omega = std::sqrt(stiffness / mass), g = 2 * damping_ratio * omega;
+    const double omega = std::sqrt(oscillator_stiffness / oscillator_mass), g = 2 * damping_ratio * omega;
     const double limit = 2 / (std::sqrt(g * g + omega * omega) + g);
-    Simulation s(oscillator(Integration::velocity_verlet, 1.03 * limit, g * mass));
+    Simulation s(oscillator(Integration::velocity_verlet, 1.03 * limit, g * oscillator_mass));
     double farthest = 0;
     for (int n = 0; n < 100; ++n) {
       s.step();
       farthest = std::max(farthest, std::abs(displacement(s)));
     }
-    CHECK(farthest > 1.5 * amplitude);
+    CHECK(farthest > 1.5 * oscillator_amplitude);
   }
 }
 

@@ -1,3 +1,4 @@
+#include "numbers.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -9,13 +10,12 @@ using scree::Body;
 using scree::Scene;
 using scree::Simulation;
 using scree::Vec3;
+using scree::test::epsilon;
 using scree::test::Values;
 
 namespace {
 
-constexpr double epsilon = 2.220446049250313e-16;
-
-Values spring(double stiffness, double damping = 0) {
+Values linear_spring(double stiffness, double damping = 0) {
   return {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}};
 }
 
@@ -47,8 +47,8 @@ TEST_CASE("free flight is exact") {
     const Vec3 x = {{3.25, -17.5, dimension == 3 ? 0.125 : 0}}, v = {{0.5, -3.75, dimension == 3 ? 2.25 : 0}};
     const Vec3 spin = {{dimension == 3 ? 0.3 : 0, dimension == 3 ? -0.7 : 0, 1.1}};
     const double step = 1.0 / 1024;
-    Simulation s(
-        scree::test::scene(dimension, step, {scree::test::body(0, 1, 3, x, v, spin, dimension)}, spring(1)));
+    Simulation s(scree::test::scene(dimension, step, {scree::test::body(0, 1, 3, x, v, spin, dimension)},
+                                    linear_spring(1)));
     scree::test::run(s, 5000);
     const Body body = s.particles().body(0);
     CHECK(body.position == x + (5000 * step) * v);
@@ -61,7 +61,7 @@ TEST_CASE("free flight is exact") {
 TEST_CASE("a projectile is on its parabola at the end of each step") {
   const Vec3 x = {{0, 0, 100}}, v = {{3, 0, 20}};
   const double step = 0.01, gravity = 9.81;
-  Scene scene = scree::test::scene(3, step, {scree::test::body(0, 0.5, 2, x, v)}, spring(1));
+  Scene scene = scree::test::scene(3, step, {scree::test::body(0, 0.5, 2, x, v)}, linear_spring(1));
   scree::test::add_body_force(scene, "gravity", {{"acceleration", {0, 0, -gravity}}});
   Simulation s(scene);
   for (int n = 1; n <= 400; ++n) {
@@ -89,7 +89,7 @@ TEST_CASE("harmonic motion has the frequency with sin(w' h/2) = w h/2 and no oth
     Scene scene = scree::test::scene(2, step,
                                      {scree::test::body(0, radius, mass, {{-rest - amplitude, 5, 0}}),
                                       scree::test::body(1, radius, mass, {{rest + amplitude, 5, 0}})},
-                                     spring(stiffness));
+                                     linear_spring(stiffness));
     scree::test::add_boundary(scene, "plane", {{"point", {-wall, 0, 0}}, {"normal", {1, 0, 0}}}, "left");
     scree::test::add_boundary(scene, "plane", {{"point", {wall, 0, 0}}, {"normal", {-1, 0, 0}}}, "right");
     Simulation s(scene);
@@ -116,7 +116,7 @@ TEST_CASE("damped motion converges with the second order of the step") {
   const double rest = radius - mass * gravity / stiffness;
   const auto error = [&](double step) {
     Simulation s(on_a_plane(step, scree::test::body(0, radius, mass, {{0, 0, rest + amplitude}}),
-                            spring(stiffness, damping), gravity));
+                            linear_spring(stiffness, damping), gravity));
     scree::test::run(s, std::uint64_t(std::llround(time / step)));
     const double exact = rest + amplitude * std::exp(-eta * time) *
                                     (std::cos(omega * time) + eta / omega * std::sin(omega * time));
@@ -134,7 +134,7 @@ TEST_CASE("frictionless motion returns to its start when velocities are reversed
   std::vector<Body> bodies = {scree::test::body(0, 1, 1, {{0, 0, 2}}, {{1, 0.2, -1}}),
                               scree::test::body(1, 0.7, 0.5, {{3, 0.5, 1.5}}, {{-2, 0, 0.1}}),
                               scree::test::body(2, 0.8, 2, {{1, 0.3, 4}}, {{0, 0, -2}})};
-  Scene scene = scree::test::scene(3, 1e-3, bodies, spring(1e4));
+  Scene scene = scree::test::scene(3, 1e-3, bodies, linear_spring(1e4));
   scree::test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   const auto there_and_back = [&](double nudge) {
     Simulation s(scene);
@@ -161,7 +161,7 @@ TEST_CASE("a sticking spring on a plane returns to its start when velocities are
   const double stiffness = 1000, mass = 1, radius = 1, gravity = 10, step = 1e-3;
   const Body body = scree::test::body(0, radius, mass, {{0, 0, radius - mass * gravity / stiffness - 0.001}},
                                       {{0.02, -0.01, 0}}, {{0.03, 0.05, 0.01}});
-  Values law = spring(stiffness);
+  Values law = linear_spring(stiffness);
   law.insert(law.end(), {{"tangential_stiffness", {800}}, {"static_friction", {1e6}}});
   Simulation s(on_a_plane(step, body, law, gravity));
   scree::test::run(s, 700);
@@ -184,7 +184,7 @@ TEST_CASE("a constant torque gives a constant angular acceleration") {
     const Body body =
         scree::test::body(0, radius, mass, {{0, dimension == 2 ? height : 0, dimension == 3 ? height : 0}},
                           {{speed, 0, 0}}, {}, dimension);
-    Values law = spring(stiffness);
+    Values law = linear_spring(stiffness);
     law.insert(law.end(), {{"tangential_stiffness", {1e6}}, {"static_friction", {friction}}});
     Simulation s(on_a_plane(step, body, law, gravity, dimension));
     // Rolling without sliding begins after v₀/(μ g (1 + m R²/I)) > 0.7 s.
@@ -209,7 +209,7 @@ TEST_CASE("a force that a stage switches on acts in full from then on") {
   for (const scree::Integration integration :
        {scree::Integration::velocity_verlet, scree::Integration::position_verlet,
         scree::Integration::predictor_corrector, scree::Integration::fourth_order}) {
-    Scene scene = scree::test::scene(3, step, {scree::test::body(1, 1, 1, {})}, spring(1));
+    Scene scene = scree::test::scene(3, step, {scree::test::body(1, 1, 1, {})}, linear_spring(1));
     scree::test::add_body_force(scene, "gravity", {{"acceleration", {0, 0, 0}}});
     scene.integration = integration;
     Simulation s(scene);

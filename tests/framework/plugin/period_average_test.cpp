@@ -16,7 +16,7 @@ using scree::test::turned_by;
 namespace {
 
 // Relative error of the amplitude and error of the phase (rad) of a sine of 1 Hz, whichever is larger.
-double error_of(const std::vector<double>& times, const std::function<double(double)>& drift) {
+double error_of_line(const std::vector<double>& times, const std::function<double(double)>& drift) {
   LockInOptions options;
   options.frequency = 1, options.drift_degree = 0, options.harmonics = 1;
   options.duration = times.back() - times.front();
@@ -37,14 +37,14 @@ TEST_CASE("the mean over a period keeps amplitude and phase for whole numbers of
           "[period_average]") {
   // Round-off of some hundred samples.
   for (const int samples : {3, 4, 7, 20, 101})
-    CHECK(error_of(equal_times(std::size_t(30 * samples), 1.0 / samples), none) < 1e-12);
+    CHECK(error_of_line(equal_times(std::size_t(30 * samples), 1.0 / samples), none) < 1e-12);
 }
 
 TEST_CASE("between whole numbers of samples its error is below the stated bound", "[period_average]") {
   double largest = 0;
   for (const double samples : {4.5, 5.3, 10.5, 20.37, 50.5}) {
     const double step = 1 / samples;
-    const double error = error_of(equal_times(std::size_t(40 * samples), step), none);
+    const double error = error_of_line(equal_times(std::size_t(40 * samples), step), none);
     CHECK(error < step * step * step);
     largest = std::max(largest, error / (step * step * step));
   }
@@ -53,12 +53,12 @@ TEST_CASE("between whole numbers of samples its error is below the stated bound"
 
 TEST_CASE("at unequal steps its error is below the stated bound", "[period_average]") {
   const auto times = scree::test::random_times(2000, 0.02, 8);  // up to 0.036 s
-  CHECK(error_of(times, none) < std::pow(2 * std::numbers::pi * 0.036, 2) / 12);
+  CHECK(error_of_line(times, none) < std::pow(2 * std::numbers::pi * 0.036, 2) / 12);
 }
 
 TEST_CASE("a linear drift is removed and a curved one leaves what is stated", "[period_average]") {
   const auto times = equal_times(2000, 0.01);
-  CHECK(error_of(times, [](double t) { return 100 * t; }) < 1e-11);
+  CHECK(error_of_line(times, [](double t) { return 100 * t; }) < 1e-11);
   std::vector<double> ring(PeriodAverage::state_size(101));
   PeriodAverage average(1, ring);
   // The straight lines between samples add h^2/6 of the curvature's c: 1e-4/6.

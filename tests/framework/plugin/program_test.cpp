@@ -1,4 +1,7 @@
+#include "numbers.hpp"
+
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -6,16 +9,16 @@
 #include <scree/plugin/program.hpp>
 
 using scree::Program;
+using scree::test::epsilon;
+using std::numbers::pi;
 
 namespace {
 
-const double pi = std::acos(-1.0);
-constexpr double epsilon = 2.220446049250313e-16;
-
 // Opaque to the compiler, which would otherwise see the length of the data and warn about the kinds that do
 // not hold.
-[[gnu::noipa]] Program program(const std::vector<double>& data) {
-  return Program({data.data(), data.size()});
+Program program(const std::vector<double>& data) {
+  const double* const volatile first = data.data();
+  return Program({first, data.size()});
 }
 
 // Central difference. Its error is step²/6 times the third derivative, plus 2 roundings of the value over 2

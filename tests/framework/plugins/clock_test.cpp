@@ -15,7 +15,7 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double step = 1e-3;
+constexpr double clock_step = 1e-3;
 
 // Walls at x = −1 and x = 1, of which each has a speed of its own.
 Parameters walls(const std::vector<double>& low, const std::vector<double>& high) {
@@ -34,7 +34,8 @@ const std::vector<double> ramp = {Program::ramp, 0, 1, 1};  // 1 m/s²
 std::vector<double> steady(double speed) { return {Program::constant, speed}; }
 
 Scene empty_box(const Parameters& parameters) {
-  Scene s = scene(3, step, {body(1, 0.01, 1, {})}, {{"normal_stiffness", {1}}, {"normal_damping", {0}}});
+  Scene s =
+      scene(3, clock_step, {body(1, 0.01, 1, {})}, {{"normal_stiffness", {1}}, {"normal_damping", {0}}});
   s.boundaries.push_back({"box", 0, parameters});
   return s;
 }
@@ -88,8 +89,8 @@ TEST_CASE("functions of time of body forces have clocks too") {
     return parameters("gravity", SCREE_BODY_FORCE,
                       {{"acceleration", {0, 0, 0}}, {"acceleration_x", x}, {"acceleration_y", y}});
   };
-  Scene scene =
-      test::scene(3, step, {body(1, 0.01, 1, {})}, {{"normal_stiffness", {1}}, {"normal_damping", {0}}});
+  Scene scene = test::scene(3, clock_step, {body(1, 0.01, 1, {})},
+                            {{"normal_stiffness", {1}}, {"normal_damping", {0}}});
   add_body_force(scene, "gravity", {{"acceleration", {0, 0, 0}}});
   scene.body_forces[0].parameters = pull(ramp, ramp);
   Simulation s(scene);

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include <scree/error.hpp>
 #include <scree/plugin_host.hpp>
 
 // A contact law as a plug-in might wrongly provide it, without a library.
@@ -45,16 +44,5 @@ struct FalseLaw {
     return 2;
   }
 };
-
-// The line of the Error that the action throws; "no error" without one.
-template <class Action>
-std::string error_line(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 }  // namespace scree::test

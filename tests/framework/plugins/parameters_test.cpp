@@ -1,5 +1,6 @@
+#include "numbers.hpp"
+
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,9 @@
 
 using scree::Error;
 using scree::Parameters;
+using scree::test::not_a_number;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // One parameter of each kind and flag.
 struct Author {

@@ -1,5 +1,6 @@
 #include "plugins/plugin_call.hpp"
 
+#include "error_line.hpp"
 #include "plugins/false_law.hpp"
 #include "walls/boundaries.hpp"
 

@@ -27,7 +27,7 @@ struct Minimal {
 
 // Lock-in amplifier: amplitude and phase of the position of the first wall at a frequency, from sums that are
 // updated at every step.
-struct LockIn : Minimal {
+struct WallLockIn : Minimal {
   double frequency = 0;
   static constexpr About about = {"lock_in", "", "", ""};
   void declare(Declaration& d) { d.number("frequency_hz", frequency, "Hz", positive, "").required(); }
@@ -106,12 +106,12 @@ Probe probe_of(const Values& values = {}, int dimension = 3) {
   return Probe(p, dimension);
 }
 
-const Values law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
+const Values row_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
 
 Scene bodies_in_a_row(int count) {
   std::vector<Body> bodies;
   for (int i = 0; i < count; ++i) bodies.push_back(body(i + 1, 0.01, 1 + i, {{0.05 * i, 0, 0}}));
-  return scene(3, 1e-3, bodies, law);
+  return scene(3, 1e-3, bodies, row_law);
 }
 
 constexpr double amplitude = 0.003, frequency = 4, phase = 0.7;
@@ -132,7 +132,7 @@ Scene shaken() {
 TEST_CASE("a probe that observes sums over all steps: a lock-in finds amplitude and phase of a wall",
           "[probe]") {
   Simulation s(shaken());
-  Probe lock_in = probe_of<LockIn>({{"frequency_hz", {frequency}}});
+  Probe lock_in = probe_of<WallLockIn>({{"frequency_hz", {frequency}}});
   REQUIRE(lock_in.observes());
   const auto observe = [&] { lock_in.observe(SimulationView(s, lock_in.needs()).get()); };
   observe();

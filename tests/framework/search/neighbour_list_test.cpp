@@ -1,4 +1,5 @@
 #include "contacts/contacts.hpp"
+#include "numbers.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -13,12 +14,12 @@ using scree::Body;
 using scree::Scene;
 using scree::Simulation;
 using scree::Vec3;
+using scree::test::epsilon;
 using scree::test::Values;
 
 namespace {
 
-constexpr double epsilon = 2.220446049250313e-16;
-constexpr double edge = 10, step = 1e-3;
+constexpr double gas_edge = 10, gas_step = 1e-3;
 
 enum Walls { box, periodic };
 
@@ -31,35 +32,36 @@ Scene gas(int dimension, Walls walls, double skin, double perturbation = 0) {
   for (int i = 0; i < std::pow(per_axis, dimension); ++i) {
     Vec3 x = {}, v = {};
     for (int k = 0, rest = i; k < dimension; ++k, rest /= per_axis) {
-      x[k] = (rest % per_axis + 0.5) * edge / per_axis + perturbation * uniform(generator);
+      x[k] = (rest % per_axis + 0.5) * gas_edge / per_axis + perturbation * uniform(generator);
       v[k] = 10 * uniform(generator);
     }
     const double radius = i % 3 ? 0.3 : 0.6;
     bodies.push_back(scree::test::body(i, radius, radius, x, v));
   }
   Scene s =
-      scree::test::scene(dimension, step, bodies, {{"normal_stiffness", {2e4}}, {"normal_damping", {0}}});
+      scree::test::scene(dimension, gas_step, bodies, {{"normal_stiffness", {2e4}}, {"normal_damping", {0}}});
   s.skin = skin;
   if (walls == box) {
-    Values values = {{"lower", {0, 0, 0}}, {"upper", {edge, edge, edge}}};
+    Values values = {{"lower", {0, 0, 0}}, {"upper", {gas_edge, gas_edge, gas_edge}}};
     for (const char* wall : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"})
       values.push_back({wall, {1}});
     scree::test::add_boundary(s, "box", values);
   } else {
-    scree::test::add_boundary(
-        s, "periodic",
-        {{"axes", {dimension == 2 ? 3.0 : 6.0}}, {"lower", {0, 0, 0}}, {"upper", {edge, edge, edge}}});
+    scree::test::add_boundary(s, "periodic",
+                              {{"axes", {dimension == 2 ? 3.0 : 6.0}},
+                               {"lower", {0, 0, 0}},
+                               {"upper", {gas_edge, gas_edge, gas_edge}}});
   }
   return s;
 }
 
-double nearest_image(double x) { return x - edge * std::round(x / edge); }
+double nearest_image(double x) { return x - gas_edge * std::round(x / gas_edge); }
 
-using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+using IndexPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 // Overlapping bodies, or bodies and walls, by brute force.
-Pairs overlapping(const Simulation& s, bool planes) {
-  Pairs pairs;
+IndexPairs overlapping(const Simulation& s, bool planes) {
+  IndexPairs pairs;
   const bool wraps = s.domain().any_periodic();
   const std::size_t n = s.particles().size();
   for (std::uint32_t a = 0; a < n; ++a) {
@@ -80,8 +82,8 @@ Pairs overlapping(const Simulation& s, bool planes) {
   return pairs;
 }
 
-Pairs listed(const Simulation& s, bool planes) {
-  Pairs pairs;
+IndexPairs listed_pairs(const Simulation& s, bool planes) {
+  IndexPairs pairs;
   for (const scree::PairGroup& group : s.contacts().groups())
     for (std::size_t p = group.begin; p < group.end && group.planes == planes; ++p)
       pairs.insert({s.contacts().a[p], s.contacts().b[p]});
@@ -94,7 +96,7 @@ std::size_t watch(Simulation& s, int steps) {
   for (int k = 0; k < steps; ++k) {
     s.step();
     for (const bool planes : {false, true}) {
-      const Pairs present = listed(s, planes);
+      const IndexPairs present = listed_pairs(s, planes);
       for (const auto& pair : overlapping(s, planes)) {
         ++overlaps;
         INFO("pair " << pair.first << ", " << pair.second << " at step " << s.steps());
@@ -186,7 +188,7 @@ TEST_CASE("periodic motion is the same for any skin, to round-off") {
       REQUIRE(s.rebuilds() != reference.rebuilds());
       // One rounding per step, amplified at most like one at the start; the displacement samples one
       // direction only, hence the factor of 10.
-      CHECK(distance(s, reference) <= 10 * growth * steps * epsilon * edge);
+      CHECK(distance(s, reference) <= 10 * growth * steps * epsilon * gas_edge);
     }
   }
 }

@@ -15,7 +15,7 @@ using scree::SkinChoice;
 namespace {
 
 // Bodies of radius 0.5 on a square lattice, `gap` apart, all but the first at rest.
-Scene lattice(double gap, double speed, double skin = 0) {
+Scene square_lattice(double gap, double speed, double skin = 0) {
   std::vector<Body> bodies;
   for (int i = 0; i < 100; ++i)
     bodies.push_back(scree::test::body(i, 0.5, 1, {{(i % 10) * (1 + gap), (i / 10) * (1 + gap), 0}},
@@ -25,7 +25,7 @@ Scene lattice(double gap, double speed, double skin = 0) {
   return s;
 }
 
-std::size_t listed(const Simulation& s) {
+std::size_t listed_count(const Simulation& s) {
   std::size_t pairs = 0;
   for (const scree::PairGroup& group : s.contacts().groups()) pairs += group.end - group.begin;
   return pairs;
@@ -35,20 +35,20 @@ std::size_t listed(const Simulation& s) {
 
 TEST_CASE("the skin becomes thin where nothing moves, and a given one is kept") {
   // Half of the pairs of neighbours do not touch: 4 % of the diameter apart, within the first skin of 5 %.
-  Simulation own(lattice(0.04, 0)), stated(lattice(0.04, 0, 0.05));
-  CHECK(listed(own) == 180);
+  Simulation own(square_lattice(0.04, 0)), stated(square_lattice(0.04, 0, 0.05));
+  CHECK(listed_count(own) == 180);
   for (int k = 0; k < 2000; ++k) own.step(), stated.step();
   CHECK(own.skin() < 0.04);
   // The step limit of a later stage does not depend on how thin the skin has become.
   CHECK(own.first_skin() == Approx(0.05));
-  CHECK(listed(own) == 0);
+  CHECK(listed_count(own) == 0);
   CHECK(own.rebuilds() == 2);
   CHECK(stated.skin() == 0.05);
   CHECK(stated.rebuilds() == 1);
 }
 
 TEST_CASE("the skin becomes thick where bodies are fast, and the motion is the same for every skin") {
-  Simulation own(lattice(0.04, 3)), stated(lattice(0.04, 3, 0.02));
+  Simulation own(square_lattice(0.04, 3)), stated(square_lattice(0.04, 3, 0.02));
   for (int k = 0; k < 2000; ++k) own.step(), stated.step();
   CHECK(own.skin() > 0.05);
   CHECK(own.rebuilds() < stated.rebuilds() / 2);

@@ -14,10 +14,9 @@ using scree::Simulation;
 using scree::State;
 using scree::test::heap;
 using scree::test::message_of;
+using scree::test::steps_of_heap;
 
 namespace {
-
-constexpr int steps = 90;
 
 // The scene that begins where the state of another is.
 Scene scene_from(const State& state, Scene scene) {
@@ -37,7 +36,7 @@ void check_same_motion(const Simulation& a, const Simulation& b) {
     }
 }
 
-scree::test::Values law(double friction) {
+scree::test::Values frictional_law(double friction) {
   return {{"normal_stiffness", {1e4}},
           {"restitution", {0.8}},
           {"tangential_stiffness", {3e3}},
@@ -55,7 +54,7 @@ TEST_CASE("a scene that begins from a state and changes nothing moves to the sam
   Scene scene = heap(dimension, periodic);
   scene.integration = integration;
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   const State state = first.state();
   Simulation branch(scene_from(state, scene), state, Branching());
   CHECK(branch.time() == 0);
@@ -64,8 +63,8 @@ TEST_CASE("a scene that begins from a state and changes nothing moves to the sam
   CHECK(branch.energy().work == 0);
   CHECK(branch.taken_over().size() == 2);
   check_same_motion(first, branch);
-  scree::test::run(first, steps);
-  scree::test::run(branch, steps);
+  scree::test::run(first, steps_of_heap);
+  scree::test::run(branch, steps_of_heap);
   check_same_motion(first, branch);
   CHECK(branch.energy_residual() < 1e-2);
 }
@@ -73,10 +72,11 @@ TEST_CASE("a scene that begins from a state and changes nothing moves to the sam
 TEST_CASE("a scene that begins from a state and changes a law moves as after a stage that does") {
   Scene scene = heap(3, false);
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   const State state = first.state();
   Scene changed = scene_from(state, scene);
-  changed.laws[0].parameters = scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, law(0.6));
+  changed.laws[0].parameters =
+      scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, frictional_law(0.6));
   changed.boundaries[0].parameters = scree::test::parameters(
       "box", SCREE_BOUNDARY, {{"stress", {0, 60}}, {"mass", {1000}}, {"viscosity", {10}}, {"x_low", {1}}});
   Simulation branch(changed, state, Branching());
@@ -93,15 +93,15 @@ TEST_CASE("a scene that begins from a state and changes a law moves as after a s
     }
   };
   check();
-  scree::test::run(first, steps);
-  scree::test::run(branch, steps);
+  scree::test::run(first, steps_of_heap);
+  scree::test::run(branch, steps_of_heap);
   check();
 }
 
 TEST_CASE("histories are taken over by plug-in, and walls by name") {
   Scene scene = heap(2, false);
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   const State state = first.state();
   Scene other = scene_from(state, scene);
   const auto refusal = [&](const Branching& branching = {}) {
@@ -142,7 +142,7 @@ TEST_CASE("histories are taken over by plug-in, and walls by name") {
 TEST_CASE("bodies of a state keep the velocities that the scene gives them") {
   Scene scene = heap(2, false);
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   const State state = first.state();
   Scene faster = scene_from(state, scene);
   for (scree::Body& body : faster.bodies) body.velocity[0] += 0.5;
@@ -155,7 +155,7 @@ TEST_CASE("a scene may add a body to those of a state") {
   Scene scene = heap(3, true);
   scene.orientations = true;
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   const State state = first.state();
   Scene more = scene_from(state, scene);
   more.bodies.push_back(scree::test::body(5000, 1, 1, {{5, 5, 60}}));
@@ -171,7 +171,7 @@ TEST_CASE("a state whose arrays do not fit each other begins no scene") {
   Scene scene = heap(2, false);
   scene.integration = Integration::predictor_corrector;
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   const State state = first.state();
   // With ten times as many values, or with none.
   const bool longer = GENERATE(false, true);
@@ -193,13 +193,13 @@ namespace {
 struct Stretched {
   Scene scene = heap(3, false);
   Simulation first = Simulation(scene);
-  State state = (scree::test::run(first, steps), first.state());
+  State state = (scree::test::run(first, steps_of_heap), first.state());
   scree_energy before = first.energy();
   Scene next = scene_from(state, scene);
 
   void set_law(double friction) {
     next.laws[0].parameters =
-        scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, law(friction));
+        scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW, frictional_law(friction));
   }
 };
 
@@ -315,13 +315,13 @@ TEST_CASE("bodies that a scene lets go touch each other and move") {
     return found;
   };
   Simulation first(scene);
-  scree::test::run(first, steps);
+  scree::test::run(first, steps_of_heap);
   CHECK_FALSE(touch(first));
   Scene next = scene_from(first.state(), scene);
   for (const std::size_t i : {3, 4}) next.bodies[i].fixed = false;
   Simulation branch(next, first.state(), Branching());
   CHECK(touch(branch));
-  scree::test::run(branch, steps);
+  scree::test::run(branch, steps_of_heap);
   CHECK_FALSE(scree::test::position(branch, 3) == scene.bodies[3].position);
 }
 

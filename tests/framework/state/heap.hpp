@@ -12,6 +12,9 @@
 
 namespace scree::test {
 
+// From the start of a heap to the state that a test keeps.
+inline constexpr int steps_of_heap = 90;
+
 // Bodies of two sizes that collide: touching and separate pairs, sliding and sticking contacts, walls that
 // forces move or periodic faces that bodies cross, a body force, several searches.
 inline Scene heap(int dimension, bool periodic) {

@@ -18,10 +18,9 @@ using scree::State;
 using scree::test::check_same;
 using scree::test::heap;
 using scree::test::message_of;
+using scree::test::steps_of_heap;
 
 namespace {
-
-constexpr int steps = 90;
 
 // Goes on from the state of a simulation after some steps, and compares with the simulation that never stopped.
 void check_resumed(Simulation& whole, Scene scene) {
@@ -30,8 +29,8 @@ void check_resumed(Simulation& whole, Scene scene) {
   scene.threads = 3;
   Simulation resumed(scene, stopped);
   check_same(stopped, resumed.state());
-  scree::test::run(whole, steps);
-  resumed.run(steps, [] { return true; });
+  scree::test::run(whole, steps_of_heap);
+  resumed.run(steps_of_heap, [] { return true; });
   REQUIRE(whole.rebuilds() > 2);
   check_same(whole.state(), resumed.state());
   CHECK(whole.state_hash() == resumed.state_hash());
@@ -51,7 +50,7 @@ TEST_CASE("a simulation goes on from its state to the same bits", "[threads]") {
   INFO(dimension << "D, periodic: " << periodic << ", integrator " << int(integration) << ", precision "
                  << int(precision));
   Simulation whole(scene);
-  scree::test::run(whole, steps);
+  scree::test::run(whole, steps_of_heap);
   REQUIRE(whole.contact_list().size() > 100);
   check_resumed(whole, scene);
 }
@@ -77,7 +76,7 @@ TEST_CASE("a simulation goes on from its state within a later stage") {
   Scene scene = heap(3, false);
   scene.integration = integration;
   Simulation whole(scene);
-  scree::test::run(whole, steps);
+  scree::test::run(whole, steps_of_heap);
   scene.laws[0].parameters = scree::test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW,
                                                      {{"normal_stiffness", {2e4}},
                                                       {"restitution", {0.6}},
@@ -89,7 +88,7 @@ TEST_CASE("a simulation goes on from its state within a later stage") {
   whole.reconfigure_law("linear_spring_dashpot", scene.laws[0].parameters);
   whole.reconfigure_boundary("box", scene.boundaries[0].parameters);
   whole.apply_reconfiguration();
-  scree::test::run(whole, steps);
+  scree::test::run(whole, steps_of_heap);
   check_resumed(whole, scene);
 }
 
@@ -120,7 +119,7 @@ TEST_CASE("orientations and their rounded-off parts are in the state") {
   Scene scene = heap(dimension, false);
   scene.orientations = true;
   Simulation whole(scene);
-  scree::test::run(whole, steps);
+  scree::test::run(whole, steps_of_heap);
   const State state = whole.state();
   const auto& rounded = std::get<std::vector<double>>(state.at("bodies/orientation_rounded_off").values);
   REQUIRE(std::any_of(rounded.begin(), rounded.end(), [](double x) { return x != 0; }));
@@ -131,7 +130,7 @@ TEST_CASE("forces of pairs are in the state only if the scene keeps them") {
   Scene scene = heap(2, false);
   scene.pair_forces = GENERATE(false, true);
   Simulation whole(scene);
-  scree::test::run(whole, steps);
+  scree::test::run(whole, steps_of_heap);
   const State state = whole.state();
   CHECK(state.has("contacts/force") == scene.pair_forces);
   const Simulation resumed(scene, state);
@@ -181,15 +180,15 @@ TEST_CASE("which bodies are fixed is in the state, from which they go on to the 
     scene.bodies[i].velocity = scene.bodies[i].spin = {};
   }
   Simulation s(scene);
-  scree::test::run(s, steps);
+  scree::test::run(s, steps_of_heap);
   const State state = s.state();
   Scene later = scene;
   later.bodies = scree::bodies_at_start(state);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) CHECK(later.bodies[i].fixed == (i < 16));
   Simulation restored(later, state);
   CHECK(restored.state_hash() == s.state_hash());
-  scree::test::run(s, steps);
-  scree::test::run(restored, steps);
+  scree::test::run(s, steps_of_heap);
+  scree::test::run(restored, steps_of_heap);
   CHECK(restored.state_hash() == s.state_hash());
   CHECK(restored.state() == s.state());
   CHECK(scree::test::position(restored, 3) == scene.bodies[3].position);
@@ -257,7 +256,7 @@ TEST_CASE("a state of another scene is refused with what differs") {
 TEST_CASE("a state without one of its arrays, or with one of another size or type, is refused by its name") {
   Scene scene = heap(2, false);
   Simulation s(scene);
-  scree::test::run(s, steps);
+  scree::test::run(s, steps_of_heap);
   const State state = s.state();
   const auto restore = [&](const State& damaged) {
     return message_of([&] {
@@ -287,7 +286,7 @@ TEST_CASE("a state without one of its arrays, or with one of another size or typ
 TEST_CASE("a state with pairs of bodies that do not exist is refused") {
   Scene scene = heap(2, false);
   Simulation s(scene);
-  scree::test::run(s, steps);
+  scree::test::run(s, steps_of_heap);
   const State state = s.state();
   const char* const path =
       GENERATE("contacts/0/b", "contacts/0/history_row", "contacts/0/a", "contacts/force_row");
@@ -303,7 +302,7 @@ TEST_CASE("a state with pairs of bodies that do not exist is refused") {
 TEST_CASE("a changed number in a state is noticed") {
   Scene scene = heap(2, false);
   Simulation s(scene);
-  scree::test::run(s, steps);
+  scree::test::run(s, steps_of_heap);
   State state = s.state();
   const char* const path =
       GENERATE("bodies/position", "bodies/velocity", "contacts/0/history", "walls/planes/point");
@@ -317,7 +316,7 @@ TEST_CASE("numbers of a state with which a simulation cannot go on are refused b
   Scene scene = heap(2, false);
   scene.integration = Integration::predictor_corrector;
   Simulation s(scene);
-  scree::test::run(s, steps);
+  scree::test::run(s, steps_of_heap);
   const State state = s.state();
   const auto with_number = [&](const std::string& path, double number) {
     State damaged = state;

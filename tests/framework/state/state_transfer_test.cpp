@@ -1,7 +1,7 @@
+#include "numbers.hpp"
 #include "state/heap.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -13,11 +13,10 @@
 
 using namespace scree;
 using scree::test::heap;
+using scree::test::infinite;
 using scree::test::message_of;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class T>
 std::string refusal_of(const std::vector<T>& values, const StoredRange& range) {
@@ -31,7 +30,7 @@ std::string refusal_of(const std::vector<T>& values, const StoredRange& range) {
 }  // namespace
 
 TEST_CASE("what is restored is finite, unless its owner says otherwise", "[state]") {
-  for (const double wrong : {infinity, -infinity, std::nan("")}) {
+  for (const double wrong : {infinite, -infinite, std::nan("")}) {
     CHECK(refusal_of<double>({1, wrong}, stored::finite)
               .starts_with("'group/numbers' has the number " + fmt::format("{}", wrong) +
                            ", which is not finite; "));
@@ -99,7 +98,7 @@ TEST_CASE(
     StateArray wrong = array;
     auto* numbers = std::get_if<std::vector<double>>(&wrong.values);
     if (!numbers || numbers->empty() || may_have_none(path)) continue;
-    numbers->back() = infinity;
+    numbers->back() = infinite;
     State changed = sound;
     changed.put(path, wrong);
     changed.put("state_hash", {std::vector<std::uint64_t>{0}, {}, ""});

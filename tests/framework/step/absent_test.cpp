@@ -17,10 +17,11 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double step = 1e-4, stiffness = 1e4, mass = 1, radius = 0.1, gravity = 10;
-const std::string law = "linear_spring_dashpot";
-const Values spring = {{"normal_stiffness", {stiffness}}, {"normal_damping", {20}}};
-constexpr double resting_height = radius - mass * gravity / stiffness;
+constexpr double ground_step = 1e-4, ground_stiffness = 1e4, sphere_mass = 1, sphere_radius = 0.1,
+                 ground_gravity = 10;
+const std::string ground_law = "linear_spring_dashpot";
+const Values ground_spring = {{"normal_stiffness", {ground_stiffness}}, {"normal_damping", {20}}};
+constexpr double resting_height = sphere_radius - sphere_mass * ground_gravity / ground_stiffness;
 // The last of the controls of a plane and of a box.
 constexpr double absent_plane = 7, absent_wall = 7, fixed_plane = 0;
 
@@ -31,9 +32,10 @@ Parameters ground(double control) {
 
 // A sphere at rest on the ground.
 Scene sphere_on_ground(double control = fixed_plane) {
-  Scene s = scene(3, step, {body(1, radius, mass, {{0, 0, resting_height}})}, spring);
+  Scene s =
+      scene(3, ground_step, {body(1, sphere_radius, sphere_mass, {{0, 0, resting_height}})}, ground_spring);
   s.boundaries.push_back({"ground", 0, ground(control)});
-  add_body_force(s, "gravity", {{"acceleration", {0, 0, -gravity}}});
+  add_body_force(s, "gravity", {{"acceleration", {0, 0, -ground_gravity}}});
   return s;
 }
 
@@ -52,16 +54,17 @@ Parameters left_out(Parameters all) {
 TEST_CASE("a wall that is absent keeps its place and bears nothing: the sphere on it falls freely") {
   Simulation s(sphere_on_ground());
   run(s, 10);
-  CHECK(s.loads()[0].force[2] == Approx(-mass * gravity));
+  CHECK(s.loads()[0].force[2] == Approx(-sphere_mass * ground_gravity));
   set_ground(s, absent_plane);
   CHECK(s.loads()[0].force[2] == 0);
   CHECK(s.absent_planes()[0]);
   run(s, 1000);
   // Constant acceleration is exact in velocity Verlet; 1000 roundings.
-  CHECK(position(s, 0)[2] == Approx(resting_height - 0.5 * gravity * 0.01).epsilon(1e-11));
+  CHECK(position(s, 0)[2] == Approx(resting_height - 0.5 * ground_gravity * 0.01).epsilon(1e-11));
   CHECK(s.planes()[0].point[2] == 0);
   // The energy of the contact, F²/2k, is taken away as work.
-  CHECK(s.energy().work == Approx(-0.5 * std::pow(mass * gravity, 2) / stiffness).epsilon(1e-9));
+  CHECK(s.energy().work ==
+        Approx(-0.5 * std::pow(sphere_mass * ground_gravity, 2) / ground_stiffness).epsilon(1e-9));
   CHECK(std::abs(s.energy_residual()) < 1e-12);
 }
 
@@ -70,7 +73,7 @@ TEST_CASE("a wall that is absent from the start is passed, and holds what is abo
   scene.bodies[0].position = {{0, 0, 0.15}};
   Simulation passing(scene);
   run(passing, 6000);  // 0.6 s: 1.8 m
-  CHECK(position(passing, 0)[2] == Approx(0.15 - 0.5 * gravity * 0.36).epsilon(1e-11));
+  CHECK(position(passing, 0)[2] == Approx(0.15 - 0.5 * ground_gravity * 0.36).epsilon(1e-11));
   Simulation held(scene);
   run(held, 900);  // 4 cm
   set_ground(held, fixed_plane);
@@ -111,14 +114,14 @@ TEST_CASE("a wall of a box is absent alone") {
   s.apply_reconfiguration();
   CHECK(s.absent_planes() == std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0});
   run(s, 1000);
-  CHECK(position(s, 0)[2] == Approx(resting_height - 0.5 * gravity * 0.01).epsilon(1e-11));
+  CHECK(position(s, 0)[2] == Approx(resting_height - 0.5 * ground_gravity * 0.01).epsilon(1e-11));
 }
 
 TEST_CASE("bodies whose law is absent pass through each other, and push once it is there") {
-  Scene scene = test::scene(3, step,
-                            {body(1, radius, mass, {{-0.3, 0, 0}}, {{1, 0, 0}}),
-                             body(2, radius, mass, {{0.3, 0, 0}}, {{-1, 0, 0}})},
-                            spring);
+  Scene scene = test::scene(3, ground_step,
+                            {body(1, sphere_radius, sphere_mass, {{-0.3, 0, 0}}, {{1, 0, 0}}),
+                             body(2, sphere_radius, sphere_mass, {{0.3, 0, 0}}, {{-1, 0, 0}})},
+                            ground_spring);
   const Parameters present = scene.laws[0].parameters;
   scene.laws[0].parameters = left_out(present);
   Simulation s(scene);
@@ -127,7 +130,7 @@ TEST_CASE("bodies whose law is absent pass through each other, and push once it 
   CHECK(s.energy().elastic_normal == 0);
   Simulation met(scene);
   run(met, 1000);
-  met.reconfigure_law(law, present);
+  met.reconfigure_law(ground_law, present);
   met.apply_reconfiguration();
   run(met, 6000);
   CHECK(velocity(met, 0)[0] < -0.5);
@@ -153,13 +156,13 @@ TEST_CASE("a body force that is absent exerts nothing and damps nothing") {
 
 TEST_CASE("a state with an absent wall, law and force goes on to the same bits, and records them") {
   Scene scene = sphere_on_ground();
-  scene.bodies.push_back(body(2, radius, mass, {{0, 0, 3 * radius}}));
+  scene.bodies.push_back(body(2, sphere_radius, sphere_mass, {{0, 0, 3 * sphere_radius}}));
   add_body_force(scene, "background_damping", {{"translational", {5}}});
   Simulation whole(scene);
   run(whole, 50);
   set_ground(whole, absent_plane);
   scene.boundaries[0].parameters = ground(absent_plane);
-  whole.reconfigure_law(law, left_out(scene.laws[0].parameters));
+  whole.reconfigure_law(ground_law, left_out(scene.laws[0].parameters));
   scene.laws[0].parameters = left_out(scene.laws[0].parameters);
   whole.reconfigure_body_force("background_damping", left_out(scene.body_forces[1].parameters));
   const Parameters drag = scene.body_forces[1].parameters;

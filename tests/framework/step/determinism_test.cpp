@@ -21,16 +21,14 @@ namespace {
 
 std::vector<const char*> levels_of_this_processor() {
   std::vector<const char*> levels = {"baseline"};
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("x86-64-v3")) levels.push_back("x86-64-v3");
-  if (__builtin_cpu_supports("x86-64-v4")) levels.push_back("x86-64-v4");
-#endif
+  if (scree::test::is_supported(3)) levels.push_back("x86-64-v3");
+  if (scree::test::is_supported(4)) levels.push_back("x86-64-v4");
   return levels;
 }
 
 // Bodies of two sizes that fall into a box and collide: normal, sliding and sticking contacts, walls, a body
 // force, several blocks of pairs, several searches.
-Scene heap(int dimension, bool frictional) {
+Scene falling_heap(int dimension, bool frictional) {
   std::mt19937_64 generator(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const int per_axis = dimension == 2 ? 20 : 8;
@@ -74,13 +72,13 @@ void flip_lowest_bit(double& x) {
 
 TEST_CASE("the same scene gives the same bits twice") {
   for (const int dimension : {2, 3})
-    CHECK(hash_after(heap(dimension, true), 200) == hash_after(heap(dimension, true), 200));
+    CHECK(hash_after(falling_heap(dimension, true), 200) == hash_after(falling_heap(dimension, true), 200));
 }
 
 TEST_CASE("any number of threads gives the same bits", "[threads]") {
   const int dimension = GENERATE(2, 3);
   const bool frictional = GENERATE(false, true);
-  Scene scene = heap(dimension, frictional);
+  Scene scene = falling_heap(dimension, frictional);
   const std::uint64_t alone = hash_after(scene, 120);
   for (const unsigned threads : {2u, 3u, 4u}) {
     scene.threads = threads;
@@ -91,7 +89,7 @@ TEST_CASE("any number of threads gives the same bits", "[threads]") {
 }
 
 TEST_CASE("energies and momentum errors have the same bits for any number of threads", "[threads]") {
-  Scene scene = heap(3, true);
+  Scene scene = falling_heap(3, true);
   std::set<std::uint64_t> hashes;
   for (const unsigned threads : {1u, 2u, 3u, 4u}) {
     scene.threads = threads;
@@ -120,7 +118,7 @@ TEST_CASE("every build of the law gives the same bits") {
   for (const char* name : levels_of_this_processor()) {
     const scree::test::InstructionLevel level(name);
     hosts.push_back(std::make_unique<PluginHost>(std::vector<std::filesystem::path>{SCREE_TEST_PLUGINS}));
-    Scene scene = heap(dimension, frictional);
+    Scene scene = falling_heap(dimension, frictional);
     scree::Parameters law(hosts.back()->find("linear_spring_dashpot", SCREE_CONTACT_LAW));
     for (const auto& [key, value] : scree::test::Values{{"normal_stiffness", {1e4}},
                                                         {"normal_damping", {5}},
@@ -140,7 +138,7 @@ TEST_CASE("fused steps have the same bits as single steps") {
   const int dimension = GENERATE(2, 3);
   for (const scree::IntegrationTraits& traits : scree::integrations()) {
     CAPTURE(dimension, traits.name);
-    Scene scene = heap(dimension, true);
+    Scene scene = falling_heap(dimension, true);
     scene.integration = traits.integration;
     scene.step = 2e-4;
     Simulation one_by_one(scene), together(scene), stopped(scene);
@@ -159,7 +157,7 @@ TEST_CASE("fused steps have the same bits as single steps") {
 
 TEST_CASE("the last bit of any state changes the hash") {
   const int dimension = GENERATE(2, 3);
-  Simulation s(heap(dimension, true));
+  Simulation s(falling_heap(dimension, true));
   scree::test::run(s, 100);
   const std::uint64_t hash = s.state_hash();
   // The simulation itself is not const; only its accessor is.
@@ -191,7 +189,7 @@ TEST_CASE("the last bit of any state changes the hash") {
 }
 
 TEST_CASE("the hash distinguishes which spring of a contact is stretched") {
-  Simulation s(heap(3, true));
+  Simulation s(falling_heap(3, true));
   scree::test::run(s, 100);
   auto& contacts = const_cast<scree::Contacts&>(s.contacts());
   for (scree::PairGroup& group : contacts.groups())

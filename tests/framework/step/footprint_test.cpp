@@ -21,7 +21,7 @@ struct Carries {
   bool friction = false, spinning = false, periodic = false, later_stage = false;
 };
 
-Scene scene_of(const Carries& c) {
+Scene scene_that(const Carries& c) {
   const scree::Vec3 spin = {{0, 0, c.spinning ? 1.0 : 0.0}};
   std::vector<scree::Body> bodies;
   for (int i = 0; i < 3; ++i)
@@ -52,7 +52,7 @@ unsigned axes_of(const Columns& columns, std::size_t bodies) {
 void check(const Carries& c) {
   CAPTURE(c.dimension, c.friction, c.spinning, c.periodic, c.later_stage);
   const bool spin = c.friction || c.spinning || c.later_stage, flat = c.dimension == 2;
-  Simulation s(scene_of(c));
+  Simulation s(scene_that(c));
   scree::test::run(s, 3);
   const Particles& p = s.particles();
   const unsigned axes = flat ? 0b011 : 0b111, spin_axes = !spin ? 0 : flat ? 0b100 : 0b111;
@@ -109,7 +109,7 @@ TEST_CASE("periodic scenes carry image counters") {
 }
 
 TEST_CASE("what a scene does not carry reads as zero") {
-  const Simulation s(scene_of({.dimension = 2}));
+  const Simulation s(scene_that({.dimension = 2}));
   const scree::Body body = s.particles().body(1);
   CHECK(body.position[2] == 0);
   CHECK(body.velocity[2] == 0);
@@ -117,7 +117,7 @@ TEST_CASE("what a scene does not carry reads as zero") {
 }
 
 TEST_CASE("records, loads and histories begin on a cache line") {
-  const Simulation s(scene_of({.friction = true}));
+  const Simulation s(scene_that({.friction = true}));
   const auto aligned = [](const void* p) { return reinterpret_cast<std::uintptr_t>(p) % 64 == 0; };
   CHECK(aligned(s.particles().records()));
   CHECK(aligned(s.particles().loads()));

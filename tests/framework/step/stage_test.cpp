@@ -1,4 +1,5 @@
 #include "contacts/contacts.hpp"
+#include "error_line.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -18,34 +19,37 @@ using scree::Scene;
 using scree::Simulation;
 using scree::Stage;
 using scree::StageRunner;
+using scree::test::error_line;
 using scree::test::Values;
 
 namespace {
 
-constexpr double step = 1e-3, stiffness = 1e4, mass = 1, radius = 1, gravity = 10;
-const std::string law = "linear_spring_dashpot";
+constexpr double stage_step = 1e-3, disc_stiffness = 1e4, disc_mass = 1, disc_radius = 1, disc_gravity = 10;
+const std::string disc_law = "linear_spring_dashpot";
 
-Values spring(double damping, double friction = 0) {
-  return {{"normal_stiffness", {stiffness}},
+Values disc_spring(double damping, double friction = 0) {
+  return {{"normal_stiffness", {disc_stiffness}},
           {"normal_damping", {damping}},
-          {"tangential_stiffness", {stiffness}},
+          {"tangential_stiffness", {disc_stiffness}},
           {"static_friction", {friction}}};
 }
 
 // A disc on the ground, moving along it.
 Scene disc(double friction, double speed, double spin = 0, double damping = 20) {
   Scene s =
-      scree::test::scene(2, step,
-                         {scree::test::body(7, radius, mass, {{0, radius - mass * gravity / stiffness, 0}},
+      scree::test::scene(2, stage_step,
+                         {scree::test::body(7, disc_radius, disc_mass,
+                                            {{0, disc_radius - disc_mass * disc_gravity / disc_stiffness, 0}},
                                             {{speed, 0, 0}}, {{0, 0, spin}}, 2)},
-                         spring(damping, friction));
+                         disc_spring(damping, friction));
   scree::test::add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}}, "ground");
-  scree::test::add_body_force(s, "gravity", {{"acceleration", {0, -gravity, 0}}});
+  scree::test::add_body_force(s, "gravity", {{"acceleration", {0, -disc_gravity, 0}}});
   return s;
 }
 
 Stage::Change friction_change(double friction, double damping = 20) {
-  return {SCREE_CONTACT_LAW, law, scree::test::parameters(law, SCREE_CONTACT_LAW, spring(damping, friction))};
+  return {SCREE_CONTACT_LAW, disc_law,
+          scree::test::parameters(disc_law, SCREE_CONTACT_LAW, disc_spring(damping, friction))};
 }
 
 Stage lasting(const std::string& name, double duration, const std::vector<Stage::Change>& changes = {}) {
@@ -73,17 +77,6 @@ std::uint32_t history_width(const Simulation& s) {
 }
 
 double spin_of(const Simulation& s) { return s.particles().body(0).spin[2]; }
-
-template <class Call>
-std::string error_of(const Call& call, scree::ExitStatus status) {
-  try {
-    call();
-  } catch (const Error& error) {
-    CHECK(error.status() == status);
-    return error.what();
-  }
-  return "no error";
-}
 
 }  // namespace
 
@@ -132,7 +125,7 @@ TEST_CASE("a condition ends a stage when kinetic over elastic energy has fallen 
   StageRunner patient(t, {settling(condition, at_least, {})});
   while (!patient.finished()) patient.step();
   CHECK(t.time() >= at_least - 1e-9);
-  CHECK(t.time() <= at_least + 100.5 * step);
+  CHECK(t.time() <= at_least + 100.5 * stage_step);
 }
 
 TEST_CASE("progress is known only while what remains has a duration") {
@@ -155,7 +148,8 @@ TEST_CASE("progress is known only while what remains has a duration") {
 }
 
 TEST_CASE("bodies in free flight have no elastic energy and do not fulfil the condition") {
-  Simulation s(scree::test::scene(2, step, {scree::test::body(0, 1, 1, {}, {}, {}, 2)}, spring(0)));
+  Simulation s(
+      scree::test::scene(2, stage_step, {scree::test::body(0, 1, 1, {}, {}, {}, 2)}, disc_spring(0)));
   StageRunner runner(s, {settling(1e-6, 0, 1)});
   CHECK_THROWS_AS(
       [&] {
@@ -168,7 +162,7 @@ TEST_CASE("a condition not fulfilled in time is a failure with stage, value and 
   Simulation s(disc(0, 1, 0, 0));  // slides without end
   StageRunner runner(s, {settling(1e-3, 0, 0.25)});
   int steps = 0;
-  const std::string text = error_of(
+  const std::string text = error_line(
       [&] {
         for (;;) runner.step(), ++steps;
       },
@@ -195,9 +189,10 @@ TEST_CASE("friction can be switched on when spins are carried, and its springs a
     runner.step();
     if (s.steps() == 51) {
       // Within the first step sliding at 1 + 3 × (R − δ/2) m/s it has stretched the spring k_t to the limit.
-      const double pressure = mass * gravity, torque = 0.5 * pressure * (radius - 0.5 * pressure / stiffness);
+      const double pressure = disc_mass * disc_gravity,
+                   torque = 0.5 * pressure * (disc_radius - 0.5 * pressure / disc_stiffness);
       CHECK(s.particles().torque()[2][0] == Approx(-torque).epsilon(1e-9));
-      CHECK(spin_of(s) == Approx(3 - 0.5 * step * torque / s.particles().inertia[0]).epsilon(1e-9));
+      CHECK(spin_of(s) == Approx(3 - 0.5 * stage_step * torque / s.particles().inertia[0]).epsilon(1e-9));
     }
   }
   CHECK(history_width(s) == 0);
@@ -206,7 +201,8 @@ TEST_CASE("friction can be switched on when spins are carried, and its springs a
   CHECK(speed < 1);
   while (!runner.finished()) runner.step();
   CHECK(spin_of(s) == spin);  // no torque acts now
-  CHECK(std::abs(scree::test::velocity(s, 0)[0] - speed) <= 0.5 * step * 0.5 * gravity * (1 + 1e-9));
+  CHECK(std::abs(scree::test::velocity(s, 0)[0] - speed) <=
+        0.5 * stage_step * 0.5 * disc_gravity * (1 + 1e-9));
 }
 
 TEST_CASE("springs are kept when a stage changes other parameters of their law") {
@@ -256,9 +252,9 @@ TEST_CASE("springs that a stage cuts are dissipated, and not work") {
 TEST_CASE("switching on friction in a scene without spins is refused") {
   Simulation s(disc(0, 1));
   CHECK_FALSE(s.particles().has_spin());
-  const std::string text = error_of([&] { StageRunner(s, {lasting("grip", 1, {friction_change(0.5)})}); },
-                                    scree::ExitStatus::bad_input);
-  CHECK_THAT(text, Catch::Contains(law) && Catch::Contains("spin"));
+  const std::string text = error_line([&] { StageRunner(s, {lasting("grip", 1, {friction_change(0.5)})}); },
+                                      scree::ExitStatus::bad_input);
+  CHECK_THAT(text, Catch::Contains(disc_law) && Catch::Contains("spin"));
 }
 
 TEST_CASE("names of changes must exist") {
@@ -268,7 +264,7 @@ TEST_CASE("names of changes must exist") {
     change.kind = kind;
     change.name = "nobody";
     const std::string text =
-        error_of([&] { StageRunner(s, {lasting("odd", 1, {change})}); }, scree::ExitStatus::bad_input);
+        error_line([&] { StageRunner(s, {lasting("odd", 1, {change})}); }, scree::ExitStatus::bad_input);
     CHECK_THAT(text, Catch::Contains("'nobody'"));
   }
 }

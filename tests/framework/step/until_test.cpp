@@ -1,7 +1,6 @@
 #include "scenes.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +20,7 @@ using scree::StageRunner;
 
 namespace {
 
-constexpr double step = 1e-3;
+constexpr double flight_step = 1e-3;
 
 Condition column(const std::string& name, std::size_t number) {
   Condition c;
@@ -34,16 +33,16 @@ Condition column(const std::string& name, std::size_t number) {
 
 // One body in free flight, so that any number of steps costs nothing.
 Simulation flight() {
-  return Simulation(scree::test::scene(2, step, {scree::test::body(1, 1, 1, {}, {{1, 0, 0}}, {}, 2)},
+  return Simulation(scree::test::scene(2, flight_step, {scree::test::body(1, 1, 1, {}, {{1, 0, 0}}, {}, 2)},
                                        {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}}));
 }
 
 // Columns t and 1 - t of a probe with a sample every `every` steps.
-struct Clock : scree::StageColumns {
+struct TimeColumns : scree::StageColumns {
   std::uint64_t every;
   std::optional<double> time = {};
   std::vector<std::uint64_t> taken = {};
-  explicit Clock(std::uint64_t steps) : every(steps) {}
+  explicit TimeColumns(std::uint64_t steps) : every(steps) {}
 
   std::uint64_t take(const Simulation& s, const std::string& stage, std::uint64_t steps) override {
     time.reset();
@@ -69,7 +68,7 @@ Stage ending(const std::vector<Condition>& conditions, double at_most = 10) {
 
 std::uint64_t steps_of(const Stage& stage, std::uint64_t every, std::uint64_t chunk) {
   Simulation s = flight();
-  StageRunner runner(s, {stage}, std::make_shared<Clock>(every));
+  StageRunner runner(s, {stage}, std::make_shared<TimeColumns>(every));
   while (!runner.finished()) runner.run(chunk, [] { return true; });
   return s.steps();
 }
@@ -129,7 +128,7 @@ TEST_CASE("a stage whose conditions are not met in time fails, or the next one b
   Condition never = column("stress.zz", 0);
   never.above = 5;
   Simulation s = flight();
-  StageRunner runner(s, {ending({never}, 0.25)}, std::make_shared<Clock>(10));
+  StageRunner runner(s, {ending({never}, 0.25)}, std::make_shared<TimeColumns>(10));
   try {
     while (true) runner.step();
   } catch (const Error& error) {
@@ -145,7 +144,7 @@ TEST_CASE("a stage whose conditions are not met in time fails, or the next one b
   after.name = "after";
   after.duration = 0.1;
   Simulation t = flight();
-  StageRunner going_on(t, {patient, after}, std::make_shared<Clock>(10));
+  StageRunner going_on(t, {patient, after}, std::make_shared<TimeColumns>(10));
   while (going_on.current() == 0) going_on.step();
   CHECK(going_on.last_end() == scree::StageEnd::at_most);
   CHECK(std::abs(double(t.steps()) - 250) <= 1);  // 250 × 0.001 may be rounded to either side
@@ -163,12 +162,12 @@ TEST_CASE("values of conditions go on with a state") {
   Stage stage = ending({steady, later});
   stage.until.any = true;
   Simulation s = flight();
-  StageRunner runner(s, {stage}, std::make_shared<Clock>(20));
+  StageRunner runner(s, {stage}, std::make_shared<TimeColumns>(20));
   for (int k = 0; k < 130; ++k) runner.step();
   scree::State state = s.state();
   runner.save(scree::StateTransfer::saving_to(state).below("stages"));
   const StageRunner restored(s, {stage}, scree::StateTransfer::restoring_from(state).below("stages"),
-                             std::make_shared<Clock>(20));
+                             std::make_shared<TimeColumns>(20));
   CHECK(restored.status() == runner.status());
   CHECK_THAT(restored.status(), Catch::Contains("stress.p = 0.88 Pa"));
 }
@@ -259,7 +258,7 @@ TEST_CASE("columns are followed from the first stage on if any stage needs one")
   Stage before;
   before.name = "before";
   before.duration = 0.1;
-  const auto clock = std::make_shared<Clock>(25);
+  const auto clock = std::make_shared<TimeColumns>(25);
   Simulation s = flight();
   StageRunner runner(s, {before, ending({above})}, clock);
   while (!runner.finished()) runner.run(1000, [] { return true; });

@@ -1,9 +1,10 @@
 #include "walls/boundaries.hpp"
 
+#include "error_line.hpp"
+#include "numbers.hpp"
 #include "scripted_boundary.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,19 +17,13 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // The refusal of a scene in its first steps.
-std::string refusal(const Script& now, ExitStatus status) {
-  try {
+std::string refusal_of_script(const Script& now, ExitStatus status) {
+  const auto steps = [&] {
     Simulation s(scene_with(now));
     test::run(s, 10);
-  } catch (const Error& error) {
-    CHECK(error.status() == status);
-    return error.what();
-  }
-  return "went on";
+  };
+  return error_line(steps, status);
 }
 
 }  // namespace
@@ -37,35 +32,37 @@ TEST_CASE("a wall that is not finite, or has no unit normal, is refused at the s
   for (const double bad : {not_a_number, infinite, -infinite}) {
     for (const char* what : {"point", "normal", "velocity"})
       CHECK_THAT(
-          refusal({.fault = std::string(what) + " at start", .bad = bad}, ExitStatus::bad_input),
+          refusal_of_script({.fault = std::string(what) + " at start", .bad = bad}, ExitStatus::bad_input),
           Catch::StartsWith("boundary plug-in scripted, wall mine.only: ") &&
               Catch::Contains(std::string(what == std::string("point") ? "position" : what) + " is (") &&
               Catch::Contains("at the start; correct"));
-    CHECK_THAT(refusal({.fault = "mass", .bad = bad}, ExitStatus::bad_input),
+    CHECK_THAT(refusal_of_script({.fault = "mass", .bad = bad}, ExitStatus::bad_input),
                Catch::StartsWith("boundary plug-in scripted: the mass of wall 1 is "));
-    CHECK_THAT(refusal({.fault = "axis", .bad = bad}, ExitStatus::bad_input),
+    CHECK_THAT(refusal_of_script({.fault = "axis", .bad = bad}, ExitStatus::bad_input),
                Catch::StartsWith("boundary plug-in scripted: the periodic axis y reaches from 0 to "));
   }
-  CHECK_THAT(refusal({.fault = "normal at start", .bad = 2}, ExitStatus::bad_input),
+  CHECK_THAT(refusal_of_script({.fault = "normal at start", .bad = 2}, ExitStatus::bad_input),
              Catch::Contains("normal has length 2 at the start"));
-  CHECK_THAT(refusal({.fault = "name"}, ExitStatus::bad_input),
+  CHECK_THAT(refusal_of_script({.fault = "name"}, ExitStatus::bad_input),
              Catch::Contains("scripted: the name of wall 1 is NULL; correct the plug-in"));
-  CHECK(refusal({}, ExitStatus::bad_input) == "went on");
+  CHECK(refusal_of_script({}, ExitStatus::bad_input) == "no error");
 }
 
 TEST_CASE(
     "a wall that is not finite any more stops the run by name and time, also at the end of the last step") {
   for (const double bad : {not_a_number, infinite, -infinite}) {
-    CHECK_THAT(refusal({.fault = "point in step", .bad = bad, .from_time = 0.0045}, ExitStatus::blow_up),
-               Catch::StartsWith("boundary plug-in scripted, wall mine.only: position is (") &&
-                   Catch::Contains(" at t = 0.006 s; "));
-    CHECK_THAT(refusal({.fault = "velocity at end", .bad = bad, .from_time = 0.0085}, ExitStatus::blow_up),
-               Catch::Contains("wall mine.only: velocity is (") && Catch::Contains(" at t = 0.01 s; "));
+    CHECK_THAT(
+        refusal_of_script({.fault = "point in step", .bad = bad, .from_time = 0.0045}, ExitStatus::blow_up),
+        Catch::StartsWith("boundary plug-in scripted, wall mine.only: position is (") &&
+            Catch::Contains(" at t = 0.006 s; "));
+    CHECK_THAT(
+        refusal_of_script({.fault = "velocity at end", .bad = bad, .from_time = 0.0085}, ExitStatus::blow_up),
+        Catch::Contains("wall mine.only: velocity is (") && Catch::Contains(" at t = 0.01 s; "));
   }
 }
 
 TEST_CASE("a boundary may refuse to start") {
-  CHECK(refusal({.fault = "refusal"}, ExitStatus::bad_input) ==
+  CHECK(refusal_of_script({.fault = "refusal"}, ExitStatus::bad_input) ==
         "scripted: the wall has no ground; give it some");
 }
 

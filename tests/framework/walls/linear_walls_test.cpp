@@ -1,6 +1,6 @@
+#include "numbers.hpp"
 #include "scripted_boundary.hpp"
 
-#include <limits>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -11,8 +11,6 @@ using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // The same with a linear equation.
 struct Linear : Scripted {

@@ -1,4 +1,4 @@
-#include "plan_support.hpp"
+#include "discs_tables.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,17 +11,12 @@ using namespace scree::test;
 
 namespace {
 
-const std::string lattice =
-    "[particles]\nlattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n"
-    "random_velocity = 0.1\n";
 const std::string region = "region = { x = [0, 1], y = [0, 0.5] }\n";
 const std::string cloud =
     "[[particles]]\nname = 'cloud'\nrandom = { count = 40 }\n" + region + "radius = 0.02\n";
 
-std::string scene_with(const std::string& tables) { return with(discs, lattice, tables); }
-
-std::string refused(const std::string& part, const std::string& other) {
-  return refusal(scene_with(with(cloud, part, other)));
+std::string refused_cloud(const std::string& part, const std::string& other) {
+  return refusal(scene_with_lots(with(cloud, part, other)));
 }
 
 double least_gap(const std::vector<Body>& bodies) {
@@ -38,7 +33,7 @@ double least_gap(const std::vector<Body>& bodies) {
 TEST_CASE("bodies at random lie in their region, clear of those of all other tables", "[scenario]") {
   const std::string other = "[[particles]]\nlattice = { kind = 'square', count = [9, 2] }\nradius = 0.04\n";
   const std::string single = "[[particle]]\nposition = [0.5, 0.35]\nradius = 0.14\n";
-  const Plan plan = plan_of(scene_with(cloud + other + with(cloud, "'cloud'", "'more'") + single));
+  const Plan plan = plan_of(scene_with_lots(cloud + other + with(cloud, "'cloud'", "'more'") + single));
   const std::vector<Body>& bodies = plan.scene.bodies;
   REQUIRE(bodies.size() == 40 + 18 + 40 + 1);
   CHECK(least_gap({bodies.begin(), bodies.begin() + 40}) >= 0);
@@ -54,8 +49,8 @@ TEST_CASE("bodies at random lie in their region, clear of those of all other tab
 
 TEST_CASE("a solid fraction at random is met, and its radii are those of the distribution", "[scenario]") {
   const Plan plan =
-      plan_of(scene_with("[particles]\nrandom = { solid_fraction = 0.35, periodic = 'x' }\n" + region +
-                         "radius = { distribution = 'uniform', minimum = 0.005, maximum = 0.01 }\n"));
+      plan_of(scene_with_lots("[particles]\nrandom = { solid_fraction = 0.35, periodic = 'x' }\n" + region +
+                              "radius = { distribution = 'uniform', minimum = 0.005, maximum = 0.01 }\n"));
   double area = 0;
   for (const Body& body : plan.scene.bodies) {
     area += std::numbers::pi * body.radius * body.radius;
@@ -70,7 +65,7 @@ TEST_CASE("a region is a box, a sphere or a cylinder", "[scenario]") {
   const std::string base = with(discs, "dimension = 2\n", "dimension = 3\n");
   const auto bodies = [&](const std::string& keys) {
     return plan_of(
-               with(with(base, lattice,
+               with(with(base, particles_of_discs,
                          "[particles]\nrandom = { count = 30 }\nradius = 0.05\nregion = { " + keys + " }\n"),
                     "x_low = 'fixed'\nx_high = 'fixed'\ny_low = 'fixed'\ny_high = 'fixed'\n",
                     "x = 'fixed'\ny = 'fixed'\nz = 'fixed'\n"))
@@ -83,24 +78,25 @@ TEST_CASE("a region is a box, a sphere or a cylinder", "[scenario]") {
     CHECK(std::hypot(body.position[0] - 1, body.position[2] - 3) <= 0.25);
     CHECK(std::abs(body.position[1] - 2) <= 0.95);
   }
-  CHECK(refusal(scene_with("[particles]\nrandom = { count = 3 }\nradius = 1\n"
-                           "region = { kind = 'cylinder', centre = [0, 0], radius = 9 }\n")) ==
+  CHECK(refusal(scene_with_lots("[particles]\nrandom = { count = 3 }\nradius = 1\n"
+                                "region = { kind = 'cylinder', centre = [0, 0], radius = 9 }\n")) ==
         "scene.toml:16:19: a cylinder needs three dimensions; give kind = \"sphere\" for a circle");
 }
 
 TEST_CASE("keys of bodies at random that do not fit together are refused", "[scenario]") {
-  CHECK(refused("count = 40", "count = 40, solid_fraction = 0.1") ==
+  CHECK(refused_cloud("count = 40", "count = 40, solid_fraction = 0.1") ==
         "scene.toml:15:10: each of count and solid_fraction is given; give one of them");
-  CHECK_THAT(refused("count = 40", ""), Catch::Contains("none of count and solid_fraction is given"));
-  CHECK_THAT(refused("count = 40", "solid_fraction = 0.9"),
+  CHECK_THAT(refused_cloud("count = 40", ""), Catch::Contains("none of count and solid_fraction is given"));
+  CHECK_THAT(refused_cloud("count = 40", "solid_fraction = 0.9"),
              Catch::StartsWith("scene.toml:15:10: random cloud: after ") &&
                  Catch::Contains("give a solid fraction of at most 0."));
-  CHECK_THAT(refused("[0, 1]", "[1, 0]"), Catch::Contains("1 is not below 0; give the lower limit first"));
-  CHECK_THAT(refused(region, ""), Catch::Contains("region"));
-  CHECK_THAT(refused("count = 40", "count = 40, periodic = 'yz'"),
+  CHECK_THAT(refused_cloud("[0, 1]", "[1, 0]"),
+             Catch::Contains("1 is not below 0; give the lower limit first"));
+  CHECK_THAT(refused_cloud(region, ""), Catch::Contains("region"));
+  CHECK_THAT(refused_cloud("count = 40", "count = 40, periodic = 'yz'"),
              Catch::Contains("'yz' is not a list of axes; give \"x\", \"y\" or \"xy\""));
-  CHECK_THAT(refused("random = { count = 40 }\n", "lattice = { count = 3 }\n"),
+  CHECK_THAT(refused_cloud("random = { count = 40 }\n", "lattice = { count = 3 }\n"),
              Catch::Contains("'region' needs 'random', which is not given"));
-  CHECK_THAT(refused("random = {", "lattice = { count = 3 }\nrandom = {"),
+  CHECK_THAT(refused_cloud("random = {", "lattice = { count = 3 }\nrandom = {"),
              Catch::Contains("both a lattice and random are given; keep one of them"));
 }

@@ -23,9 +23,9 @@ std::set<std::int64_t> fixed_by(const std::string& where) {
   return ids;
 }
 
-std::string refused(const std::string& keys) { return refusal(with_group(keys)); }
+std::string refused_group(const std::string& keys) { return refusal(with_group(keys)); }
 std::string refused_where(const std::string& where) {
-  return refused("name = 'g'\nfixed = true\nwhere = " + where);
+  return refused_group("name = 'g'\nfixed = true\nwhere = " + where);
 }
 
 using Ids = std::set<std::int64_t>;
@@ -106,22 +106,22 @@ TEST_CASE("a group that is fixed has no velocity, and others keep or are given t
   CHECK_FALSE(after[2].fixed);
   REQUIRE_FALSE(before[3].velocity == Vec3{});
   CHECK(after[3].velocity == before[3].velocity);
-  CHECK(refused("name = 'a'\nfixed = true\nwhere.ids = [1, 2]\nvelocity = [0, 0]") == "no error");
+  CHECK(refused_group("name = 'a'\nfixed = true\nwhere.ids = [1, 2]\nvelocity = [0, 0]") == "no error");
 }
 
 TEST_CASE("a group that a scene cannot have is refused with its place and a cure", "[scenario]") {
-  CHECK(refused("name = 'g'\nfixed = true").starts_with("scene.toml:27:1: "));
+  CHECK(refused_group("name = 'g'\nfixed = true").starts_with("scene.toml:27:1: "));
   CHECK(
-      refused("name = 'g'\nwhere.ids = [1]") ==
+      refused_group("name = 'g'\nwhere.ids = [1]") ==
       "scene.toml:27:1: group 'g' is given nothing; add fixed = true, velocity = [x, y, z] or force = [x, y, z]");
-  CHECK(refused("fixed = true\nwhere.ids = [1]").starts_with("scene.toml:27:1: "));
+  CHECK(refused_group("fixed = true\nwhere.ids = [1]").starts_with("scene.toml:27:1: "));
   CHECK_THAT(
-      refused(
+      refused_group(
           "name = 'g'\nfixed = true\nwhere.ids = [1]\n[[group]]\nname = 'g'\nfixed = true\nwhere.ids = [2]"),
       Catch::Contains("the group name 'g' is already in use"));
-  CHECK_THAT(refused("name = 'g'\nfixed = true\nwhere.ids = [1]\nfixd = true"),
+  CHECK_THAT(refused_group("name = 'g'\nfixed = true\nwhere.ids = [1]\nfixd = true"),
              Catch::Contains("unknown key 'fixd'"));
-  CHECK_THAT(refused("name = 'g'\nfixed = 1\nwhere.ids = [1]"), Catch::Contains("scene.toml:29:9: "));
+  CHECK_THAT(refused_group("name = 'g'\nfixed = 1\nwhere.ids = [1]"), Catch::Contains("scene.toml:29:9: "));
   CHECK(
       refused_where("{}") ==
       "scene.toml:30:9: group 'g' has no condition; give particles, ids, material, x, y or z = [low, high], sphere or cylinder");
@@ -144,7 +144,7 @@ TEST_CASE("a group that a scene cannot have is refused with its place and a cure
   CHECK_THAT(refused_where("{ cylinder = { from = [0, 0], to = [0, 0], radius = 1 } }"),
              Catch::Contains("the axis has no length"));
   CHECK(
-      refused(
+      refused_group(
           "name = 'g'\nfixed = true\nwhere.ids = [1, 2]\n[[group]]\nname = 'h'\nvelocity = [1, 0]\nwhere.ids = [4, 2]") ==
       "scene.toml:33:12: particle 2 of group 'h' is fixed and cannot move; remove velocity, leave the body out of the "
       "group that is fixed, or give velocity there");
@@ -202,29 +202,29 @@ TEST_CASE("a group follows functions of time, and a later one may hold other bod
 TEST_CASE("motions and loads of groups that a scene cannot have are refused with a cure", "[scenario]") {
   const std::string sine = "{ amplitude = 1, frequency_hz = 1 }";
   CHECK(
-      refused("name = 'g'\nwhere.ids = [1]\nvelocity = [0, " + sine + "]") ==
+      refused_group("name = 'g'\nwhere.ids = [1]\nvelocity = [0, " + sine + "]") ==
       "scene.toml:30:12: velocity is a function of time along an axis that is not fixed; add fixed = true, or fixed = "
       "[\"y\"]");
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = ['y']\nspin = " + sine),
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = ['y']\nspin = " + sine),
              Catch::Contains("add fixed = true, or fixed = [\"rotation_z\"]"));
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = ['y', 'z']"),
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = ['y', 'z']"),
              Catch::Contains("scene.toml:30:15: a scene of two dimensions has no z"));
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = ['w']"),
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = ['w']"),
              Catch::Contains("'w' is no axis; give x, y, z"));
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = []"), Catch::Contains("no axis is fixed"));
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = true\ndisplacement = [0, 1]"),
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = []"), Catch::Contains("no axis is fixed"));
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = true\ndisplacement = [0, 1]"),
              Catch::Contains("scene.toml:31:20: a displacement that does not change moves nothing"));
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = true\nvelocity = [0, 0]\ndisplacement = [" + sine +
-                     ", 0]"),
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = true\nvelocity = [0, 0]\ndisplacement = [" +
+                           sine + ", 0]"),
              Catch::Contains("velocity and displacement are both given"));
   CHECK_THAT(
-      refused("name = 'g'\nwhere.ids = [1]\nfixed = true\nvelocity = [0, { amplitud = 1 }]"),
+      refused_group("name = 'g'\nwhere.ids = [1]\nfixed = true\nvelocity = [0, { amplitud = 1 }]"),
       Catch::Contains("'velocity' is not a function of time") || Catch::Contains("unknown key 'amplitud'"));
-  CHECK_THAT(refused("name = 'g'\nwhere.ids = [1]\nfixed = true\nforce = [0, 0, 1]"),
+  CHECK_THAT(refused_group("name = 'g'\nwhere.ids = [1]\nfixed = true\nforce = [0, 0, 1]"),
              Catch::Contains("give an array of 2 numbers or tables"));
   CHECK_THAT(
-      refused("name = 'g'\nwhere.ids = [1, 2]\nfixed = true\nvelocity = [0, " + sine +
-              "]\n[[group]]\nname = 'h'\nwhere.ids = [2]\nfixed = true"),
+      refused_group("name = 'g'\nwhere.ids = [1, 2]\nfixed = true\nvelocity = [0, " + sine +
+                    "]\n[[group]]\nname = 'h'\nwhere.ids = [2]\nfixed = true"),
       Catch::Contains("particle 2 of group 'h' already follows a function of time; leave it out of one"));
 }
 

@@ -10,7 +10,7 @@ using namespace scree::test;
 namespace {
 
 // 900 discs of three materials.
-std::string scene_with(const std::string& material) {
+std::string scene_of_material(const std::string& material) {
   const std::string others = "[[material]]\nname = 'b'\ndensity = 1\n[[material]]\nname = 'c'\ndensity = 1\n";
   return with(with(with(discs, "count = [3, 3]", "count = [30, 30]"), "random_velocity = 0.1\n",
                    "material = " + material + "\n" + others),
@@ -20,7 +20,7 @@ std::string scene_with(const std::string& material) {
 }  // namespace
 
 TEST_CASE("shares of materials are met to less than one body, at random places", "[scenario]") {
-  const auto bodies = plan_of(scene_with("{ grain = 0.5, c = 0.1666, b = 0.3334 }")).scene.bodies;
+  const auto bodies = plan_of(scene_of_material("{ grain = 0.5, c = 0.1666, b = 0.3334 }")).scene.bodies;
   REQUIRE(bodies.size() == 900);
   std::array<int, 3> count{}, low{};
   for (const Body& body : bodies) {
@@ -38,8 +38,8 @@ TEST_CASE("shares of materials are met to less than one body, at random places",
 }
 
 TEST_CASE("shares of materials that are none are refused", "[scenario]") {
-  CHECK(refusal(scene_with("{ grain = 0.5, b = 0.4 }")) ==
+  CHECK(refusal(scene_of_material("{ grain = 0.5, b = 0.4 }")) ==
         "scene.toml:16:12: the shares of the materials add up to 0.9; make them add up to 1");
-  CHECK(refusal(scene_with("{ grain = 0.5, d = 0.5 }")) ==
+  CHECK(refusal(scene_of_material("{ grain = 0.5, d = 0.5 }")) ==
         "scene.toml:16:31: no material 'd'; there are: grain, b, c");
 }

@@ -10,7 +10,7 @@ using scree::test::TemporaryFolder;
 
 namespace {
 
-std::string scene_with(const std::string& keys) {
+std::string scene_with_keys(const std::string& keys) {
   return "[time]\nstep = 1e-6\nduration = 1e-5\n[[material]]\nname = 'a'\ndensity = 1\n"
          "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1\nnormal_damping = 0\n"
          "[particles]\nfile = 'two.csv'\n" +
@@ -23,7 +23,7 @@ TEST_CASE("a packing is repeated along each axis, one period apart, and the copi
           "[scenario]") {
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n8,0.5,1,0,0.2\n");
-  const auto file = folder.write("scene.toml", scene_with("repeat = [3, 1, 2]\nperiod = [1, 2, 4]\n"));
+  const auto file = folder.write("scene.toml", scene_with_keys("repeat = [3, 1, 2]\nperiod = [1, 2, 4]\n"));
   const auto bodies = scree::scenario::read_plan(file, {}, scree::test::host()).scene.bodies;
   REQUIRE(bodies.size() == 12);
   double x = 0, z = 0;
@@ -39,7 +39,7 @@ TEST_CASE("bodies without an id are refused if the largest id leaves none", "[sc
   folder.write("two.csv", "id,x,y,z,radius\n1000000000000000,0.5,0,0,0.1\n");
   const auto error = [&](const std::string& keys) {
     return scree::test::message([&] {
-      scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host());
+      scree::scenario::read_plan(folder.write("scene.toml", scene_with_keys(keys)), {}, scree::test::host());
     });
   };
   const std::string body = "[[particle]]\nposition = [5, 0, 0]\nradius = 0.1\n";
@@ -55,8 +55,8 @@ TEST_CASE("a repetition needs whole counts and a period", "[scenario]") {
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
   for (const std::string keys : {"repeat = [1.5, 1, 1]\nperiod = [1, 1, 1]\n", "repeat = [2, 1, 1]\n",
                                  "repeat = [0, 1, 1]\nperiod = [1, 1, 1]\n"})
-    CHECK_THROWS(
-        scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host()));
+    CHECK_THROWS(scree::scenario::read_plan(folder.write("scene.toml", scene_with_keys(keys)), {},
+                                            scree::test::host()));
 }
 
 TEST_CASE("keys of files are refused without what they belong to", "[scenario]") {
@@ -69,7 +69,7 @@ TEST_CASE("keys of files are refused without what they belong to", "[scenario]")
   CHECK(with_keys("period = [1, 1]\n").starts_with("scene.toml:16:10: 'period' needs 'file', "));
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
-  const auto file = folder.write("scene.toml", scene_with("period = [1, 1, 1]\n"));
+  const auto file = folder.write("scene.toml", scene_with_keys("period = [1, 1, 1]\n"));
   CHECK_THAT(
       scree::test::message([&] { scree::scenario::read_plan(file, {}, scree::test::host()); }),
       Catch::Contains("scene.toml:13:10: 'period' is the distance of copies, of which 'repeat' gives "));
@@ -81,7 +81,8 @@ TEST_CASE("a dump with periodic faces in a scene without is warned of", "[scenar
                "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff pp\n0 2\n0 3\n-1 4\n"
                "ITEM: ATOMS id x y z radius\n1 1 1 1 0.1\n");
   const auto warnings = [&](const std::string& keys) {
-    return scree::scenario::read_plan(folder.write("scene.toml", scene_with(keys)), {}, scree::test::host())
+    return scree::scenario::read_plan(folder.write("scene.toml", scene_with_keys(keys)), {},
+                                      scree::test::host())
         .warnings;
   };
   const std::vector<std::string> told = warnings("");
@@ -109,7 +110,8 @@ TEST_CASE("a two-dimensional packing in a three-dimensional scene is refused", "
 TEST_CASE("a repetition that memory cannot hold is refused before it is made", "[scenario]") {
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n");
-  const auto file = folder.write("scene.toml", scene_with("repeat = [1e4, 1e4, 1e4]\nperiod = [1, 1, 1]\n"));
+  const auto file =
+      folder.write("scene.toml", scene_with_keys("repeat = [1e4, 1e4, 1e4]\nperiod = [1, 1, 1]\n"));
   CHECK_THAT(scree::test::message([&] { scree::scenario::read_plan(file, {}, scree::test::host()); }),
              Catch::Contains(
                  "scene.toml:13:10: 1e+12 bodies need about 2e+06 GB of memory, but this computer has ") &&
@@ -128,7 +130,7 @@ TEST_CASE("velocities of a packing are those of the file plus a velocity and a g
   const TemporaryFolder folder;
   folder.write("two.csv", "id,x,y,z,radius,vx,vy,vz\n7,0.5,1,0,0.1,0,8,0\n8,0.5,2,4,0.1,0,0,0\n");
   const auto file =
-      folder.write("scene.toml", scene_with("velocity = [1, 0, 0]\nvelocity_gradient = [2, -4, 0.5]\n"));
+      folder.write("scene.toml", scene_with_keys("velocity = [1, 0, 0]\nvelocity_gradient = [2, -4, 0.5]\n"));
   const auto bodies = scree::scenario::read_plan(file, {}, scree::test::host()).scene.bodies;
   REQUIRE(bodies.size() == 2);
   for (const scree::Body& b : bodies)

@@ -1,4 +1,4 @@
-#include "plan_support.hpp"
+#include "discs_tables.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@ using namespace scree::test;
 
 namespace {
 
-constexpr const char* two_materials =
+constexpr const char* two_laws =
     "[scene]\ndimension = 2\n[time]\nstep = 1e-5\nduration = 1e-4\n"                         // 1 to 5
     "[[material]]\nname = 'a'\ndensity = 1000\n[[material]]\nname = 'b'\ndensity = 500\n"    // 6 to 11
     "[[particle]]\nradius = 0.01\nposition = [0, 0]\nmaterial = 'a'\n"                       // 12 to 15
@@ -21,8 +21,6 @@ constexpr const char* two_materials =
     "[[contact]]\nname = 'hard'\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e5\nnormal_damping = "
     "0\n"
     "between = ['a', 'b']\n";
-
-std::string set(const std::string& override_text) { return refusal(discs, {override_text}); }
 
 }  // namespace
 
@@ -57,7 +55,7 @@ TEST_CASE("the same seed gives the same bodies, another seed different ones", "[
 }
 
 TEST_CASE("each pair of materials has the law with these materials", "[scenario]") {
-  const Scene scene = plan_of(two_materials).scene;
+  const Scene scene = plan_of(two_laws).scene;
   CHECK(scene.law_of == std::vector<std::uint32_t>{0, 1, 1, 0});
   CHECK(scene.bodies[1].mass == Approx(500 * std::numbers::pi * 4e-4));
   CHECK(scene.bodies[1].velocity == Vec3{{1, 2, 0}});
@@ -65,7 +63,7 @@ TEST_CASE("each pair of materials has the law with these materials", "[scenario]
 }
 
 TEST_CASE("a step given as a fraction is one of the shortest contact", "[scenario]") {
-  const Plan plan = plan_of(with(two_materials, "step = 1e-5", "step = { fraction = 0.01 }"));
+  const Plan plan = plan_of(with(two_laws, "step = 1e-5", "step = { fraction = 0.01 }"));
   const double m = 1000 * std::numbers::pi * 1e-4, other = 500 * std::numbers::pi * 4e-4;
   const double shortest = std::numbers::pi * std::sqrt(m * other / (m + other) / 1e5);
   CHECK(plan.scene.step == Approx(0.01 * shortest));
@@ -82,10 +80,10 @@ TEST_CASE("invalid values are refused at their position", "[scenario]") {
         "scene.toml:11:20: contact.normal_stiffness = nan is not finite; give a number");
   CHECK(refusal(with(discs, "1e4", "-1")) ==
         "scene.toml:11:20: normal_stiffness = -1 is out of range; give a number above 0 (N/m)");
-  CHECK(refusal(with(two_materials, "radius = 0.01", "radius = 0.01\nmass = 0")) ==
+  CHECK(refusal(with(two_laws, "radius = 0.01", "radius = 0.01\nmass = 0")) ==
         "scene.toml:14:8: particle[0].mass = 0 kg is zero; give a mass above 0");
-  CHECK(set("particles.radius=1e-200").find("outside the range of numbers; check the units of radius") !=
-        std::string::npos);
+  CHECK(refusal_of_override("particles.radius=1e-200")
+            .find("outside the range of numbers; check the units of radius") != std::string::npos);
 }
 
 TEST_CASE("unknown names are refused with the nearest known name", "[scenario]") {
@@ -96,17 +94,18 @@ TEST_CASE("unknown names are refused with the nearest known name", "[scenario]")
   CHECK(refusal(with(discs, "normal_stiffness", "stiffness"))
             .ends_with("add normal_stiffness = <number above 0 (N/m)>, or correct 'stiffness' "
                        "(scene.toml:11:1) if that is meant"));
-  CHECK(set("contact.tangental_stiffness=1").find("did you mean 'tangential_stiffness'?") !=
+  CHECK(refusal_of_override("contact.tangental_stiffness=1").find("did you mean 'tangential_stiffness'?") !=
         std::string::npos);
-  CHECK(set("contact.friction=0.3").find("did you mean 'static_friction'? known keys: ") !=
+  CHECK(refusal_of_override("contact.friction=0.3").find("did you mean 'static_friction'? known keys: ") !=
         std::string::npos);
   CHECK(refusal(with(discs, "linear_spring_dashpot", "linear_spring_dashpt"))
             .starts_with("scene.toml:10:10: no contact law plug-in 'linear_spring_dashpt' in "));
-  CHECK(refusal(with(two_materials, "'a', 'b'", "'a', 'c'")) ==
+  CHECK(refusal(with(two_laws, "'a', 'b'", "'a', 'c'")) ==
         "scene.toml:31:17: no material 'c'; there are: a, b");
-  CHECK(refusal(with(two_materials, "material = 'b'", "material = 'c'")) ==
+  CHECK(refusal(with(two_laws, "material = 'b'", "material = 'c'")) ==
         "scene.toml:19:12: no material 'c'; there are: a, b");
-  CHECK(set("contact.plugin=" + std::string(300, 'x')).ends_with("; see scree describe for the names"));
+  CHECK(refusal_of_override("contact.plugin=" + std::string(300, 'x'))
+            .ends_with("; see scree describe for the names"));
 }
 
 TEST_CASE("missing and duplicate entries are refused", "[scenario]") {
@@ -116,15 +115,15 @@ TEST_CASE("missing and duplicate entries are refused", "[scenario]") {
       refusal("[[material]]\nname = 'a'\ndensity = 1\n") ==
       "scene.toml:1:1: the scene has no bodies; add [particles] with lattice and radius, random, file or state, or [[particle]]");
   CHECK(refusal(with(discs, "step = 1e-5\n", "")).starts_with("scene.toml:3:1: [time] has no 'step'"));
-  CHECK(refusal(with(two_materials, "between = ['a', 'b']\n", ""))
+  CHECK(refusal(with(two_laws, "between = ['a', 'b']\n", ""))
             .ends_with(": a second [[contact]] has no materials; add between = [\"a\", "
                        "\"b\"]"));
-  CHECK(refusal(with(two_materials, "name = 'hard'", "name = 'soft'")) ==
+  CHECK(refusal(with(two_laws, "name = 'hard'", "name = 'soft'")) ==
         "scene.toml:27:8: the law, boundary or force name 'soft' is already in use; give each a different "
         "name");
-  CHECK(refusal(with(two_materials, "name = 'b'", "name = 'a'")) ==
+  CHECK(refusal(with(two_laws, "name = 'b'", "name = 'a'")) ==
         "scene.toml:10:8: the material name 'a' is already in use; give each a different name");
-  CHECK(refusal(with(with(two_materials, "radius = 0.01", "radius = 0.01\nid = 3"), "radius = 0.02",
+  CHECK(refusal(with(with(two_laws, "radius = 0.01", "radius = 0.01\nid = 3"), "radius = 0.02",
                      "radius = 0.02\nid = 3")) ==
         "scene.toml:19:6: two bodies have the id 3; give every body a different id, or no id");
 }

@@ -15,7 +15,7 @@ const Values soft_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0.5}}
 enum { x_low, x_high, y_low, y_high, z_low, z_high };
 
 const scree_plane& wall(const Simulation& s, int w) { return s.planes()[std::size_t(w)]; }
-double force(const Simulation& s, int w) { return s.loads()[std::size_t(w)].force[w / 2]; }
+double force_on(const Simulation& s, int w) { return s.loads()[std::size_t(w)].force[w / 2]; }
 
 // A small sphere in the middle of a cube of this edge, touching nothing.
 Scene empty_box(double edge, double step, const Values& box, int dimension = 3) {
@@ -85,8 +85,8 @@ TEST_CASE("at rest the contacts carry the stress of every wall, programmed ones 
     const double area = length[(a + 1) % 3] * length[(a + 2) % 3];
     // 0.6 s are 60 relaxation times of the slowest mode, γ/k = 4e-3 s: the remainder is below e^-60, less
     // than round-off.
-    CHECK(force(s, 2 * a + 1) == Approx(stress[a] * area).epsilon(1e-9));
-    CHECK(-force(s, 2 * a) == Approx(stress[a] * area).epsilon(1e-9));
+    CHECK(force_on(s, 2 * a + 1) == Approx(stress[a] * area).epsilon(1e-9));
+    CHECK(-force_on(s, 2 * a) == Approx(stress[a] * area).epsilon(1e-9));
     CHECK(0.01 - length[a] == Approx(2 * stress[a] * area / k).epsilon(1e-9));
   }
 }

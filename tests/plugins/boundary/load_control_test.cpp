@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "wall_support.hpp"
 
 #include <cmath>
 #include <string>
@@ -15,40 +15,39 @@ using namespace scree::test;
 
 namespace {
 
-enum { plane_displacement = 1, plane_force = 4, plane_servo = 5, plane_massless = 6 };
-enum { box_fixed = 1, box_servo = 5, box_massless = 6 };
-
-constexpr double radius = 0.01, k = 1e4, force = 3, speed_limit = 0.05, step = 1e-5, tries = 400;
-const Values linear = {{"normal_stiffness", {k}}, {"normal_damping", {0}}};
+constexpr double bead_radius = 0.01, lid_stiffness = 1e4, lid_force = 3, lid_speed_limit = 0.05,
+                 lid_step = 1e-5, lid_tries = 400;
+const Values linear = {{"normal_stiffness", {lid_stiffness}}, {"normal_damping", {0}}};
 const Values hertz = {
     {"youngs_modulus", {1e7}}, {"poissons_ratio", {0.25}}, {"restitution", {1}}, {"friction", {0}}};
 
 // A heavy bead at rest on a fixed floor, and a lid at a height that is pressed on it. The bead does not move.
-Scene bead_under_lid(int control, const Values& law, const std::string& plugin, double height) {
-  Scene sc = scene(3, step, {body(1, radius, 1e30, {})}, law, plugin);
+Scene bead_under_lid(int control, const Values& law, const std::string& plugin, double height_of_wall) {
+  Scene sc = scene(3, lid_step, {body(1, bead_radius, 1e30, {})}, law, plugin);
   add_boundary(sc, "plane",
-               {{"point", {0, 0, height}},
+               {{"point", {0, 0, height_of_wall}},
                 {"normal", {0, 0, -1}},
                 {"control", {double(control)}},
-                {"force", {0, force}},
+                {"force", {0, lid_force}},
                 {"mass", {0.01}},
                 {"viscosity", {20}},
-                {"speed_limit", {speed_limit}},
-                {"tries", {tries}}},
+                {"speed_limit", {lid_speed_limit}},
+                {"tries", {lid_tries}}},
                "lid");
   return sc;
 }
 
-double height(const Simulation& s) { return s.planes()[0].point[2]; }
 double load(const Simulation& s) { return s.loads()[0].force[2]; }
 
 // Beads in a row along x that touch, between a driven wall and one under a force.
 Scene row(int control, double damping, double h, const std::vector<double>& drive = {1, 0, 2e-5, 40, 0}) {
-  const double overlap = force / k;
+  const double overlap = lid_force / lid_stiffness;
   std::vector<Body> bodies;
   for (int n = 0; n < 8; ++n)
-    bodies.push_back(body(n, radius, 0.02, {{radius - overlap + n * (2 * radius - overlap), 0, 0}}));
-  Scene sc = scene(3, h, std::move(bodies), {{"normal_stiffness", {k}}, {"normal_damping", {damping}}});
+    bodies.push_back(
+        body(n, bead_radius, 0.02, {{bead_radius - overlap + n * (2 * bead_radius - overlap), 0, 0}}));
+  Scene sc =
+      scene(3, h, std::move(bodies), {{"normal_stiffness", {lid_stiffness}}, {"normal_damping", {damping}}});
   add_boundary(sc, "plane",
                {{"point", {0, 0, 0}},
                 {"normal", {1, 0, 0}},
@@ -56,10 +55,10 @@ Scene row(int control, double damping, double h, const std::vector<double>& driv
                 {"displacement", drive}},
                "wall");
   add_boundary(sc, "plane",
-               {{"point", {8 * (2 * radius - overlap) - overlap, 0, 0}},
+               {{"point", {8 * (2 * bead_radius - overlap) - overlap, 0, 0}},
                 {"normal", {-1, 0, 0}},
                 {"control", {double(control)}},
-                {"force", {0, force}},
+                {"force", {0, lid_force}},
                 {"speed_limit", {1}},
                 {"tries", {1e4}}},
                "lid");
@@ -75,7 +74,7 @@ End end_of(int control, double damping, double h) {
   End end = {0, 0, 0};
   while (s.time() < 0.02 - 0.5 * h) {
     s.step();
-    end.worst_load = std::max(end.worst_load, std::abs(s.loads()[1].force[0] - force));
+    end.worst_load = std::max(end.worst_load, std::abs(s.loads()[1].force[0] - lid_force));
   }
   end.position = s.planes()[1].point[0];
   end.residual = s.energy().residual;
@@ -93,47 +92,47 @@ TEST_CASE("a wall that keeps its load comes with the speed limit and stops at th
   const bool is_hertz = GENERATE(false, true);
   CAPTURE(control, is_hertz);
   const double gap = 1e-4,
-               contact = 4.0 / 3 * 1e7 / (1 - 0.25 * 0.25) / 2 * std::sqrt(radius) * (is_hertz ? 1 : 0);
+               contact = 4.0 / 3 * 1e7 / (1 - 0.25 * 0.25) / 2 * std::sqrt(bead_radius) * (is_hertz ? 1 : 0);
   Simulation s(bead_under_lid(control, is_hertz ? hertz : linear,
-                              is_hertz ? "hertz_mindlin" : "linear_spring_dashpot", radius + gap));
+                              is_hertz ? "hertz_mindlin" : "linear_spring_dashpot", bead_radius + gap));
   // A wall is the same material: E* = Y/(2(1 − ν²)).
-  const double overlap = is_hertz ? std::pow(force / contact, 2.0 / 3) : force / k;
+  const double overlap = is_hertz ? std::pow(lid_force / contact, 2.0 / 3) : lid_force / lid_stiffness;
   const bool tries_displacements = control != plane_force;
   if (tries_displacements) {
     run(s, 100);
-    CHECK(radius + gap - height(s) == Approx(speed_limit * s.time()).epsilon(1e-12));
+    CHECK(bead_radius + gap - height_of_wall(s) == Approx(lid_speed_limit * s.time()).epsilon(1e-12));
     CHECK(load(s) == 0);
   }
   run(s, 40000);
-  const double stiffness = is_hertz ? 1.5 * force / overlap : k;
+  const double stiffness = is_hertz ? 1.5 * lid_force / overlap : lid_stiffness;
   // Half a displacement of the grid; 1e-9 of the force; the wall of mass and viscosity has come to rest.
-  const double resolution = control == plane_servo      ? 0.51 * speed_limit * step / tries
-                            : control == plane_massless ? 1.1e-9 * force / stiffness
+  const double resolution = control == plane_servo      ? 0.51 * lid_speed_limit * lid_step / lid_tries
+                            : control == plane_massless ? 1.1e-9 * lid_force / stiffness
                                                         : 1e-12;
-  CHECK(std::abs(radius - height(s) - overlap) <= resolution);
-  CHECK(std::abs(load(s) - force) <= 1.01 * stiffness * resolution);
+  CHECK(std::abs(bead_radius - height_of_wall(s) - overlap) <= resolution);
+  CHECK(std::abs(load(s) - lid_force) <= 1.01 * stiffness * resolution);
 }
 
 TEST_CASE("a wall that keeps its load leaves a body that presses more, and stays where nothing presses",
           "[plane]") {
   for (const int control : {int(plane_servo), int(plane_massless)}) {
-    Simulation s(bead_under_lid(control, linear, "linear_spring_dashpot", radius - 5e-4));
+    Simulation s(bead_under_lid(control, linear, "linear_spring_dashpot", bead_radius - 5e-4));
     run(s, 100);
-    CHECK(height(s) == Approx(radius - 5e-4 + speed_limit * s.time()).epsilon(1e-12));
+    CHECK(height_of_wall(s) == Approx(bead_radius - 5e-4 + lid_speed_limit * s.time()).epsilon(1e-12));
     run(s, 1000);
-    CHECK(load(s) == Approx(force).epsilon(1e-3));
-    Scene sc = bead_under_lid(control, linear, "linear_spring_dashpot", 2 * radius);
+    CHECK(load(s) == Approx(lid_force).epsilon(1e-3));
+    Scene sc = bead_under_lid(control, linear, "linear_spring_dashpot", 2 * bead_radius);
     sc.boundaries.clear();
     add_boundary(sc, "plane",
-                 {{"point", {0, 0, 2 * radius}},
+                 {{"point", {0, 0, 2 * bead_radius}},
                   {"normal", {0, 0, -1}},
                   {"control", {double(control)}},
                   {"stress", {0, 0}},
                   {"area", {1}},
-                  {"speed_limit", {speed_limit}}});
+                  {"speed_limit", {lid_speed_limit}}});
     Simulation unpressed(sc);
     run(unpressed, 100);
-    CHECK(height(unpressed) == 2 * radius);
+    CHECK(height_of_wall(unpressed) == 2 * bead_radius);
   }
 }
 
@@ -144,7 +143,7 @@ TEST_CASE("a massless wall behind a driven row keeps its force, to first order i
     CAPTURE(damping);
     const End coarse = end_of(plane_massless, damping, 4e-5), middle = end_of(plane_massless, damping, 2e-5),
               fine = end_of(plane_massless, damping, 1e-5);
-    for (const End& end : {coarse, middle, fine}) CHECK(end.worst_load < 1.1e-9 * force);
+    for (const End& end : {coarse, middle, fine}) CHECK(end.worst_load < 1.1e-9 * lid_force);
     const double expected = damping > 0 ? 1 : 2;
     CHECK(order(coarse.position, middle.position, fine.position) == Approx(expected).margin(0.3));
     CHECK(std::log2(std::abs(middle.residual / fine.residual)) > expected - 0.4);
@@ -156,20 +155,20 @@ TEST_CASE("a servo wall behind a driven row keeps its force to the resolution of
   const double h = 1e-5;
   const End servo = end_of(plane_servo, 4, h), massless = end_of(plane_massless, 4, h);
   // Half a displacement of the grid changes the spring, and the dashpot by its speed.
-  CHECK(servo.worst_load <= 0.51 * h / 1e4 * (k + 4 / h));
+  CHECK(servo.worst_load <= 0.51 * h / 1e4 * (lid_stiffness + 4 / h));
   // The lid is off by at most that of every bead of the row, and a few times as much in waves.
-  CHECK(std::abs(servo.position - massless.position) < 100 * servo.worst_load / k);
+  CHECK(std::abs(servo.position - massless.position) < 100 * servo.worst_load / lid_stiffness);
 }
 
 TEST_CASE("a wall that keeps its load feels bodies that were far away at the last search", "[plane]") {
-  const double speed = 1, weak = 0.01, skin = 5 * speed * step;
+  const double speed = 1, weak = 0.01, skin = 5 * speed * lid_step;
   double largest = 0;
   for (int n = 0; n < 20; ++n) {
-    const double gap = skin + (0.02 + 0.2 * n) * speed * step;
-    Scene sc = scene(3, step, {body(1, radius, 0.02, {}, {{0, 0, 0.9 * speed}})}, linear);
+    const double gap = skin + (0.02 + 0.2 * n) * speed * lid_step;
+    Scene sc = scene(3, lid_step, {body(1, bead_radius, 0.02, {}, {{0, 0, 0.9 * speed}})}, linear);
     sc.skin = skin;
     add_boundary(sc, "plane",
-                 {{"point", {0, 0, radius + gap}},
+                 {{"point", {0, 0, bead_radius + gap}},
                   {"normal", {0, 0, -1}},
                   {"control", {plane_massless}},
                   {"force", {0, weak}},
@@ -185,23 +184,27 @@ TEST_CASE("a wall that keeps its load feels bodies that were far away at the las
 
 TEST_CASE("a superposed motion of a wall that keeps its load is made up for", "[plane]") {
   for (const int control : {int(plane_servo), int(plane_massless)}) {
-    Scene sc = bead_under_lid(control, linear, "linear_spring_dashpot", radius - force / k);
-    Values shaken = {{"point", {0, 0, radius - force / k}}, {"normal", {0, 0, -1}},
-                     {"control", {double(control)}},        {"force", {0, force}},
-                     {"speed_limit", {speed_limit}},        {"tries", {tries}},
+    Scene sc =
+        bead_under_lid(control, linear, "linear_spring_dashpot", bead_radius - lid_force / lid_stiffness);
+    Values shaken = {{"point", {0, 0, bead_radius - lid_force / lid_stiffness}},
+                     {"normal", {0, 0, -1}},
+                     {"control", {double(control)}},
+                     {"force", {0, lid_force}},
+                     {"speed_limit", {lid_speed_limit}},
+                     {"tries", {lid_tries}},
                      {"superposed", {1, 0, 1e-5, 100, 0}}};
     sc.boundaries.clear();
     add_boundary(sc, "plane", shaken);
     Simulation s(sc);
     run(s, 2000);
-    CHECK(std::abs(load(s) - force) <= 0.51 * k * speed_limit * step / tries);
+    CHECK(std::abs(load(s) - lid_force) <= 0.51 * lid_stiffness * lid_speed_limit * lid_step / lid_tries);
   }
 }
 
 TEST_CASE("walls of a box that keep their loads press with the present area", "[box]") {
   for (const int control : {int(box_servo), int(box_massless)}) {
-    Scene sc =
-        scene(3, step, {body(1, radius, 0.02, {})}, {{"normal_stiffness", {k}}, {"normal_damping", {20}}});
+    Scene sc = scene(3, lid_step, {body(1, bead_radius, 0.02, {})},
+                     {{"normal_stiffness", {lid_stiffness}}, {"normal_damping", {20}}});
     add_boundary(sc, "box",
                  {{"gap", {1e-5}},
                   {"x", {double(control)}},
@@ -209,8 +212,8 @@ TEST_CASE("walls of a box that keep their loads press with the present area", "[
                   {"z", {double(control)}},
                   {"stress", {0, 2000}},
                   {"stress_y", {0, 5000}},
-                  {"speed_limit", {speed_limit}},
-                  {"tries", {tries}}});
+                  {"speed_limit", {lid_speed_limit}},
+                  {"tries", {lid_tries}}});
     Simulation s(sc);
     run(s, 3000);
     const Vec3 length = s.lengths();
@@ -219,7 +222,8 @@ TEST_CASE("walls of a box that keep their loads press with the present area", "[
       const double area = length[(axis + 1) % 3] * length[(axis + 2) % 3], p = axis == 1 ? 5000 : 2000;
       // At rest to the grid; the dashpot feels its speed.
       CHECK(std::abs(s.loads()[std::size_t(w)].force[axis]) ==
-            Approx(p * area).margin(0.51 * speed_limit * step / tries * (k + 20 / step)));
+            Approx(p * area).margin(0.51 * lid_speed_limit * lid_step / lid_tries *
+                                    (lid_stiffness + 20 / lid_step)));
     }
   }
 }
@@ -272,7 +276,7 @@ TEST_CASE("walls that try displacements are refused by name without what they ne
     return [v] {
       Values all = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}};
       all.insert(all.end(), v.begin(), v.end());
-      Scene sc = scene(3, step, {body(1, radius, 1, {{0, 0, 1}})}, linear);
+      Scene sc = scene(3, lid_step, {body(1, bead_radius, 1, {{0, 0, 1}})}, linear);
       add_boundary(sc, "plane", all);
       Simulation s(sc);
     };
@@ -283,7 +287,7 @@ TEST_CASE("walls that try displacements are refused by name without what they ne
                     Catch::Contains("stress without area; give area = <m^2>"));
   CHECK_THROWS_WITH(plane({{"control", {plane_massless}}, {"force", {0, 1}}})(),
                     Catch::Contains("without speed_limit; give speed_limit = <m/s>"));
-  Scene sc = scene(3, step, {body(1, radius, 1, {})}, linear);
+  Scene sc = scene(3, lid_step, {body(1, bead_radius, 1, {})}, linear);
   add_boundary(sc, "box", {{"x", {box_servo}}, {"stress", {0, 1}}});
   CHECK_THROWS_WITH(Simulation(sc),
                     Catch::Contains("wall x_low has no speed limit; give speed_limit = <m/s>"));

@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "wall_support.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -6,8 +6,6 @@ using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
 
 void make_periodic(Scene& sc, double axes, double length) {
   add_boundary(sc, "periodic", {{"axes", {axes}}, {"lower", {0, 0, 0}}, {"upper", {length, length, length}}});

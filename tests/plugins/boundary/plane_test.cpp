@@ -1,24 +1,21 @@
-#include "scenes.hpp"
+#include "wall_support.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
 
 Simulation moving_plane(const std::vector<double>& displacement, double step) {
   Scene sc = scene(3, step, {body(1, 0.01, 0.01, {{0, 0, 1}})}, elastic);
   add_boundary(sc, "plane", {{"point", {0, 0, 0.2}}, {"normal", {0, 0, 2}}, {"displacement", displacement}});
   return Simulation(sc);
 }
-
-double height(const Simulation& s) { return s.planes()[0].point[2]; }
 
 }  // namespace
 
@@ -29,28 +26,28 @@ TEST_CASE("a plane follows its program: sine, cycle, ramp, table", "[plane]") {
   SECTION("sine") {
     Simulation s = moving_plane({1, 0, 0.01, 2, 0}, step);
     run(s, 300);
-    CHECK(height(s) == Approx(0.2 + 0.01 * std::sin(2 * pi * 2 * 0.3)).margin(round_off));
+    CHECK(height_of_wall(s) == Approx(0.2 + 0.01 * std::sin(2 * pi * 2 * 0.3)).margin(round_off));
     CHECK(s.planes()[0].velocity[2] == Approx(0.01 * 4 * pi * std::cos(2 * pi * 2 * 0.3)));
   }
   SECTION("cycle") {
     Simulation s = moving_plane({2, 0, 0.02, 0.5}, step);
     run(s, 250);
-    CHECK(height(s) == Approx(0.22).margin(round_off));
+    CHECK(height_of_wall(s) == Approx(0.22).margin(round_off));
   }
   SECTION("ramp") {
     Simulation s = moving_plane({3, 0, -0.05, 0.1}, step);
     run(s, 50);
-    CHECK(height(s) == Approx(0.175).margin(round_off));
+    CHECK(height_of_wall(s) == Approx(0.175).margin(round_off));
     run(s, 250);
-    CHECK(height(s) == Approx(0.15).margin(round_off));
+    CHECK(height_of_wall(s) == Approx(0.15).margin(round_off));
     CHECK(s.planes()[0].velocity[2] == 0);
   }
   SECTION("table") {
     Simulation s = moving_plane({4, 0, 0, 0.1, 0.01, 0.2, 0.01, 0.3, -0.01}, step);
     run(s, 150);
-    CHECK(height(s) == Approx(0.21).margin(round_off));
+    CHECK(height_of_wall(s) == Approx(0.21).margin(round_off));
     run(s, 150);
-    CHECK(height(s) == Approx(0.19).margin(round_off));
+    CHECK(height_of_wall(s) == Approx(0.19).margin(round_off));
   }
 }
 
@@ -105,7 +102,7 @@ TEST_CASE("a plane that stops and restarts uses its present load each time it st
     change(still);
   }
   CHECK(plane_velocity() == 0);
-  CHECK(height(s) == Approx(600 * step * speed));
+  CHECK(height_of_wall(s) == Approx(600 * step * speed));
   // Step error of the energy balance, (ωΔt)². A stale load from before a rest would cause an error of
   // F v Δt/2, a thousandth of the energy.
   const scree_energy e = s.energy();

@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "wall_support.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -13,14 +13,9 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
-
-constexpr double pi = std::numbers::pi, u = 1.2e-16;
-const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
-// Choices of `control`.
-enum { box_stress, box_fixed, box_displacement, box_velocity, box_strain_rate };
-enum { plane_fixed, plane_displacement, plane_velocity, plane_stress, plane_force };
 
 // A plane of normal z at z = 0.2, far from a body.
 Simulation moved_plane(const Values& motion, double step) {
@@ -31,7 +26,6 @@ Simulation moved_plane(const Values& motion, double step) {
   return Simulation(sc);
 }
 double raised(const Simulation& s) { return s.planes()[0].point[2] - 0.2; }
-double speed(const Simulation& s) { return s.planes()[0].velocity[2]; }
 
 // A box from −0.1 to 0.1 m, fixed but for what `motion` says, around a body that touches nothing.
 Simulation moved_box(const Values& motion, double step) {
@@ -50,16 +44,16 @@ TEST_CASE("a plane of prescribed velocity moves by the integral of it", "[plane]
   const double step = 1e-3;
   SECTION("constant, from the first instant") {
     Simulation s = moved_plane({{"control", {plane_velocity}}, {"velocity", {0, 0.3}}}, step);
-    CHECK(speed(s) == 0.3);
+    CHECK(speed_of_wall(s) == 0.3);
     run(s, 500);
-    CHECK(raised(s) == Approx(0.15).margin(500 * u));
-    CHECK(speed(s) == 0.3);
+    CHECK(raised(s) == Approx(0.15).margin(500 * unit_round_off));
+    CHECK(speed_of_wall(s) == 0.3);
   }
   SECTION("ramp: exact, because Simpson's rule is for cubic polynomials") {
     Simulation s = moved_plane({{"control", {plane_velocity}}, {"velocity", {3, 0, 0.4, 0.5}}}, step);
     run(s, 500);
-    CHECK(raised(s) == Approx(0.5 * 0.4 * 0.5).margin(500 * u));
-    CHECK(speed(s) == Approx(0.4));
+    CHECK(raised(s) == Approx(0.5 * 0.4 * 0.5).margin(500 * unit_round_off));
+    CHECK(speed_of_wall(s) == Approx(0.4));
   }
   SECTION("sine") {
     const double frequency = 5, amplitude = 0.2, omega = 2 * pi * frequency;
@@ -69,7 +63,7 @@ TEST_CASE("a plane of prescribed velocity moves by the integral of it", "[plane]
     // Simpson's rule: (ωh)⁴/2880 of the integral, and 1 % for higher orders.
     CHECK(raised(s) == Approx(amplitude / omega * (1 - std::cos(omega * 0.07)))
                            .epsilon(1.01 * std::pow(omega * step, 4) / 2880));
-    CHECK(speed(s) == Approx(amplitude * std::sin(omega * 0.07)));
+    CHECK(speed_of_wall(s) == Approx(amplitude * std::sin(omega * 0.07)));
   }
 }
 
@@ -84,7 +78,7 @@ TEST_CASE("a plane under a force or a stress obeys m s'' = P − γ s'", "[plane
   const double terminal = force / gamma, rate = gamma / m, t = s.time();
   // Step error: (γΔt/m)²/12 = 1e-7 relative.
   CHECK(raised(s) == Approx(terminal * (t - (1 - std::exp(-rate * t)) / rate)).epsilon(1e-6));
-  CHECK(speed(s) == Approx(terminal * (1 - std::exp(-rate * t))).epsilon(1e-6));
+  CHECK(speed_of_wall(s) == Approx(terminal * (1 - std::exp(-rate * t))).epsilon(1e-6));
   CHECK(std::abs(s.energy().residual) < 1e-6 * s.energy().work);
 }
 
@@ -95,12 +89,13 @@ TEST_CASE("a superposed displacement is added to the motion that a constant forc
                               {"mass", {m}},
                               {"superposed", {1, 0.7, amplitude, frequency, 0}}},
                              step);
-  CHECK(speed(s) == Approx(amplitude * omega));
+  CHECK(speed_of_wall(s) == Approx(amplitude * omega));
   run(s, 1234);
   const double t = s.time();
   // Uniform acceleration is exact in velocity Verlet: sums of 1234 terms, rounded.
-  CHECK(raised(s) == Approx(0.5 * force / m * t * t + amplitude * std::sin(omega * t)).margin(1234 * u));
-  CHECK(speed(s) == Approx(force / m * t + amplitude * omega * std::cos(omega * t)).epsilon(1e-12));
+  CHECK(raised(s) ==
+        Approx(0.5 * force / m * t * t + amplitude * std::sin(omega * t)).margin(1234 * unit_round_off));
+  CHECK(speed_of_wall(s) == Approx(force / m * t + amplitude * omega * std::cos(omega * t)).epsilon(1e-12));
   // Nothing resists the superposed motion: all work is that of the force.
   const scree_energy e = s.energy();
   CHECK(e.kinetic_boundary == Approx(0.5 * m * std::pow(force / m * t, 2)).epsilon(1e-12));
@@ -172,15 +167,15 @@ TEST_CASE("a strain rate changes the length of the box as prescribed, exactly", 
     Simulation s = moved_box({{"x", {box_strain_rate}}, {"strain_rate_x", {0, rate}}}, step);
     CHECK(s.planes()[0].velocity[0] == Approx(0.5 * rate * 0.2));
     run(s, 500);
-    CHECK(length_x(s) == Approx(0.2 * std::exp(-rate * 0.5)).epsilon(500 * 2 * u));
-    CHECK(s.planes()[0].point[0] == Approx(-s.planes()[1].point[0]).epsilon(500 * u));
+    CHECK(length_x(s) == Approx(0.2 * std::exp(-rate * 0.5)).epsilon(500 * 2 * unit_round_off));
+    CHECK(s.planes()[0].point[0] == Approx(-s.planes()[1].point[0]).epsilon(500 * unit_round_off));
     CHECK(s.planes()[1].velocity[0] == Approx(-0.5 * rate * length_x(s)));
   }
   SECTION("one wall alone, in extension, with a program") {
     Simulation s = moved_box(
         {{"x_low", {box_fixed}}, {"x_high", {box_strain_rate}}, {"strain_rate_x", {3, 0, -rate, 0.5}}}, step);
     run(s, 500);
-    CHECK(length_x(s) == Approx(0.2 * std::exp(0.5 * rate * 0.5)).epsilon(500 * 2 * u));
+    CHECK(length_x(s) == Approx(0.2 * std::exp(0.5 * rate * 0.5)).epsilon(500 * 2 * unit_round_off));
     CHECK(s.planes()[0].point[0] == -0.1);
   }
 }
@@ -192,8 +187,8 @@ TEST_CASE("each wall of a box can follow its own displacement or velocity, inwar
                             {"velocity_x_high", {0, -0.3}}},
                            1e-3);
   run(s, 100);
-  CHECK(s.planes()[0].point[0] == Approx(-0.08).margin(100 * u));
-  CHECK(s.planes()[1].point[0] == Approx(0.13).margin(100 * u));
+  CHECK(s.planes()[0].point[0] == Approx(-0.08).margin(100 * unit_round_off));
+  CHECK(s.planes()[1].point[0] == Approx(0.13).margin(100 * unit_round_off));
 }
 
 TEST_CASE("a wall that pushes a body by a prescribed velocity does the work", "[box]") {

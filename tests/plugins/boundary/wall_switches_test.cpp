@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "wall_support.hpp"
 
 #include <cmath>
 #include <string>
@@ -14,9 +14,6 @@ using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-constexpr double u = 1.2e-16;
-const Values elastic = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
 
 struct Control {
   std::string name;
@@ -42,8 +39,6 @@ void change(Simulation& s, const std::string& plugin, const Values& values) {
   s.reconfigure_boundary(plugin, parameters(plugin, SCREE_BOUNDARY, values));
   s.apply_reconfiguration();
 }
-double height(const Simulation& s) { return s.planes()[0].point[2]; }
-double speed(const Simulation& s) { return s.planes()[0].velocity[2]; }
 
 }  // namespace
 
@@ -59,22 +54,24 @@ TEST_CASE("between any two controls the position is continuous and the energy ba
         add_boundary(sc, "plane", with(before.values));
         Simulation s(sc);
         run(s, 200);
-        const double old_height = height(s), old_speed = speed(s);
+        const double old_height = height_of_wall(s), old_speed = speed_of_wall(s);
         change(s, "plane", with(after.values));
         // In position_verlet the wall is half a step ahead of the forces until the change.
         const double ahead = integration == Integration::position_verlet ? 0.5 * step * acceleration : 0;
-        CHECK(height(s) == Approx(old_height).margin(2 * u + 0.5 * step * ahead));
+        CHECK(height_of_wall(s) == Approx(old_height).margin(2 * unit_round_off + 0.5 * step * ahead));
         const bool pressed = std::isnan(after.starts_with);
-        CHECK(speed(s) == Approx(pressed ? old_speed : after.starts_with).margin(ahead));
+        CHECK(speed_of_wall(s) == Approx(pressed ? old_speed : after.starts_with).margin(ahead));
         CHECK(s.energy().kinetic_boundary ==
-              Approx(pressed ? 0.5 * m * speed(s) * speed(s) : 0).margin(1e-15));
+              Approx(pressed ? 0.5 * m * speed_of_wall(s) * speed_of_wall(s) : 0).margin(1e-15));
         run(s, 1);
-        CHECK(std::abs(height(s) - old_height) <= step * (std::abs(speed(s)) + 2 * step * acceleration));
+        CHECK(std::abs(height_of_wall(s) - old_height) <=
+              step * (std::abs(speed_of_wall(s)) + 2 * step * acceleration));
         run(s, 200);
         // Round-off of 400 terms of 9 J. Under viscosity the sums are off by γh(Ph/2m)² a step, and by
         // (γh/m)²/2 of what is dissipated.
-        CHECK(std::abs(s.energy().residual) < 9 * (400 * 2 * u + std::pow(gamma * step / m, 2) / 2) +
-                                                  s.time() * gamma * std::pow(acceleration * step / 2, 2));
+        CHECK(std::abs(s.energy().residual) <
+              9 * (400 * 2 * unit_round_off + std::pow(gamma * step / m, 2) / 2) +
+                  s.time() * gamma * std::pow(acceleration * step / 2, 2));
       }
 }
 
@@ -101,14 +98,14 @@ TEST_CASE("a superposed motion that begins or ends leaves the motion under stres
   Simulation s(sc);
   run(s, 100);
   change(s, "plane", shaken);
-  CHECK(speed(s) == Approx(5 * 0.01 + 1e-3 * 2 * 3.14159265358979 * 50));
+  CHECK(speed_of_wall(s) == Approx(5 * 0.01 + 1e-3 * 2 * 3.14159265358979 * 50));
   run(s, 200);  // a period
   change(s, "plane", pressed);
-  CHECK(speed(s) == Approx(5 * 0.03));
+  CHECK(speed_of_wall(s) == Approx(5 * 0.03));
   run(s, 100);
   // x = P t²/2m; the displacement had come back to 0.
-  CHECK(height(s) == Approx(0.5 * 5 * 0.04 * 0.04).margin(400 * u));
-  CHECK(std::abs(s.energy().residual) < 400 * 2 * u);
+  CHECK(height_of_wall(s) == Approx(0.5 * 5 * 0.04 * 0.04).margin(400 * unit_round_off));
+  CHECK(std::abs(s.energy().residual) < 400 * 2 * unit_round_off);
 }
 
 TEST_CASE("a loaded wall of a box goes from stress to strain rate and back", "[box]") {
@@ -152,6 +149,6 @@ TEST_CASE("a change of mass in motion is work, not an error of the balance", "[p
   Values heavier = with({{"control", {4}}, {"force", {0, 10}}});
   heavier[2].second = {7};
   change(s, "plane", heavier);
-  CHECK(s.energy().kinetic_boundary == Approx(0.5 * 7 * speed(s) * speed(s)));
+  CHECK(s.energy().kinetic_boundary == Approx(0.5 * 7 * speed_of_wall(s) * speed_of_wall(s)));
   CHECK(std::abs(s.energy().residual) < 1e-15);
 }

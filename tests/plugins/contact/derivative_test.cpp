@@ -17,7 +17,7 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double tolerance = 1e-7, step = 1e-6, distance = 4e-3;
+constexpr double tolerance = 1e-7, law_step = 1e-6, centre_distance = 4e-3;
 
 // One touching pair, and changes of its relative motion.
 struct State {
@@ -75,7 +75,7 @@ State moved(const State& state, PairMotion motion, int k, double amount) {
   const Vec3 across = displacement - dot(displacement, state.normal) * state.normal;
   switch (motion) {
     case PairMotion::centres: {
-      const Vec3 separation = distance * state.normal + displacement;
+      const Vec3 separation = centre_distance * state.normal + displacement;
       s.normal = (1 / norm(separation)) * separation;
       s.overlap -= amount * state.normal[k];
       s.increment += across;
@@ -131,7 +131,7 @@ using Rows = std::array<double, 6>;  // components of the force, then of the cou
 Rows response(LawBatch& pair, const State& state, PairMotion motion, int k, double amount) {
   const int d = state.dimension;
   load(pair, state, motion, k, amount);
-  pair.evaluate(step);
+  pair.evaluate(law_step);
   Rows rows = {};
   for (int row = 0; row < rows_of(d); ++row)
     rows[std::size_t(row)] = row < d ? pair.output(SCREE_FORCE, row) : pair.output(SCREE_COUPLE, row - d);
@@ -192,7 +192,7 @@ double largest_deviation(const Variant& variant, int dimension, int& sliding) {
   for (const State& state : states(dimension, variant.slip)) {
     LawBatch pair(variant.law, variant.values, dimension);
     load(pair, state, PairMotion::centres, 0, 0);
-    const LawBatch::Derivatives exact = pair.derivatives(1 / distance, step);
+    const LawBatch::Derivatives exact = pair.derivatives(1 / centre_distance, law_step);
     for (int m = 0; m < pair_motions; ++m) {
       const auto motion = PairMotion(m);
       const double scale = scale_of(motion), force = variant.stiffness * state.overlap / scale;
@@ -206,7 +206,7 @@ double largest_deviation(const Variant& variant, int dimension, int& sliding) {
       }
     }
     load(pair, state, PairMotion::centres, 0, 0);
-    pair.evaluate(step);
+    pair.evaluate(law_step);
     const int column = pair.instance().sliding_column;
     sliding += column >= 0 && pair.history(std::size_t(column)) > 0;
   }
@@ -243,15 +243,15 @@ TEST_CASE("derivatives leave history and outputs as they are, and are 0 for pair
   pair.set(SCREE_NORMAL, {{1, 0, 0}});
   pair.input(SCREE_OVERLAP) = 1e-4;
   pair.history(1) = 1e-5;
-  pair.evaluate(step);
+  pair.evaluate(law_step);
   const double force = pair.output(SCREE_FORCE), spring = pair.history(1);
-  const LawBatch::Derivatives touching = pair.derivatives(0, step);
+  const LawBatch::Derivatives touching = pair.derivatives(0, law_step);
   CHECK(touching(0, PairMotion::centres, 0) == -5000);
   CHECK(touching(1, PairMotion::centres, 1) == -1000);
   CHECK(pair.output(SCREE_FORCE) == force);
   CHECK(pair.history(1) == spring);
   pair.input(SCREE_OVERLAP) = -1e-4;
-  const LawBatch::Derivatives apart = pair.derivatives(0, step);
+  const LawBatch::Derivatives apart = pair.derivatives(0, law_step);
   CHECK(apart(0, PairMotion::centres, 0) == 0);
   CHECK(apart(1, PairMotion::centres, 1) == 0);
 }

@@ -1,6 +1,7 @@
 #include "disc_pair.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
@@ -8,10 +9,9 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846, infinite_friction = 1e9;
 
 Values values(double friction, const std::string& normal = "overlap") {
   return {{"normal", {normal == "area" ? 1.0 : 0.0}},

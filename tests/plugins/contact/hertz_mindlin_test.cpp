@@ -23,8 +23,8 @@ struct Impact {
 };
 
 // Head-on impact of two equal spheres, or of one on a plane, with this number of steps in the contact.
-Impact collide(double youngs, double poisson, double density, double radius, double speed, bool on_plane,
-               double steps, const Values& more = {}) {
+Impact impact_of_spheres(double youngs, double poisson, double density, double radius, double speed,
+                         bool on_plane, double steps, const Values& more = {}) {
   Values law = {{"youngs_modulus", {youngs}}, {"poissons_ratio", {poisson}}};
   if (on_plane) law.push_back({"other_youngs_modulus", {1e30}});
   law.insert(law.end(), more.begin(), more.end());
@@ -72,7 +72,8 @@ TEST_CASE("Chung & Ooi 1 to 3: overlap, force and time of elastic impacts", "[he
        7.316566e-4}};
   for (const Case& c : cases) {
     const double steps = 2000;
-    const Impact impact = collide(c.youngs, c.poisson, c.density, c.radius, c.speed, c.on_plane, steps);
+    const Impact impact =
+        impact_of_spheres(c.youngs, c.poisson, c.density, c.radius, c.speed, c.on_plane, steps);
     INFO(c.name);
     // Step error: (π/steps)² = 2.5e-6 from the integrator and as much because the largest overlap is between
     // two steps; the contact time is known to the end of the last step, whose speed differs from the first by
@@ -89,8 +90,8 @@ TEST_CASE("the given restitution is reached at every speed, in both conventions"
     for (const double given : {0.1, 0.5, 0.95, 1.0})
       for (const double speed : {0.01, 1.0, 100.0}) {
         INFO("e = " << given << ", " << speed << " m/s, tension " << (tension > 0 ? "cut" : "allowed"));
-        const Impact impact = collide(4.8e10, 0.2, 2800, 0.01, speed, false, 1000,
-                                      {{"restitution", {given}}, {"tension", {tension}}});
+        const Impact impact = impact_of_spheres(4.8e10, 0.2, 2800, 0.01, speed, false, 1000,
+                                                {{"restitution", {given}}, {"tension", {tension}}});
         // (ωΔt)² = 1e-5 times the logarithmic decrement, at most 2.3.
         CHECK(impact.restitution == Approx(given).margin(2.3e-5));
       }

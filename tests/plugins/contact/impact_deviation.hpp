@@ -14,6 +14,9 @@ inline constexpr std::size_t every = 11;
 inline constexpr std::size_t every = 1;
 #endif
 
+// None; backwards; about an axis outside the plane of impact, with a part along the normal (rad/s).
+inline const std::vector<Vec3> impact_spins = {{}, {{0, -150, 0}}, {{200, 50, 80}}};
+
 // (ω h)²: the step error of an oscillator whose half period, the contact time, takes this number of steps.
 inline double step_error(double steps) { return std::pow(std::numbers::pi / steps, 2); }
 

@@ -17,7 +17,7 @@ using reference::SlipRule;
 using reference::Tension;
 
 // Both laws with all histories; the linear one with and without a tangential dashpot.
-std::vector<ImpactCase> laws() {
+std::vector<ImpactCase> contact_laws() {
   std::vector<ImpactCase> all;
   for (const bool damped : {true, false}) all.push_back({.tangential_damping = damped});
   for (const History history : {History::displacement, History::rescaled, History::potential})
@@ -28,15 +28,15 @@ std::vector<ImpactCase> laws() {
 // One impact in `stride`.
 template <class Visit>
 void each_impact(const std::vector<double>& restitutions, const std::vector<double>& frictions,
-                 const std::vector<double>& angles, const std::vector<Vec3>& spins, const Visit& visit,
+                 const std::vector<double>& angles, const std::vector<Vec3>& impact_spins, const Visit& visit,
                  std::size_t stride = 1) {
   std::size_t count = 0;
-  for (ImpactCase c : laws())
+  for (ImpactCase c : contact_laws())
     for (const double e : restitutions)
       for (const Tension tension : {Tension::allowed, Tension::cut})
         for (const double mu : frictions)
           for (const double angle : angles)
-            for (const Vec3& spin : spins)
+            for (const Vec3& spin : impact_spins)
               for (const bool wall : {true, false}) {
                 if (e == 1 && tension == Tension::cut) continue;  // without a dashpot there is no tension
                 c.restitution = e, c.tension = tension, c.friction = mu;
@@ -45,34 +45,33 @@ void each_impact(const std::vector<double>& restitutions, const std::vector<doub
               }
 }
 
-const std::vector<Vec3> spins = {{}, {{0, -150, 0}}, {{200, 50, 80}}};  // none, backwards, any (rad/s)
-
 }  // namespace
 
 TEST_CASE("all options together: motion, energy and each column of the energy balance follow the laws",
           "[grid]") {
   double coarse_squares = 0, fine_squares = 0, coarse_residual = 0, fine_residual = 0;
-  each_impact({1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, spins, [&](const ImpactCase& c) {
-    const ImpactPair pair(c);
-    const reference::Outcome exact = pair.reference();
-    const Deviation coarse = deviation(pair, exact, 50), fine = deviation(pair, exact, 200);
-    INFO(name_of(c));
-    // The extra normal force of the potential form has a peak where its spring reaches the limit, a few steps
-    // after first touch.
-    const bool peak = c.hertz && c.history == History::potential;
-    CHECK(coarse.motion < (peak ? 2 : 1) * step_error(50));
-    CHECK(fine.motion < step_error(200));
-    // Energies are squares, with twice the relative error; the balance sums powers by the trapezoidal rule as
-    // well.
-    CHECK(coarse.column < 3 * step_error(50));
-    CHECK(fine.column < 3 * step_error(200));
-    CHECK(fine.residual < 3 * step_error(200));
-    // Velocity Verlet keeps an oscillator's energy to (ω h)²/4 relative.
-    CHECK(coarse.largest_gain < 0.25 * step_error(50));
-    if (c.history != History::displacement || !c.hertz) CHECK(fine.largest_created < 1e-12);
-    coarse_squares += coarse.motion * coarse.motion, fine_squares += fine.motion * fine.motion;
-    coarse_residual += coarse.residual * coarse.residual, fine_residual += fine.residual * fine.residual;
-  });
+  each_impact(
+      {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, impact_spins, [&](const ImpactCase& c) {
+        const ImpactPair pair(c);
+        const reference::Outcome exact = pair.reference();
+        const Deviation coarse = deviation(pair, exact, 50), fine = deviation(pair, exact, 200);
+        INFO(name_of(c));
+        // The extra normal force of the potential form has a peak where its spring reaches the limit, a few steps
+        // after first touch.
+        const bool peak = c.hertz && c.history == History::potential;
+        CHECK(coarse.motion < (peak ? 2 : 1) * step_error(50));
+        CHECK(fine.motion < step_error(200));
+        // Energies are squares, with twice the relative error; the balance sums powers by the trapezoidal rule as
+        // well.
+        CHECK(coarse.column < 3 * step_error(50));
+        CHECK(fine.column < 3 * step_error(200));
+        CHECK(fine.residual < 3 * step_error(200));
+        // Velocity Verlet keeps an oscillator's energy to (ω h)²/4 relative.
+        CHECK(coarse.largest_gain < 0.25 * step_error(50));
+        if (c.history != History::displacement || !c.hertz) CHECK(fine.largest_created < 1e-12);
+        coarse_squares += coarse.motion * coarse.motion, fine_squares += fine.motion * fine.motion;
+        coarse_residual += coarse.residual * coarse.residual, fine_residual += fine.residual * fine.residual;
+      });
   const double motion = order(coarse_squares, fine_squares, 16),
                balance = order(coarse_residual, fine_residual, 16);
   WARN("rms over the grid: order of motion " << motion << ", of the energy residual " << balance);
@@ -244,7 +243,7 @@ TEST_CASE("dynamic friction below the static one, all options together: of secon
     for (const double share : {0.9, 0.6, 0.2})
       each_impact(
           {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85},
-          dimension == 3 ? spins : std::vector<Vec3>{{}, {{0, 0, 150}}, {{0, 0, -150}}},
+          dimension == 3 ? impact_spins : std::vector<Vec3>{{}, {{0, 0, 150}}, {{0, 0, -150}}},
           [&](ImpactCase c) {
             if (c.hertz) return;  // one coefficient of friction
             c.dynamic_share = share, c.dimension = dimension;
@@ -280,7 +279,7 @@ TEST_CASE("position Verlet as velocity Verlet, also where bodies touch in its fi
   // Its energy balance counts half of what the first half step dissipates, a term of first order: motion only.
   Convergence convergence;
   each_impact(
-      {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, spins,
+      {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, impact_spins,
       [&](ImpactCase c) {
         if (c.hertz && c.history == History::potential) return;  // its peak is not resolved
         c.integration = Integration::position_verlet;

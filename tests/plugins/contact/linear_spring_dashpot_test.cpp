@@ -2,6 +2,7 @@
 #include "scenes.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -10,11 +11,11 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double radius = 0.005, mass = 1e-3, stiffness = 5000;
+constexpr double bead_radius = 0.005, bead_mass = 1e-3, bead_stiffness = 5000;
 
 struct Outcome {
   double restitution, contact_time;
@@ -22,14 +23,14 @@ struct Outcome {
 
 // Head-on collision of two equal spheres. The contact time is interpolated between the steps around δ = 0.
 Outcome collide(const Values& law, double step, double start_gap, double speed = 0.1) {
-  const double x = radius + 0.5 * start_gap;
+  const double x = bead_radius + 0.5 * start_gap;
   Simulation s(scene(3, step,
-                     {body(1, radius, mass, {{-x, 0, 0}}, {{speed / 2, 0, 0}}),
-                      body(2, radius, mass, {{x, 0, 0}}, {{-speed / 2, 0, 0}})},
+                     {body(1, bead_radius, bead_mass, {{-x, 0, 0}}, {{speed / 2, 0, 0}}),
+                      body(2, bead_radius, bead_mass, {{x, 0, 0}}, {{-speed / 2, 0, 0}})},
                      law));
-  const auto overlap = [&] { return 2 * radius - norm(position(s, 0) - position(s, 1)); };
+  const auto overlap = [&] { return 2 * bead_radius - norm(position(s, 0) - position(s, 1)); };
   double before = overlap(), began = NAN, ended = NAN;
-  const double patience = start_gap / speed + 30 * pi * std::sqrt(mass / 2 / stiffness);
+  const double patience = start_gap / speed + 30 * pi * std::sqrt(bead_mass / 2 / bead_stiffness);
   while (std::isnan(ended) && s.time() < patience) {
     s.step();
     const double now = overlap();
@@ -43,7 +44,7 @@ Outcome collide(const Values& law, double step, double start_gap, double speed =
 
 // t_c and r of two spheres of mass m with damping coefficient γ.
 Outcome closed_form(double damping) {
-  const double m = mass / 2, eta = damping / (2 * m), omega = std::sqrt(stiffness / m - eta * eta);
+  const double m = bead_mass / 2, eta = damping / (2 * m), omega = std::sqrt(bead_stiffness / m - eta * eta);
   return {std::exp(-eta * pi / omega), pi / omega};
 }
 
@@ -68,7 +69,7 @@ TEST_CASE("restitution and contact time of [D1] hold to 1e-3 at a fiftieth of th
   for (const double damping : {0.05, 0.2, 0.5}) {
     const Outcome exact = closed_form(damping);
     const Outcome error =
-        largest_error({{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}}, 50, exact);
+        largest_error({{"normal_stiffness", {bead_stiffness}}, {"normal_damping", {damping}}}, 50, exact);
     INFO("γ = " << damping << " kg/s, r = " << exact.restitution);
     CHECK(error.restitution < 1e-3);
     CHECK(error.contact_time < 1e-3);
@@ -78,7 +79,7 @@ TEST_CASE("restitution and contact time of [D1] hold to 1e-3 at a fiftieth of th
 TEST_CASE("restitution and contact time converge at second order", "[restitution]") {
   const double damping = 0.5;
   const Outcome exact = closed_form(damping);
-  const Values law = {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}};
+  const Values law = {{"normal_stiffness", {bead_stiffness}}, {"normal_damping", {damping}}};
   std::vector<Outcome> errors;
   for (const double steps : {25.0, 50.0, 100.0, 200.0, 400.0})
     errors.push_back(largest_error(law, steps, exact));
@@ -95,8 +96,8 @@ TEST_CASE("the given restitution is reached in both conventions, for every mass"
   for (const double tension : {0.0, 1.0})
     for (const double given : {0.1, 0.5, 0.9, 1.0}) {
       const Values law = {
-          {"normal_stiffness", {stiffness}}, {"restitution", {given}}, {"tension", {tension}}};
-      const double step = pi / std::sqrt(2 * stiffness / mass) / 400;
+          {"normal_stiffness", {bead_stiffness}}, {"restitution", {given}}, {"tension", {tension}}};
+      const double step = pi / std::sqrt(2 * bead_stiffness / bead_mass) / 400;
       INFO("given " << given << ", tension " << (tension > 0 ? "cut" : "allowed"));
       // Step error: second order, (ωΔt)² = 6e-5, times the logarithmic decrement −ln r <= 2.3 and a factor of
       // a few.
@@ -106,9 +107,10 @@ TEST_CASE("the given restitution is reached in both conventions, for every mass"
 
 TEST_CASE("cutting the tension at the same damping raises the restitution", "[restitution]") {
   const double ratio_for_half = std::log(2.0) / std::sqrt(pi * pi + std::log(2.0) * std::log(2.0));
-  const double damping = 2 * ratio_for_half * std::sqrt(stiffness * mass / 2);
-  const double step = pi / std::sqrt(2 * stiffness / mass) / 1000;
-  const Values cut = {{"normal_stiffness", {stiffness}}, {"normal_damping", {damping}}, {"tension", {1}}};
+  const double damping = 2 * ratio_for_half * std::sqrt(bead_stiffness * bead_mass / 2);
+  const double step = pi / std::sqrt(2 * bead_stiffness / bead_mass) / 1000;
+  const Values cut = {
+      {"normal_stiffness", {bead_stiffness}}, {"normal_damping", {damping}}, {"tension", {1}}};
   // ζ = 0.2155: exp(−ζ/√(1−ζ²) (π − atan(2ζ√(1−ζ²)/(1−2ζ²)))) = 0.5500; the closed form is evaluated here
   // independently.
   const double z = ratio_for_half, root = std::sqrt(1 - z * z);
@@ -132,10 +134,10 @@ TEST_CASE("the closed forms of describe reproduce the numbers of David et al.", 
 }
 
 TEST_CASE("a sphere thrown onto a plane slides, then rolls at 5/7 of its speed", "[friction]") {
-  const double g = 9.81, friction = 0.3, speed = 1, m = mass, k = 1e6;
+  const double g = 9.81, friction = 0.3, speed = 1, m = bead_mass, k = 1e6;
   const double step = 1e-6;
   // At rest on the plane: overlap m g / k.
-  Scene sc = scene(3, step, {body(1, radius, m, {{0, 0, radius - m * g / k}}, {{speed, 0, 0}})},
+  Scene sc = scene(3, step, {body(1, bead_radius, m, {{0, 0, bead_radius - m * g / k}}, {{speed, 0, 0}})},
                    {{"normal_stiffness", {k}},
                     {"normal_damping", {1}},
                     {"tangential_stiffness", {k}},
@@ -154,7 +156,7 @@ TEST_CASE("a sphere thrown onto a plane slides, then rolls at 5/7 of its speed",
   run(s, std::uint64_t(1.0 * rolls_from / step));
   // Rolling: v = ω (R − δ/2); the spring's oscillation at onset is damped by γ_t at a rate of about 1e3/s.
   CHECK(velocity(s, 0)[0] == Approx(5 * speed / 7).epsilon(1e-3));
-  CHECK(s.particles().body(0).spin[1] * radius == Approx(5 * speed / 7).epsilon(1e-3));
+  CHECK(s.particles().body(0).spin[1] * bead_radius == Approx(5 * speed / 7).epsilon(1e-3));
 }
 
 TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d until it sticks again",
@@ -209,12 +211,12 @@ TEST_CASE("static and dynamic friction: stick until mu_s, then slide at mu_d unt
 TEST_CASE("rotating a touching pair as a whole does not change the tangential spring", "[objectivity]") {
   // Two spheres pass each other with spins equal to the angular velocity of the line of centres: over a small
   // angle a rigid rotation. Springs are so soft that the bodies move nearly freely.
-  const double rate = 5, distance = 2 * radius - 0.02 * radius, soft = 1e-9;
+  const double rate = 5, distance = 2 * bead_radius - 0.02 * bead_radius, soft = 1e-9;
   const Vec3 spin = {{0, 0, rate}};
   const auto at = [&](double x) { return Vec3{{x, 0, 0}}; };
   Scene sc = scene(3, 1e-5,
-                   {body(1, radius, mass, at(-distance / 2), cross(spin, at(-distance / 2)), spin),
-                    body(2, radius, mass, at(distance / 2), cross(spin, at(distance / 2)), spin)},
+                   {body(1, bead_radius, bead_mass, at(-distance / 2), cross(spin, at(-distance / 2)), spin),
+                    body(2, bead_radius, bead_mass, at(distance / 2), cross(spin, at(distance / 2)), spin)},
                    {{"normal_stiffness", {soft}},
                     {"normal_damping", {0}},
                     {"tangential_stiffness", {soft}},
@@ -235,15 +237,15 @@ TEST_CASE("a frictional collision conserves momentum and angular momentum to rou
   for (const int dimension : {2, 3}) {
     const Vec3 spin_a = dimension == 2 ? Vec3{{0, 0, 30}} : Vec3{{10, -20, 30}};
     const Vec3 offset = dimension == 2 ? Vec3{{0, 0.003, 0}} : Vec3{{0, 0.003, -0.002}};
-    Scene sc =
-        scene(dimension, 2e-6,
-              {body(1, radius, mass, {{-0.0045, 0, 0}}, {{1, 0.2, 0}}, spin_a, dimension),
-               body(2, 0.6 * radius, 0.3 * mass, Vec3{{0.0045, 0, 0}} + offset, {{-1, 0, 0}}, {}, dimension)},
-              {{"normal_stiffness", {stiffness}},
-               {"normal_damping", {0.05}},
-               {"tangential_stiffness", {1000}},
-               {"tangential_damping", {0.01}},
-               {"static_friction", {0.4}}});
+    Scene sc = scene(dimension, 2e-6,
+                     {body(1, bead_radius, bead_mass, {{-0.0045, 0, 0}}, {{1, 0.2, 0}}, spin_a, dimension),
+                      body(2, 0.6 * bead_radius, 0.3 * bead_mass, Vec3{{0.0045, 0, 0}} + offset, {{-1, 0, 0}},
+                           {}, dimension)},
+                     {{"normal_stiffness", {bead_stiffness}},
+                      {"normal_damping", {0.05}},
+                      {"tangential_stiffness", {1000}},
+                      {"tangential_damping", {0.01}},
+                      {"static_friction", {0.4}}});
     Simulation s(sc);
     const Vec3 p0 = momentum(s), l0 = angular_momentum(s);
     const Vec3 v0 = velocity(s, 0);

@@ -13,9 +13,6 @@ namespace {
 
 using reference::Tension;
 
-// None; backwards; about an axis outside the plane of impact, with a part along the normal (rad/s).
-const std::vector<Vec3> spins = {{}, {{0, -150, 0}}, {{200, 50, 80}}};
-
 // One impact in so many: prime to the number of values of each option, so that all values and most pairs of them occur.
 constexpr std::size_t stride = 97;
 
@@ -24,7 +21,7 @@ struct Opposite {
   double size_ratio, mass_ratio;
 };
 
-std::vector<ImpactCase> laws() {
+std::vector<ImpactCase> painted_laws() {
   std::vector<ImpactCase> all;
   for (const bool damped : {true, false}) all.push_back({.tangential_damping = damped, .painted = true});
   all.push_back({.hertz = true, .history = reference::History::potential, .painted = true});
@@ -42,12 +39,12 @@ double painting_error(const ImpactCase& c, const ImpactPair& pair, double steps)
 template <class Visit>
 void each_painted_impact(const Visit& visit) {
   std::size_t count = 0;
-  for (ImpactCase c : laws())
+  for (ImpactCase c : painted_laws())
     for (const double e : {1.0, 0.8, 0.4})
       for (const Tension tension : {Tension::allowed, Tension::cut})
         for (const double mu : {0.0, 0.1, 0.3, 1.0, 10.0})
           for (const double angle : {10, 35, 60, 80})
-            for (const Vec3& spin : spins)
+            for (const Vec3& spin : impact_spins)
               for (const Opposite& other : {Opposite{true, 1, 1}, {false, 1, 1}, {false, 0.6, 0.4}})
                 for (const double rigidity : {1.0, 0.03}) {
                   if (e == 1 && tension == Tension::cut) continue;  // without a dashpot there is no tension

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
@@ -9,10 +10,11 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846, radius = 0.01, mass = 0.01;
+constexpr double rolling_radius = 0.01, rolling_mass = 0.01;
 
 Values law(bool hertz, double friction, double restitution) {
   if (hertz)
@@ -39,10 +41,12 @@ double kinetic(const scree_energy& e) { return e.kinetic_translation + e.kinetic
 scree_energy impact(bool hertz, bool wall, double step) {
   const double start = 0.1 * step;
   const Vec3 velocity = {{0.8, 0.3, -1}};
-  std::vector<Body> bodies = {
-      body(1, radius, mass, Vec3{{0, 0, radius}} - start * velocity, velocity, {{60, -40, 90}})};
+  std::vector<Body> bodies = {body(1, rolling_radius, rolling_mass,
+                                   Vec3{{0, 0, rolling_radius}} - start * velocity, velocity,
+                                   {{60, -40, 90}})};
   if (!wall)
-    bodies.push_back(body(2, 0.6 * radius, 0.4 * mass, {{0, 0, -0.6 * radius}}, {}, {{-30, 20, 50}}));
+    bodies.push_back(body(2, 0.6 * rolling_radius, 0.4 * rolling_mass, {{0, 0, -0.6 * rolling_radius}}, {},
+                          {{-30, 20, 50}}));
   Scene s = scene_of(hertz, 0.4, 0.7, step, bodies);
   if (wall) add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   Simulation simulation(s);
@@ -62,7 +66,7 @@ TEST_CASE(
       INFO((hertz ? "hertz" : "linear") << (wall ? ", wall" : ", pair"));
       // Contacts of about 3e-4 s and 1e-3 s.
       const double step = hertz ? 1e-5 : 4e-6, ratio = step * pi / (hertz ? 8e-4 : 3e-4),
-                   turnover = 0.5 * mass * 1.73;
+                   turnover = 0.5 * rolling_mass * 1.73;
       const scree_energy coarse = impact(hertz, wall, step), fine = impact(hertz, wall, step / 8);
       // Trapezoidal sums of powers, as in scenarios/verification: 3 (πh/t_c)² of the turnover.
       CHECK(std::abs(coarse.residual) < 3 * ratio * ratio * turnover);
@@ -85,8 +89,10 @@ TEST_CASE("head-on impacts of spheres have the restitution that is demanded, wit
         Values values = law(hertz, friction, 0.5);
         values.push_back({"tension", {tension}});
         const double step = (hertz ? 8e-4 : 3e-4) / 200;
-        Scene s = scene(3, step, {body(1, radius, mass, {{0, 0, radius + 0.3 * step}}, {{0, 0, -1}})}, values,
-                        "sphere_path_independent");
+        Scene s = scene(
+            3, step,
+            {body(1, rolling_radius, rolling_mass, {{0, 0, rolling_radius + 0.3 * step}}, {{0, 0, -1}})},
+            values, "sphere_path_independent");
         add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
         Simulation simulation(s);
         double speed = -1, largest_speed = -1;
@@ -111,10 +117,12 @@ TEST_CASE("a sphere that slides onto a plane rolls from 2v/(7μg) at 5v/7, and g
     const double share = hertz ? 1 / (1 + friction * friction * effective_modulus / (24 * shear_modulus)) : 1;
     const double braking = share * friction * gravity, time = 2 * speed / (7 * braking);
     const double overlap =
-        hertz ? std::pow(0.75 * mass * gravity / (effective_modulus * std::sqrt(radius)), 2.0 / 3)
-              : mass * gravity / 1e6;
-    Scene s = scene_of(hertz, friction, 0.5, step,
-                       {body(1, radius, mass, {{0, 0, radius - overlap}}, {{speed, 0, 0}})});
+        hertz ? std::pow(0.75 * rolling_mass * gravity / (effective_modulus * std::sqrt(rolling_radius)),
+                         2.0 / 3)
+              : rolling_mass * gravity / 1e6;
+    Scene s = scene_of(
+        hertz, friction, 0.5, step,
+        {body(1, rolling_radius, rolling_mass, {{0, 0, rolling_radius - overlap}}, {{speed, 0, 0}})});
     add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
     add_body_force(s, "gravity", {{"acceleration", {0, 0, -gravity}}});
     Simulation simulation(s);
@@ -134,10 +142,10 @@ TEST_CASE("a sphere that slides onto a plane rolls from 2v/(7μg) at 5v/7, and g
     run_until(1.5 * time);
     CHECK(velocity(simulation, 0)[0] == Approx(rolling).epsilon(1e-5));
     // By 20 radii; the points are painted anew every 0.1 radii, and nothing brakes.
-    run_until(1.5 * time + 20 * radius / rolling);
+    run_until(1.5 * time + 20 * rolling_radius / rolling);
     const double later = velocity(simulation, 0)[0];
     CHECK(later == Approx(rolling).epsilon(1e-5));
-    CHECK(radius * simulation.particles().body(0).spin[1] == Approx(later).epsilon(1e-9));
+    CHECK(rolling_radius * simulation.particles().body(0).spin[1] == Approx(later).epsilon(1e-9));
     CHECK(simulation.energy().elastic_tangential < 1e-15 * kinetic(simulation.energy()));
   }
 }

@@ -1,18 +1,16 @@
 #include "sphere_values.hpp"
 
+#include <numbers>
+
 #include <catch2/catch.hpp>
 
 // The tangential spring of `sphere_path_independent` on paths whose outcome is known.
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-// Unit vectors, quaternions and positions are rounded to 1.1e-16; ten roundings of radii of about 1 m.
-constexpr double round_off = 1.2e-15;
 
 SpherePose apart(double distance, const Vec3& direction) {
   return {.a = (distance / norm(direction)) * direction};
@@ -31,12 +29,12 @@ TEST_CASE("the three residuals of tangential springs are 0 for spheres", "[spher
     ellipse.follow([&](double s) { return on_ellipse(0.25 * s); }, 10);
     CHECK(norm(ellipse.spring()) == Approx(2 * std::atan(0.003 / 1.98)).epsilon(1e-12));
     ellipse.follow([&](double s) { return on_ellipse(0.25 + 0.75 * s); }, 30);
-    CHECK(norm(ellipse.spring()) < round_off);
+    CHECK(norm(ellipse.spring()) < pose_round_off);
 
     const SpherePose start = apart(1.98, {{1, 0, 0}});
     SpherePair rigid = sphere_pair(values, 1, 1, start);
     rigid.follow([&](double s) { return start.rotated({{0, 0.06 * s, 0.08 * s}}); }, 10);
-    CHECK(norm(rigid.spring()) < round_off);
+    CHECK(norm(rigid.spring()) < pose_round_off);
   }
 }
 
@@ -66,8 +64,8 @@ TEST_CASE("a closed path of centres and rotations in 3D stores no energy in the 
       CHECK(pair.painted_a() == painted_a);
       CHECK(pair.painted_b() == painted_b);
       pair.follow([&](double s) { return pose(0.2 + 0.8 * s); }, 80);
-      CHECK(norm(pair.spring()) < round_off);
-      CHECK(pair.law().output(SCREE_ELASTIC_TANGENTIAL) < 1000 * round_off * round_off);
+      CHECK(norm(pair.spring()) < pose_round_off);
+      CHECK(pair.law().output(SCREE_ELASTIC_TANGENTIAL) < 1000 * pose_round_off * pose_round_off);
     }
 }
 
@@ -80,7 +78,7 @@ TEST_CASE(
   pose.a[0] = rolling;
   pose.quaternion_a = quaternion_of({{0, rolling, 0}});
   pair.follow([&](double) { return pose; }, 1);
-  CHECK(norm(pair.spring()) < round_off);
+  CHECK(norm(pair.spring()) < pose_round_off);
   pose.quaternion_a = after(quaternion_of({{0, 0, twist}}), pose.quaternion_a);
   pair.follow([&](double) { return pose; }, 1);
   CHECK(norm(pair.spring()) == Approx(2 * rolling * std::sin(0.5 * twist)).epsilon(1e-12));

@@ -13,7 +13,7 @@ using namespace scree::test;
 namespace {
 
 // Ten roundings of positions of 2 m, 4e-16 m each, times 100 N/m; of torques with arms of 1 m.
-constexpr double round_off = 4e-13;
+constexpr double potential_round_off = 4e-13;
 
 struct Configuration {
   double radius_a, radius_b;         // (m); of a wall 0
@@ -103,7 +103,7 @@ TEST_CASE("the laws for spheres conserve angular momentum", "[sphere]") {
     const SpherePair pair = pair_at(c, hertz, c.pose);
     const Vec3 orbital = cross(c.pose.a - c.pose.b, pair.force());
     REQUIRE(norm(orbital) > 0.01);
-    CHECK(norm(pair.torque_on_a() + pair.torque_on_b() + orbital) < round_off);
+    CHECK(norm(pair.torque_on_a() + pair.torque_on_b() + orbital) < potential_round_off);
   });
 }
 
@@ -115,9 +115,10 @@ TEST_CASE("a rotation of the whole pair rotates forces and torques on spheres", 
     other.start = c.start.rotated(rotation), other.pose = c.pose.rotated(rotation);
     if (c.radius_b == 0) other.start.quaternion_b = other.pose.quaternion_b = quaternion_of({});
     const SpherePair here = pair_at(c, hertz, c.pose), there = pair_at(other, hertz, other.pose);
-    CHECK(norm(there.force() - turned(rotation, here.force())) < round_off);
-    CHECK(norm(there.torque_on_a() - turned(rotation, here.torque_on_a())) < round_off);
-    if (c.radius_b > 0) CHECK(norm(there.torque_on_b() - turned(rotation, here.torque_on_b())) < round_off);
+    CHECK(norm(there.force() - turned(rotation, here.force())) < potential_round_off);
+    CHECK(norm(there.torque_on_a() - turned(rotation, here.torque_on_a())) < potential_round_off);
+    if (c.radius_b > 0)
+      CHECK(norm(there.torque_on_b() - turned(rotation, here.torque_on_b())) < potential_round_off);
   });
 }
 
@@ -129,9 +130,9 @@ TEST_CASE("spheres that change their names exchange forces and torques", "[spher
     };
     const Configuration other = {c.radius_b, c.radius_a, exchanged(c.start), exchanged(c.pose)};
     const SpherePair here = pair_at(c, hertz, c.pose), there = pair_at(other, hertz, other.pose);
-    CHECK(norm(there.force() + here.force()) < round_off);
-    CHECK(norm(there.torque_on_a() - here.torque_on_b()) < round_off);
-    CHECK(norm(there.torque_on_b() - here.torque_on_a()) < round_off);
+    CHECK(norm(there.force() + here.force()) < potential_round_off);
+    CHECK(norm(there.torque_on_a() - here.torque_on_b()) < potential_round_off);
+    CHECK(norm(there.torque_on_b() - here.torque_on_a()) < potential_round_off);
   });
 }
 

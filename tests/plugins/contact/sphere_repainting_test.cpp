@@ -1,6 +1,7 @@
 #include "sphere_values.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
@@ -8,14 +9,11 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double arc_limit = 0.1;  // (rad)
-
-// Unit vectors, quaternions and positions are rounded to 1.1e-16; ten roundings of radii of about 1 m.
-constexpr double round_off = 1.2e-15;
 
 // a rolls on b, which is held, along a great circle of b from the direction x to y by an angle (rad).
 SpherePose rolled(double radius_a, double radius_b, double distance, double angle) {
@@ -56,10 +54,10 @@ TEST_CASE("spheres of unequal radii that roll on each other keep their spring at
   SpherePair pair = rolling_pair(radius_a, radius_b, distance);
   const auto pose = [&](double s) { return rolled(radius_a, radius_b, distance, 2 * pi * s); };
   pair.follow([&](double s) { return pose(0.01 * s); }, 10);
-  CHECK(norm(pair.spring()) < round_off);
+  CHECK(norm(pair.spring()) < pose_round_off);
   pair.follow([&](double s) { return pose(0.01 + 0.99 * s); }, 600);
   const double repaints = 2 * pi * radius_b / (radius_a * arc_limit);
-  CHECK(norm(pair.spring()) < repaints * round_off);
+  CHECK(norm(pair.spring()) < repaints * pose_round_off);
 
   // On a wall, ten radii far.
   const auto on_wall = [](double s) {
@@ -67,7 +65,7 @@ TEST_CASE("spheres of unequal radii that roll on each other keep their spring at
   };
   SpherePair wall = sphere_pair(sphere_values(true, infinite_friction), 1, 0, on_wall(0));
   wall.follow(on_wall, 600);
-  CHECK(norm(wall.spring()) < 10 / arc_limit * 10 * round_off);
+  CHECK(norm(wall.spring()) < 10 / arc_limit * 10 * pose_round_off);
 }
 
 TEST_CASE("a spring across the direction in which spheres roll does not grow", "[sphere]") {
@@ -100,7 +98,7 @@ TEST_CASE("closed paths on which a painted point goes farther than 0.1 rad leave
   // With the rotation vector z × x/R that belongs to the displacement x: free where the diameter is below 0.1. Pure rolling
   // along the same loop turns the sphere by the solid angle π ρ² about the normal; larger loops leave half of that times ρ.
   const auto by_vector = [](const Vec3& x, double) { return quaternion_of({{-x[1], x[0], 0}}); };
-  CHECK(left_by_loop(0.045, by_vector) < round_off);
+  CHECK(left_by_loop(0.045, by_vector) < pose_round_off);
   CHECK(left_by_loop(0.1, by_vector) == Approx(0.0015).epsilon(0.01));
   CHECK(left_by_loop(0.3, by_vector) == Approx(0.0422).epsilon(0.01));
   // The same loop with rolling, and twist at an equal rate that ends in the first orientation.
@@ -111,6 +109,6 @@ TEST_CASE("closed paths on which a painted point goes farther than 0.1 rad leave
                    quaternion_of({{-loop * turn, 0, -std::sqrt(1 - loop * loop) * turn}}));
     };
   };
-  CHECK(left_by_loop(0.045, evenly(0.045)) < round_off);
+  CHECK(left_by_loop(0.045, evenly(0.045)) < pose_round_off);
   CHECK(left_by_loop(0.3, evenly(0.3)) < 3e-4);
 }

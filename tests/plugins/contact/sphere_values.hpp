@@ -6,7 +6,8 @@
 
 namespace scree::test {
 
-inline constexpr double infinite_friction = 1e9;
+// Unit vectors, quaternions and positions are rounded to 1.1e-16; ten roundings of radii of about 1 m.
+inline constexpr double pose_round_off = 1.2e-15;
 
 inline Values sphere_values(bool hertz, double friction) {
   if (hertz)

@@ -2,6 +2,7 @@
 #include "sphere_pair.hpp"
 
 #include <cstdio>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
@@ -11,10 +12,10 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int steps = 1000;
 
 struct Family {

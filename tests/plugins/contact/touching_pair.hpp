@@ -9,6 +9,8 @@
 
 namespace scree::test {
 
+inline constexpr double infinite_friction = 1e9;
+
 // Rotation (rad) from one orientation to another: of angles, and of unit quaternions (w, x, y, z) the rotation vector.
 inline Vec<1> turn_between(const Vec<1>& from, const Vec<1>& to) { return to - from; }
 inline Vec3 turn_between(const Vec<4>& from, const Vec<4>& to) {

@@ -14,12 +14,12 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double radius = 0.005, mass = 1e-3, stiffness = 5000, friction = 0.3;
+constexpr double sphere_radius = 0.005, sphere_mass = 1e-3, sphere_stiffness = 5000, sphere_friction = 0.3;
 
-const Values law = {{"normal_stiffness", {stiffness}},
-                    {"normal_damping", {0}},
-                    {"tangential_stiffness", {1000}},
-                    {"static_friction", {friction}}};
+const Values sphere_law = {{"normal_stiffness", {sphere_stiffness}},
+                           {"normal_damping", {0}},
+                           {"tangential_stiffness", {1000}},
+                           {"static_friction", {sphere_friction}}};
 
 struct Recorder {
   Recorder(const Simulation& s, const std::string& plugin, const Values& values)
@@ -41,11 +41,12 @@ struct Recorder {
 // Body 7 overlaps the floor by 2e-4 m, body 3 touches it from the side and slightly above; body 5 floats
 // free.
 Scene corner() {
-  Scene s = scene(
-      3, 1e-5,
-      {body(7, radius, mass, {{0, 0, radius - 2e-4}}, {{1, 0, 0}}, {{0, -200, 0}}),
-       body(3, radius, mass, {{0, 2 * radius - 1e-4, radius + 1e-4}}), body(5, radius, mass, {{1, 1, 1}})},
-      law);
+  Scene s =
+      scene(3, 1e-5,
+            {body(7, sphere_radius, sphere_mass, {{0, 0, sphere_radius - 2e-4}}, {{1, 0, 0}}, {{0, -200, 0}}),
+             body(3, sphere_radius, sphere_mass, {{0, 2 * sphere_radius - 1e-4, sphere_radius + 1e-4}}),
+             body(5, sphere_radius, sphere_mass, {{1, 1, 1}})},
+            sphere_law);
   add_boundary(s, "plane", {{"point", {0, 0, -1}}, {"normal", {0, 0, 2}}}, "cellar");
   add_boundary(s, "plane", {{"point", {3, 4, 0}}, {"normal", {0, 0, 1}}}, "floor");
   return s;
@@ -56,13 +57,13 @@ Scene corner() {
 TEST_CASE("contact: overlap, forces and normal in the order of the parameters", "[probe]") {
   const Simulation s(corner());
   const Recorder c(s, "contact", {{"pairs", {3, 7, 7, 3, 5, 7}}, {"at_walls", {7, 2, 3, 2}}});
-  const double distance = std::hypot(2 * radius - 1e-4, 3e-4), overlap = 2 * radius - distance;
+  const double distance = std::hypot(2 * sphere_radius - 1e-4, 3e-4), overlap = 2 * sphere_radius - distance;
   CHECK(c["overlap_3_7"] == Approx(overlap));
-  CHECK(c["normal_force_3_7"] == Approx(stiffness * overlap));
-  CHECK(c["normal_y_3_7"] == Approx((2 * radius - 1e-4) / distance));
+  CHECK(c["normal_force_3_7"] == Approx(sphere_stiffness * overlap));
+  CHECK(c["normal_y_3_7"] == Approx((2 * sphere_radius - 1e-4) / distance));
   CHECK(c["normal_z_7_3"] == Approx(-3e-4 / distance));
   CHECK(c["overlap_7_wall2"] == Approx(2e-4));
-  CHECK(c["normal_force_7_wall2"] == Approx(stiffness * 2e-4));
+  CHECK(c["normal_force_7_wall2"] == Approx(sphere_stiffness * 2e-4));
   CHECK(c["tangential_force_7_wall2"] == 0);
   CHECK(c["normal_z_7_wall2"] == 1);
   for (const char* open : {"overlap_5_7", "normal_force_5_7", "normal_x_5_7", "overlap_3_wall2"})
@@ -74,7 +75,7 @@ TEST_CASE("contact and walls: a sliding body exerts the friction of its normal f
   run(s, 40);  // displaced by at least 4e-4 m, 1.3 times the spring at slip
   const Recorder c(s, "contact", {{"at_walls", {7, 2}}});
   CHECK(c["sliding_7_wall2"] == 1);
-  CHECK(c["tangential_force_7_wall2"] == Approx(friction * c["normal_force_7_wall2"]));
+  CHECK(c["tangential_force_7_wall2"] == Approx(sphere_friction * c["normal_force_7_wall2"]));
   const Recorder w(s, "walls", {{"walls", {2, 1}}});
   CHECK(w["normal_force_2"] == Approx(c["normal_force_7_wall2"]));
   CHECK(w["tangential_force_2"] == Approx(c["tangential_force_7_wall2"]));
@@ -98,8 +99,9 @@ TEST_CASE("walls: a wall that is driven along itself shows its displacement and 
           "[probe]") {
   for (const int dimension : {2, 3}) {
     // The wall rubs at 0.05 m/s under a body that is pressed upon it: friction drags the body along.
-    Scene driven =
-        scene(dimension, 1e-5, {body(1, radius, mass, {{0, radius - 1e-4, 0}}, {}, {}, dimension)}, law);
+    Scene driven = scene(
+        dimension, 1e-5,
+        {body(1, sphere_radius, sphere_mass, {{0, sphere_radius - 1e-4, 0}}, {}, {}, dimension)}, sphere_law);
     add_boundary(driven, "plane",
                  {{"point", {0, 0, 0}},
                   {"normal", {0, 1, 0}},
@@ -109,7 +111,7 @@ TEST_CASE("walls: a wall that is driven along itself shows its displacement and 
     Recorder w(s, "walls", {{"walls", {1}}});
     CHECK(w.row.size() == std::size_t(4 + 2 * dimension));
     CHECK(w["displacement_x_1"] == 0);
-    CHECK(w["force_y_1"] == Approx(-stiffness * 1e-4));
+    CHECK(w["force_y_1"] == Approx(-sphere_stiffness * 1e-4));
     run(s, 10);
     w.sample(s);
     CHECK(w["displacement_x_1"] == Approx(-0.05 * 10 * 1e-5).epsilon(1e-12));
@@ -122,7 +124,8 @@ TEST_CASE("walls: a wall that is driven along itself shows its displacement and 
 }
 
 TEST_CASE("contact: in 2D the normal has two components", "[probe]") {
-  Scene scene2 = scene(2, 1e-5, {body(1, radius, mass, {{0, radius - 1e-4, 0}}, {}, {}, 2)}, law);
+  Scene scene2 = scene(
+      2, 1e-5, {body(1, sphere_radius, sphere_mass, {{0, sphere_radius - 1e-4, 0}}, {}, {}, 2)}, sphere_law);
   add_boundary(scene2, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
   const Simulation s(scene2);
   const Recorder c(s, "contact", {{"at_walls", {1, 1}}});
@@ -134,10 +137,11 @@ TEST_CASE("contact: in 2D the tangential force has a sign, the same for both ord
           "[probe]") {
   for (const double side : {1.0, -1.0}) {
     // Body 1 slides over body 2 towards ± x; with n = (0, 1) and t = z × n = (−1, 0), friction on body 1 is ± along t.
-    Simulation s(scene(2, 1e-5,
-                       {body(1, radius, mass, {{0, 2 * radius - 1e-4, 0}}, {{side, 0, 0}}, {}, 2),
-                        body(2, radius, mass, {{0, 0, 0}}, {}, {}, 2)},
-                       law));
+    Simulation s(
+        scene(2, 1e-5,
+              {body(1, sphere_radius, sphere_mass, {{0, 2 * sphere_radius - 1e-4, 0}}, {{side, 0, 0}}, {}, 2),
+               body(2, sphere_radius, sphere_mass, {{0, 0, 0}}, {}, {}, 2)},
+              sphere_law));
     run(s, 5);
     const Recorder c(s, "contact", {{"pairs", {1, 2, 2, 1}}});
     CHECK(side * c["tangential_force_1_2"] > 0);
@@ -148,11 +152,14 @@ TEST_CASE("contact: in 2D the tangential force has a sign, the same for both ord
 TEST_CASE("body_energy: the remaining fraction of translational and rotational energy", "[probe]") {
   for (const int dimension : {2, 3}) {
     const double gyration = dimension == 2 ? 0.5 : 0.4;
-    const auto of = [&](double v, double spin) { return v * v + gyration * radius * radius * spin * spin; };
-    Simulation s(scene(dimension, 1e-5,
-                       {body(1, radius, mass, {{0, 0, 0}}, {{2, 0, 0}}, {{0, 0, 300}}, dimension),
-                        body(2, radius, mass, {{1, 0, 0}}, {{1, 0, 0}}, {}, dimension)},
-                       law));
+    const auto of = [&](double v, double spin) {
+      return v * v + gyration * sphere_radius * sphere_radius * spin * spin;
+    };
+    Simulation s(
+        scene(dimension, 1e-5,
+              {body(1, sphere_radius, sphere_mass, {{0, 0, 0}}, {{2, 0, 0}}, {{0, 0, 300}}, dimension),
+               body(2, sphere_radius, sphere_mass, {{1, 0, 0}}, {{1, 0, 0}}, {}, dimension)},
+              sphere_law));
     Scene faster = s.scene();
     faster.bodies[0].velocity = {{1, 0, 0}};
     faster.bodies[1].velocity = {{3, 0, 0}};

@@ -11,22 +11,23 @@
 
 using namespace scree;
 using namespace scree::test;
+using std::numbers::pi;
 
 namespace {
 
-constexpr double amplitude = 0.003, frequency = 4, phase = 0.7, step = 1e-3, pi = std::numbers::pi;
+constexpr double wall_amplitude = 0.003, wall_frequency = 4, wall_phase = 0.7, shaken_step = 1e-3;
 constexpr int steps_per_sample = 5, steps_per_period = 250;
 // Positions are rounded at 1 m, here in each of up to 2500 steps that are summed.
-constexpr double rounding = 2500 * 2.2e-16;
+constexpr double summed_rounding = 2500 * 2.2e-16;
 
 // A wall that oscillates along x about x = −1 m.
 Simulation shaken() {
-  Scene s = scene(3, step, {body(1, 0.01, 1, {{0, 0, 0}})},
+  Scene s = scene(3, shaken_step, {body(1, 0.01, 1, {{0, 0, 0}})},
                   {{"normal_stiffness", {5000}}, {"normal_damping", {0}}});
   add_boundary(s, "plane",
-               {{"point", {-1 + amplitude * std::sin(phase), 0, 0}},
+               {{"point", {-1 + wall_amplitude * std::sin(wall_phase), 0, 0}},
                 {"normal", {1, 0, 0}},
-                {"displacement", {Program::sine, 0, amplitude, frequency, phase}}});
+                {"displacement", {Program::sine, 0, wall_amplitude, wall_frequency, wall_phase}}});
   return Simulation(s);
 }
 
@@ -64,7 +65,7 @@ Sampled measured(const Values& values, int periods, const Signal& signal = as_it
   return row_of(probe, s);
 }
 
-const Values eight_periods = {{"frequency_hz", {frequency}}, {"from", {0.25}}, {"periods", {8}}};
+const Values eight_periods = {{"frequency_hz", {wall_frequency}}, {"from", {0.25}}, {"periods", {8}}};
 
 Values with(Values values, const Values& others) {
   values.insert(values.end(), others.begin(), others.end());
@@ -86,14 +87,14 @@ std::string refused(const Values& values, double end_time = 10) {
 TEST_CASE("a lock-in finds amplitude and phase of a wall, and no harmonics", "[lock_in]") {
   const Sampled row = measured(eight_periods, 10);
   CHECK(row["samples"] == 8 * steps_per_period / steps_per_sample);
-  CHECK(row["amplitude"] == near(amplitude, rounding));
-  CHECK(row["phase"] == near(phase, rounding / amplitude));
-  CHECK(row["amplitude_2"] == near(0, rounding));
-  CHECK(row["amplitude_3"] == near(0, rounding));
-  CHECK(row["mean"] == near(-1, rounding));
+  CHECK(row["amplitude"] == near(wall_amplitude, summed_rounding));
+  CHECK(row["phase"] == near(wall_phase, summed_rounding / wall_amplitude));
+  CHECK(row["amplitude_2"] == near(0, summed_rounding));
+  CHECK(row["amplitude_3"] == near(0, summed_rounding));
+  CHECK(row["mean"] == near(-1, summed_rounding));
   // The residual is the root of a difference of squares: 1e-7 of the signal (lock_in.hpp).
-  CHECK(row["residual"] < 1e-7 * amplitude);
-  CHECK(row["amplitude_error"] < 1e-7 * amplitude);
+  CHECK(row["residual"] < 1e-7 * wall_amplitude);
+  CHECK(row["amplitude_error"] < 1e-7 * wall_amplitude);
 }
 
 TEST_CASE("columns have the unit of what is read, and as many harmonics as there are to be", "[lock_in]") {
@@ -107,23 +108,23 @@ TEST_CASE("columns have the unit of what is read, and as many harmonics as there
 
 TEST_CASE("harmonics are told apart", "[lock_in]") {
   const auto bent = [](double wall, double time) {
-    return wall + 1e-4 * std::sin(4 * pi * frequency * time + 0.2) +
-           2e-5 * std::sin(6 * pi * frequency * time - 1);
+    return wall + 1e-4 * std::sin(4 * pi * wall_frequency * time + 0.2) +
+           2e-5 * std::sin(6 * pi * wall_frequency * time - 1);
   };
   const Sampled row = measured(eight_periods, 10, bent);
-  CHECK(row["amplitude_2"] == near(1e-4, rounding));
-  CHECK(row["phase_2"] == near(0.2, rounding / 1e-4));
-  CHECK(row["amplitude_3"] == near(2e-5, rounding));
-  CHECK(row["phase_3"] == near(-1, rounding / 2e-5));
+  CHECK(row["amplitude_2"] == near(1e-4, summed_rounding));
+  CHECK(row["phase_2"] == near(0.2, summed_rounding / 1e-4));
+  CHECK(row["amplitude_3"] == near(2e-5, summed_rounding));
+  CHECK(row["phase_3"] == near(-1, summed_rounding / 2e-5));
 }
 
 TEST_CASE("only the record counts, which begins at `from` and lasts for its periods", "[lock_in]") {
   const auto disturbed = [](double wall, double time) {
-    return time < 0.25 - step || time > 2.25 - step ? 100 * time : wall;
+    return time < 0.25 - shaken_step || time > 2.25 - shaken_step ? 100 * time : wall;
   };
   const Sampled row = measured(eight_periods, 12, disturbed);
   CHECK(row["samples"] == 400);
-  CHECK(row["amplitude"] == near(amplitude, rounding));
+  CHECK(row["amplitude"] == near(wall_amplitude, summed_rounding));
 }
 
 TEST_CASE(
@@ -134,16 +135,17 @@ TEST_CASE(
     return measured(with(eight_periods, more), 12, drifting)["amplitude"];
   };
   // Drift of 0.4 m over the record is rounded like the position.
-  CHECK(amplitude_with({{"drift_degree", {2}}}) == near(amplitude, 2 * rounding));
+  CHECK(amplitude_with({{"drift_degree", {2}}}) == near(wall_amplitude, 2 * summed_rounding));
   // The mean over a period leaves of c t² a constant; its samples lie on straight lines, whose error is constant too.
-  CHECK(amplitude_with({{"drift_degree", {0}}, {"detrend", {1}}}) == near(amplitude, 2 * rounding));
-  CHECK(std::abs(amplitude_with({{"drift_degree", {0}}}) - amplitude) > 1e-3 * amplitude);
+  CHECK(amplitude_with({{"drift_degree", {0}}, {"detrend", {1}}}) ==
+        near(wall_amplitude, 2 * summed_rounding));
+  CHECK(std::abs(amplitude_with({{"drift_degree", {0}}}) - wall_amplitude) > 1e-3 * wall_amplitude);
   CHECK(measured(with(eight_periods, {{"detrend", {1}}}), 12, drifting)["samples"] == 400);
 }
 
 TEST_CASE("phases refer to the origin", "[lock_in]") {
   const Sampled row = measured(with(eight_periods, {{"origin", {0.06}}}), 10);
-  CHECK(row["phase"] == near(phase + 2 * pi * frequency * 0.06, rounding / amplitude));
+  CHECK(row["phase"] == near(wall_phase + 2 * pi * wall_frequency * 0.06, summed_rounding / wall_amplitude));
 }
 
 TEST_CASE("a lock-in that goes on in the middle of its record has the same bits", "[lock_in]") {
@@ -196,7 +198,7 @@ TEST_CASE("a lock-in refuses what cannot give an amplitude, with the cure", "[lo
         std::string::npos);
   CHECK_THROWS_WITH(lock_in({{"samples_per_period", {1e9}}}), Catch::Contains("from 3 to 1e+06"));
   CHECK(
-      refused({{"frequency_hz", {frequency}}, {"periods", {0.15}}}) ==
+      refused({{"frequency_hz", {wall_frequency}}, {"periods", {0.15}}}) ==
       "probe lock_in: 0.15 periods have 7.5 samples for 8 unknowns of drift and harmonics; give more periods or "
       "samples_per_period, or fewer harmonics");
   CHECK_THROWS_WITH(lock_in({{"harmonics", {4}}}), Catch::Contains("from 1 to 3"));

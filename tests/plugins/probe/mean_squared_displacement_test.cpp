@@ -11,18 +11,18 @@ using namespace scree::test;
 
 namespace {
 
-const Values law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
-constexpr double step = 1e-3, length = 1;
+const Values elastic = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
+constexpr double drift_step = 1e-3, period = 1;
 
 // Two bodies that never meet in a box that is periodic along x and y. In 400 steps, 0.4 s, the first crosses the
 // face x = 1 three times, the second y = 0 once.
 Scene drifting(int dimension) {
   const double z = dimension == 3 ? 0.5 : 0;
-  Scene s = scene(dimension, step,
+  Scene s = scene(dimension, drift_step,
                   {body(4, 0.01, 1, {{0.5, 0.25, z}}, {{8, 0, z}}, {}, dimension),
                    body(2, 0.02, 3, {{0.5, 0.75, z}}, {{0, -2.25, 0}}, {}, dimension)},
-                  law);
-  add_boundary(s, "periodic", {{"lower", {0, 0, 0}}, {"upper", {length, length, length}}, {"axes", {3}}});
+                  elastic);
+  add_boundary(s, "periodic", {{"lower", {0, 0, 0}}, {"upper", {period, period, period}}, {"axes", {3}}});
   return s;
 }
 

@@ -11,11 +11,6 @@ using namespace scree::test;
 
 namespace {
 
-const Values law = {{"normal_stiffness", {5000}},
-                    {"normal_damping", {0.5}},
-                    {"tangential_stiffness", {1000}},
-                    {"static_friction", {0.3}}};
-
 // Two bodies apart, with round numbers: m x × v of the first is (2, 1, −4) kg m²/s.
 Scene pair_of_bodies(int dimension) {
   const bool flat = dimension == 2;
@@ -23,7 +18,7 @@ Scene pair_of_bodies(int dimension) {
       dimension, 1e-3,
       {body(1, 0.5, 1, {{2, 0, flat ? 0.0 : 1.0}}, {{1, -2, 0}}, {{0, 0, 10}}, dimension),
        body(2, 1, 2, {{-3, 5, 0}}, {{0, 3, flat ? 0.0 : -1.0}}, {{flat ? 0.0 : 5.0, 0, 0}}, dimension)},
-      law);
+      frictional_law);
 }
 
 }  // namespace
@@ -70,7 +65,7 @@ TEST_CASE("momentum: a frictional collision conserves both", "[probe]") {
   Scene sc = scene(3, 1e-6,
                    {body(1, 0.005, 1e-3, {{0, 0, 0}}, {{1, 0.3, 0}}, {{50, -200, 100}}),
                     body(2, 0.004, 5e-4, {{0.0088, 0.001, -0.0005}}, {{-1, 0, 0.5}})},
-                   law);
+                   frictional_law);
   Simulation s(sc);
   const Sampled before = sample(s, "momentum");
   const Vec3 spin = s.particles().body(0).spin;

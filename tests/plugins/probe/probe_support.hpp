@@ -12,6 +12,11 @@
 
 namespace scree::test {
 
+inline const Values frictional_law = {{"normal_stiffness", {5000}},
+                                      {"normal_damping", {0.5}},
+                                      {"tangential_stiffness", {1000}},
+                                      {"static_friction", {0.3}}};
+
 // One row of a probe, by column name.
 struct Sampled {
   std::vector<std::string> names;

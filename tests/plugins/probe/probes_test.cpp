@@ -12,11 +12,6 @@ using namespace scree::test;
 
 namespace {
 
-const Values law = {{"normal_stiffness", {5000}},
-                    {"normal_damping", {0.5}},
-                    {"tangential_stiffness", {1000}},
-                    {"static_friction", {0.3}}};
-
 // Three spheres in a row between fixed walls in x, each contact overlapping by 1e-4 m, and one that floats
 // free.
 Scene row_in_box() {
@@ -25,7 +20,7 @@ Scene row_in_box() {
       scene(3, 1e-6,
             {body(1, r, 1e-3, {{r - d, 0.02, 0.02}}), body(2, r, 1e-3, {{3 * r - 2 * d, 0.02, 0.02}}),
              body(3, r, 1e-3, {{5 * r - 3 * d, 0.02, 0.02}}), body(4, r, 1e-3, {{0.012, 0.033, 0.03}})},
-            law);
+            frictional_law);
   Values box = {{"lower", {0, 0, 0}}, {"upper", {6 * r - 4 * d, 0.04, 0.05}}};
   for (const char* wall : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"})
     box.push_back({wall, {1}});
@@ -70,7 +65,7 @@ TEST_CASE("contacts: bodies that are fixed do not count in means over bodies", "
 }
 
 TEST_CASE("box: strain is relative to the first sample", "[probe]") {
-  Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0.5, 0.5, 0.5}})}, law);
+  Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0.5, 0.5, 0.5}})}, frictional_law);
   add_boundary(sc, "box",
                {{"lower", {0, 0, 0}},
                 {"upper", {1, 1, 1}},
@@ -92,7 +87,7 @@ TEST_CASE("box: strain is relative to the first sample", "[probe]") {
 }
 
 TEST_CASE("box: every axis must have opposite walls", "[probe]") {
-  Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0, 0, 0.5}})}, law);
+  Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0, 0, 0.5}})}, frictional_law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   const Simulation s(sc);
   CHECK_THROWS_WITH(sample(s, "box"), Catch::Contains("walls at both ends"));
@@ -125,7 +120,8 @@ TEST_CASE("contacts: a body with one contact is a rattler and excluded with its 
 }
 
 TEST_CASE("contacts: a contact loaded beyond the Coulomb limit counts as sliding", "[probe]") {
-  Scene sc = scene(3, 1e-5, {body(1, 0.005, 1e-3, {{0, 0, 0.0049}}, {{1, 0, 0}}, {{0, -1000, 0}})}, law);
+  Scene sc =
+      scene(3, 1e-5, {body(1, 0.005, 1e-3, {{0, 0, 0.0049}}, {{1, 0, 0}}, {{0, -1000, 0}})}, frictional_law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
   Simulation s(sc);
   run(s, 50);

@@ -9,14 +9,14 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double step = 1e-5, stiffness = 1e5, mass = 1e-3;
+constexpr double channel_step = 1e-5, channel_stiffness = 1e5, channel_mass = 1e-3;
 
 // Body 2 is held between floor and ceiling; body 1, smaller than their distance, flies at 1 m/s at a wall 0.02 m away.
 Scene channel() {
-  const Values law = {{"normal_stiffness", {stiffness}}, {"normal_damping", {0}}};
-  Scene s = scene(2, step,
-                  {body(1, 0.005, mass, {{0.025, 0.009, 0}}, {{-1, 0, 0}}, {}, 2),
-                   body(2, 0.01, mass, {{0.5, 0.009, 0}}, {}, {}, 2)},
+  const Values law = {{"normal_stiffness", {channel_stiffness}}, {"normal_damping", {0}}};
+  Scene s = scene(2, channel_step,
+                  {body(1, 0.005, channel_mass, {{0.025, 0.009, 0}}, {{-1, 0, 0}}, {}, 2),
+                   body(2, 0.01, channel_mass, {{0.5, 0.009, 0}}, {}, {}, 2)},
                   law);
   add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {1, 0, 0}}});
   add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
@@ -43,12 +43,12 @@ TEST_CASE("touching: how often a body touched, and when last", "[probe]") {
     observe();
   }
   // π √(m/k) from 0.02 s on; the ends are seen to a step.
-  const double contact_time = 3.14159265 * std::sqrt(mass / stiffness);
+  const double contact_time = 3.14159265 * std::sqrt(channel_mass / channel_stiffness);
   CHECK(row()[0] == 4001);
   CHECK(row()[1] == 4001);
-  CHECK(row()[2] == Approx(4000 * step));
-  CHECK(row()[3] == Approx(contact_time / step).margin(1));
-  CHECK(row()[4] == Approx(0.02 + contact_time).margin(1.5 * step));
+  CHECK(row()[2] == Approx(4000 * channel_step));
+  CHECK(row()[3] == Approx(contact_time / channel_step).margin(1));
+  CHECK(row()[4] == Approx(0.02 + contact_time).margin(1.5 * channel_step));
 }
 
 TEST_CASE("touching: a body that is given twice or is not there is refused", "[probe]") {

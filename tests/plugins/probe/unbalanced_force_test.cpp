@@ -11,7 +11,7 @@ using namespace scree::test;
 
 namespace {
 
-const Values law = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
+const Values stiff_law = {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}};
 
 }  // namespace
 
@@ -20,7 +20,7 @@ TEST_CASE("unbalanced_force: three discs in a row, of which the outer ones are p
   const Simulation s(scene(2, 1e-4,
                            {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2), body(2, 1, 1, {{1.99, 0, 0}}, {}, {}, 2),
                             body(3, 1, 1, {{3.97, 0, 0}}, {}, {}, 2)},
-                           law));
+                           stiff_law));
   const Sampled row = sample(s, "unbalanced_force");
   CHECK(row["mean_contact_force"] == Approx(150));
   CHECK(row["mean"] == Approx(400.0 / 3 / 150));
@@ -28,7 +28,7 @@ TEST_CASE("unbalanced_force: three discs in a row, of which the outer ones are p
 }
 
 TEST_CASE("unbalanced_force: a disc that rests on the ground is in balance", "[probe]") {
-  Scene sc = scene(2, 1e-4, {body(1, 1, 2, {{0, 1 - 2 * 10 / 1e4, 0}}, {}, {}, 2)}, law);
+  Scene sc = scene(2, 1e-4, {body(1, 1, 2, {{0, 1 - 2 * 10 / 1e4, 0}}, {}, {}, 2)}, stiff_law);
   add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}}, "ground");
   add_body_force(sc, "gravity", {{"acceleration", {0, -10, 0}}});
   const Sampled row = sample(Simulation(sc), "unbalanced_force");
@@ -41,7 +41,7 @@ TEST_CASE("unbalanced_force: fixed discs, which bear a load, do not count", "[pr
   Scene sc = scene(2, 1e-4,
                    {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2), body(2, 1, 1, {{1.99, 0, 0}}, {}, {}, 2),
                     body(3, 1, 1, {{3.97, 0, 0}}, {}, {}, 2)},
-                   law);
+                   stiff_law);
   sc.bodies[0].fixed = sc.bodies[2].fixed = true;
   const Sampled row = sample(Simulation(sc), "unbalanced_force");
   CHECK(row["mean_contact_force"] == Approx(150));
@@ -50,6 +50,6 @@ TEST_CASE("unbalanced_force: fixed discs, which bear a load, do not count", "[pr
 }
 
 TEST_CASE("unbalanced_force: without contacts there is no value", "[probe]") {
-  const Simulation s(scene(2, 1e-4, {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2)}, law));
+  const Simulation s(scene(2, 1e-4, {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2)}, stiff_law));
   CHECK(std::isnan(sample(s, "unbalanced_force")["mean"]));
 }

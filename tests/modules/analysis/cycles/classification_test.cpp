@@ -18,12 +18,12 @@ using scree::cycles::Slowing;
 
 namespace {
 
-constexpr std::size_t minima = 101;  // of which the last 72 count
+constexpr std::size_t strain_minima = 101;  // of which the last 72 count
 
 // A strain at minima 0, 1, ... with normal noise.
 template <class Strain>
 std::vector<double> series(const Strain& strain, double noise = 0, unsigned seed = 1,
-                           std::size_t count = minima) {
+                           std::size_t count = strain_minima) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::vector<double> values;
@@ -44,7 +44,7 @@ int of_200(Class kind, const Strain& strain, double noise) {
   return count;
 }
 
-std::string refusal(const std::vector<double>& strain, const ClassOptions& options = {}) {
+std::string refusal_of_strain(const std::vector<double>& strain, const ClassOptions& options = {}) {
   try {
     classify(strain, options);
   } catch (const scree::Error& error) {
@@ -240,15 +240,15 @@ TEST_CASE("noise is irregular, and the reason names all that was tried", "[class
 TEST_CASE("a strain that cannot be classified is refused in one line", "[classification]") {
   const auto flat = [](double) { return 0.0; };
   CHECK(
-      refusal(series(flat, 0, 1, 44)) ==
+      refusal_of_strain(series(flat, 0, 1, 44)) ==
       "43 cycles, the first 29 of which are dropped: too few for a verdict; give 44 cycles or more, or drop fewer");
-  CHECK(refusal(series(flat, 0, 1, 45)).empty());
-  CHECK(refusal({}).starts_with("0 cycles, the first 29 of which are dropped"));
-  CHECK(refusal(series([](double n) { return n == 7 ? std::nan("") : 0; })) ==
+  CHECK(refusal_of_strain(series(flat, 0, 1, 45)).empty());
+  CHECK(refusal_of_strain({}).starts_with("0 cycles, the first 29 of which are dropped"));
+  CHECK(refusal_of_strain(series([](double n) { return n == 7 ? std::nan("") : 0; })) ==
         "the strain of cycle 7 is not finite; leave it out");
   ClassOptions options;
   options.significance = 0;
-  CHECK(refusal(series(flat), options).ends_with("give 0 or more, 0 to 1, above 0, and 0 or more"));
+  CHECK(refusal_of_strain(series(flat), options).ends_with("give 0 or more, 0 to 1, above 0, and 0 or more"));
 }
 
 // By chance one in two hundred is called periodic, and again one falling, and three standard deviations more of each.

@@ -35,7 +35,7 @@ CycleSeries series_of(const Record& r, const CycleTimes& cycles) {
   return cycle_series(r.times, r.strain, r.load, cycles);
 }
 
-std::string refusal(const Record& r, const CycleTimes& cycles) {
+std::string refusal_of_record(const Record& r, const CycleTimes& cycles) {
   try {
     series_of(r, cycles);
   } catch (const scree::Error& error) {
@@ -122,14 +122,14 @@ TEST_CASE("a minimum in a gap, and a loop with a gap, are refused", "[cycle_seri
       column->erase(column->begin() + std::ptrdiff_t(from), column->begin() + std::ptrdiff_t(to));
     return r;
   };
-  CHECK(refusal(without(17, 20), {4, 10}).empty());  // half a period
+  CHECK(refusal_of_record(without(17, 20), {4, 10}).empty());  // half a period
   CHECK(
-      refusal(without(17, 21), {4, 10}) ==
+      refusal_of_record(without(17, 21), {4, 10}) ==
       "there is no sample from 18 s to 20.5 s, more than half a period; give a series without gaps, or one with samples at the minima of the load");
-  CHECK(refusal(without(17, 60), {4, 10}).starts_with("there is no sample from 18 s to 40 s, "));
-  CHECK(refusal(without(17, 60), {4, 42}).empty());         // before the cycles
-  CHECK(refusal(without(17, 60), {4, 42 + 1e-9}).empty());  // to round-off
-  CHECK(refusal(without(66, 96), {4, 10}).starts_with("there is no sample from 42.5 s to 58 s, "));
+  CHECK(refusal_of_record(without(17, 60), {4, 10}).starts_with("there is no sample from 18 s to 40 s, "));
+  CHECK(refusal_of_record(without(17, 60), {4, 42}).empty());         // before the cycles
+  CHECK(refusal_of_record(without(17, 60), {4, 42 + 1e-9}).empty());  // to round-off
+  CHECK(refusal_of_record(without(66, 96), {4, 10}).starts_with("there is no sample from 42.5 s to 58 s, "));
   // After the last whole cycle.
   Record behind = whole;
   for (const double t : {2.5, 3.0}) {
@@ -137,7 +137,7 @@ TEST_CASE("a minimum in a gap, and a loop with a gap, are refused", "[cycle_seri
     behind.strain.push_back(whole.strain.back());
     behind.load.push_back(whole.load.back());
   }
-  CHECK(refusal(behind, {4, 10}).empty());
+  CHECK(refusal_of_record(behind, {4, 10}).empty());
 }
 
 TEST_CASE("samples at the minima are enough for strains", "[cycle_series]") {
@@ -172,25 +172,28 @@ TEST_CASE("strain of lengths is the difference of their ratios", "[cycle_series]
 
 TEST_CASE("series without cycles are refused in one line", "[cycle_series]") {
   const Record good = ellipses(5, 8);
-  CHECK(refusal(good, {4, 10}).empty());
+  CHECK(refusal_of_record(good, {4, 10}).empty());
   CHECK(
-      refusal(good, {0.4, 10}) ==
+      refusal_of_record(good, {0.4, 10}) ==
       "a period of 0.4 s is shorter than the 0.5 s between samples; give the period of the load, or sample more often");
-  CHECK(refusal(good, {40, 10}).starts_with("no cycle of 40 s from 10 s to 30 s, where the samples end; "));
-  CHECK(refusal(good, {4, 3}).starts_with("the first minimum at 3 s is before the first sample at 10 s; "));
+  CHECK(refusal_of_record(good, {40, 10})
+            .starts_with("no cycle of 40 s from 10 s to 30 s, where the samples end; "));
+  CHECK(refusal_of_record(good, {4, 3})
+            .starts_with("the first minimum at 3 s is before the first sample at 10 s; "));
   CHECK(
-      refusal(good, {4, 12}) ==
+      refusal_of_record(good, {4, 12}) ==
       "the load is 4 at 12 s, but between 3 and 4 in the cycle that begins there; give the time of its first minimum "
       "with --start, and its --period");
   Record flat = good;
   for (double& q : flat.load) q = 3;
-  CHECK(refusal(flat, {4, 10}).starts_with("the load is 3 from 10 s to 14 s: there is no cycle in it; "));
+  CHECK(refusal_of_record(flat, {4, 10})
+            .starts_with("the load is 3 from 10 s to 14 s: there is no cycle in it; "));
   Record back = good;
   back.times[3] = back.times[2];
-  CHECK(refusal(back, {4, 10}) == "time 11 follows 11; give times that increase");
+  CHECK(refusal_of_record(back, {4, 10}) == "time 11 follows 11; give times that increase");
   Record nan = good;
   nan.strain[4] = std::nan("");
-  CHECK(refusal(nan, {4, 10}) == "sample 4 is not finite; leave it out");
+  CHECK(refusal_of_record(nan, {4, 10}) == "sample 4 is not finite; leave it out");
   nan.strain.pop_back();
-  CHECK(refusal(nan, {4, 10}).ends_with("give one of each per sample"));
+  CHECK(refusal_of_record(nan, {4, 10}).ends_with("give one of each per sample"));
 }

@@ -10,13 +10,13 @@ using namespace scree::cycles;
 
 namespace {
 
-constexpr double round_off = 1e-13, preference = 3;
+constexpr double slowing_round_off = 1e-13, preference = 3;
 
 template <class Strain>
 SlowingDown laws_of(std::size_t count, const Strain& strain) {
   std::vector<double> values;
   for (std::size_t k = 0; k < count; ++k) values.push_back(strain(double(k)));
-  return slowing_down(values, round_off, preference);
+  return slowing_down(values, slowing_round_off, preference);
 }
 
 }  // namespace

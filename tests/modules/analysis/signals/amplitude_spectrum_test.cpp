@@ -14,13 +14,13 @@ using scree::test::sine;
 
 namespace {
 
-struct Record {
+struct SampledSignal {
   std::vector<double> times, values;
   AmplitudeSpectrum spectrum() const { return amplitude_spectrum(times[1] - times[0], values); }
 };
 
-Record record(double step, std::size_t count, const std::function<double(double)>& x) {
-  Record made{equal_times(count, step), {}};
+SampledSignal record(double step, std::size_t count, const std::function<double(double)>& x) {
+  SampledSignal made{equal_times(count, step), {}};
   for (const double t : made.times) made.values.push_back(x(t));
   return made;
 }

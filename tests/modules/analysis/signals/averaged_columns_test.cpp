@@ -12,7 +12,7 @@ using namespace scree::test;
 
 namespace {
 
-ResponseSpectrum spectrum_of(std::size_t count, int derivative) {
+ResponseSpectrum spectrum_of_pole(std::size_t count, int derivative) {
   const auto f = band(80, 120, count);
   ResponseSpectrum spectrum{f, response(f, {{100, 6, 3, 0.4}}), false, derivative};
   for (std::size_t k = 0; k < count; ++k) spectrum.values[k] *= spectrum.factor(f[k]);
@@ -26,7 +26,7 @@ TEST_CASE("the column of a pole is the response of a mode of height 1", "[averag
   for (const std::size_t count : {40, 64, 65, 300})
     for (const int derivative : {0, 2}) {
       CAPTURE(count, derivative);
-      const ResponseSpectrum spectrum = spectrum_of(count, derivative);
+      const ResponseSpectrum spectrum = spectrum_of_pole(count, derivative);
       const AveragedColumns columns(spectrum);
       CHECK(columns.values().cwiseAbs().maxCoeff() == Approx(1));
       CHECK(columns.values().size() == Eigen::Index(count <= 64 ? count : count == 65 ? 33 : 60));
@@ -37,7 +37,7 @@ TEST_CASE("the column of a pole is the response of a mode of height 1", "[averag
 }
 
 TEST_CASE("frequencies are averaged in groups of one size, but for the last", "[averaged_columns]") {
-  ResponseSpectrum spectrum = spectrum_of(130, 0);  // groups of 3, and one of a single frequency
+  ResponseSpectrum spectrum = spectrum_of_pole(130, 0);  // groups of 3, and one of a single frequency
   const AveragedColumns columns(spectrum);
   REQUIRE(columns.frequencies().size() == 44);
   CHECK(columns.frequencies()[0] == Approx(spectrum.frequencies[1]));
@@ -46,7 +46,7 @@ TEST_CASE("frequencies are averaged in groups of one size, but for the last", "[
 
 // Central differences in frequency and width: H' by complex frequency f0 + i w/2 is what both shift.
 TEST_CASE("the columns of other poles span shifts of their frequencies and widths", "[averaged_columns]") {
-  const ResponseSpectrum spectrum = spectrum_of(60, 0);
+  const ResponseSpectrum spectrum = spectrum_of_pole(60, 0);
   const AveragedColumns columns(spectrum);
   const Eigen::MatrixXcd others = columns.others(100, {{103, 5, {}}});
   REQUIRE(others.cols() == 4);

@@ -15,12 +15,12 @@ using scree::test::equal_times;
 namespace {
 
 // How often the errors cover the frequency of a line of amplitude 1 in noise of 0.1, in records of 1 s.
-struct Cover {
+struct DriftCover {
   static constexpr int cases = 40;
   static constexpr std::size_t samples = 1000;
   int found = 0, one = 0, two = 0;
 
-  explicit Cover(const std::function<double(double)>& drift, double noise = 0.1) {
+  explicit DriftCover(const std::function<double(double)>& drift, double noise = 0.1) {
     std::mt19937_64 random(3);
     std::normal_distribution<double> gauss(0, noise);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -46,11 +46,11 @@ TEST_CASE("errors of a line hold beside relaxations ten times as large", "[stron
       [](double t) { return 10 * std::exp(-4 * t); }, [](double t) { return 10 * std::log(1 + 50 * t); },
       [](double t) { return 10 * std::sqrt(t); }};
   for (std::size_t d = 0; d < drifts.size(); ++d) {
-    const Cover cover(drifts[d]);
+    const DriftCover cover(drifts[d]);
     CAPTURE(d, cover.found, cover.one, cover.two);
-    CHECK(cover.found == Cover::cases);
-    CHECK(cover.one / double(Cover::cases) == Approx(0.68).margin(0.30));
-    CHECK(cover.two / double(Cover::cases) > 0.95 - 0.12);
+    CHECK(cover.found == DriftCover::cases);
+    CHECK(cover.one / double(DriftCover::cases) == Approx(0.68).margin(0.30));
+    CHECK(cover.two / double(DriftCover::cases) > 0.95 - 0.12);
   }
 }
 

@@ -1,3 +1,4 @@
+#include "error_shares.hpp"
 #include "signals.hpp"
 
 #include <cmath>
@@ -11,6 +12,7 @@
 
 using namespace scree::signals;
 using scree::test::equal_times;
+using scree::test::ErrorShares;
 
 namespace {
 
@@ -18,11 +20,6 @@ double ring_down(double frequency, double quality, double phase, double since) {
   return scree::test::sine(std::exp(-std::numbers::pi * frequency * since / quality), frequency, phase,
                            since);
 }
-
-struct Shares {
-  int one = 0, two = 0;
-  void add(double off, double error) { one += std::abs(off) < error, two += std::abs(off) < 2 * error; }
-};
 
 }  // namespace
 
@@ -52,7 +49,7 @@ TEST_CASE("errors of a decay cover the true ones in white noise", "[strongest_li
   std::normal_distribution<double> gauss(0, 0.1);
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto times = equal_times(1500, 1.0 / 1500);
-  Shares of_frequency, of_quality, of_amplitude, of_phase;
+  ErrorShares of_frequency, of_quality, of_amplitude, of_phase;
   for (int k = 0; k < cases; ++k) {
     const double frequency = 60 + 60 * uniform(random), phase = 3 * uniform(random);
     std::vector<double> x;
@@ -65,7 +62,7 @@ TEST_CASE("errors of a decay cover the true ones in white noise", "[strongest_li
     of_amplitude.add(line.amplitude - 1, line.amplitude_error);
     of_phase.add(scree::test::turned_by(line.phase, phase), line.phase_error);
   }
-  for (const Shares& shares : {of_frequency, of_quality, of_amplitude, of_phase}) {
+  for (const ErrorShares& shares : {of_frequency, of_quality, of_amplitude, of_phase}) {
     CHECK(shares.one / double(cases) == Approx(0.68).margin(0.19));
     CHECK(shares.two / double(cases) > 0.95 - 0.09);
   }

@@ -19,7 +19,7 @@ using scree::test::turned_by;
 
 namespace {
 
-constexpr double frequency = 37.7;
+constexpr double driven_frequency = 37.7;
 constexpr std::array amplitudes = {2e-6, 3e-7, 5e-8}, phases = {2.5, -1.2, -3.1};
 
 // A drift a million times the third harmonic, and three harmonics.
@@ -27,7 +27,7 @@ std::vector<double> driven(const std::vector<double>& times) {
   std::vector<double> x;
   for (const double t : times) {
     double value = 0.01 + 0.02 * t - 0.03 * t * t + 0.01 * t * t * t;
-    for (int h = 1; h <= 3; ++h) value += sine(amplitudes[h - 1], h * frequency, phases[h - 1], t);
+    for (int h = 1; h <= 3; ++h) value += sine(amplitudes[h - 1], h * driven_frequency, phases[h - 1], t);
     x.push_back(value);
   }
   return x;
@@ -39,7 +39,7 @@ void check_lines(const LockInResult& result) {
   REQUIRE(result.harmonics == 3);
   for (int h = 0; h < 3; ++h) {
     const SpectralLine& line = result.lines[h];
-    CHECK(line.frequency == (h + 1) * frequency);
+    CHECK(line.frequency == (h + 1) * driven_frequency);
     CHECK(std::abs(line.amplitude - amplitudes[h]) < 1e-15);
     CHECK(std::abs(turned_by(line.phase, phases[h])) < 1e-15 / amplitudes[h]);
   }
@@ -47,7 +47,7 @@ void check_lines(const LockInResult& result) {
 
 LockInOptions options_of(int drift_degree) {
   LockInOptions options;
-  options.frequency = frequency;
+  options.frequency = driven_frequency;
   options.drift_degree = drift_degree;
   return options;
 }
@@ -75,7 +75,7 @@ TEST_CASE("phases refer to the origin, also for a record that starts late", "[lo
   LockInOptions later = options_of(3);
   later.origin = 5.0123;
   const SpectralLine line = lock_in(times, driven(times), later).lines[0];
-  CHECK(std::abs(turned_by(line.phase, phases[0] + 2 * std::numbers::pi * frequency * 5.0123)) < 1e-9);
+  CHECK(std::abs(turned_by(line.phase, phases[0] + 2 * std::numbers::pi * driven_frequency * 5.0123)) < 1e-9);
   CHECK(line.phase <= std::numbers::pi);
   CHECK(line.phase > -std::numbers::pi);
 }
@@ -104,13 +104,13 @@ TEST_CASE("a million samples one by one give what a fit of all of them at once g
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 0.3);
   std::vector<double> x;
-  for (const double t : times) x.push_back(5 + t + sine(1, frequency, 0.3, t) + noise(random));
+  for (const double t : times) x.push_back(5 + t + sine(1, driven_frequency, 0.3, t) + noise(random));
   const LockInResult streamed = lock_in(times, x, options_of(1));
   using Vector = Eigen::Matrix<long double, 8, 1>;
   Eigen::Matrix<long double, 8, 8> gram = Eigen::Matrix<long double, 8, 8>::Zero();
   Vector right = Vector::Zero(), column;
   for (std::size_t k = 0; k < samples; ++k) {
-    const long double angle = 2 * std::numbers::pi_v<long double> * (long double)(frequency)*times[k];
+    const long double angle = 2 * std::numbers::pi_v<long double> * (long double)(driven_frequency)*times[k];
     column << 1, times[k] / 5 - 1, std::sin(angle), std::cos(angle), std::sin(2 * angle), std::cos(2 * angle),
         std::sin(3 * angle), std::cos(3 * angle);
     gram += column * column.transpose();
@@ -174,7 +174,7 @@ TEST_CASE("an offset takes no digits from the residual", "[lock_in]") {
   std::normal_distribution<double> noise(0, 1e-3);
   const auto times = equal_times(20000, 1e-4);
   std::vector<double> x;
-  for (const double t : times) x.push_back(1e6 + sine(1e-3, frequency, 1, t) + noise(random));
+  for (const double t : times) x.push_back(1e6 + sine(1e-3, driven_frequency, 1, t) + noise(random));
   CHECK(lock_in(times, x, options_of(1)).residual_rms == Approx(1e-3).epsilon(0.02));
 }
 

@@ -1,3 +1,4 @@
+#include "error_shares.hpp"
 #include "responses.hpp"
 
 #include <algorithm>
@@ -53,17 +54,11 @@ std::vector<Truth> packing(const WeakModes& weak, unsigned seed) {
   return modes;
 }
 
-struct Shares {
-  int one = 0, two = 0;
-  void add(double off, double error) { one += std::abs(off) < error, two += std::abs(off) < 2 * error; }
-  void operator+=(const Shares& more) { one += more.one, two += more.two; }
-};
-
-struct Cover {
+struct EnsembleCover {
   int cases = 0, found = 0,
       absurd = 0;  // absurd: modes of more than twice the largest response within their width
-  Shares frequency, width;
-  void operator+=(const Cover& more) {
+  ErrorShares frequency, width;
+  void operator+=(const EnsembleCover& more) {
     cases += more.cases, found += more.found, absurd += more.absurd;
     frequency += more.frequency, width += more.width;
   }
@@ -76,12 +71,6 @@ struct Cover {
   }
 };
 
-struct Grid {
-  double low, high;
-  std::size_t count;
-};
-constexpr std::array grids = {Grid{12e3, 30e3, 61}, Grid{10e3, 34e3, 97}, Grid{15e3, 27e3, 61}};
-
 bool is_absurd(const FittedMode& mode, const std::vector<double>& f, const std::vector<Complex>& h) {
   double largest = 0;
   for (std::size_t k = 0; k < f.size(); ++k)
@@ -89,10 +78,10 @@ bool is_absurd(const FittedMode& mode, const std::vector<double>& f, const std::
   return mode.amplitude > 2 * largest;
 }
 
-void add(Cover& cover, const WeakModes& weak, unsigned first_seed, unsigned cases) {
+void add(EnsembleCover& cover, const WeakModes& weak, unsigned first_seed, unsigned cases) {
   for (unsigned k = 0; k < cases; ++k) {
     const auto modes = packing(weak, first_seed + k);
-    const Grid& grid = grids[k % grids.size()];
+    const FrequencyGrid& grid = grids_of_packing[k % grids_of_packing.size()];
     const auto f = band(grid.low, grid.high, grid.count);
     Noise noise(weak.noise, first_seed + k);
     const auto h = noise.added(response(f, modes));
@@ -121,20 +110,20 @@ WeakModes weak_modes(double height, std::size_t ensemble) {
 }  // namespace
 
 TEST_CASE("errors of a mode cover the truth among weak modes of a tenth of its height", "[peaks]") {
-  Cover cover;
+  EnsembleCover cover;
   add(cover, weak_modes(0.1, 0), 5000, 60);
   INFO(cover.text());
   // Shares of 60 cases have standard deviations of 0.060 and 0.028; the margins are three of them and the
   // 0.06 and 0.04 that are claimed.
   CHECK(cover.found > 50);
-  for (const Shares& shares : {cover.frequency, cover.width}) {
+  for (const ErrorShares& shares : {cover.frequency, cover.width}) {
     CHECK(shares.one / double(cover.found) == Approx(0.68).margin(0.06 + 0.18));
     CHECK(shares.two / double(cover.found) > 0.95 - 0.04 - 0.084);
   }
 }
 
 TEST_CASE("modes that the response does not show are refused among weak modes", "[peaks]") {
-  Cover cover;
+  EnsembleCover cover;
   add(cover, weak_modes(0.3, 1), 100050, 25);
   CHECK(cover.found > 12);
   CHECK(cover.absurd == 0);
@@ -146,16 +135,16 @@ TEST_CASE("modes that the response does not show are refused among weak modes", 
 // lower bounds are checked.
 TEST_CASE("errors cover the truth in a thousand responses at heights from 1 to 30 %", "[.coverage]") {
   for (std::size_t ensemble = 0; ensemble < ensembles; ++ensemble) {
-    Cover all;
+    EnsembleCover all;
     for (const double height : {0.01, 0.03, 0.1, 0.3}) {
-      Cover cover;
+      EnsembleCover cover;
       add(cover, weak_modes(height, ensemble), 100000, 250);
       all += cover;
       std::cout << fmt::format("ensemble {}, height {}: {}\n", ensemble + 1, height, cover.text());
     }
     std::cout << fmt::format("ensemble {}: {}", ensemble + 1, all.text()) << std::endl;
     CHECK(all.absurd == 0);
-    for (const Shares& shares : {all.frequency, all.width}) {
+    for (const ErrorShares& shares : {all.frequency, all.width}) {
       CHECK(shares.one / double(all.found) > 0.68 - 0.06);
       CHECK(shares.two / double(all.found) > 0.95 - 0.04);
     }

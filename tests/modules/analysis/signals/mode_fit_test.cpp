@@ -12,28 +12,29 @@ using namespace scree::test;
 
 namespace {
 
-const std::vector<Truth> modes = {{100, 4, 1, 0.6}, {107, 6, 0.5, -2}};
-const std::vector<Pole> start = {{100.8, 5}, {106, 4.5}};
+const std::vector<Truth> two_modes = {{100, 4, 1, 0.6}, {107, 6, 0.5, -2}};
+const std::vector<Pole> start_poles = {{100.8, 5}, {106, 4.5}};
 
-ResponseSpectrum spectrum_of(std::vector<Complex> values, int derivative = 0) {
+ResponseSpectrum spectrum_of_values(std::vector<Complex> values, int derivative = 0) {
   return {band(88, 120, values.size()), std::move(values), false, derivative};
 }
 
 }  // namespace
 
 TEST_CASE("a fit finds the poles of a response without noise", "[mode_fit]") {
-  const ResponseSpectrum exact = spectrum_of(response(band(88, 120, 81), modes, {0.02, 0.01}, {1e-3, -2e-3}));
-  const ModeFit fit = fit_modes(exact, start);
+  const ResponseSpectrum exact =
+      spectrum_of_values(response(band(88, 120, 81), two_modes, {0.02, 0.01}, {1e-3, -2e-3}));
+  const ModeFit fit = fit_modes(exact, start_poles);
   CHECK(fit.converged);
   REQUIRE(fit.poles.size() == 2);
   for (std::size_t p = 0; p < 2; ++p) {
     const FittedMode mode = mode_of(fit, p, exact);
     // Round-off, by a condition of 1e4.
-    CHECK(mode.frequency == Approx(modes[p].frequency).epsilon(1e-11));
-    CHECK(mode.width == Approx(modes[p].width).epsilon(1e-9));
-    CHECK(mode.quality == Approx(modes[p].frequency / modes[p].width).epsilon(1e-9));
-    CHECK(mode.amplitude == Approx(modes[p].amplitude).epsilon(1e-9));
-    CHECK(mode.phase == Approx(modes[p].phase).epsilon(1e-9));
+    CHECK(mode.frequency == Approx(two_modes[p].frequency).epsilon(1e-11));
+    CHECK(mode.width == Approx(two_modes[p].width).epsilon(1e-9));
+    CHECK(mode.quality == Approx(two_modes[p].frequency / two_modes[p].width).epsilon(1e-9));
+    CHECK(mode.amplitude == Approx(two_modes[p].amplitude).epsilon(1e-9));
+    CHECK(mode.phase == Approx(two_modes[p].phase).epsilon(1e-9));
     CHECK(mode.together == 2);
     CHECK(mode.points == 81);
   }
@@ -42,19 +43,19 @@ TEST_CASE("a fit finds the poles of a response without noise", "[mode_fit]") {
 // 200 cases tell a standard deviation to 5 %; three of these are allowed.
 TEST_CASE("the covariance of a fit is the scatter of its numbers in white noise", "[mode_fit]") {
   const auto f = band(88, 120, 81);
-  const std::vector<Complex> exact = response(f, modes);
+  const std::vector<Complex> exact = response(f, two_modes);
   Noise noise(0.02, 5);
   constexpr int cases = 200;
   Eigen::VectorXd truth(8), square = Eigen::VectorXd::Zero(8), expected = square;
   for (std::size_t p = 0; p < 2; ++p) {
     const Complex strength =
-        std::polar(modes[p].amplitude * modes[p].frequency * modes[p].width, modes[p].phase);
-    truth.segment(4 * Eigen::Index(p), 4) << modes[p].frequency, modes[p].width, strength.real(),
+        std::polar(two_modes[p].amplitude * two_modes[p].frequency * two_modes[p].width, two_modes[p].phase);
+    truth.segment(4 * Eigen::Index(p), 4) << two_modes[p].frequency, two_modes[p].width, strength.real(),
         strength.imag();
   }
   double excess = 0;
   for (int k = 0; k < cases; ++k) {
-    const ModeFit fit = fit_modes(spectrum_of(noise.added(exact)), start);
+    const ModeFit fit = fit_modes(spectrum_of_values(noise.added(exact)), start_poles);
     REQUIRE(fit.converged);
     Eigen::VectorXd found(8);
     for (std::size_t p = 0; p < 2; ++p)

@@ -59,7 +59,6 @@ TEST_CASE("two modes half a width apart are told apart", "[peaks]") {
   CHECK(exact[1].frequency == Approx(102).epsilon(1e-6));
   CHECK(exact[1].amplitude == Approx(0.8).epsilon(1e-4));
   Noise noise(1e-3, 5);
-  Coverage frequency;
   for (int k = 0; k < 20; ++k) {
     const auto found = fit_peaks(f, noise.added(h));
     REQUIRE(found.size() == 2);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <random>
@@ -16,6 +17,14 @@ inline std::vector<double> band(double low, double high, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) f[k] = low + (high - low) * double(k) / double(count - 1);
   return f;
 }
+
+// Around the mode 3λ/4 of a packing, at about 21 kHz.
+struct FrequencyGrid {
+  double low, high;
+  std::size_t count;
+};
+inline constexpr std::array grids_of_packing = {FrequencyGrid{12e3, 30e3, 61}, FrequencyGrid{10e3, 34e3, 97},
+                                                FrequencyGrid{15e3, 27e3, 61}};
 
 // A mode: frequency and width (Hz), height and phase of its strength.
 struct Truth {

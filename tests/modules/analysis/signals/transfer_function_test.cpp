@@ -15,10 +15,10 @@ using scree::test::Oscillator;
 
 namespace {
 
-constexpr double step = 0.001, frequency = 60, quality = 10;
-const Oscillator oscillator(frequency, quality, step);
+constexpr double oscillator_step = 0.001, oscillator_frequency = 60, oscillator_quality = 10;
+const Oscillator oscillator(oscillator_frequency, oscillator_quality, oscillator_step);
 
-std::vector<double> white(std::size_t count, double sigma, std::mt19937_64& random) {
+std::vector<double> white_values(std::size_t count, double sigma, std::mt19937_64& random) {
   std::normal_distribution<double> gauss(0, sigma);
   std::vector<double> values(count);
   for (double& value : values) value = gauss(random);
@@ -41,7 +41,7 @@ double curvature() {
 }
 
 // Largest response of a response's spectrum, for scale.
-const double height = std::abs(oscillator.transfer(frequency));
+const double resonance_height = std::abs(oscillator.transfer(oscillator_frequency));
 
 }  // namespace
 
@@ -49,13 +49,14 @@ TEST_CASE("a chirp and a pulse that end at rest give the exact transfer function
   constexpr std::size_t count = 4000;  // exp(-pi f t / Q) falls to 1e-16 in 2 s
   std::vector<double> pulse(count), chirp(count);
   for (std::size_t k = 0; k < 1000; ++k) {
-    const double t = step * double(k);
+    const double t = oscillator_step * double(k);
     pulse[k] = k < 5 ? std::pow(std::sin(std::numbers::pi * (double(k) + 1) / 6), 2) : 0;
     chirp[k] =
         std::sin(2 * std::numbers::pi * (10 * t + 120 * t * t)) * std::pow(std::sin(std::numbers::pi * t), 2);
   }
   for (const auto& drive : {pulse, chirp}) {
-    const auto transfer = transfer_function(equal_times(count, step), drive, oscillator.response(drive), 0);
+    const auto transfer =
+        transfer_function(equal_times(count, oscillator_step), drive, oscillator.response(drive), 0);
     CHECK(transfer.resolution == Approx(0.25));
     CHECK(transfer.segments == 1);
     double largest = 0;
@@ -65,7 +66,8 @@ TEST_CASE("a chirp and a pulse that end at rest give the exact transfer function
       CHECK(std::isnan(transfer.error[k]));
     }
     CHECK(largest <
-          1e-11 * height);  // round-off of transforms, 1e-16 of the largest X, here 1e3 of the least
+          1e-11 *
+              resonance_height);  // round-off of transforms, 1e-16 of the largest X, here 1e3 of the least
   }
 }
 
@@ -78,7 +80,7 @@ TEST_CASE("a response that is cut off changes the transfer function by no more t
   double beyond = 0;
   for (std::size_t k = cut; k < whole.size(); ++k) beyond += std::abs(whole[k]);
   const std::span<const double> x(pulse), y(whole);
-  const auto transfer = transfer_function(equal_times(cut, step), x.first(cut), y.first(cut), 0);
+  const auto transfer = transfer_function(equal_times(cut, oscillator_step), x.first(cut), y.first(cut), 0);
   double largest = 0;
   for (std::size_t k = 0; k < transfer.h1.size(); ++k)
     largest = std::max(largest, std::abs(transfer.h1[k] - oscillator.transfer(transfer.frequency(k))));
@@ -88,11 +90,12 @@ TEST_CASE("a response that is cut off changes the transfer function by no more t
 
 TEST_CASE("driven by noise, the bias is below the leakage of the window", "[transfer_function]") {
   std::mt19937_64 random(3);
-  const auto drive = white(2000000, 1, random);
+  const auto drive = white_values(2000000, 1, random);
   const auto response = oscillator.response(drive);
   for (const std::size_t segment : {500u, 2000u}) {
-    const auto transfer = transfer_function(equal_times(drive.size(), step), drive, response, segment);
-    const double length = step * double(segment), bound = curvature() / (6 * length * length);
+    const auto transfer =
+        transfer_function(equal_times(drive.size(), oscillator_step), drive, response, segment);
+    const double length = oscillator_step * double(segment), bound = curvature() / (6 * length * length);
     double largest = 0;
     for (std::size_t k = 2; k + 2 < transfer.h1.size(); ++k) {
       const auto exact = oscillator.transfer(transfer.frequency(k));
@@ -109,10 +112,10 @@ TEST_CASE("with noise in the response, errors cover the deviation of amplitude a
           "[transfer_function]") {
   std::mt19937_64 random(8);
   constexpr std::size_t segment = 4096, count = 40 * segment;
-  const auto drive = white(count, 1, random);
+  const auto drive = white_values(count, 1, random);
   const auto clean = oscillator.response(drive);
-  const auto response = sum(clean, white(count, 0.5 * std::abs(oscillator.transfer(80)), random));
-  const auto transfer = transfer_function(equal_times(count, step), drive, response, segment);
+  const auto response = sum(clean, white_values(count, 0.5 * std::abs(oscillator.transfer(80)), random));
+  const auto transfer = transfer_function(equal_times(count, oscillator_step), drive, response, segment);
   CHECK(transfer.segments == 79);
   CHECK(transfer.averages == Approx(79 / (1 + 2.0 / 36 * 78 / 79)).epsilon(1e-6));
   int covered = 0, cases = 0;
@@ -131,10 +134,10 @@ TEST_CASE("with noise in the response, errors cover the deviation of amplitude a
 TEST_CASE("noise in the drive biases h1 by the coherence, and h2 not", "[transfer_function]") {
   std::mt19937_64 random(9);
   constexpr std::size_t segment = 1000, count = 400 * segment;
-  const auto drive = white(count, 1, random);
-  const auto measured = sum(drive, white(count, 0.7, random));
+  const auto drive = white_values(count, 1, random);
+  const auto measured = sum(drive, white_values(count, 0.7, random));
   const auto transfer =
-      transfer_function(equal_times(count, step), measured, oscillator.response(drive), segment);
+      transfer_function(equal_times(count, oscillator_step), measured, oscillator.response(drive), segment);
   double h1 = 0;
   std::complex<double> h2 = 0;
   double cases = 0;

@@ -11,14 +11,16 @@ using scree::test::message;
 
 namespace {
 
-constexpr std::string_view text =
+constexpr std::string_view overridden_text =
     "[time]\nstep = 1e-4\nrows = [1, 2, 3]\n\n"
     "[[contact]]\nplugin = 'hertz'\nfriction = 0.5\n\n"
     "[[stage]]\nname = 'settle'\nduration = 1\n\n"
     "[[stage]]\nname = 'cycle'\nduration = 2\nmotion = { amplitude = 1, axis = [1, 0] }\n\n"
     "[[probe]]\ntype = 'force'\n[[probe]]\ntype = 'force'\n[[probe]]\ntype = 'energy'\n";
 
-Document set(std::vector<std::string> overrides) { return Document::parse(text, "scene.toml", overrides); }
+Document set(std::vector<std::string> overrides) {
+  return Document::parse(overridden_text, "scene.toml", overrides);
+}
 
 std::string refusal(const std::string& override_text) {
   return message([&] { set({override_text}); });

@@ -10,7 +10,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_beads(const std::string& text) {
   return error_of([&] { parse_beads(text, "b.txt"); });
 }
 
@@ -29,13 +29,14 @@ TEST_CASE("a bead list is periodic along x and z between walls at y = 0 and y = 
 }
 
 TEST_CASE("bead list errors name the position and the cure", "[packing]") {
-  CHECK_THAT(refusal(""), Contains("the file is empty; "));
-  CHECK_THAT(refusal("2 1\n"), StartsWith("b.txt:1:1: 2 words instead of 'N L H'; "));
-  CHECK_THAT(refusal("-2 1 1\n"), StartsWith("b.txt:1:1: number of beads '-2'"));
-  CHECK_THAT(refusal("1 0 1\n"), StartsWith("b.txt:1:3: period '0' is not positive; "));
-  CHECK_THAT(refusal("1 1 1\n0 0 0\n"), StartsWith("b.txt:2:1: 3 words"));
-  CHECK_THAT(refusal("1 1 1\n0 0 0 -1\n"), StartsWith("b.txt:2:7: radius '-1'"));
-  CHECK_THAT(refusal("2 1 1\n0 0 0 1\n"), Contains("the first line gives 2 beads, the file has 1; "));
-  CHECK_THAT(refusal("1000000000000000000 1 1\n0 0 0 1\n"),
+  CHECK_THAT(refusal_of_beads(""), Contains("the file is empty; "));
+  CHECK_THAT(refusal_of_beads("2 1\n"), StartsWith("b.txt:1:1: 2 words instead of 'N L H'; "));
+  CHECK_THAT(refusal_of_beads("-2 1 1\n"), StartsWith("b.txt:1:1: number of beads '-2'"));
+  CHECK_THAT(refusal_of_beads("1 0 1\n"), StartsWith("b.txt:1:3: period '0' is not positive; "));
+  CHECK_THAT(refusal_of_beads("1 1 1\n0 0 0\n"), StartsWith("b.txt:2:1: 3 words"));
+  CHECK_THAT(refusal_of_beads("1 1 1\n0 0 0 -1\n"), StartsWith("b.txt:2:7: radius '-1'"));
+  CHECK_THAT(refusal_of_beads("2 1 1\n0 0 0 1\n"),
+             Contains("the first line gives 2 beads, the file has 1; "));
+  CHECK_THAT(refusal_of_beads("1000000000000000000 1 1\n0 0 0 1\n"),
              Contains("the first line gives 1000000000000000000 beads"));
 }

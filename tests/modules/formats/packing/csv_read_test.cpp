@@ -12,7 +12,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-std::string refusal(const std::string& text, const ImportOptions& options = {}) {
+std::string refusal_of_csv(const std::string& text, const ImportOptions& options = {}) {
   return error_of([&] { parse_csv(text, "a.csv", options); });
 }
 
@@ -46,8 +46,8 @@ TEST_CASE("CSV has the spellings of probes and scenarios, and reads the former o
       CHECK(body.density == 4);
       CHECK(body.spin[2] == 5);
     }
-  CHECK_THAT(refusal("x,y,radius,wz,spin_z\n1,2,3,4,4\n"), StartsWith("a.csv:1:15: "));
-  CHECK_THAT(refusal("x,y,radius,density [g/cm^3]\n1,2,3,4\n"), Contains("write [kg/m^3]"));
+  CHECK_THAT(refusal_of_csv("x,y,radius,wz,spin_z\n1,2,3,4,4\n"), StartsWith("a.csv:1:15: "));
+  CHECK_THAT(refusal_of_csv("x,y,radius,density [g/cm^3]\n1,2,3,4\n"), Contains("write [kg/m^3]"));
 }
 
 TEST_CASE("absent CSV columns take their defaults", "[packing]") {
@@ -64,54 +64,62 @@ TEST_CASE("absent CSV columns take their defaults", "[packing]") {
 }
 
 TEST_CASE("CSV errors name the position and the cure", "[packing]") {
-  CHECK_THAT(refusal("x,y,radios\n"),
+  CHECK_THAT(refusal_of_csv("x,y,radios\n"),
              StartsWith("a.csv:1:5: unknown column 'radios'; did you mean 'radius'?"));
   for (const auto& [symbol, column] :
        {std::pair("r", "radius"), std::pair("R", "radius"), std::pair("d", "diameter"),
         std::pair("m", "mass"), std::pair("rho", "density"), std::pair("velocity_y", "vy")})
-    CHECK(refusal("x,y," + std::string(symbol) + "\n0,0,1\n") ==
+    CHECK(refusal_of_csv("x,y," + std::string(symbol) + "\n0,0,1\n") ==
           "a.csv:1:5: unknown column '" + std::string(symbol) + "'; did you mean '" + column + "'?");
   for (const std::string numbers : {"0,0,0.01\n1,1,0.01\n", "# a comment\n-1,2e-3,1\n"})
     CHECK_THAT(
-        refusal(numbers),
+        refusal_of_csv(numbers),
         Contains(
             ":1: there is no header, but numbers; name the columns in the first line, such as 'x,y,z,radius'"));
-  CHECK_THAT(refusal("x,y,radius [mm]\n"),
+  CHECK_THAT(refusal_of_csv("x,y,radius [mm]\n"),
              StartsWith("a.csv:1:5: ") && Contains("convert its numbers and write [m]"));
-  CHECK_THAT(refusal("x,y,radius,x\n"), StartsWith("a.csv:1:12: ") && Contains("twice"));
-  CHECK_THAT(refusal("x,radius\n"), StartsWith("a.csv:1:1: column x or y is missing; "));
-  CHECK_THAT(refusal("x,y\n"), Contains("either a column radius or a column diameter; "));
-  CHECK_THAT(refusal("x,y,radius,diameter\n"), Contains("either a column radius or a column diameter; "));
-  CHECK_THAT(refusal("x;y;radius\n"), Contains("semicolons; "));
-  CHECK_THAT(refusal(""), Contains("no header; "));
-  CHECK_THAT(refusal("x,y,radius\n"), Contains("no body"));
-  CHECK_THAT(refusal("x,y,radius\n1,2\n"), StartsWith("a.csv:2:1: 2 cells under 3 columns; "));
-  CHECK_THAT(refusal("x,y,radius\n1,abc,1\n"), StartsWith("a.csv:2:3: y 'abc' is not a number; "));
-  CHECK_THAT(refusal("x,y,radius\n1,2m,1\n"), StartsWith("a.csv:2:3: y '2m' is not a number; "));
-  CHECK_THAT(refusal("x,y,radius\n1,,1\n"), StartsWith("a.csv:2:3: y '' is not a number; "));
-  CHECK_THAT(refusal("x,y,radius\n1,2,nan\n"), StartsWith("a.csv:2:5: radius 'nan' is not finite; "));
-  CHECK_THAT(refusal("x,y,radius\n1,2,-1\n"), StartsWith("a.csv:2:5: radius '-1' is not positive; "));
-  CHECK_THAT(refusal("x,y,radius\n1,1e999,1\n"), StartsWith("a.csv:2:3: ") && Contains("outside the range"));
-  CHECK_THAT(refusal("id,x,y,radius\n1,0,0,1\n1,3,3,1\n"),
+  CHECK_THAT(refusal_of_csv("x,y,radius,x\n"), StartsWith("a.csv:1:12: ") && Contains("twice"));
+  CHECK_THAT(refusal_of_csv("x,radius\n"), StartsWith("a.csv:1:1: column x or y is missing; "));
+  CHECK_THAT(refusal_of_csv("x,y\n"), Contains("either a column radius or a column diameter; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius,diameter\n"),
+             Contains("either a column radius or a column diameter; "));
+  CHECK_THAT(refusal_of_csv("x;y;radius\n"), Contains("semicolons; "));
+  CHECK_THAT(refusal_of_csv(""), Contains("no header; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n"), Contains("no body"));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,2\n"), StartsWith("a.csv:2:1: 2 cells under 3 columns; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,abc,1\n"), StartsWith("a.csv:2:3: y 'abc' is not a number; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,2m,1\n"), StartsWith("a.csv:2:3: y '2m' is not a number; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,,1\n"), StartsWith("a.csv:2:3: y '' is not a number; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,2,nan\n"), StartsWith("a.csv:2:5: radius 'nan' is not finite; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,2,-1\n"), StartsWith("a.csv:2:5: radius '-1' is not positive; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius\n1,1e999,1\n"),
+             StartsWith("a.csv:2:3: ") && Contains("outside the range"));
+  CHECK_THAT(refusal_of_csv("id,x,y,radius\n1,0,0,1\n1,3,3,1\n"),
              StartsWith("a.csv:3:1: id 1 was used before, in line 2; "));
-  CHECK_THAT(refusal("id,x,y,radius\n0,0,0,1\n"), StartsWith("a.csv:2:1: id '0' is not positive; "));
-  CHECK_THAT(refusal("id,x,y,radius\n1.5,0,0,1\n"), Contains("'1.5' is not an integer; "));
-  CHECK_THAT(refusal("id,x,y,radius\n99999999999999999999,0,0,1\n"), Contains("does not fit into 64 bits; "));
-  CHECK_THAT(refusal("id,x,y,radius\n1000000000000001,0,0,1\n"),
+  CHECK_THAT(refusal_of_csv("id,x,y,radius\n0,0,0,1\n"), StartsWith("a.csv:2:1: id '0' is not positive; "));
+  CHECK_THAT(refusal_of_csv("id,x,y,radius\n1.5,0,0,1\n"), Contains("'1.5' is not an integer; "));
+  CHECK_THAT(refusal_of_csv("id,x,y,radius\n99999999999999999999,0,0,1\n"),
+             Contains("does not fit into 64 bits; "));
+  CHECK_THAT(refusal_of_csv("id,x,y,radius\n1000000000000001,0,0,1\n"),
              StartsWith("a.csv:2:1: id 1000000000000001 is above 1000000000000000; "));
-  CHECK_THAT(refusal("x,y,radius,mass,density\n0,0,1,1,1\n"), Contains("density and mass are both given; "));
-  CHECK_THAT(refusal("x,y,z,radius\n0,0,1,1\n", {.dimension = 2}), StartsWith("a.csv:2:5: z '1' is not 0"));
-  CHECK_THAT(refusal(std::string("x,y,radius\n1,2\0,1\n", 18)), StartsWith("a.csv:2:4: not a text file"));
-  CHECK_THAT(refusal("\x89PNG\x1a\xff\n"), StartsWith("a.csv:1:1: unknown column '\\x89PNG\\x1a\\xff'; "));
+  CHECK_THAT(refusal_of_csv("x,y,radius,mass,density\n0,0,1,1,1\n"),
+             Contains("density and mass are both given; "));
+  CHECK_THAT(refusal_of_csv("x,y,z,radius\n0,0,1,1\n", {.dimension = 2}),
+             StartsWith("a.csv:2:5: z '1' is not 0"));
+  CHECK_THAT(refusal_of_csv(std::string("x,y,radius\n1,2\0,1\n", 18)),
+             StartsWith("a.csv:2:4: not a text file"));
+  CHECK_THAT(refusal_of_csv("\x89PNG\x1a\xff\n"),
+             StartsWith("a.csv:1:1: unknown column '\\x89PNG\\x1a\\xff'; "));
 }
 
 TEST_CASE("values in the comments of a CSV file are checked", "[packing]") {
   const std::string rest = "x,y,z,radius\n1,2,0,3\n";
   CHECK(parse_csv("# time [s]: 2.5\n# note: whatever\n" + rest, "a.csv").time == 2.5);
-  CHECK_THAT(refusal("# periodic: x w\n" + rest), StartsWith("a.csv:1:15: 'w' is not an axis; "));
-  CHECK_THAT(refusal("# periodic: x\n" + rest), StartsWith("a.csv: packing: x is periodic without"));
-  CHECK_THAT(refusal("# dimension: 4\n" + rest), Contains("neither 2 nor 3"));
-  CHECK_THAT(refusal("# lower [m]: 0 0 0\n" + rest), Contains("only one of"));
-  CHECK_THAT(refusal("# lower [m]: 0 0\n" + rest), Contains("2 numbers"));
-  CHECK_THAT(refusal("# lower [m]: 0 0 0\n# upper [m]: -1 0 0\n" + rest), Contains("below the lower one; "));
+  CHECK_THAT(refusal_of_csv("# periodic: x w\n" + rest), StartsWith("a.csv:1:15: 'w' is not an axis; "));
+  CHECK_THAT(refusal_of_csv("# periodic: x\n" + rest), StartsWith("a.csv: packing: x is periodic without"));
+  CHECK_THAT(refusal_of_csv("# dimension: 4\n" + rest), Contains("neither 2 nor 3"));
+  CHECK_THAT(refusal_of_csv("# lower [m]: 0 0 0\n" + rest), Contains("only one of"));
+  CHECK_THAT(refusal_of_csv("# lower [m]: 0 0\n" + rest), Contains("2 numbers"));
+  CHECK_THAT(refusal_of_csv("# lower [m]: 0 0 0\n# upper [m]: -1 0 0\n" + rest),
+             Contains("below the lower one; "));
 }

@@ -1,4 +1,4 @@
-#include "packing_support.hpp"
+#include "cloud_support.hpp"
 
 #include <cmath>
 
@@ -20,17 +20,6 @@ CloudOptions growing(const Region& region, double solid_fraction, int dimension)
   options.solid_fraction = solid_fraction;
   options.growth = true;
   return options;
-}
-
-Cloud cloud_of(const CloudOptions& options, const RadiusDistribution& radii, std::uint64_t seed = 5) {
-  Random random(seed);
-  return fill_randomly(options, radii, random);
-}
-
-double volume_of_bodies(const Packing& packing) {
-  double volume = 0.0;
-  for (const Body& body : packing.bodies) volume += volume_of_body(body.radius, packing.dimension);
-  return volume;
 }
 
 }  // namespace

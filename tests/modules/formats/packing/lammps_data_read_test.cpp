@@ -16,7 +16,7 @@ const std::string header =
     "title with 9 atoms\n\n2 atoms\n1 atom types\n0 1 xlo xhi\n0 2 ylo yhi\n0 3 zlo zhi\n";
 const std::string atoms = "\nAtoms # sphere\n\n1 1 0.5 2500 0.1 0.2 0.3\n2 1 0.25 2500 0.5 0.5 0.5\n";
 
-std::string refusal(const std::string& text, const ImportOptions& options = {}) {
+std::string refusal_of_data(const std::string& text, const ImportOptions& options = {}) {
   return error_of([&] { parse_lammps_data(text, "d", options); });
 }
 
@@ -43,33 +43,41 @@ TEST_CASE("data files of LAMMPS and LIGGGHTS are read in their variants", "[pack
 }
 
 TEST_CASE("data file errors name the position and the cure", "[packing]") {
-  CHECK(refusal(header + atoms).empty());
-  CHECK_THAT(refusal(""), Contains("the file is empty; "));
-  CHECK_THAT(refusal("title\n"), Contains("no section Atoms; "));
-  CHECK_THAT(refusal("title\n\nAtoms\n\n"),
+  CHECK(refusal_of_data(header + atoms).empty());
+  CHECK_THAT(refusal_of_data(""), Contains("the file is empty; "));
+  CHECK_THAT(refusal_of_data("title\n"), Contains("no section Atoms; "));
+  CHECK_THAT(refusal_of_data("title\n\nAtoms\n\n"),
              StartsWith("d:3:1: the header has no number of atoms before 'Atoms'; "));
-  CHECK_THAT(refusal(header), Contains("no section Atoms; "));
-  CHECK_THAT(refusal("t\n1e18 atoms\n"), StartsWith("d:2:1: number of atoms '1e18' is not an integer; "));
-  CHECK_THAT(refusal("t\n-4 atoms\n"), StartsWith("d:2:1: number of atoms '-4' is not positive; "));
-  CHECK_THAT(refusal("t\n1000000000000000000 atoms\n" + atoms),
+  CHECK_THAT(refusal_of_data(header), Contains("no section Atoms; "));
+  CHECK_THAT(refusal_of_data("t\n1e18 atoms\n"),
+             StartsWith("d:2:1: number of atoms '1e18' is not an integer; "));
+  CHECK_THAT(refusal_of_data("t\n-4 atoms\n"), StartsWith("d:2:1: number of atoms '-4' is not positive; "));
+  CHECK_THAT(refusal_of_data("t\n1000000000000000000 atoms\n" + atoms),
              StartsWith("d:7:1: section Atoms ends after 2 of 1"));
-  CHECK_THAT(refusal("t\n3 atoms\n" + atoms), StartsWith("d:7:1: section Atoms ends after 2 of 3 lines; "));
-  CHECK_THAT(refusal("t\n1 atoms\n" + atoms),
+  CHECK_THAT(refusal_of_data("t\n3 atoms\n" + atoms),
+             StartsWith("d:7:1: section Atoms ends after 2 of 3 lines; "));
+  CHECK_THAT(refusal_of_data("t\n1 atoms\n" + atoms),
              StartsWith("d:7:1: the header gives 1 line, and section Atoms has more; "));
-  CHECK_THAT(refusal("t\n1 0 xlo xhi\n"), StartsWith("d:2:1: xlo is not below xhi; "));
-  CHECK_THAT(refusal("t\n0 a xlo xhi\n"), StartsWith("d:2:3: xhi 'a' is not a number; "));
-  CHECK_THAT(refusal("t\n0 0.1 0 xy xz yz\n"), StartsWith("d:2:1: the box is tilted; "));
-  CHECK_THAT(refusal("t\n4 bonds\n"), StartsWith("d:2:1: the file has bonds; "));
-  CHECK_THAT(refusal(header + atoms + "\nBonds\n\n1 1 1 2\n"), Contains("section Bonds; "));
-  CHECK_THAT(refusal(header + "\nAtom\n\n"), StartsWith("d:9:1: ") && Contains("did you mean 'Atoms'?"));
-  CHECK_THAT(refusal(header + "\nAtoms # hybrid\n\n"), StartsWith("d:9:9: the atom style is 'hybrid'; "));
-  CHECK_THAT(refusal(header + atoms + atoms), StartsWith("d:14:1: there is a second section Atoms; "));
-  CHECK_THAT(refusal("\x7f\x45LF\x02\n\x01\xff\n"), StartsWith("d:2:1: ") && Contains("'\\x01\\xff'"));
-  CHECK_THAT(refusal(std::string("t\n2 at\0ms\n", 10)), StartsWith("d:2:5: not a text file"));
+  CHECK_THAT(refusal_of_data("t\n1 0 xlo xhi\n"), StartsWith("d:2:1: xlo is not below xhi; "));
+  CHECK_THAT(refusal_of_data("t\n0 a xlo xhi\n"), StartsWith("d:2:3: xhi 'a' is not a number; "));
+  CHECK_THAT(refusal_of_data("t\n0 0.1 0 xy xz yz\n"), StartsWith("d:2:1: the box is tilted; "));
+  CHECK_THAT(refusal_of_data("t\n4 bonds\n"), StartsWith("d:2:1: the file has bonds; "));
+  CHECK_THAT(refusal_of_data(header + atoms + "\nBonds\n\n1 1 1 2\n"), Contains("section Bonds; "));
+  CHECK_THAT(refusal_of_data(header + "\nAtom\n\n"),
+             StartsWith("d:9:1: ") && Contains("did you mean 'Atoms'?"));
+  CHECK_THAT(refusal_of_data(header + "\nAtoms # hybrid\n\n"),
+             StartsWith("d:9:9: the atom style is 'hybrid'; "));
+  CHECK_THAT(refusal_of_data(header + atoms + atoms),
+             StartsWith("d:14:1: there is a second section Atoms; "));
+  CHECK_THAT(refusal_of_data("\x7f\x45LF\x02\n\x01\xff\n"),
+             StartsWith("d:2:1: ") && Contains("'\\x01\\xff'"));
+  CHECK_THAT(refusal_of_data(std::string("t\n2 at\0ms\n", 10)), StartsWith("d:2:5: not a text file"));
 }
 
 TEST_CASE("errors within a section of a data file name the word", "[packing]") {
-  const auto atom = [](const std::string& line) { return refusal("t\n1 atoms\n\nAtoms\n\n" + line + "\n"); };
+  const auto atom = [](const std::string& line) {
+    return refusal_of_data("t\n1 atoms\n\nAtoms\n\n" + line + "\n");
+  };
   CHECK(atom("1 1 0.5 2500 0 0 0").empty());
   CHECK_THAT(atom("1 1 0.5 2500 0 0"), StartsWith("d:6:1: 6 words instead of"));
   CHECK_THAT(atom("1 1 -0.5 2500 0 0 0"), StartsWith("d:6:5: diameter '-0.5' is not positive; "));
@@ -82,18 +90,18 @@ TEST_CASE("errors within a section of a data file name the word", "[packing]") {
   CHECK_THAT(atom("0 1 0.5 2500 0 0 0"), StartsWith("d:6:1: id '0' is not positive; "));
   CHECK_THAT(atom("1 a 0.5 2500 0 0 0"), StartsWith("d:6:3: type 'a' is not an integer; "));
   CHECK_THAT(atom("1 1 0.5 2500 0 0 0 0 0.5 0"), StartsWith("d:6:22: image flag '0.5'"));
-  CHECK_THAT(refusal("t\n2 atoms\n\nAtoms\n\n1 1 1 1 0 0 0\n1 1 1 1 5 0 0\n"),
+  CHECK_THAT(refusal_of_data("t\n2 atoms\n\nAtoms\n\n1 1 1 1 0 0 0\n1 1 1 1 5 0 0\n"),
              StartsWith("d:7:1: id 1 is used twice; "));
-  CHECK_THAT(refusal(header + atoms, {.dimension = 2}),
+  CHECK_THAT(refusal_of_data(header + atoms, {.dimension = 2}),
              StartsWith("d:11:22: z '0.3' is not 0 in two dimensions; "));
   const std::string velocities = header + atoms + "\nVelocities\n\n";
-  CHECK_THAT(refusal(velocities + "1 0 0 0 0 0 0\n"),
+  CHECK_THAT(refusal_of_data(velocities + "1 0 0 0 0 0 0\n"),
              Contains("section Velocities ends after 1 of 2 lines; "));
-  CHECK_THAT(refusal(velocities + "1 0 0 0\n"), StartsWith("d:16:1: 4 words instead of"));
-  CHECK_THAT(refusal(velocities + "3 0 0 0 0 0 0\n"), StartsWith("d:16:1: there is no atom 3; "));
-  CHECK_THAT(refusal(velocities + "1 0 0 0 0 0 0\n1 0 0 0 0 0 0\n"),
+  CHECK_THAT(refusal_of_data(velocities + "1 0 0 0\n"), StartsWith("d:16:1: 4 words instead of"));
+  CHECK_THAT(refusal_of_data(velocities + "3 0 0 0 0 0 0\n"), StartsWith("d:16:1: there is no atom 3; "));
+  CHECK_THAT(refusal_of_data(velocities + "1 0 0 0 0 0 0\n1 0 0 0 0 0 0\n"),
              Contains("id 1 was used before, in line 16; "));
-  CHECK_THAT(refusal(header + "\nVelocities\n\n"), Contains("Velocities come before Atoms; "));
+  CHECK_THAT(refusal_of_data(header + "\nVelocities\n\n"), Contains("Velocities come before Atoms; "));
 }
 
 TEST_CASE("a data file in other units than SI is refused, as its title tells", "[packing]") {

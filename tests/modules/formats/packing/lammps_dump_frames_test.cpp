@@ -13,7 +13,7 @@ using scree::files::TextReader;
 
 namespace {
 
-const std::string text =
+const std::string four_frames =
     "ITEM: UNITS\nsi\nITEM: TIMESTEP\n0\nITEM: ATOMS x\n1\n"
     "ITEM: TIME\n0.5\nITEM: TIMESTEP\n100\nITEM: ATOMS x\n2\n"
     "ITEM: TIMESTEP\n100\nITEM: ATOMS x\n3\n"
@@ -21,7 +21,7 @@ const std::string text =
 
 // The number of the line in which the chosen frame begins.
 std::size_t first_line(std::optional<std::int64_t> timestep) {
-  TextReader reader(text, "d");
+  TextReader reader(four_frames, "d");
   const std::vector<DumpFrame> frames = find_frames(reader);
   return choose_frame(frames, timestep, reader).start.line_number + 1;
 }
@@ -29,7 +29,7 @@ std::size_t first_line(std::optional<std::int64_t> timestep) {
 }  // namespace
 
 TEST_CASE("a frame of a dump begins with the first item behind the atoms before", "[packing]") {
-  TextReader reader(text, "d");
+  TextReader reader(four_frames, "d");
   CHECK(find_frames(reader).size() == 4);
   CHECK(first_line(0) == 1);
   CHECK(first_line(200) == 17);

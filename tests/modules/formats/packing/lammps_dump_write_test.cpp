@@ -10,24 +10,18 @@ using namespace scree::packing;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-namespace {
-
-Packing parse(const std::string& text, const ImportOptions& options = {}) {
-  return parse_lammps_dump(text, "d", options);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a dump keeps every bit", "[packing]") {
   Packing packing = awkward_packing(GENERATE(2, 3));
-  CHECK(same_bits(parse(format_lammps_dump(packing), {.dimension = packing.dimension}), packing));
+  CHECK(same_bits(parse_dump(format_lammps_dump(packing), {.dimension = packing.dimension}), packing));
   packing.periodic[2] = false;
   const ImportOptions options{.dimension = packing.dimension, .periodic = packing.periodic};
-  CHECK(same_bits(parse(format_lammps_dump(packing), options), packing));
+  CHECK(same_bits(parse_dump(format_lammps_dump(packing), options), packing));
   packing.time = 0.0;
   const std::string text = format_lammps_dump(packing, {.dialect = Dialect::liggghts, .timestep = 12});
   CHECK_THAT(text, StartsWith("ITEM: TIMESTEP\n12\n"));
-  CHECK(same_bits(parse(text, options), packing));
+  CHECK(same_bits(parse_dump(text, options), packing));
 }
 
 TEST_CASE("a dump is refused if only some bodies have a density", "[packing]") {
@@ -35,5 +29,5 @@ TEST_CASE("a dump is refused if only some bodies have a density", "[packing]") {
   packing.bodies[3].density = unset;
   CHECK_THAT(error_of([&] { format_lammps_dump(packing); }), Contains("49 of 50 bodies have a density"));
   for (Body& body : packing.bodies) body.density = unset;
-  CHECK(same_bits(parse(format_lammps_dump(packing)), packing));
+  CHECK(same_bits(parse_dump(format_lammps_dump(packing)), packing));
 }

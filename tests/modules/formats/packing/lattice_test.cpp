@@ -32,7 +32,8 @@ Packing fill(const LatticeOptions& options, const RadiusDistribution& radii, std
   return fill_lattice(options, radii, random);
 }
 
-std::string refusal(const LatticeOptions& options, const RadiusDistribution& radii = ConstantRadius{1.0}) {
+std::string refusal_of_lattice(const LatticeOptions& options,
+                               const RadiusDistribution& radii = ConstantRadius{1.0}) {
   return error_of([&] { fill(options, radii); });
 }
 
@@ -191,10 +192,10 @@ TEST_CASE("a total fills the smallest near-cubic box", "[packing]") {
 TEST_CASE("an overlapping lattice is refused, and the spacing in the message suffices", "[packing]") {
   LatticeOptions options = options_of(LatticeKind::face_centred_cubic, 4, 4, 4);
   options.spacing = 0.9;
-  const std::string message = refusal(options, ConstantRadius{0.5});
+  const std::string message = refusal_of_lattice(options, ConstantRadius{0.5});
   CHECK_THAT(message, Contains("bodies ") && Contains("overlap by 0.1 m") && Contains("at least 1 m"));
   options.spacing = 1.0;
-  CHECK(refusal(options, ConstantRadius{0.5}).empty());
+  CHECK(refusal_of_lattice(options, ConstantRadius{0.5}).empty());
 }
 
 TEST_CASE("the minimum spacing depends on which bodies are neighbours", "[packing]") {
@@ -202,21 +203,21 @@ TEST_CASE("the minimum spacing depends on which bodies are neighbours", "[packin
   options.spacing = 1.0;
   // Large bodies are two sites apart: 0.9 + 0.3 = 1.2 between neighbours, 1.8/2 = 0.9 between large ones.
   const ListedRadius radii{{0.9, 0.3, 0.9, 0.3}, {}};
-  const std::string message = refusal(options, radii);
+  const std::string message = refusal_of_lattice(options, radii);
   CHECK_THAT(message, Contains("overlap by 0.2 m") && Contains("at least 1.2 m"));
   options.spacing = 1.2;
-  CHECK(refusal(options, radii).empty());
+  CHECK(refusal_of_lattice(options, radii).empty());
   options.spacing = 1.199;
-  CHECK_FALSE(refusal(options, radii).empty());
+  CHECK_FALSE(refusal_of_lattice(options, radii).empty());
 }
 
 TEST_CASE("with displacement the message gives a spacing that always suffices", "[packing]") {
   LatticeOptions options = options_of(LatticeKind::simple_cubic, 5, 5, 5);
   options.spacing = 1.05;
   options.displacement = 0.2;
-  CHECK_THAT(refusal(options, ConstantRadius{0.5}), Contains("at least 1.4 m"));
+  CHECK_THAT(refusal_of_lattice(options, ConstantRadius{0.5}), Contains("at least 1.4 m"));
   options.spacing = 1.4;
-  CHECK(refusal(options, ConstantRadius{0.5}).empty());
+  CHECK(refusal_of_lattice(options, ConstantRadius{0.5}).empty());
 }
 
 TEST_CASE("the same seed fills the same lattice", "[packing]") {
@@ -229,28 +230,28 @@ TEST_CASE("the same seed fills the same lattice", "[packing]") {
 
 TEST_CASE("invalid lattices are refused with a cure", "[packing]") {
   LatticeOptions options;
-  CHECK_THAT(refusal(options), Contains("either the counts along the axes or the total"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("either the counts along the axes or the total"));
   options.total = 0;
-  CHECK_THAT(refusal(options), Contains("give 1 to 100000000"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("give 1 to 100000000"));
   options = options_of(LatticeKind::simple_cubic, 4, 0, 4);
-  CHECK_THAT(refusal(options), Contains("0 sites along y"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("0 sites along y"));
   const std::int64_t huge = std::numeric_limits<std::int64_t>::max();
   options = options_of(LatticeKind::simple_cubic, huge, huge, huge);
-  CHECK_THAT(refusal(options), Contains("give smaller counts"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("give smaller counts"));
   options = options_of(LatticeKind::simple_cubic, 2, 2, 2);
   options.spacing = 0.0;
-  CHECK_THAT(refusal(options), Contains("spacing 0 m"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("spacing 0 m"));
   options.spacing.reset();
   options.gap = -0.1;
-  CHECK_THAT(refusal(options), Contains("gap -0.1"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("gap -0.1"));
   options = options_of(LatticeKind::triangular, 4, 3, 1);
   options.periodic = {true, true, false};
-  CHECK_THAT(refusal(options), Contains("3 rows along y") && Contains("even number"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("3 rows along y") && Contains("even number"));
   options.periodic = {true, false, true};
-  CHECK_THAT(refusal(options), Contains("cannot be periodic along z"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("cannot be periodic along z"));
   options = options_of(LatticeKind::square, 2, 2, 1);
   options.count = {2, 2, 2};
-  CHECK_THAT(refusal(options), Contains("give 1"));
+  CHECK_THAT(refusal_of_lattice(options), Contains("give 1"));
 }
 
 TEST_CASE("lattice names read back, and an unknown one suggests the nearest", "[packing]") {

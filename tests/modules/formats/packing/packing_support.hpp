@@ -6,6 +6,7 @@
 #include <string>
 
 #include <scree/error.hpp>
+#include <scree/packing/lammps.hpp>
 #include <scree/packing/packing.hpp>
 #include <scree/packing/random.hpp>
 
@@ -20,6 +21,10 @@ std::string error_of(Call call) {
     return error.what();
   }
   return {};
+}
+
+inline Packing parse_dump(const std::string& text, const ImportOptions& options = {}) {
+  return parse_lammps_dump(text, "d", options);
 }
 
 inline bool same_bits(double a, double b) {

@@ -1,4 +1,4 @@
-#include "packing_support.hpp"
+#include "cloud_support.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,20 +33,13 @@ CloudOptions filling(const Region& region, double solid_fraction, int dimension 
   return options;
 }
 
-Cloud cloud_of(const CloudOptions& options, const RadiusDistribution& radii, std::uint64_t seed = 5) {
-  Random random(seed);
-  return fill_randomly(options, radii, random);
-}
-
-std::string refusal(const CloudOptions& options, const RadiusDistribution& radii) {
+std::string refusal_of_cloud(const CloudOptions& options, const RadiusDistribution& radii) {
   return error_of([&] { cloud_of(options, radii); });
 }
 
 // Volume of the bodies over that of the region.
 double fraction_of(const Packing& packing, const Region& region) {
-  double volume = 0.0;
-  for (const Body& body : packing.bodies) volume += volume_of_body(body.radius, packing.dimension);
-  return volume / volume_of(region, packing.dimension);
+  return volume_of_bodies(packing) / volume_of(region, packing.dimension);
 }
 
 }  // namespace
@@ -153,7 +146,7 @@ TEST_CASE(
   CHECK(cloud_of(filling(unit_box, 0.4, 2), ConstantRadius{0.01}).solid_fraction == Approx(0.4));
   // Saturation of equal bodies: 0.384 in 3D, 0.547 in 2D (Torquato & Stillinger 2010); less between walls.
   for (const int dimension : {2, 3}) {
-    const std::string error = refusal(filling(unit_box, 0.6, dimension), ConstantRadius{0.03});
+    const std::string error = refusal_of_cloud(filling(unit_box, 0.6, dimension), ConstantRadius{0.03});
     CAPTURE(error);
     CHECK_THAT(error, StartsWith("random cloud: after ") && Contains(", a solid fraction of 0."));
     const double reached = std::stod(error.substr(error.find("fraction of ") + 12));
@@ -166,20 +159,23 @@ TEST_CASE(
 
 TEST_CASE("a random cloud that cannot be is refused with its cure", "[packing]") {
   CHECK(
-      refusal(counted_in(unit_box, 1), ConstantRadius{0.6}) ==
+      refusal_of_cloud(counted_in(unit_box, 1), ConstantRadius{0.6}) ==
       "random cloud: a body of radius 0.6 m does not fit into 1 m along x; give a larger region or smaller radii");
-  CHECK_THAT(refusal(counted_in(Bounds{{}, {{1.0, 0.0, 1.0}}}, 1), ConstantRadius{0.1}),
+  CHECK_THAT(refusal_of_cloud(counted_in(Bounds{{}, {{1.0, 0.0, 1.0}}}, 1), ConstantRadius{0.1}),
              Contains("the region has no length along y; "));
-  CHECK_THAT(refusal(counted_in(unit_box, 1), ConstantRadius{1e-10}),
+  CHECK_THAT(refusal_of_cloud(counted_in(unit_box, 1), ConstantRadius{1e-10}),
              Contains("is below 1e-09 of the region"));
-  CHECK_THAT(refusal(filling(unit_box, 0.1), ConstantRadius{0.45}),
+  CHECK_THAT(refusal_of_cloud(filling(unit_box, 0.1), ConstantRadius{0.45}),
              Contains("1 radius would have to be multiplied by 0.64 to meet the solid fraction; "));
-  CHECK_THAT(refusal(filling(unit_box, 0.1), ListedRadius{{0.1, 0.2}, {}}), Contains("give weights"));
-  CHECK_THAT(refusal(filling(unit_box, 0.3), ConstantRadius{1e-8}), Contains("needs about 7.16e+22 bodies"));
+  CHECK_THAT(refusal_of_cloud(filling(unit_box, 0.1), ListedRadius{{0.1, 0.2}, {}}),
+             Contains("give weights"));
+  CHECK_THAT(refusal_of_cloud(filling(unit_box, 0.3), ConstantRadius{1e-8}),
+             Contains("needs about 7.16e+22 bodies"));
   CloudOptions taken = counted_in(unit_box, 3);
   taken.obstacles = {{{{0.5, 0.5, 0.5}}, 0.9}};
-  CHECK_THAT(refusal(taken, ConstantRadius{0.1}), Contains("after 0 of 3 bodies, a solid fraction of 0, ") &&
-                                                      Contains("give a region that other bodies leave free"));
+  CHECK_THAT(refusal_of_cloud(taken, ConstantRadius{0.1}),
+             Contains("after 0 of 3 bodies, a solid fraction of 0, ") &&
+                 Contains("give a region that other bodies leave free"));
 }
 
 TEST_CASE("the work of a random cloud grows as the number of its bodies", "[packing]") {

@@ -20,7 +20,7 @@ namespace {
 // 32 bytes: two numbers of 64 bits, and texts in 16 bytes.
 const std::string content = std::string("\1\0\0\0\0\0\0\0", 8) + std::string("\0\1\0\0\0\0\0\0", 8) +
                             std::string("glass\0\0\0stone\0\0\0", 16);
-constexpr std::uint64_t unsigned_numbers = 3, texts = 7;  // places in StateArray::values
+constexpr std::uint64_t unsigned_kind = 3, texts_kind = 7;  // places in StateArray::values
 
 StateArray read(std::vector<PlacedArray> places, double memory = 1e9) {
   const test::TemporaryFolder folder;
@@ -37,7 +37,7 @@ StateArray read(std::vector<PlacedArray> places, double memory = 1e9) {
   return last;
 }
 
-std::string refusal_of(const std::vector<PlacedArray>& places, double memory = 1e9) {
+std::string refusal_of_places(const std::vector<PlacedArray>& places, double memory = 1e9) {
   try {
     read(places, memory);
   } catch (const Error& error) {
@@ -47,17 +47,12 @@ std::string refusal_of(const std::vector<PlacedArray>& places, double memory = 1
 }
 
 PlacedArray numbers() {
-  return {.path = "a",
-          .kind = unsigned_numbers,
-          .unit = "1",
-          .shape = {2},
-          .offset = 0,
-          .width = 8,
-          .lengths = {}};
+  return {
+      .path = "a", .kind = unsigned_kind, .unit = "1", .shape = {2}, .offset = 0, .width = 8, .lengths = {}};
 }
 
 PlacedArray words() {
-  return {.path = "b", .kind = texts, .unit = "", .shape = {2}, .offset = 16, .width = 8, .lengths = {}};
+  return {.path = "b", .kind = texts_kind, .unit = "", .shape = {2}, .offset = 16, .width = 8, .lengths = {}};
 }
 
 }  // namespace
@@ -75,16 +70,16 @@ TEST_CASE("Texts end at the zeros that fill them, or have their lengths", "[arra
   place.lengths = {7, 0};
   CHECK(read({place}) == StateArray{std::vector<std::string>{std::string("glass\0\0", 7), ""}, {2}, ""});
   place.lengths = {9, 0};
-  CHECK(refusal_of({place}) == "'b' has texts longer than their room");
+  CHECK(refusal_of_places({place}) == "'b' has texts longer than their room");
   place.lengths = {1};
-  CHECK(refusal_of({place}) == "'b' has no lengths for its texts");
+  CHECK(refusal_of_places({place}) == "'b' has no lengths for its texts");
 }
 
 TEST_CASE("A place that cannot be in the file takes no memory", "[array_reader]") {
   const auto changed = [](auto change) {
     PlacedArray place = numbers();
     change(place);
-    return refusal_of({place});
+    return refusal_of_places({place});
   };
   CHECK(changed([](PlacedArray& p) {
           p.shape = {1ull << 40, 1ull << 40};
@@ -95,7 +90,8 @@ TEST_CASE("A place that cannot be in the file takes no memory", "[array_reader]"
   CHECK(changed([](PlacedArray& p) { p.kind = 8; }) == "'a' has a type that no state has");
   CHECK_THAT(changed([](PlacedArray& p) { p.path = "A"; }), Contains("whose name is not that of an array"));
   // Each of the arrays is within the file, but not all of them together.
-  CHECK(refusal_of({numbers(), numbers()}).empty());
-  CHECK(refusal_of({numbers(), numbers(), numbers()}) == "'a' claims more bytes than are in the file");
-  CHECK(refusal_of({numbers(), words()}, 31) == "'b' does not fit into memory with the arrays before it");
+  CHECK(refusal_of_places({numbers(), numbers()}).empty());
+  CHECK(refusal_of_places({numbers(), numbers(), numbers()}) == "'a' claims more bytes than are in the file");
+  CHECK(refusal_of_places({numbers(), words()}, 31) ==
+        "'b' does not fit into memory with the arrays before it");
 }

@@ -26,7 +26,7 @@ struct Backend final : StateBackend {
   TrajectoryFrame frame(const std::filesystem::path&, std::uint64_t) override { return {}; }
 };
 
-std::string refusal_of(std::function<std::vector<PlacedArray>()> work) {
+std::string refusal_of_backend(std::function<std::vector<PlacedArray>()> work) {
   Backend backend(std::move(work));
   try {
     places_in(0, backend);
@@ -40,11 +40,11 @@ std::string refusal_of(std::function<std::vector<PlacedArray>()> work) {
 
 TEST_CASE("Where HDF5 crashes or ends the program, the file is damaged", "[opened_file]") {
   using Places = std::vector<PlacedArray>;
-  CHECK_THAT(refusal_of([] { return std::raise(SIGKILL), Places(); }),
+  CHECK_THAT(refusal_of_backend([] { return std::raise(SIGKILL), Places(); }),
              Equals("is damaged, so that HDF5 cannot read it (signal 9, Killed)"));
-  CHECK_THAT(refusal_of([]() -> Places { ::_exit(0); }),
+  CHECK_THAT(refusal_of_backend([]() -> Places { ::_exit(0); }),
              Equals("is damaged, so that HDF5 cannot read it (status 0)"));
-  CHECK_THAT(refusal_of([]() -> Places { throw Error("is odd"); }), Equals("is odd"));
+  CHECK_THAT(refusal_of_backend([]() -> Places { throw Error("is odd"); }), Equals("is odd"));
 }
 
 TEST_CASE("Places that HDF5 finds are passed on as they are", "[opened_file]") {

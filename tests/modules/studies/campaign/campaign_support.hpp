@@ -42,6 +42,10 @@ class CampaignFolder {
   TemporaryFolder folder_;
 };
 
+inline campaign::Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met = true) {
+  return {campaign::Status::finished, "", std::move(numbers), {{"It holds", met}}};
+}
+
 using Texts = std::vector<std::string>;
 
 inline std::string refusal_of(const std::string& rest) { return CampaignFolder(rest).refusal(); }

@@ -11,6 +11,7 @@ using namespace scree::campaign;
 using test::CampaignFolder;
 using test::make_run;
 using test::outcome_of;
+using test::starts;
 
 namespace {
 
@@ -25,11 +26,6 @@ std::string scene_from_file() {
 
 void append(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary | std::ios::app) << text;
-}
-
-void starts(const std::string& line, const std::string& with) {
-  INFO(line);
-  CHECK(line.starts_with(with));
 }
 
 }  // namespace

@@ -6,14 +6,9 @@
 
 using namespace scree::campaign;
 using scree::test::CampaignFolder;
+using scree::test::finished;
 
-namespace {
-
-Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met = true) {
-  return {Status::finished, "", std::move(numbers), {{"It holds", met}}};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("the summary lists varied keys, expectations and failed runs with their reasons", "[campaign]") {
   const Campaign c = CampaignFolder("seeds = [1, 2, 3]\n[set]\ntime.step = [1e-5]\n").read();

@@ -10,14 +10,9 @@
 
 using namespace scree::campaign;
 using scree::test::CampaignFolder;
+using scree::test::finished;
 
-namespace {
-
-Outcome finished(std::vector<std::pair<std::string, double>> numbers, bool met = true) {
-  return {Status::finished, "", std::move(numbers), {{"It holds", met}}};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("the table has a row per run, with numbers of finished runs only", "[campaign]") {
   const Campaign c =

@@ -21,8 +21,8 @@ const std::string two_discs =
     "[[particle]]\nid = 7\nposition = [0, 0.0099]\nradius = 0.01\nmass = 1\n"
     "[[particle]]\nid = 3\nposition = [0.01794, 0.03382]\nradius = 0.02\nmass = 1\n"
     "[[boundary]]\nplugin = 'plane'\nname = 'floor'\npoint = [0, 0]\nnormal = [0, 1]\n";
-constexpr double stiffness = 1e4;
-constexpr double round_off = 1e-11;  // of an overlap of 1e-4 m, the difference of numbers of 1e-2 m
+constexpr double disc_stiffness = 1e4;
+constexpr double overlap_round_off = 1e-11;  // of an overlap of 1e-4 m, the difference of numbers of 1e-2 m
 
 run::EvaluatedState last_state(const Bench& bench) {
   bench.run();
@@ -57,11 +57,13 @@ TEST_CASE("contacts of a state without forces have the forces of their law, with
     const Disc b = wall ? Disc{a.x, 0, 0} : disc(frame, frame.contact_b[c]);
     const double dx = a.x - b.x, dy = a.y - b.y, distance = std::hypot(dx, dy);
     const double overlap = a.radius + b.radius - distance;
-    CHECK(frame.contact_overlap[c] == Approx(overlap).epsilon(round_off));
+    CHECK(frame.contact_overlap[c] == Approx(overlap).epsilon(overlap_round_off));
     CHECK(frame.contact_normal[3 * c] == Approx(dx / distance));
     CHECK(frame.contact_normal[3 * c + 1] == Approx(dy / distance));
-    CHECK(frame.contact_force[3 * c] == Approx(stiffness * overlap * dx / distance).epsilon(round_off));
-    CHECK(frame.contact_force[3 * c + 1] == Approx(stiffness * overlap * dy / distance).epsilon(round_off));
+    CHECK(frame.contact_force[3 * c] ==
+          Approx(disc_stiffness * overlap * dx / distance).epsilon(overlap_round_off));
+    CHECK(frame.contact_force[3 * c + 1] ==
+          Approx(disc_stiffness * overlap * dy / distance).epsilon(overlap_round_off));
     const double arm = (distance + a.radius - b.radius) / 2;  // to the middle of the overlap
     CHECK(frame.contact_point[3 * c] == Approx(a.x - (wall ? a.radius - overlap / 2 : arm) * dx / distance));
     CHECK(frame.contact_point[3 * c + 1] ==

@@ -11,6 +11,7 @@ using namespace scree;
 using namespace scree::scenario;
 using namespace scree::run;
 using namespace scree::test;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -21,14 +22,15 @@ const std::string sliding =
          "normal_damping = 0\n",
          "normal_damping = 0.5\ntangential_stiffness = 5e3\nstatic_friction = 0.4\n") +
     "[[body_force]]\nplugin = 'gravity'\nacceleration = [1, -10]\n";
-const std::string packing =
+const std::string touching_lattice =
     "lattice = { kind = 'square', count = [3, 3], gap = 0.0 }\nradius = 0.01\nrandom_velocity = 0.1\n";
 const std::string preparation = "[[stage]]\nduration = 6e-3\n";
 
 // The scene that begins from the state at the end of a run.
 std::string from_state(const Bench& prepared) {
   ::setenv("SCREE_STATE_PATH", prepared.options.out.c_str(), 1);
-  return with(sliding, packing, "state = '" + (prepared.options.out / "final_state.h5").string() + "'\n");
+  return with(sliding, touching_lattice,
+              "state = '" + (prepared.options.out / "final_state.h5").string() + "'\n");
 }
 
 // The results of a run as they are written.

@@ -15,13 +15,13 @@ using namespace scree::test;
 
 namespace {
 
-constexpr const char* grid =
+constexpr const char* measured_grid =
     "from_hz = 70\nto_hz = 105\nstep_hz = 0.5\nsweep.periods = 100\nlinear.fewest_contacts = 1\npulse.decay = 1e-6\n";
 
 }  // namespace
 
 TEST_CASE("three methods find the same peak of a chain", "[spectrum]") {
-  const Bench bench(Chain().text(grid));
+  const Bench bench(Chain().text(measured_grid));
   const Measurement m = measure(bench.plan, bench.options);
   REQUIRE(m.spectra.size() == 3);
   REQUIRE(m.resonances.size() == 6);
@@ -80,10 +80,10 @@ TEST_CASE("a spectrum that cannot be measured leaves nothing behind", "[spectrum
     CHECK(!std::filesystem::exists(bench.options.out));
     return line;
   };
-  std::string without = Chain().text(grid);
+  std::string without = Chain().text(measured_grid);
   without = with(without.erase(without.find("[spectrum]")), "[time]\n", "[time]\nduration = 1\n");
   CHECK_THAT(refused(without, {}), Catch::Contains("has no [spectrum]; add one"));
-  CHECK_THAT(refused(Chain().text(grid), {"spectrum.linear.fewest_contacts=9"}),
+  CHECK_THAT(refused(Chain().text(measured_grid), {"spectrum.linear.fewest_contacts=9"}),
              Catch::Contains("no body is held"));
 }
 
@@ -121,13 +121,13 @@ TEST_CASE("columns without a value and layers without beads are refused before a
           "[spectrum]") {
   std::string line;
   SECTION("a layer without beads") {
-    Bench bench(with(Chain().text(grid), "'particles.z_1'", "'layer.position'") +
+    Bench bench(with(Chain().text(measured_grid), "'particles.z_1'", "'layer.position'") +
                 "[[probe]]\nplugin = 'layer'\naxis = 'z'\nat = 5\nhalf_width = 0.001\n");
     line = message([&] { measure(bench.plan, bench.options); });
     CHECK(!std::filesystem::exists(bench.options.out));
   }
   SECTION("energies that are not computed") {
-    Bench bench(with(Chain().text(grid), "'particles.z_1'", "'energy.residual'") +
+    Bench bench(with(Chain().text(measured_grid), "'particles.z_1'", "'energy.residual'") +
                 "[[probe]]\nplugin = 'energy'\n");
     bench.plan.scene.audit = false;
     line = message([&] { measure(bench.plan, bench.options); });
@@ -140,7 +140,7 @@ TEST_CASE("columns without a value and layers without beads are refused before a
 }
 
 TEST_CASE("a drive that moves no wall is refused", "[spectrum]") {
-  const std::string text = with(Chain().text(grid), "displacement = 0\n", "control = 'fixed'\n");
+  const std::string text = with(Chain().text(measured_grid), "displacement = 0\n", "control = 'fixed'\n");
   Bench bench(text);
   CHECK(message([&] { measure(bench.plan, bench.options); }).find("moves no wall with its present control") !=
         std::string::npos);

@@ -27,7 +27,7 @@ MethodSpectrum sweep(const Start& start) {
   return sweep.spectra().at(0);
 }
 
-constexpr const char* few =
+constexpr const char* few_points =
     "from_hz = 101\nto_hz = 105\nstep_hz = 2\nsweep.periods = 12\nsweep.analysed_periods = 6\n";
 
 }  // namespace
@@ -73,7 +73,7 @@ TEST_CASE("the samples of a sweep do not change the motion", "[spectrum]") {
 
 TEST_CASE("the driven wall moves on without a jump where the frequency changes", "[spectrum]") {
   const Chain chain;
-  const scenario::Plan plan = driven_plan_of(chain.text(few));
+  const scenario::Plan plan = driven_plan_of(chain.text(few_points));
   const Start start = start_of(plan);
   Sweep sweep(start);
   sweep.run([] {});
@@ -91,7 +91,7 @@ TEST_CASE("a sweep that is saved and restored goes on to the same bits", "[spect
   const Chain chain;
   // A layer keeps where its bodies were at the start.
   const scenario::Plan plan =
-      driven_plan_of(with(chain.text(few), "'particles.z_1'", "'layer.displacement'") +
+      driven_plan_of(with(chain.text(few_points), "'particles.z_1'", "'layer.displacement'") +
                      "[[probe]]\nplugin = 'layer'\naxis = 'z'\nat = 0.035\nhalf_width = 0.01\n");
   const Start start = start_of(plan);
   Sweep whole(start);
@@ -166,7 +166,8 @@ TEST_CASE("layers of shapes change neither the steps of an adaptive sweep nor th
 
 TEST_CASE("a sweep up and down has a spectrum for each direction", "[spectrum]") {
   const Chain chain;
-  const scenario::Plan plan = driven_plan_of(chain.text(few + std::string("sweep.direction = 'both'\n")));
+  const scenario::Plan plan =
+      driven_plan_of(chain.text(few_points + std::string("sweep.direction = 'both'\n")));
   const Start start = start_of(plan);
   Sweep sweep(start);
   sweep.run([] {});
@@ -181,7 +182,7 @@ TEST_CASE("a sweep up and down has a spectrum for each direction", "[spectrum]")
 TEST_CASE("a column that the wave does not reach is noted by pulse and sweep", "[spectrum]") {
   // Beads on one axis do not move sideways.
   const scenario::Plan plan =
-      driven_plan_of(with(Chain().text(few), "'particles.z_8']", "'particles.z_8', 'particles.x_8']"));
+      driven_plan_of(with(Chain().text(few_points), "'particles.z_8']", "'particles.z_8', 'particles.x_8']"));
   for (const MethodSpectrum& spectrum : {sweep(start_of(plan)), pulse_spectrum(start_of(plan))}) {
     const auto noted = std::count_if(
         spectrum.notes.begin(), spectrum.notes.end(),

@@ -18,16 +18,16 @@ using scree::test::Values;
 
 namespace {
 
-const Values springs = {{"normal_stiffness", {1000}},
-                        {"normal_damping", {0}},
-                        {"tangential_stiffness", {600}},
-                        {"static_friction", {50}}};
-const Values discs = {{"normal_stiffness", {1000}},
-                      {"normal_damping", {0}},
-                      {"tangential_stiffness", {600}},
-                      {"tangential_damping", {0}},
-                      {"friction", {50}}};
-const Values smooth = {{"normal_stiffness", {1000}}, {"normal_damping", {0}}};
+const Values spring_values = {{"normal_stiffness", {1000}},
+                              {"normal_damping", {0}},
+                              {"tangential_stiffness", {600}},
+                              {"static_friction", {50}}};
+const Values disc_values = {{"normal_stiffness", {1000}},
+                            {"normal_damping", {0}},
+                            {"tangential_stiffness", {600}},
+                            {"tangential_damping", {0}},
+                            {"friction", {50}}};
+const Values smooth_values = {{"normal_stiffness", {1000}}, {"normal_damping", {0}}};
 
 // history: 0: displacement, 1: rescaled, 2: potential.
 Values hertz(double history) {
@@ -61,16 +61,16 @@ double asymmetry(const Matrix& m) {
 TEST_CASE("the stiffness matrix is the derivative of the forces of the kernel", "[response]") {
   for (const int dimension : {2, 3}) {
     CAPTURE(dimension);
-    CHECK(error_of_stiffness(test::heap(dimension, smooth)) < 1e-8);
-    CHECK(error_of_stiffness(test::heap(dimension, springs)) < 1e-8);
+    CHECK(error_of_stiffness(test::heap(dimension, smooth_values)) < 1e-8);
+    CHECK(error_of_stiffness(test::heap(dimension, spring_values)) < 1e-8);
   }
   for (const double history : {0, 2})
     CHECK(error_of_stiffness(test::heap(3, hertz(history), "hertz_mindlin")) < 1e-8);
   for (const std::string law : {"disc_cundall_strack", "disc_angular"}) {
     CAPTURE(law);
-    CHECK(error_of_stiffness(test::heap(2, discs, law)) < 1e-8);
+    CHECK(error_of_stiffness(test::heap(2, disc_values, law)) < 1e-8);
   }
-  CHECK(error_of_stiffness(test::heap(3, springs, "sphere_path_independent")) < 1e-8);
+  CHECK(error_of_stiffness(test::heap(3, spring_values, "sphere_path_independent")) < 1e-8);
 }
 
 // Central differences have the mean of both stiffnesses, up to the difference of their second derivatives: with the step h = 2e-4 over
@@ -116,7 +116,7 @@ TEST_CASE("the damping matrix is the derivative of the forces with velocities an
 }
 
 TEST_CASE("rolling resistance damps relative spins at rest", "[response]") {
-  Values law = springs;
+  Values law = spring_values;
   const Scene without = test::heap(2, law, "linear_spring_dashpot", 1);
   law.push_back({"rolling_friction", {0.1}});
   const Scene with = test::heap(2, law, "linear_spring_dashpot", 1);
@@ -132,7 +132,7 @@ TEST_CASE("rolling resistance damps relative spins at rest", "[response]") {
 // The sums of at most a dozen terms are exact to round-off.
 TEST_CASE("packings that move with their walls feel no force", "[response]") {
   for (const int dimension : {2, 3}) {
-    const Simulation simulation(test::heap(dimension, springs));
+    const Simulation simulation(test::heap(dimension, spring_values));
     const LinearSystem system = system_of(simulation);
     for (int k = 0; k < dimension; ++k) {
       Eigen::VectorXd motion = Eigen::VectorXd::Zero(system.freedom.size());
@@ -147,7 +147,7 @@ TEST_CASE("packings that move with their walls feel no force", "[response]") {
 TEST_CASE("a rotation of all bodies turns their forces", "[response]") {
   for (const int dimension : {2, 3}) {
     CAPTURE(dimension);
-    Scene scene = test::heap(dimension, dimension == 2 ? springs : smooth);
+    Scene scene = test::heap(dimension, dimension == 2 ? spring_values : smooth_values);
     scene.boundaries.clear();
     const State state = test::strained(scene);
     const Simulation simulation(scene, state);
@@ -174,16 +174,16 @@ TEST_CASE("a rotation of all bodies turns their forces", "[response]") {
 TEST_CASE("a stiffness matrix is symmetric where the forces have a potential", "[response]") {
   for (const int dimension : {2, 3}) {
     // Springs without load have the potential ½ k ξ²; with one the torque of a contact depends on its path.
-    CHECK(asymmetry(Matrix(system_of(Simulation(test::heap(dimension, springs))).stiffness)) < 1e-14);
-    CHECK(asymmetry(Matrix(system_of(Simulation(test::heap(dimension, smooth))).stiffness)) < 1e-14);
+    CHECK(asymmetry(Matrix(system_of(Simulation(test::heap(dimension, spring_values))).stiffness)) < 1e-14);
+    CHECK(asymmetry(Matrix(system_of(Simulation(test::heap(dimension, smooth_values))).stiffness)) < 1e-14);
   }
-  const Scene scene = test::heap(3, springs);
+  const Scene scene = test::heap(3, spring_values);
   CHECK(asymmetry(Matrix(system_of(Simulation(scene, test::strained(scene))).stiffness)) > 1e-4);
 }
 
 TEST_CASE("bodies with too few contacts, and those that they held, are left out", "[response]") {
   // Two discs in a row on the right wall of a square of four, and a free one.
-  Scene scene = test::heap(2, springs);
+  Scene scene = test::heap(2, spring_values);
   scene.bodies.push_back(test::body(4, 1, test::heavy, {{-1.2, 3.9, 0}}, {}, {}, 2));  // touches nothing
   scene.bodies.push_back(test::body(5, 1, test::heavy, {{4.7, 2.9, 0}}, {}, {}, 2));   // touches disc 3
   scene.bodies.push_back(test::body(6, 1, test::heavy, {{6.6, 2.9, 0}}, {}, {}, 2));   // touches disc 5
@@ -192,7 +192,7 @@ TEST_CASE("bodies with too few contacts, and those that they held, are left out"
   CHECK(system.freedom.size() == 4 * 3);
   CHECK(system.freedom.translation(5, 0) == DegreesOfFreedom::none);
   // Without friction D + 1 contacts are needed, which no disc of the heap has when the free ones are gone.
-  CHECK_THROWS_WITH(assemble(Simulation(test::heap(2, smooth))),
+  CHECK_THROWS_WITH(assemble(Simulation(test::heap(2, smooth_values))),
                     Catch::Contains("no body is held") && Catch::Contains("; compress the packing"));
 }
 
@@ -348,7 +348,7 @@ TEST_CASE("a row between two fixed spheres has the frequencies of a clamped chai
 TEST_CASE("the stiffness of bodies on fixed ones is the derivative of the forces of the kernel",
           "[response]") {
   for (const int dimension : {2, 3}) {
-    Scene scene = test::heap(dimension, springs);
+    Scene scene = test::heap(dimension, spring_values);
     const State state = test::strained(scene);
     scene.bodies = present_bodies(state);
     scene.bodies[0].fixed = scene.bodies[1].fixed = true;

@@ -13,12 +13,12 @@ using scree::test::Values;
 
 namespace {
 
-constexpr double normal = 1000, tangential = 600;  // (N/m)
+constexpr double normal_spring = 1000, tangential_spring = 600;  // (N/m)
 
-Values springs(double friction, double damping = 0) {
-  return {{"normal_stiffness", {normal}},
+Values sticking_springs(double friction, double damping = 0) {
+  return {{"normal_stiffness", {normal_spring}},
           {"normal_damping", {damping}},
-          {"tangential_stiffness", {tangential}},
+          {"tangential_stiffness", {tangential_spring}},
           {"tangential_damping", {damping / 2}},
           {"static_friction", {friction}}};
 }
@@ -46,15 +46,15 @@ using Vector = Eigen::Matrix<double, 6, 1>;
 TEST_CASE("the stiffness and damping of a pair of discs are those of their springs and dashpots",
           "[response]") {
   const double d = 1.9, damping = 3;
-  const ContactTerms terms = terms_of(Simulation(pair_of_discs(springs(50, damping), d)));
+  const ContactTerms terms = terms_of(Simulation(pair_of_discs(sticking_springs(50, damping), d)));
   Vector along, across, slip;
   along << 1, 0, 0, -1, 0, 0;
   across << 0, 1, 0, 0, -1, 0;
   slip << 0, 1, d / 2, 0, -1, d / 2;
-  const double force = normal * (2 - d);
+  const double force = normal_spring * (2 - d);
   CHECK(terms.force[0] == Approx(-force));
-  const Eigen::MatrixXd stiffness = normal * along * along.transpose() +
-                                    tangential * slip * slip.transpose() -
+  const Eigen::MatrixXd stiffness = normal_spring * along * along.transpose() +
+                                    tangential_spring * slip * slip.transpose() -
                                     force / d * across * across.transpose();
   const Eigen::MatrixXd dashpots =
       damping * along * along.transpose() + damping / 2 * slip * slip.transpose();
@@ -69,7 +69,7 @@ TEST_CASE("the stiffness and damping of a pair of discs are those of their sprin
 // overlap; while it sticks the spring adds t tᵀ. The spring is at the limit to 1e-9 of the overlap.
 TEST_CASE("at the limit of friction a contact slides on or sticks, as is asked for", "[response]") {
   const double friction = 0.02;
-  Simulation simulation(pair_of_discs(springs(friction), 1.9, 1));
+  Simulation simulation(pair_of_discs(sticking_springs(friction), 1.9, 1));
   test::run(simulation, 200);  // 0.02 m, ten times the slip to the limit
   for (const AtLimit limit : {AtLimit::slide, AtLimit::stick}) {
     const ContactTerms terms = terms_of(simulation, limit);
@@ -80,12 +80,12 @@ TEST_CASE("at the limit of friction a contact slides on or sticks, as is asked f
     const double d = apart.norm();
     const Eigen::Vector2d n = apart / d, t(-n[1], n[0]), f = terms.force.head(2);
     CHECK(std::abs(f.dot(t)) == Approx(friction * f.dot(n)).epsilon(1e-6));
-    Eigen::Matrix2d expected =
-        normal * n * n.transpose() - f.dot(n) / d * t * t.transpose() + f.dot(t) / d * n * t.transpose();
+    Eigen::Matrix2d expected = normal_spring * n * n.transpose() - f.dot(n) / d * t * t.transpose() +
+                               f.dot(t) / d * n * t.transpose();
     if (limit == AtLimit::slide)
-      expected += normal * f.dot(t) / f.dot(n) * t * n.transpose();
+      expected += normal_spring * f.dot(t) / f.dot(n) * t * n.transpose();
     else
-      expected += tangential * t * t.transpose();
+      expected += tangential_spring * t * t.transpose();
     CHECK((Eigen::Matrix2d(terms.stiffness.topLeftCorner(2, 2)) - expected).norm() < 1e-6 * expected.norm());
   }
 }

@@ -53,7 +53,7 @@ Eigen::VectorXd loads_after(const Scene& scene, const State& state, const Degree
 }
 
 // Largest difference between K and the differences of the kernel's forces, over the largest entry of K.
-double error_of_stiffness(const Scene& scene) {
+double error_of_wall_stiffness(const Scene& scene) {
   const State state = test::strained(scene);
   const LinearSystem system = assemble(Simulation(scene, state), {.fewest_contacts = 1});
   REQUIRE(system.freedom.walls() == std::size_t(2 * scene.dimension));
@@ -81,15 +81,15 @@ TEST_CASE("the stiffness of walls under stress is the derivative of loads and pr
                           {"static_friction", {50}}};
   for (const int dimension : {2, 3}) {
     CAPTURE(dimension);
-    CHECK(error_of_stiffness(boxed(dimension, smooth)) < 1e-8);
-    CHECK(error_of_stiffness(boxed(dimension, springs)) < 1e-8);
+    CHECK(error_of_wall_stiffness(boxed(dimension, smooth)) < 1e-8);
+    CHECK(error_of_wall_stiffness(boxed(dimension, springs)) < 1e-8);
   }
   const Values hertz = {{"youngs_modulus", {1000}},
                         {"poissons_ratio", {0.25}},
                         {"restitution", {1}},
                         {"friction", {50}},
                         {"history", {2}}};  // potential
-  CHECK(error_of_stiffness(boxed(3, hertz, "hertz_mindlin")) < 1e-8);
+  CHECK(error_of_wall_stiffness(boxed(3, hertz, "hertz_mindlin")) < 1e-8);
 }
 
 TEST_CASE("the pressing force of a wall follows walls that are driven beside it", "[response]") {

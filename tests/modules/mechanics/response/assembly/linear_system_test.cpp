@@ -1,4 +1,5 @@
-#include "scenes.hpp"
+#include "../bead_chain.hpp"
+#include "../matrices.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,16 +16,19 @@
 
 using namespace scree;
 using namespace scree::response;
+using scree::test::bead_count;
+using scree::test::bead_damping;
+using scree::test::bead_mass;
+using scree::test::bead_overlap;
+using scree::test::bead_stiffness;
+using scree::test::beads_from;
+using scree::test::Complex;
 using scree::test::Values;
-using Complex = std::complex<double>;
+using std::numbers::pi;
 
 namespace {
 
 enum { plane_displacement = 1, plane_force = 4 };
-
-constexpr double pi = std::numbers::pi;
-constexpr double k = 1000, damping_constant = 2, mass = 0.3, overlap = 1e-3;
-constexpr int beads = 20;
 
 struct Lid {
   double mass, viscosity;
@@ -33,19 +37,16 @@ struct Lid {
 constexpr Lid absorbing = {0.2, 15};
 
 // Beads in a row along x between a wall on the left, with the given motion, and a lid under a force on the right.
-Scene column(const Lid& lid, double step, const Values& left = {}, const Values& right = {}) {
-  std::vector<Body> bodies;
-  for (int n = 0; n < beads; ++n)
-    bodies.push_back(test::body(n, 1, mass, {{1 - overlap + (2 - overlap) * n, 0, 0}}, {}, {}, 2));
-  Scene scene = test::scene(2, step, std::move(bodies),
-                            {{"normal_stiffness", {k}}, {"normal_damping", {damping_constant}}});
+Scene lid_column(const Lid& lid, double step, const Values& left = {}, const Values& right = {}) {
+  Scene scene = test::scene(2, step, beads_from(1 - bead_overlap),
+                            {{"normal_stiffness", {bead_stiffness}}, {"normal_damping", {bead_damping}}});
   Values wall = {{"point", {0, 0, 0}}, {"normal", {1, 0, 0}}};
   wall.insert(wall.end(), left.begin(), left.end());
   test::add_boundary(scene, "plane", wall, "wall");
-  Values pressed = {{"point", {(2 - overlap) * beads - overlap, 0, 0}},
+  Values pressed = {{"point", {(2 - bead_overlap) * bead_count - bead_overlap, 0, 0}},
                     {"normal", {-1, 0, 0}},
                     {"control", {plane_force}},
-                    {"force", {0, k * overlap}},
+                    {"force", {0, bead_stiffness * bead_overlap}},
                     {"mass", {lid.mass}},
                     {"viscosity", {lid.viscosity}}};
   pressed.insert(pressed.end(), right.begin(), right.end());
@@ -54,24 +55,24 @@ Scene column(const Lid& lid, double step, const Values& left = {}, const Values&
 }
 
 LinearSystem column_system(const Lid& lid) {
-  return assemble(Simulation(column(lid, 1e-4)), {.fewest_contacts = 1});
+  return assemble(Simulation(lid_column(lid, 1e-4)), {.fewest_contacts = 1});
 }
 
-using Row = std::array<Complex, beads + 2>;  // displacements along x of wall, beads and lid
+using Row = std::array<Complex, bead_count + 2>;  // displacements along x of wall, beads and lid
 
 // u_n = a zⁿ + b z⁻ⁿ, z = e^(iκ), 4 (k + iωγ) sin²(κ/2) = m ω², with the wall at u_0 and
 // (iωγ_l − ω²m_l)(u_(N+1) − d) = (k + iωγ)(u_N − u_(N+1)).
 Row exact_column(const Lid& lid, double omega, const Complex& u_0, const Complex& d) {
-  const Complex spring(k, omega * damping_constant);
+  const Complex spring(bead_stiffness, omega * bead_damping);
   const Complex inertia = Complex(-omega * omega * lid.mass, omega * lid.viscosity);
-  const Complex kappa = 2.0 * std::asin(0.5 * omega * std::sqrt(mass / spring));
+  const Complex kappa = 2.0 * std::asin(0.5 * omega * std::sqrt(bead_mass / spring));
   const auto wave = [&](int n) { return std::exp(Complex(0, 1) * kappa * double(n)); };
   const auto at_lid = [&](int sign) {
-    return (inertia + spring) * wave(sign * (beads + 1)) - spring * wave(sign * beads);
+    return (inertia + spring) * wave(sign * (bead_count + 1)) - spring * wave(sign * bead_count);
   };
   const Complex a = (inertia * d - u_0 * at_lid(-1)) / (at_lid(1) - at_lid(-1));
   Row u;
-  for (int n = 0; n <= beads + 1; ++n) u[std::size_t(n)] = a * wave(n) + (u_0 - a) * wave(-n);
+  for (int n = 0; n <= bead_count + 1; ++n) u[std::size_t(n)] = a * wave(n) + (u_0 - a) * wave(-n);
   return u;
 }
 
@@ -79,7 +80,8 @@ Row exact_column(const Lid& lid, double omega, const Complex& u_0, const Complex
 Row column_of(const LinearSystem& system, const HarmonicResponse& response, const Complex& u_0) {
   Row u;
   u.front() = u_0;
-  for (std::size_t n = 1; n <= beads; ++n) u[n] = response.amplitude[system.freedom.translation(n - 1, 0)];
+  for (std::size_t n = 1; n <= bead_count; ++n)
+    u[n] = response.amplitude[system.freedom.translation(n - 1, 0)];
   u.back() = -response.amplitude[system.freedom.wall(1)];  // its normal points to −x
   return u;
 }
@@ -102,9 +104,9 @@ Row column_of_run(const Scene& scene, double amplitude) {
   const int per_period = int(std::lround(1 / (frequency_hz * scene.step)));
   Simulation s(scene);
   const auto positions = [&] {
-    std::array<double, beads + 2> x;
+    std::array<double, bead_count + 2> x;
     x.front() = s.planes()[0].point[0];
-    for (std::size_t n = 1; n <= beads; ++n) x[n] = test::position(s, n - 1)[0];
+    for (std::size_t n = 1; n <= bead_count; ++n) x[n] = test::position(s, n - 1)[0];
     x.back() = s.planes()[1].point[0];
     return x;
   };
@@ -126,10 +128,10 @@ Row column_of_run(const Scene& scene, double amplitude) {
 
 // Round-off, amplified at most by the quality of the resonances of the chain.
 TEST_CASE("a column under a lid with mass and viscosity moves as the discrete chain", "[response]") {
-  const double cut_off_hz = std::sqrt(k / mass) / pi;
+  const double cut_off_hz = std::sqrt(bead_stiffness / bead_mass) / pi;
   for (const Lid& lid : {absorbing, Lid{2, 0.1}, Lid{1e-4, 0}}) {
     const LinearSystem system = column_system(lid);
-    REQUIRE(system.freedom.size() == 2 * beads + 1);
+    REQUIRE(system.freedom.size() == 2 * bead_count + 1);
     for (const bool superposed : {false, true}) {
       // The lid's direction is −x, and w its displacement along x.
       const Drive drive = {.walls = Eigen::VectorXcd::Unit(4, superposed ? 2 : 0)};
@@ -168,14 +170,14 @@ TEST_CASE("a lid without mass keeps its force, and its superposed motion moves n
   }
   // Frequencies of a chain with a fixed and a free end.
   const Modes modes = modes_of(system);
-  REQUIRE(modes.square_frequency.size() == 2 * beads);
-  const double first = 2 * std::sqrt(k / mass) * std::sin(pi / (2 * (2 * beads + 1)));
+  REQUIRE(modes.square_frequency.size() == 2 * bead_count);
+  const double first = 2 * std::sqrt(bead_stiffness / bead_mass) * std::sin(pi / (2 * (2 * bead_count + 1)));
   double nearest = 1;
   for (Eigen::Index m = 0; m < modes.square_frequency.size(); ++m) {
     const double off = std::abs(std::sqrt(std::max(0.0, modes.square_frequency[m])) / first - 1);
     if (off >= nearest) continue;
     nearest = off;
-    CHECK(modes.shape(lid, m) == Approx(-modes.shape(system.freedom.translation(beads - 1, 0), m)));
+    CHECK(modes.shape(lid, m) == Approx(-modes.shape(system.freedom.translation(bead_count - 1, 0), m)));
   }
   CHECK(nearest < 1e-10);
 }
@@ -184,27 +186,28 @@ TEST_CASE("a lid without mass keeps its force, and its superposed motion moves n
 // over some radians of phase along the row; transients have left through the lid.
 TEST_CASE("a column under a lid moves in a run as its linear response says", "[response]") {
   const double step = 1e-4, amplitude = 1e-5;
-  const double tolerance = std::pow(2 * std::sqrt(k / mass) * step, 2);
+  const double tolerance = std::pow(2 * std::sqrt(bead_stiffness / bead_mass) * step, 2);
   const LinearSystem system = column_system(absorbing);
   const std::vector<double> sine = {1, 0, amplitude, frequency_hz, 0};
   {
-    const Scene driven = column(absorbing, step, {{"control", {plane_displacement}}, {"displacement", sine}});
+    const Scene driven =
+        lid_column(absorbing, step, {{"control", {plane_displacement}}, {"displacement", sine}});
     const auto response = solve(system, {.walls = Eigen::VectorXcd::Unit(4, 0)}, {frequency_hz});
     CHECK(difference(column_of_run(driven, amplitude), column_of(system, response[0], 1)) < tolerance);
   }
-  const Scene shaken = column(absorbing, step, {}, {{"superposed", sine}});
+  const Scene shaken = lid_column(absorbing, step, {}, {{"superposed", sine}});
   // Along the normal of the lid, −x.
   const auto response = solve(system, {.walls = -Eigen::VectorXcd::Unit(4, 2)}, {frequency_hz});
   CHECK(difference(column_of_run(shaken, amplitude), column_of(system, response[0], 0)) < tolerance);
 }
 
 TEST_CASE("a wall under stress that no body touches has no equation", "[response]") {
-  Scene scene = column(absorbing, 1e-4);
+  Scene scene = lid_column(absorbing, 1e-4);
   scene.boundaries.pop_back();
   test::add_boundary(
       scene, "plane",
       {{"point", {100, 0, 0}}, {"normal", {-1, 0, 0}}, {"control", {plane_force}}, {"force", {0, 1}}}, "lid");
   const LinearSystem system = assemble(Simulation(scene), {.fewest_contacts = 1});
   CHECK(system.freedom.wall(1) == DegreesOfFreedom::none);
-  CHECK(system.freedom.size() == 2 * beads);
+  CHECK(system.freedom.size() == 2 * bead_count);
 }

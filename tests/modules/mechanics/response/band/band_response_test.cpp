@@ -13,8 +13,8 @@ using namespace scree::response;
 namespace {
 
 // Spheres on a cubic lattice above a plane, with tangential springs.
-LinearSystem lattice(int side, double normal_damping = 0.6, double tangential_stiffness = 700,
-                     TimeStep time_step = TimeStep::limit) {
+LinearSystem sphere_lattice(int side, double normal_damping = 0.6, double tangential_stiffness = 700,
+                            TimeStep time_step = TimeStep::limit) {
   std::vector<Body> bodies;
   for (int n = 0; n < side * side * side; ++n) {
     const double wobble = 1e-3 * std::sin(1.7 * n);
@@ -31,7 +31,7 @@ LinearSystem lattice(int side, double normal_damping = 0.6, double tangential_st
   return assemble(Simulation(scene), {.fewest_contacts = 1, .time_step = time_step});
 }
 
-std::vector<double> grid(double from, double to, int count) {
+std::vector<double> frequency_grid(double from, double to, int count) {
   std::vector<double> frequencies;
   for (int k = 0; k < count; ++k) frequencies.push_back(from + (to - from) * k / (count - 1));
   return frequencies;
@@ -47,10 +47,11 @@ double relative_difference(const LinearSystem& system, const HarmonicResponse& a
 
 TEST_CASE("a band has the amplitudes of one factorisation per frequency", "[response]") {
   const Drive drive = {.walls = Eigen::VectorXcd::Unit(3, 2)};
-  std::vector<double> frequencies = grid(0.25, 12, 48);
+  std::vector<double> frequencies = frequency_grid(0.25, 12, 48);
   std::swap(frequencies[3], frequencies[30]);
   for (const LinearSystem& system :
-       {lattice(5), lattice(4, 0.1, 300), lattice(4, 3, 900), lattice(4, 0.6, 700, TimeStep::of_run)}) {
+       {sphere_lattice(5), sphere_lattice(4, 0.1, 300), sphere_lattice(4, 3, 900),
+        sphere_lattice(4, 0.6, 700, TimeStep::of_run)}) {
     const std::vector<HarmonicResponse> exact = solve(system, drive, frequencies);
     for (const double tolerance : {1e-2, 1e-10}) {
       CAPTURE(system.freedom.size(), tolerance);
@@ -70,9 +71,9 @@ TEST_CASE("a band has the amplitudes of one factorisation per frequency", "[resp
 }
 
 TEST_CASE("a band does not depend on the number of threads", "[response][threads]") {
-  const LinearSystem system = lattice(3);
+  const LinearSystem system = sphere_lattice(3);
   const Drive drive = {.force = Eigen::VectorXcd::Unit(system.freedom.size(), 4)};
-  const std::vector<double> frequencies = grid(1, 9, 23);
+  const std::vector<double> frequencies = frequency_grid(1, 9, 23);
   const BandResponse one = solve_band(system, drive, frequencies, {.threads = 1});
   const BandResponse three = solve_band(system, drive, frequencies, {.threads = 3});
   for (std::size_t k = 0; k < frequencies.size(); ++k)
@@ -80,7 +81,7 @@ TEST_CASE("a band does not depend on the number of threads", "[response][threads
 }
 
 TEST_CASE("a band without a drive is at rest, and tolerances of 0 are refused", "[response]") {
-  const LinearSystem system = lattice(2);
+  const LinearSystem system = sphere_lattice(2);
   const BandResponse band = solve_band(system, {}, {1.0, 2.0});
   CHECK(band.responses[1].amplitude.norm() == 0);
   CHECK(band.responses[1].error == 0);
@@ -94,8 +95,9 @@ TEST_CASE("errors of a band are seldom above their estimates", "[.estimates]") {
   int all = 0, above = 0;
   double worst = 0;
   for (int n = 0; n < 24; ++n) {
-    const LinearSystem system = lattice(3 + n % 3, 0.04 * std::pow(1.27, n), 170 + 41 * ((5 * n) % 23));
-    const std::vector<double> frequencies = grid(0.3 + 0.01 * n, 13 + 0.2 * n, 61);
+    const LinearSystem system =
+        sphere_lattice(3 + n % 3, 0.04 * std::pow(1.27, n), 170 + 41 * ((5 * n) % 23));
+    const std::vector<double> frequencies = frequency_grid(0.3 + 0.01 * n, 13 + 0.2 * n, 61);
     const std::vector<HarmonicResponse> exact = solve(system, drive, frequencies);
     for (const double tolerance : {3e-2, 1e-2, 1e-3, 1e-6}) {
       const BandResponse band = solve_band(system, drive, frequencies, {.tolerance = tolerance});
@@ -111,9 +113,9 @@ TEST_CASE("errors of a band are seldom above their estimates", "[.estimates]") {
 }
 
 TEST_CASE("a band that was stopped goes on to the same bits", "[response]") {
-  const LinearSystem system = lattice(5);
+  const LinearSystem system = sphere_lattice(5);
   const Drive drive = {.walls = Eigen::VectorXcd::Unit(3, 2)};
-  const std::vector<double> frequencies = grid(0.25, 12, 96);
+  const std::vector<double> frequencies = frequency_grid(0.25, 12, 96);
   const BandResponse whole = solve_band(system, drive, frequencies, {.threads = 1});
   for (const unsigned threads : {1u, 2u}) {
     std::atomic<bool> stop = false;

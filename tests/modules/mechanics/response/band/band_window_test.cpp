@@ -1,3 +1,4 @@
+#include "../matrices.hpp"
 #include "band/band_library.hpp"
 
 #include <atomic>
@@ -9,21 +10,21 @@
 #include <catch2/catch.hpp>
 
 using namespace scree::response;
-using Complex = std::complex<double>;
-using Matrix = Eigen::MatrixXcd;
-using Sparse = Eigen::SparseMatrix<double>;
+using scree::test::Complex;
+using scree::test::DenseComplex;
+using scree::test::Sparse;
 
 namespace {
 
-constexpr int size = 150, count = 20;
+constexpr int chain_size = 150, chain_frequencies = 20;
 
 // A chain of masses of 1 between springs of 1 that differ by some per cent, with dashpots in proportion.
 struct Chain {
-  Sparse stiffness{size, size}, damping;
-  Eigen::VectorXd mass = Eigen::VectorXd::Ones(size);
+  Sparse stiffness{chain_size, chain_size}, damping;
+  Eigen::VectorXd mass = Eigen::VectorXd::Ones(chain_size);
 
   explicit Chain(double dashpots, bool held = true) {
-    for (int k = 0; k < size; ++k) {
+    for (int k = 0; k < chain_size; ++k) {
       const double spring = 1 + 0.05 * std::sin(3.1 * k);
       if (k > 0 || held) stiffness.coeffRef(k, k) += spring;
       if (k == 0) continue;
@@ -33,15 +34,15 @@ struct Chain {
     stiffness.makeCompressed();
     damping = dashpots * stiffness;
   }
-  Matrix at(double omega) const {
-    return Matrix(stiffness) + Complex(0, omega) * Matrix(damping) -
-           omega * omega * Matrix(mass.asDiagonal());
+  DenseComplex at(double omega) const {
+    return DenseComplex(stiffness) + Complex(0, omega) * DenseComplex(damping) -
+           omega * omega * DenseComplex(mass.asDiagonal());
   }
 };
 
 struct Window {
   Eigen::VectorXd omega, residual, error;
-  Matrix load, amplitude;
+  DenseComplex load, amplitude;
   int basis = 0;
 
   Window(const Chain& chain, Eigen::VectorXd frequencies, double tolerance, bool single,
@@ -49,8 +50,8 @@ struct Window {
       : omega(std::move(frequencies)),
         residual(omega.size()),
         error(omega.size()),
-        load(Matrix::Zero(size, omega.size())),
-        amplitude(size, omega.size()) {
+        load(DenseComplex::Zero(chain_size, omega.size())),
+        amplitude(chain_size, omega.size()) {
     for (Eigen::Index k = 0; k < omega.size(); ++k) load(0, k) = 1;
     load.col(omega.size() / 2) *= omega.size() > 2 ? 0 : 1;  // one frequency without a load
     const auto backend =
@@ -68,12 +69,12 @@ TEST_CASE("neighbouring frequencies have the amplitudes of dense solutions withi
   const Chain chain(0.05);
   for (const auto& [tolerance, single] : {std::pair{1e-9, false}, {1e-3, true}, {1e-3, false}}) {
     CAPTURE(tolerance, single);
-    const Window window(chain, Eigen::VectorXd::LinSpaced(count, 0.98, 1.02), tolerance, single);
+    const Window window(chain, Eigen::VectorXd::LinSpaced(chain_frequencies, 0.98, 1.02), tolerance, single);
     CHECK(window.basis > 0);
-    CHECK(window.basis < size);
+    CHECK(window.basis < chain_size);
     int found = 0;
-    for (Eigen::Index k = 0; k < count; ++k) {
-      if (k == count / 2) {
+    for (Eigen::Index k = 0; k < chain_frequencies; ++k) {
+      if (k == chain_frequencies / 2) {
         CHECK(window.amplitude.col(k).norm() == 0);
         CHECK(window.error[k] == 0);
         continue;
@@ -86,7 +87,7 @@ TEST_CASE("neighbouring frequencies have the amplitudes of dense solutions withi
           (window.load.col(k) - chain.at(window.omega[k]) * window.amplitude.col(k)).norm();
       CHECK(window.residual[k] == Approx(residual).margin(1e-12));
     }
-    CHECK(found > count / 2);  // the others are left to narrower windows
+    CHECK(found > chain_frequencies / 2);  // the others are left to narrower windows
   }
 }
 
@@ -99,6 +100,7 @@ TEST_CASE("a frequency at which the matrix is singular has no error", "[response
 
 TEST_CASE("a window that is stopped before it begins has no basis", "[response]") {
   const std::atomic<bool> stop = true;
-  const Window window(Chain(0.05), Eigen::VectorXd::LinSpaced(count, 0.98, 1.02), 1e-9, false, &stop);
+  const Window window(Chain(0.05), Eigen::VectorXd::LinSpaced(chain_frequencies, 0.98, 1.02), 1e-9, false,
+                      &stop);
   CHECK(window.basis == 0);
 }

@@ -1,5 +1,7 @@
 #include "band/backend/elimination.hpp"
 
+#include "../matrices.hpp"
+
 #include <algorithm>
 #include <random>
 #include <set>
@@ -8,12 +10,12 @@
 #include <catch2/catch.hpp>
 
 using namespace scree::response;
-using Sparse = Eigen::SparseMatrix<double>;
+using scree::test::Sparse;
 
 namespace {
 
 // Of a grid of side × side unknowns that are coupled to their neighbours, and some more unknowns alone.
-Sparse grid(int side, int alone) {
+Sparse grid_pattern(int side, int alone) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto couple = [&](int a, int b) { entries.emplace_back(a, b, 1), entries.emplace_back(b, a, 1); };
   for (int n = 0; n < side * side; ++n) {
@@ -43,7 +45,7 @@ std::vector<std::set<int>> filled(const Sparse& pattern, const Elimination& plan
 
 TEST_CASE("every unknown is eliminated once, in adjacent groups", "[response]") {
   for (const auto& [side, alone] : {std::pair{1, 0}, {0, 5}, {7, 3}, {20, 0}}) {
-    const Elimination plan = plan_elimination(grid(side, alone));
+    const Elimination plan = plan_elimination(grid_pattern(side, alone));
     const int size = side * side + alone;
     for (int k = 0; k < size; ++k) CHECK(plan.place[std::size_t(plan.order[std::size_t(k)])] == k);
     int next = 0;
@@ -58,7 +60,7 @@ TEST_CASE("every unknown is eliminated once, in adjacent groups", "[response]") 
 
 TEST_CASE("a group has room for all couplings that elimination makes, and passes them to its parent",
           "[response]") {
-  const Sparse pattern = grid(20, 2);
+  const Sparse pattern = grid_pattern(20, 2);
   const Elimination plan = plan_elimination(pattern);
   const std::vector<std::set<int>> rows = filled(pattern, plan);
   std::size_t needed = 0, given = 0;

@@ -1,4 +1,5 @@
-#include "scenes.hpp"
+#include "../bead_chain.hpp"
+#include "../matrices.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,26 +14,21 @@
 
 using namespace scree;
 using namespace scree::response;
-using Complex = std::complex<double>;
+using scree::test::bead_count;
+using scree::test::bead_damping;
+using scree::test::bead_mass;
+using scree::test::bead_overlap;
+using scree::test::bead_stiffness;
+using scree::test::beads_from;
+using scree::test::Complex;
+using std::numbers::pi;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double k = 1000, damping_constant = 2, mass = 0.3, overlap = 1e-3;
-constexpr int beads = 20;
-
-// Beads in a row along x, pressed together.
-std::vector<Body> row(double first) {
-  std::vector<Body> bodies;
-  for (int n = 0; n < beads; ++n)
-    bodies.push_back(test::body(n, 1, mass, {{first + (2 - overlap) * n, 0, 0}}, {}, {}, 2));
-  return bodies;
-}
-
 // A row between a wall on its left and nothing on its right.
 LinearSystem fixed_free_chain(double damping) {
-  Scene scene =
-      test::scene(2, 1e-4, row(1 - overlap), {{"normal_stiffness", {k}}, {"normal_damping", {damping}}});
+  Scene scene = test::scene(2, 1e-4, beads_from(1 - bead_overlap),
+                            {{"normal_stiffness", {bead_stiffness}}, {"normal_damping", {damping}}});
   test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {1, 0, 0}}}, "wall");
   return assemble(Simulation(scene), {.fewest_contacts = 1});
 }
@@ -50,9 +46,10 @@ Eigen::VectorXd longitudinal(const LinearSystem& system) {
 
 TEST_CASE("a chain has the frequencies of a discrete chain", "[response]") {
   const Eigen::VectorXd omega = longitudinal(fixed_free_chain(0));
-  REQUIRE(omega.size() == beads);
-  for (int m = 1; m <= beads; ++m) {
-    const double exact = 2 * std::sqrt(k / mass) * std::sin((2 * m - 1) * pi / (2 * (2 * beads + 1)));
+  REQUIRE(omega.size() == bead_count);
+  for (int m = 1; m <= bead_count; ++m) {
+    const double exact =
+        2 * std::sqrt(bead_stiffness / bead_mass) * std::sin((2 * m - 1) * pi / (2 * (2 * bead_count + 1)));
     // Round-off of the largest eigenvalue in the smallest: 1e-16 (ω_20/ω_1)² = 7e-14.
     CHECK(std::abs(omega[m - 1] / exact - 1) < 1e-12);
   }
@@ -60,10 +57,10 @@ TEST_CASE("a chain has the frequencies of a discrete chain", "[response]") {
 
 // u_n = w cos(κ (N + 1/2 − n))/cos(κ (N + 1/2)),  4 (k + iωγ) sin²(κ/2) = m ω²
 TEST_CASE("a chain driven by its wall moves as the discrete chain", "[response]") {
-  const double cut_off_hz = std::sqrt(k / mass) / pi;
+  const double cut_off_hz = std::sqrt(bead_stiffness / bead_mass) / pi;
   const std::vector<double> frequencies = {0, 0.03 * cut_off_hz, 0.41 * cut_off_hz, 0.97 * cut_off_hz,
                                            1.3 * cut_off_hz};
-  for (const double damping : {0.0, damping_constant}) {
+  for (const double damping : {0.0, bead_damping}) {
     const LinearSystem system = fixed_free_chain(damping);
     const std::vector<HarmonicResponse> responses =
         solve(system, {.walls = Eigen::VectorXcd::Unit(2, 0)}, frequencies);
@@ -71,10 +68,11 @@ TEST_CASE("a chain driven by its wall moves as the discrete chain", "[response]"
     for (const HarmonicResponse& response : responses) {
       CAPTURE(damping, response.frequency_hz);
       const double omega = 2 * pi * response.frequency_hz;
-      const Complex kappa = 2.0 * std::asin(0.5 * omega * std::sqrt(mass / Complex(k, omega * damping)));
+      const Complex kappa =
+          2.0 * std::asin(0.5 * omega * std::sqrt(bead_mass / Complex(bead_stiffness, omega * damping)));
       double difference = 0;
-      for (int n = 1; n <= beads; ++n) {
-        const Complex exact = std::cos(kappa * (beads + 0.5 - n)) / std::cos(kappa * (beads + 0.5));
+      for (int n = 1; n <= bead_count; ++n) {
+        const Complex exact = std::cos(kappa * (bead_count + 0.5 - n)) / std::cos(kappa * (bead_count + 0.5));
         const Complex found = response.amplitude[system.freedom.translation(std::size_t(n - 1), 0)];
         difference = std::max(difference, std::abs(found - exact));
       }
@@ -90,24 +88,25 @@ TEST_CASE("a chain driven by its wall moves as the discrete chain", "[response]"
 //   m ω² = 4 k s²                                                              along the ring
 //   (4 (k_t − P/d) s² − m ω²)(k_t d² c² − I ω²) = (2 k_t d s c)²               y and θ
 TEST_CASE("waves in a ring of discs couple rotation and transverse motion", "[response]") {
-  const double k_t = 700, distance = 2 - overlap, inertia = 0.5 * mass, turning = k * overlap / distance;
-  Scene scene = test::scene(2, 1e-4, row(0),
-                            {{"normal_stiffness", {k}},
+  const double k_t = 700, distance = 2 - bead_overlap, inertia = 0.5 * bead_mass,
+               turning = bead_stiffness * bead_overlap / distance;
+  Scene scene = test::scene(2, 1e-4, beads_from(0),
+                            {{"normal_stiffness", {bead_stiffness}},
                              {"normal_damping", {0}},
                              {"tangential_stiffness", {k_t}},
                              {"static_friction", {1}}});
   test::add_boundary(scene, "periodic",
-                     {{"axes", {0}}, {"lower", {-1, -9, 0}}, {"upper", {-1 + distance * beads, 9, 0}}});
+                     {{"axes", {0}}, {"lower", {-1, -9, 0}}, {"upper", {-1 + distance * bead_count, 9, 0}}});
   const Modes modes = modes_of(assemble(Simulation(scene)));
   std::vector<double> exact;
-  for (int n = 0; n < beads; ++n) {
-    const double s = std::sin(pi * n / beads), c = std::cos(pi * n / beads);
-    const double transverse = 4 * (k_t - turning) * s * s / mass;
+  for (int n = 0; n < bead_count; ++n) {
+    const double s = std::sin(pi * n / bead_count), c = std::cos(pi * n / bead_count);
+    const double transverse = 4 * (k_t - turning) * s * s / bead_mass;
     const double rotation = k_t * distance * distance * c * c / inertia;
-    const double coupling = 2 * k_t * distance * s * c / std::sqrt(mass * inertia);
+    const double coupling = 2 * k_t * distance * s * c / std::sqrt(bead_mass * inertia);
     const double mean = 0.5 * (transverse + rotation);
     const double split = std::hypot(0.5 * (transverse - rotation), coupling);
-    exact.insert(exact.end(), {4 * k * s * s / mass, mean - split, mean + split});
+    exact.insert(exact.end(), {4 * bead_stiffness * s * s / bead_mass, mean - split, mean + split});
   }
   std::sort(exact.begin(), exact.end());
   REQUIRE(modes.square_frequency.size() == Eigen::Index(exact.size()));
@@ -128,7 +127,8 @@ TEST_CASE("an undamped chain driven by nothing stays at rest, and drives of anot
 }
 
 TEST_CASE("a chain that nothing holds has no static response", "[response]") {
-  const Scene scene = test::scene(2, 1e-4, row(0), {{"normal_stiffness", {k}}, {"normal_damping", {0}}});
+  const Scene scene =
+      test::scene(2, 1e-4, beads_from(0), {{"normal_stiffness", {bead_stiffness}}, {"normal_damping", {0}}});
   const LinearSystem system = assemble(Simulation(scene), {.fewest_contacts = 1});
   const Drive drive = {.force = Eigen::VectorXcd::Unit(system.freedom.size(), 0)};
   // Its stiffness has an exact zero pivot: all its numbers are multiples of k/m.
@@ -142,10 +142,10 @@ TEST_CASE("a chain that nothing holds has no static response", "[response]") {
 TEST_CASE("a stiffness that is singular but for round-off is noticed, and so is a mode at the frequency",
           "[response]") {
   // Beads whose distances are no multiples of anything: no pivot is exactly 0.
-  std::vector<Body> bodies = row(0);
+  std::vector<Body> bodies = beads_from(0);
   for (std::size_t n = 0; n < bodies.size(); ++n) bodies[n].position[0] += 1e-4 * std::sin(1.3 * double(n));
-  const Scene scene =
-      test::scene(2, 1e-4, std::move(bodies), {{"normal_stiffness", {k / 3}}, {"normal_damping", {0}}});
+  const Scene scene = test::scene(2, 1e-4, std::move(bodies),
+                                  {{"normal_stiffness", {bead_stiffness / 3}}, {"normal_damping", {0}}});
   const LinearSystem free = assemble(Simulation(scene), {.fewest_contacts = 1});
   const Drive drive = {.force = Eigen::VectorXcd::Unit(free.freedom.size(), 0)};
   CHECK_THROWS_WITH(solve(free, drive, {0.0}), Catch::Contains("the response at 0 Hz is infinite"));

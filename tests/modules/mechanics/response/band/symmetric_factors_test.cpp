@@ -1,4 +1,5 @@
 #include "../ill_conditioned.hpp"
+#include "../matrices.hpp"
 #include "band/band_library.hpp"
 
 #include <algorithm>
@@ -19,12 +20,11 @@
 
 using namespace scree;
 using namespace scree::response;
+using scree::test::Sparse;
 
 namespace {
 
 constexpr double round_off = std::numeric_limits<double>::epsilon();
-
-using Sparse = Eigen::SparseMatrix<double>;
 
 // Counts and solutions by a factorisation are compared with those by all eigenvalues, whose round-off is below
 // size × epsilon × |A| (backward stable).

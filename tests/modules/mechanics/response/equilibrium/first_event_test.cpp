@@ -10,7 +10,7 @@ using namespace response;
 
 namespace {
 
-constexpr double increment = 0.25;  // (s) a 40th of a cycle
+constexpr double cycle_increment = 0.25;  // (s) a 40th of a cycle
 const std::function<bool()> proceed = [] { return true; };
 
 // Pairs that begin to slide, touch or part since the beginning of the increment.
@@ -32,7 +32,7 @@ double bisected(Equilibrium& equilibrium, const StaticConfiguration& from, doubl
   double without = 0, with = 1;
   while (with - without > 1e-5) {
     const double share = 0.5 * (without + with);
-    REQUIRE(equilibrium.find(from, time + share * increment, share * motion, proceed).found);
+    REQUIRE(equilibrium.find(from, time + share * cycle_increment, share * motion, proceed).found);
     (events_of(equilibrium) > 0 ? with : without) = share;
   }
   return with;
@@ -52,29 +52,29 @@ TEST_CASE("the first event of an increment is where bisection finds it") {
   from = start.at;
   int located = 0;
   for (int k = 0; k < 40 && located < 3; ++k) {
-    Balance whole = equilibrium.find(from, time + increment, {}, proceed);
+    Balance whole = equilibrium.find(from, time + cycle_increment, {}, proceed);
     REQUIRE(whole.found);
     const bool slides = equilibrium.contacts().count(PairStatus::slides) > 0;
     const std::size_t events = events_of(equilibrium);
     const Eigen::VectorXd motion = whole.motion;
-    FirstEvent event(equilibrium, from, time, increment, std::move(whole), proceed);
+    FirstEvent event(equilibrium, from, time, cycle_increment, std::move(whole), proceed);
     double share = event.find();
     if (share == 1) {
       CHECK((events == 0 || events > 8 || !slides ||
              bisected(equilibrium, from, time, motion) < 1e-3 + 1e-4 ||
              bisected(equilibrium, from, time, motion) > 1 - 2e-4));
       // The equilibrium was evaluated elsewhere since.
-      equilibrium.find(from, time + increment, motion, proceed);
+      equilibrium.find(from, time + cycle_increment, motion, proceed);
     } else {
       ++located;
       CHECK(event.take_balance().found);
       CHECK(share == Approx(bisected(equilibrium, from, time, motion)).margin(2e-4).epsilon(0));
     }
-    const Balance next = equilibrium.find(from, time + share * increment, share * motion, proceed);
+    const Balance next = equilibrium.find(from, time + share * cycle_increment, share * motion, proceed);
     REQUIRE(next.found);
     equilibrium.accept(next);
     from = next.at;
-    time += share * increment;
+    time += share * cycle_increment;
   }
   CHECK(located == 3);
 }

@@ -222,7 +222,7 @@ TEST_CASE("a quasi-static load presses a column on a fixed disc as on a floor") 
       CHECK(position(later, i) == scene.bodies[i].position);
     return packing.planes()[top].point[1] - start;
   };
-  const double expected = -(column_discs + 1) / stiffness;
+  const double expected = -(column_discs + 1) / disc_stiffness;
   CHECK(wall_after(false) == Approx(expected).epsilon(1e-8));
   CHECK(wall_after(true) == Approx(expected).epsilon(1e-8));
 }

@@ -11,11 +11,12 @@ using namespace scree::response;
 
 namespace {
 
-constexpr double stiffness = 1000, weight = 5;
+constexpr double floor_stiffness = 1000, weight = 5;
 
 // A sphere of mass 1 on a floor.
 Scene on_floor(double overlap, const std::string& law = "linear_spring_dashpot",
-               const test::Values& values = {{"normal_stiffness", {stiffness}}, {"normal_damping", {0}}}) {
+               const test::Values& values = {{"normal_stiffness", {floor_stiffness}},
+                                             {"normal_damping", {0}}}) {
   Scene scene = test::scene(3, 1e-4, {test::body(0, 1, 1, {{0, 1 - overlap, 0}})}, values, law);
   test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}});
   test::add_body_force(scene, "gravity", {{"acceleration", {0, -weight, 0}}});
@@ -29,14 +30,15 @@ TEST_CASE("the unbalance of a sphere is its net force over that of its contact",
   CHECK(rest.unbalance == Approx(0.5));  // 10 N up and 5 N down
   REQUIRE(rest.equilibrium);
   // The tolerance of the search, 1e-11, times 5 N over the stiffness.
-  CHECK(1 - test::position(*rest.equilibrium, 0)[1] == Approx(weight / stiffness).margin(1e-12).epsilon(0));
+  CHECK(1 - test::position(*rest.equilibrium, 0)[1] ==
+        Approx(weight / floor_stiffness).margin(1e-12).epsilon(0));
   // The stiffness of a linear spring is the same everywhere.
   CHECK(rest.stiffness_change < 1e-6);
   CHECK(rest.warning == "");
 }
 
 TEST_CASE("a packing at rest has no other equilibrium", "[response]") {
-  const Rest rest = rest_of(Simulation(on_floor(weight / stiffness)), {.fewest_contacts = 1});
+  const Rest rest = rest_of(Simulation(on_floor(weight / floor_stiffness)), {.fewest_contacts = 1});
   CHECK(rest.unbalance < 1e-12);
   CHECK_FALSE(rest.equilibrium);
   CHECK(rest.warning == "");
@@ -61,10 +63,10 @@ TEST_CASE("the unbalance is not that of fixed bodies, and the equilibrium nearby
           "[response]") {
   Scene scene = on_floor(0);
   scene.boundaries.clear();
-  scene.bodies.push_back(test::body(1, 1, 1, {{0, -1 + weight / stiffness, 0}}));
+  scene.bodies.push_back(test::body(1, 1, 1, {{0, -1 + weight / floor_stiffness, 0}}));
   scene.bodies[1].fixed = true;
   CHECK(rest_of(Simulation(scene), {.fewest_contacts = 1}).unbalance < 1e-12);
-  scene.bodies[0].position[1] -= weight / stiffness;  // 10 N up and 5 N down
+  scene.bodies[0].position[1] -= weight / floor_stiffness;  // 10 N up and 5 N down
   const Rest rest = rest_of(Simulation(scene), {.fewest_contacts = 1});
   CHECK(rest.unbalance == Approx(0.5));
   REQUIRE(rest.equilibrium);

@@ -1,5 +1,7 @@
 #include "equilibrium/stiffness_factors.hpp"
 
+#include "../matrices.hpp"
+
 #include <cmath>
 #include <vector>
 
@@ -7,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 using scree::response::StiffnessFactors;
-using Sparse = Eigen::SparseMatrix<double>;
+using scree::test::Sparse;
 
 namespace {
 

@@ -11,7 +11,7 @@ namespace {
 
 // Two masses and a wall without one between three springs of 1, 2 and 4, the last to the ground; antisymmetric parts of K
 // do not count.
-LinearSystem springs(double antisymmetric) {
+LinearSystem chain_of_springs(double antisymmetric) {
   Eigen::Matrix3d stiffness;
   stiffness << 1, -1, 0, -1, 3, -2, 0, -2, 6;
   stiffness(0, 1) += antisymmetric, stiffness(1, 0) -= antisymmetric;
@@ -31,7 +31,7 @@ LinearSystem springs(double antisymmetric) {
 // 6 λ² − (3 + 14/3) λ + 4/3 = 0.
 TEST_CASE("modes of masses with a wall without one are those of the springs in line", "[response]") {
   for (const double antisymmetric : {0.0, 0.3}) {
-    const LinearSystem system = springs(antisymmetric);
+    const LinearSystem system = chain_of_springs(antisymmetric);
     const Modes modes = modes_of(system);
     REQUIRE(modes.square_frequency.size() == 2);
     const double p = 23.0 / 36, root = std::sqrt(p * p - 2.0 / 9);

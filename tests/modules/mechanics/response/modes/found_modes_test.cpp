@@ -16,7 +16,8 @@ namespace {
 
 // Spheres near the places of a cubic lattice above a plane, with tangential springs, and with another plane above
 // them, without mass and under stress.
-LinearSystem lattice(int side, bool pressed, double wobble = 1e-3, double tangential_stiffness = 700) {
+LinearSystem pressed_lattice(int side, bool pressed, double wobble = 1e-3,
+                             double tangential_stiffness = 700) {
   std::vector<Body> bodies;
   for (int n = 0; n < side * side * side; ++n)
     bodies.push_back(test::body(n, 1, 1 + 0.2 * std::cos(1.1 * n),
@@ -54,7 +55,7 @@ TEST_CASE("the lowest modes are those of a dense solver", "[response]") {
   for (const bool pressed : {false, true})
     for (const double wobble : {0.0, 1e-3}) {
       CAPTURE(pressed, wobble);
-      const LinearSystem system = lattice(3, pressed, wobble);
+      const LinearSystem system = pressed_lattice(3, pressed, wobble);
       CHECK((system.mass.array() == 0).count() == (pressed ? 1 : 0));
       const Modes dense = modes_of(system);
       const UndampedSystem undamped(system);
@@ -83,7 +84,7 @@ TEST_CASE("the lowest modes are those of a dense solver", "[response]") {
 }
 
 TEST_CASE("the modes nearest to a frequency are those of a dense solver", "[response]") {
-  const LinearSystem system = lattice(3, true);
+  const LinearSystem system = pressed_lattice(3, true);
   const UndampedSystem undamped(system);
   const double near = 0.3 * std::sqrt(undamped.largest());
   // Of more modes, those nearest in ω² are others than those nearest in ω.
@@ -106,7 +107,7 @@ TEST_CASE("the modes nearest to a frequency are those of a dense solver", "[resp
 
 TEST_CASE("modes below a frequency are counted as a dense solver counts them", "[response]") {
   for (const bool pressed : {false, true}) {
-    const LinearSystem system = lattice(4, pressed);
+    const LinearSystem system = pressed_lattice(4, pressed);
     const UndampedSystem undamped(system);
     const Eigen::VectorXd squares = modes_of(system).square_frequency;
     for (int k = -3; k < 60; ++k) {
@@ -119,7 +120,7 @@ TEST_CASE("modes below a frequency are counted as a dense solver counts them", "
 
 // Without tangential springs, spheres on top of one another turn over, and roll on the floor.
 TEST_CASE("unstable and floppy modes are found and counted", "[response]") {
-  const LinearSystem system = lattice(3, false, 1e-3, 0);
+  const LinearSystem system = pressed_lattice(3, false, 1e-3, 0);
   const Modes dense = modes_of(system);
   const UndampedSystem undamped(system);
   const Eigen::ArrayXd squares = dense.square_frequency.array();

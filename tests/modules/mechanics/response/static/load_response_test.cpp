@@ -8,7 +8,7 @@ using namespace scree;
 using namespace scree::response;
 using test::column;
 using test::column_discs;
-using test::stiffness;
+using test::disc_stiffness;
 
 // Each contact bears the whole force, so that each spring is shortened by 1/k per force.
 TEST_CASE("a force on a wall is borne by each contact of a column", "[response]") {
@@ -19,10 +19,10 @@ TEST_CASE("a force on a wall is borne by each contact of a column", "[response]"
   CHECK(response.wall == 1);
   CHECK(response.residual < LoadResponse::largest_residual);
   CHECK(response.walls[0] == 0);
-  CHECK(response.walls[1] == Approx((column_discs + 1) / stiffness).epsilon(1e-9));
+  CHECK(response.walls[1] == Approx((column_discs + 1) / disc_stiffness).epsilon(1e-9));
   REQUIRE(response.bodies == std::vector<std::uint32_t>{0, 1, 2});
   for (std::size_t i = 0; i < column_discs; ++i)
-    CHECK(response.displacement[2 * i + 1] == Approx(-(double(i) + 1) / stiffness).epsilon(1e-9));
+    CHECK(response.displacement[2 * i + 1] == Approx(-(double(i) + 1) / disc_stiffness).epsilon(1e-9));
   REQUIRE(response.contacts.size() == column_discs + 1);
   for (const LoadedContact& contact : response.contacts) {
     CHECK(contact.normal_change == Approx(1).epsilon(1e-9));
@@ -45,7 +45,7 @@ TEST_CASE("a force on a wall is borne by a fixed disc as by a floor", "[response
   scene.bodies.back().fixed = true;
   const std::vector<LoadResponse> responses = load_responses(Simulation(scene), {.fewest_contacts = 1});
   REQUIRE(responses.size() == 1);
-  CHECK(responses[0].walls[0] == Approx((column_discs + 1) / stiffness).epsilon(1e-6));
+  CHECK(responses[0].walls[0] == Approx((column_discs + 1) / disc_stiffness).epsilon(1e-6));
   REQUIRE(responses[0].contacts.size() == column_discs + 1);
   for (const LoadedContact& contact : responses[0].contacts)
     CHECK(contact.normal_change == Approx(1).epsilon(1e-6));

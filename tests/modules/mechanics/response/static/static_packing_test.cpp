@@ -8,7 +8,7 @@ using namespace scree;
 using namespace scree::response;
 using test::column;
 using test::column_discs;
-using test::stiffness;
+using test::disc_stiffness;
 
 // Four springs in line. 1e-10: the stress of the overlaps, and round-off.
 TEST_CASE("a displaced wall shares its displacement among the springs of a column", "[response]") {
@@ -28,5 +28,5 @@ TEST_CASE("a displaced wall shares its displacement among the springs of a colum
   REQUIRE(packing.contacts().size() == column_discs + 1);
   for (const ContactTerms& contact : packing.contacts())
     CHECK(packing.force_change(motion, contact).norm() ==
-          Approx(stiffness / (column_discs + 1)).epsilon(1e-10));
+          Approx(disc_stiffness / (column_discs + 1)).epsilon(1e-10));
 }
