@@ -26,15 +26,20 @@ struct ContactsProbe {
   void describe(scree_probe_instance& instance) const {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = std::size(names);
+    instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c], meanings[c]}; }
 
   void sample(const scree_view& view, const double*, double* row) const {
-    const auto is_free = [&](std::uint64_t i) { return !view.fixed || !view.fixed[i]; };
-    double ends = 0, free = 0, rattlers = 0, ends_of_rattlers = 0, sliding = 0, overlap = 0, largest = 0,
-           force = 0;
+    const auto is_free = [&](std::uint64_t i) {
+      return scree::counts(view, i) && (!view.fixed || !view.fixed[i]);
+    };
+    double contacts = 0, ends = 0, free = 0, rattlers = 0, ends_of_rattlers = 0, sliding = 0, overlap = 0,
+           largest = 0, force = 0;
     std::vector<std::uint32_t> coordination(view.body_count, 0);
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {
+      if (!scree::counts_contact(view, c)) continue;
+      ++contacts;
       ++coordination[view.contact_a[c]];
       if (view.contact_b[c] < view.body_count) ++coordination[view.contact_b[c]];
       sliding += view.contact_sliding[c];
@@ -48,7 +53,6 @@ struct ContactsProbe {
       ++free, ends += n;
       if (n < rattler_below) ++rattlers, ends_of_rattlers += n;
     }
-    const double contacts = double(view.contact_count);
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     const double values[] = {contacts,
                              ratio(ends, free),

@@ -25,7 +25,10 @@ struct LayerProbe {
   }
   void prepare(const scree::Setup& setup) { layers.check(setup); }
 
-  void describe(scree_probe_instance& instance) const { instance.column_count = 4; }
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = 4;
+    instance.leaves_out = 1;
+  }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"bodies", "position", "velocity", "displacement"};
     static constexpr const char* units[] = {"", "m", "m/s", "m"};

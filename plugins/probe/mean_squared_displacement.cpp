@@ -28,6 +28,7 @@ struct MeanSquaredDisplacementProbe {
   void describe(scree_probe_instance& instance) const {
     instance.column_count = std::uint32_t(dimension) + 1;
     instance.observes = window > 0;
+    instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"total", "x", "y", "z"};
@@ -65,9 +66,11 @@ struct MeanSquaredDisplacementProbe {
   }
 
  private:
+  std::uint64_t body(const scree_view& view, const double* state, std::uint64_t n) const {
+    return bodies.size() ? bodies.index(view, state + 5 + 3 * count(view), n) : n;
+  }
   scree::Vec3 position(const scree_view& view, const double* state, std::uint64_t n) const {
-    return scree::unwrapped_position(view,
-                                     bodies.size() ? bodies.index(view, state + 5 + 3 * count(view), n) : n);
+    return scree::unwrapped_position(view, body(view, state, n));
   }
   void begin_window(const scree_view& view, double* state) const {
     state[0] = view.time;
@@ -76,12 +79,15 @@ struct MeanSquaredDisplacementProbe {
   }
   scree::Vec3 mean_squares(const scree_view& view, const double* state) const {
     scree::Vec3 sum = {};
+    double counted = 0;
     for (std::uint64_t n = 0; n < count(view); ++n) {
+      if (!scree::counts(view, body(view, state, n))) continue;
+      ++counted;
       const double* const first = state + 5 + 3 * n;
       const scree::Vec3 moved = position(view, state, n) - scree::Vec3{{first[0], first[1], first[2]}};
       for (int k = 0; k < 3; ++k) sum[k] += moved[k] * moved[k];
     }
-    return 1 / double(count(view)) * sum;
+    return 1 / counted * sum;
   }
 };
 

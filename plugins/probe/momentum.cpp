@@ -23,7 +23,10 @@ struct MomentumProbe {
   }
   void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
 
-  void describe(scree_probe_instance& instance) const { instance.column_count = dimension == 2 ? 3 : 6; }
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = dimension == 2 ? 3 : 6;
+    instance.leaves_out = 1;
+  }
 
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* flat[] = {"momentum_x", "momentum_y", "angular_momentum_z"};
@@ -39,6 +42,7 @@ struct MomentumProbe {
   void sample(const scree_view& view, const double*, double* row) const {
     Vec3 linear = {}, angular = {};
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
+      if (!scree::counts(view, i)) continue;
       Vec3 arm = vector_of(view.position, i);
       for (int k = 0; k < dimension; ++k) arm[k] -= about_point[std::size_t(k)];
       const Vec3 p = view.mass[i] * vector_of(view.velocity, i);

@@ -37,6 +37,7 @@ struct ProfileProbe {
 
   void describe(scree_probe_instance& instance) const {
     instance.column_count = std::uint32_t(4 * layers.count);
+    instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"bodies_", "position_", "velocity_", "displacement_"};

@@ -29,7 +29,10 @@ struct StrainProbe {
   }
   void prepare(const scree::Setup& setup) { layers.check(setup); }
 
-  void describe(scree_probe_instance& instance) const { instance.column_count = 5; }
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = 5;
+    instance.leaves_out = 1;
+  }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"strain", "strain_rate", "distance", "bodies_low", "bodies_high"};
     static constexpr const char* units[] = {"", "1/s", "m", "", ""};

@@ -16,7 +16,8 @@ struct UnbalancedForceProbe {
   static constexpr scree::About about = {
       "unbalanced_force", "net forces on bodies over the mean contact force: 0 in equilibrium",
       "mean = (Σ |F_i|/N)/f,   largest = max |F_i|/f,   f = Σ |f_c|/C\n"
-      "F_i: net force on body i that is not fixed, body forces included; f_c: force of contact c, walls included.\n"
+      "F_i: net force on body i that is not fixed, along axes in which it is not, body forces included; f_c: force of\n"
+      "contact c, walls included.\n"
       "Without contacts there is no value.",
       "the criterion of PFC and YADE"};
 
@@ -24,6 +25,7 @@ struct UnbalancedForceProbe {
   void describe(scree_probe_instance& instance) const {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = 3;
+    instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"mean", "largest", "mean_contact_force"};
@@ -35,19 +37,24 @@ struct UnbalancedForceProbe {
   }
 
   void sample(const scree_view& view, const double*, double* row) const {
-    double sum = 0, largest = 0, contacts = 0, bodies = 0;
+    double sum = 0, largest = 0, force = 0, contacts = 0, bodies = 0;
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (view.fixed && view.fixed[i]) continue;
-      const double net = norm(vector_of(view.force, i));
+      if (!scree::counts(view, i) || (view.fixed && view.fixed[i])) continue;
+      Vec3 moving = vector_of(view.force, i);
+      for (int k = 0; view.held && k < 3; ++k)
+        if (view.held[i] >> k & 1u) moving[k] = 0;
+      const double net = norm(moving);
       sum += net;
       largest = std::max(largest, net);
       ++bodies;
     }
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {
+      if (!scree::counts_contact(view, c)) continue;
       const double* f = view.contact_force + 3 * c;
-      contacts += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+      ++contacts;
+      force += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     }
-    const double mean = contacts / double(view.contact_count);  // NaN without contacts
+    const double mean = force / contacts;  // NaN without contacts
     row[0] = sum / bodies / mean;
     row[1] = largest / mean;
     row[2] = mean;

@@ -30,6 +30,12 @@ struct BodyGroup {
   Programs load;  // (N), (N m) on each body
 };
 
+// Bodies by name, which probes count or leave out.
+struct BodySelection {
+  std::string name;
+  std::vector<std::uint32_t> bodies;  // indices
+};
+
 inline bool any_given(const BodyGroup::Programs& programs) {
   for (const std::vector<double>& program : programs)
     if (!program.empty()) return true;

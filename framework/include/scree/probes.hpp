@@ -37,8 +37,9 @@ class SimulationView {
 // A configured probe and its state, such as reference lengths. The first call that is given a view starts it.
 class Probe {
  public:
-  // Throws Error if the plug-in refuses its parameters or names columns as a CSV file cannot.
-  Probe(const Parameters& parameters, int dimension);
+  // left_out: 1 for bodies that it does not count; empty: it counts all. Throws Error if the plug-in refuses its parameters
+  // or names columns as a CSV file cannot.
+  Probe(const Parameters& parameters, int dimension, std::vector<std::uint8_t> left_out = {});
 
   // Names and units of the columns, without the time column, and what they mean; empty where the plug-in says nothing.
   std::vector<std::string> names() const { return names_; }
@@ -47,6 +48,8 @@ class Probe {
   std::uint32_t needs() const { return plugin_.instance().needs; }
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }
+  // Whether it can count some of the bodies only.
+  bool leaves_out() const { return plugin_.instance().leaves_out; }
 
   // Time between observations that the plug-in has chosen (s); 0 if it leaves that to the scenario.
   double observe_every() const { return plugin_.instance().observe_every; }
@@ -66,6 +69,9 @@ class Probe {
   std::span<const double> state() const { return {state_.data(), state_size_}; }
 
  private:
+  // Calls with the view as this probe is to see it. inputs: as of observe().
+  template <class Call>
+  auto show(const scree_view& view, std::span<const double> inputs, const Call& call) const;
   // Numbers of the state.
   std::uint64_t size_in(const scree_view& view) const;
   // The state at the start.
@@ -74,6 +80,7 @@ class Probe {
 
   ConfiguredProbe plugin_;
   std::vector<std::string> names_, units_;
+  std::vector<std::uint8_t> left_out_;
   std::vector<double> state_;  // with a guard behind the numbers of the state
   std::size_t state_size_ = 0;
   bool is_started_ = false;

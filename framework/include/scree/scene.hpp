@@ -51,6 +51,7 @@ struct Scene {
   std::vector<std::string> materials;
   std::vector<Body> bodies;
   std::vector<BodyGroup> groups;
+  std::vector<BodySelection> selections;  // nothing in the motion depends on them
   std::vector<Law> laws;
   std::vector<std::uint32_t> law_of;  // (materials, materials), symmetric: index into laws
   std::vector<Boundary> boundaries;

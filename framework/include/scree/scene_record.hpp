@@ -14,6 +14,7 @@ namespace scree {
 //   bodies/      id, material, radius, mass, inertia and, if there are any, fixed and held, which are constant
 //   start/       position, velocity and spin at t = 0, from which limits of the scene follow; velocity and
 //                spin only if not all are 0
+//   selections/  names and bodies of groups that probes count or leave out, if there are any
 
 void save_scene(const StateTransfer& state, const Scene& scene);
 void save_bodies_at_start(const StateTransfer& state, const Scene& scene);
@@ -40,6 +41,15 @@ std::vector<Body> bodies_at_start(const State& state);
 
 // The groups that move or load bodies.
 std::vector<BodyGroup> groups_of(const State& state);
+std::vector<BodySelection> selections_of(const State& state);
+
+// What a run that goes on takes from its state in place of the tables of bodies. Throws Error as bodies_at_start().
+struct RecordedBodies {
+  std::vector<Body> bodies;  // at t = 0
+  std::vector<BodyGroup> groups;
+  std::vector<BodySelection> selections;
+};
+RecordedBodies recorded_bodies(const State& state);
 
 // "key = value" of every parameter, with defaults; and the parameters that such lines give.
 std::vector<std::string> parameter_lines(const Parameters& parameters);

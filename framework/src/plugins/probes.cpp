@@ -73,6 +73,7 @@ void SimulationView::show_bodies(const Simulation& s) {
   view_.id = p.id.data();
   view_.material = p.material.data();
   view_.fixed = p.fixed.empty() ? nullptr : p.fixed.data();
+  view_.held = p.held.empty() ? nullptr : p.held.data();
   material_names_ = pointers_to(s.scene().materials);
   view_.material_count = std::uint32_t(material_names_.size());
   view_.material_names = material_names_.data();
@@ -104,8 +105,8 @@ void SimulationView::show_contacts(const Simulation& s) {
   view_.contact_sliding = contacts_.sliding.data();
 }
 
-Probe::Probe(const Parameters& parameters, int dimension)
-    : plugin_(parameters, dimension, no_bounds, no_bounds) {
+Probe::Probe(const Parameters& parameters, int dimension, std::vector<std::uint8_t> left_out)
+    : plugin_(parameters, dimension, no_bounds, no_bounds), left_out_(std::move(left_out)) {
   const char* const plugin = parameters.plugin().name;
   if (observes() && !plugin_.interface().observe)
     throw Error(fmt::format("plug-in {}: asks to observe but has no observe function; give it one", plugin));
@@ -170,11 +171,23 @@ void check_guard(const std::vector<double>& numbers, const char* plugin, const c
 
 }  // namespace
 
+template <class Call>
+auto Probe::show(const scree_view& view, std::span<const double> inputs, const Call& call) const {
+  if (inputs.empty() && left_out_.empty()) return call(view);
+  scree_view shown = view;
+  shown.input_count = std::uint32_t(inputs.size());
+  shown.inputs = inputs.data();
+  if (!left_out_.empty()) shown.left_out = left_out_.data();
+  return call(shown);
+}
+
 std::uint64_t Probe::size_in(const scree_view& view) const {
   const scree_probe& interface = plugin_.interface();
   if (!interface.state_size) return plugin_.instance().state_width;
-  return plugin_call(plugin_.parameters().plugin().name, "state_size",
-                     [&] { return interface.state_size(plugin_.storage(), &view); });
+  return show(view, {}, [&](const scree_view& shown) {
+    return plugin_call(plugin_.parameters().plugin().name, "state_size",
+                       [&] { return interface.state_size(plugin_.storage(), &shown); });
+  });
 }
 
 std::vector<double> Probe::started(const scree_view& view) const {
@@ -186,8 +199,10 @@ std::vector<double> Probe::started(const scree_view& view) const {
                             name, size, max_state));
   std::vector<double> state = guarded(size);
   char message[512] = "";
-  const int failed = plugin_call(name, "start", [&] {
-    return interface.start(plugin_.storage(), &view, state.data(), message, sizeof(message));
+  const int failed = show(view, {}, [&](const scree_view& shown) {
+    return plugin_call(name, "start", [&] {
+      return interface.start(plugin_.storage(), &shown, state.data(), message, sizeof(message));
+    });
   });
   message[sizeof(message) - 1] = 0;
   if (failed) throw Error(fmt::format("probe {}: {}", name, message));
@@ -205,26 +220,17 @@ void Probe::start_once(const scree_view& view) {
 void Probe::check(const scree_view& view) const { started(view); }
 
 void Probe::check_restored(const scree_view& view) const {
+  if (!left_out_.empty() && left_out_.size() != view.body_count)
+    throw Error(fmt::format(
+        "probe {}: leaves out some of {}, and the scene has {}; take a state that scree has written "
+        "for this scene",
+        plugin_.parameters().plugin().name, counted(left_out_.size(), "body", "bodies"), view.body_count));
   if (const std::uint64_t size = size_in(view); is_started_ && state_size_ != size)
     throw Error(
         fmt::format("plug-in {}: its state has {} instead of {}; take a state that scree has written "
                     "for this scene",
                     plugin_.parameters().plugin().name, counted(state_size_, "number"), size));
 }
-
-namespace {
-
-// Calls with the view, and in it the columns of other probes that the probe reads.
-template <class Call>
-void show(const scree_view& view, std::span<const double> inputs, const Call& call) {
-  if (inputs.empty()) return call(view);
-  scree_view shown = view;
-  shown.input_count = std::uint32_t(inputs.size());
-  shown.inputs = inputs.data();
-  call(shown);
-}
-
-}  // namespace
 
 void Probe::observe(const scree_view& view, std::span<const double> inputs) {
   start_once(view);
@@ -254,6 +260,8 @@ void Probe::transfer(const StateTransfer& state) {
   std::vector<double> kept(state_.begin(), state_.begin() + std::ptrdiff_t(state_size_));
   state.value("is_started", "", is_started_);
   state.rows("state", "1", kept, 1, stored::any);
+  if (state.restoring() ? state.has("left_out") : !left_out_.empty())
+    state.rows("left_out", "", left_out_, 1, stored::at_most(1));
   if (!state.restoring() || !is_started_) return;
   state_size_ = kept.size();
   state_ = guarded(state_size_);

@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-constexpr const char *group_names = "group_names", *group_prefix = "group_";
+constexpr const char *group_names = "group_names", *group_prefix = "group_", *selections_path = "selections";
 
 // A function of time is stored where it is given.
 template <class Group, class Visit>
@@ -23,6 +23,8 @@ void each_program(Group& group, std::size_t number, const Visit& visit) {
   all("displacement", group.displacement);
   all("load", group.load);
 }
+
+StoredRange index_below(std::size_t bodies) { return stored::at_most(std::max<std::size_t>(bodies, 1) - 1); }
 
 }  // namespace
 
@@ -50,13 +52,38 @@ std::vector<BodyGroup> groups_of(const State& state) {
   std::vector<BodyGroup> groups(names.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].name = names[g];
-    scene.rows(fmt::format("{}{}_bodies", group_prefix, g), "", groups[g].bodies, 1,
-               stored::at_most(std::max<std::size_t>(bodies, 1) - 1));
+    scene.rows(fmt::format("{}{}_bodies", group_prefix, g), "", groups[g].bodies, 1, index_below(bodies));
     each_program(groups[g], g, [&](const std::string& name, std::vector<double>& program) {
       if (scene.has(name)) scene.rows(name, "", program);
     });
   }
   return groups;
+}
+
+void save_selections(const StateTransfer& state, const std::vector<BodySelection>& selections) {
+  if (selections.empty()) return;
+  std::vector<std::string> names;
+  for (const BodySelection& selection : selections) names.push_back(selection.name);
+  const StateTransfer below = state.below(selections_path);
+  below.rows("names", "", names);
+  for (std::size_t g = 0; g < selections.size(); ++g) {
+    std::vector<std::uint32_t> bodies = selections[g].bodies;
+    below.rows(fmt::format("{}_bodies", g), "", bodies);
+  }
+}
+
+std::vector<BodySelection> selections_of(const State& state) {
+  const StateTransfer below = StateTransfer::restoring_from(state).below(selections_path);
+  if (!below.has("names")) return {};
+  std::vector<std::string> names;
+  below.rows("names", "", names);
+  const std::size_t bodies = recorded_ids(state).size();
+  std::vector<BodySelection> selections;
+  for (std::size_t g = 0; g < names.size(); ++g) {
+    selections.push_back({names[g], {}});
+    below.rows(fmt::format("{}_bodies", g), "", selections[g].bodies, 1, index_below(bodies));
+  }
+  return selections;
 }
 
 }  // namespace scree

@@ -255,6 +255,7 @@ void check_scene(const State& state, const Scene& scene) {
 
 void save_bodies_at_start(const StateTransfer& state, const Scene& scene) {
   transfer_bodies_at_start(state, scene.bodies);
+  save_selections(state, scene.selections);
 }
 
 namespace {
@@ -286,6 +287,10 @@ std::vector<Body> bodies_at_start(const State& state) {
   transfer_bodies_at_start(from, bodies);
   check_bodies(from.below("bodies"), bodies, materials_of(state).size(), state.has("bodies/spin"));
   return bodies;
+}
+
+RecordedBodies recorded_bodies(const State& state) {
+  return {bodies_at_start(state), groups_of(state), selections_of(state)};
 }
 
 std::vector<Body> present_bodies(const State& state) {

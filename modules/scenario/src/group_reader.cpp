@@ -1,4 +1,5 @@
 #include "group_keys.hpp"
+#include "output_keys.hpp"
 #include "readers.hpp"
 
 #include <algorithm>
@@ -147,15 +148,66 @@ std::vector<std::uint32_t> bodies_of_group(const document::Table& group, const s
   return bodies;
 }
 
+const Key* const probe_selections[] = {&probe_keys.groups, &probe_keys.leave_out};
+
+// The names of groups that probes count or leave out.
+std::vector<std::string> groups_of_probes(const document::Table& root) {
+  std::vector<std::string> names;
+  for (const document::Table& probe : root.tables("probe"))
+    for (const Key* key : probe_selections)
+      if (probe.optional(*key))
+        for (const std::string& name : probe.strings(*key)) names.push_back(name);
+  return names;
+}
+
+// Whether each body is in one of the groups that a key of a probe names.
+std::vector<bool> selected_by(const document::Table& root, const document::Table& probe, const Key& key,
+                              const Scene& scene) {
+  std::vector<std::string> known;
+  for (const document::Table& group : root.tables("group")) known.push_back(read(group, group_keys.name));
+  const std::vector<std::string> names = probe.strings(key);
+  if (names.empty()) throw probe.error(key, "no group is named", "name one, or remove " + key.name);
+  std::vector<bool> selected(scene.bodies.size(), false);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    find_name(probe, key, "group", names[k], known, k);
+    for (const BodySelection& selection : scene.selections)
+      if (selection.name == names[k])
+        for (const std::uint32_t i : selection.bodies) selected[i] = true;
+  }
+  return selected;
+}
+
 }  // namespace
+
+std::vector<std::uint8_t> read_left_out(const document::Table& root, const document::Table& probe,
+                                        const Scene& scene) {
+  if (!probe.optional(probe_keys.groups) && !probe.optional(probe_keys.leave_out)) return {};
+  std::vector<std::uint8_t> left_out(scene.bodies.size(), 0);
+  const auto leave_out = [&](const Key& key, bool which) {
+    if (!probe.optional(key)) return;
+    const std::vector<bool> selected = selected_by(root, probe, key, scene);
+    for (std::size_t i = 0; i < left_out.size(); ++i) left_out[i] |= selected[i] == which;
+  };
+  leave_out(probe_keys.groups, false);
+  leave_out(probe_keys.leave_out, true);
+  if (std::find(left_out.begin(), left_out.end(), 0) == left_out.end())
+    throw probe.error(probe.optional(probe_keys.groups) ? probe_keys.groups : probe_keys.leave_out,
+                      "no body is left to count", "name fewer groups in leave_out, or more in groups");
+  return left_out;
+}
 
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene) {
   UniqueNames names{"group"};
+  const std::vector<std::string> counted_by_probes = groups_of_probes(root);
   std::vector<freedom::Mask> moved(scene.bodies.size(), 0);
   for (const document::Table& group : root.tables("group")) {
     const std::string name = read(group, group_keys.name);
     names.add(group, name);
-    read_group_motion(group, name, bodies_of_group(group, name, sources, scene), moved, scene);
+    std::vector<std::uint32_t> bodies = bodies_of_group(group, name, sources, scene);
+    const bool selected =
+        std::find(counted_by_probes.begin(), counted_by_probes.end(), name) != counted_by_probes.end();
+    read_group_motion(group, name, bodies, selected, moved, scene);
+    if (selected) scene.selections.push_back({name, std::move(bodies)});
   }
 }
 

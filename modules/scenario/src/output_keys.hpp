@@ -16,6 +16,12 @@ struct ProbeKeys : TableKeys {
                             "time between updates of what the probe keeps, if it observes the run");
   Key stages = other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it records");
   StringKey name = string("name", "of the file", "default the plug-in's");
+  Key groups =
+      other("groups", "[\"name\", ...]", Range::any(), "default all bodies",
+            "groups whose bodies it counts: contacts, layer, mean_squared_displacement, momentum, profile, "
+            "strain, unbalanced_force");
+  Key leave_out = other("leave_out", "[\"name\", ...]", Range::any(), "default none",
+                        "groups whose bodies these do not count");
 };
 
 struct ChartKeys : TableKeys {

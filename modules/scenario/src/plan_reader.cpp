@@ -33,14 +33,16 @@ void read_header(const document::Table& root, Plan& plan) {
 }
 
 // Reads the materials and bodies. Returns the periodic boxes of packings.
-std::vector<PackingBox> read_materials_and_bodies(const document::Table& root, std::vector<Body> given,
+std::vector<PackingBox> read_materials_and_bodies(const document::Table& root, RecordedBodies recorded,
                                                   Plan& plan) {
   const std::vector<Material> materials = read_materials(root);
   plan.scene.materials = names_of(materials);
   plan.bodies_place = root.place(root.has("particles") ? "particles" : "particle");
-  if (!given.empty()) {
-    check_ids(given);
-    plan.scene.bodies = std::move(given);
+  if (!recorded.bodies.empty()) {
+    check_ids(recorded.bodies);
+    plan.scene.bodies = std::move(recorded.bodies);
+    plan.scene.groups = std::move(recorded.groups);
+    plan.scene.selections = std::move(recorded.selections);
     return {};
   }
   ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
@@ -154,9 +156,9 @@ void read_studies(const document::Table& root, const StudyTables& studies, Plan&
   for (const StudyTable& study : studies) study.check(plan);
 }
 
-// Reads everything except the texts. bodies: of a run that goes on; if empty, they are read too. studies:
+// Reads everything except the texts. recorded: of a run that goes on; without bodies, they are read too. studies:
 // null if the scenario has been checked before.
-Plan read(const document::Document& document, const std::filesystem::path& path, std::vector<Body> bodies,
+Plan read(const document::Document& document, const std::filesystem::path& path, RecordedBodies recorded,
           PluginHost& host, const StudyTables* studies) {
   const document::Table root = document.root();
   if (root.has("campaign"))
@@ -166,7 +168,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.source = path;
   plan.document = document;
   read_header(root, plan);
-  const std::vector<PackingBox> boxes = read_materials_and_bodies(root, std::move(bodies), plan);
+  const std::vector<PackingBox> boxes = read_materials_and_bodies(root, std::move(recorded), plan);
   Instances instances;
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
@@ -210,9 +212,9 @@ Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>
 }
 
 Plan read_plan_again(const std::string& text, const std::string& name,
-                     const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host) {
+                     const std::vector<std::string>& overrides, RecordedBodies recorded, PluginHost& host) {
   const document::Document document = document::Document::parse(text, name, overrides);
-  Plan plan = read(document, name, std::move(bodies), host, nullptr);
+  Plan plan = read(document, name, std::move(recorded), host, nullptr);
   // Only here, since overrides change lengths only, and keys of bodies stay unread.
   document.root().table("time").refuse_unused();
   for (const document::Table& stage : document.root().tables("stage")) stage.refuse_unused();
@@ -226,7 +228,7 @@ void check_keys(const std::filesystem::path& path, const std::vector<std::string
   const document::Document document = document::Document::load(path, overrides);
   for (Body& body : bodies) body.material = 0;
   try {
-    read(document, path, std::move(bodies), host, &studies);
+    read(document, path, {std::move(bodies), {}, {}}, host, &studies);
   } catch (const Error&) {
     return;  // it may fit the bodies of the state
   }

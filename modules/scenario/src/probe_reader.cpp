@@ -109,9 +109,9 @@ void take_inputs(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, int d
   for (const InputKey& input : draft.inputs) {
     const ProbePlan& read = drafts[input.probe].plan;
     check_stages(draft, input, read, stages);
-    const Probe configured(read.parameters, dimension);
-    const std::size_t column = find_name(draft.table, input.key, "column", input.column, configured.names());
-    draft.plan.parameters.set_input(input.key, read.name + "." + input.column, configured.units()[column]);
+    const Probe read_from = configured(read, dimension);
+    const std::size_t column = find_name(draft.table, input.key, "column", input.column, read_from.names());
+    draft.plan.parameters.set_input(input.key, read.name + "." + input.column, read_from.units()[column]);
     draft.plan.inputs.push_back({input.probe, column});
     draft.plan.depth = std::max(draft.plan.depth, read.depth + 1);
   }
@@ -120,6 +120,10 @@ void take_inputs(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, int d
 void read_observation(const document::Table& t, const Scene& scene, ProbePlan& plan) {
   const Probe probe = placed(t, "plugin", [&] { return Probe(plan.parameters, scene.dimension); });
   const char* const plugin = plan.parameters.plugin().name;
+  if (!plan.left_out.empty() && !probe.leaves_out())
+    throw t.error(t.optional(probe_keys.groups) ? probe_keys.groups : probe_keys.leave_out,
+                  fmt::format("the probe {} does not choose between bodies", plugin),
+                  "remove groups and leave_out");
   if (!t.optional(probe_keys.observe_every)) {
     if (probe.observe_every() > scene.step) plan.observe_every = probe.observe_every();
     return;
@@ -134,11 +138,12 @@ void read_observation(const document::Table& t, const Scene& scene, ProbePlan& p
   plan.observe_every = read_interval(t, probe_keys.observe_every, scene.step);
 }
 
-void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const Scene& scene,
-                const std::vector<std::string>& stages) {
+void read_probe(const document::Table& root, ProbeDraft& draft, const std::vector<ProbeDraft>& drafts,
+                const Scene& scene, const std::vector<std::string>& stages) {
   const document::Table& t = draft.table;
   ProbePlan& plan = draft.plan;
   read_parameters(t, scene.dimension, plan.parameters);
+  plan.left_out = read_left_out(root, t, scene);
   // Without stages there is no run, and no time between samples.
   if (!stages.empty() || t.optional(probe_keys.every))
     plan.every = read_interval(t, probe_keys.every, scene.step);
@@ -152,9 +157,13 @@ void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const 
 
 }  // namespace
 
+Probe configured(const ProbePlan& probe, int dimension) {
+  return Probe(probe.parameters, dimension, probe.left_out);
+}
+
 ProbeColumns columns_of(const ProbePlan& probe, int dimension) {
-  const Probe configured(probe.parameters, dimension);
-  ProbeColumns columns = {probe.name, configured.names(), configured.units()};
+  const Probe described = configured(probe, dimension);
+  ProbeColumns columns = {probe.name, described.names(), described.units()};
   columns.names.insert(columns.names.begin(), "time");
   columns.units.insert(columns.units.begin(), "s");
   return columns;
@@ -172,7 +181,7 @@ std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& sce
     unique.add(t, names.back());
   }
   for (ProbeDraft& draft : drafts) find_inputs(draft, names);
-  for (const std::size_t k : reading_order(drafts)) read_probe(drafts[k], drafts, scene, stage_names);
+  for (const std::size_t k : reading_order(drafts)) read_probe(root, drafts[k], drafts, scene, stage_names);
   std::vector<ProbePlan> probes;
   for (ProbeDraft& draft : drafts) probes.push_back(std::move(draft.plan));
   return probes;

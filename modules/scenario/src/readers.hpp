@@ -159,14 +159,18 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
 
 // Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials. sources: of its bodies.
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene);
+// For a [[probe]]: 1 for the bodies that its keys `groups` and `leave_out` exclude; empty without these keys.
+std::vector<std::uint8_t> read_left_out(const document::Table& root, const document::Table& probe,
+                                        const Scene& scene);
 
 // group_motion_reader.cpp
 
 // What a [[group]] gives its bodies (indices): which components are held, velocities, and functions of time, for which it
-// adds a BodyGroup to the scene. moved: of each body, the components that follow a function of a group before.
+// adds a BodyGroup to the scene. selected: a probe counts or leaves out its bodies, so that it may be given nothing. moved:
+// of each body, the components that follow a function of a group before.
 void read_group_motion(const document::Table& group, const std::string& name,
-                       const std::vector<std::uint32_t>& bodies, std::vector<freedom::Mask>& moved,
-                       Scene& scene);
+                       const std::vector<std::uint32_t>& bodies, bool selected,
+                       std::vector<freedom::Mask>& moved, Scene& scene);
 
 // plugin_parameters.cpp
 

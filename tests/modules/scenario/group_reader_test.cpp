@@ -249,12 +249,16 @@ TEST_CASE("bodies that a state has fixed stay fixed until a group lets them go",
   CHECK(fixed_of("[[group]]\nname = 'g'\nfixed = true\nwhere.ids = [3]\n") == Ids{1, 2, 3});
 }
 
+TEST_CASE("a misspelt key of a group that is given nothing else is named", "[scenario]") {
+  CHECK_THAT(refused_group("name = 'g'\nfixd = true\nwhere.ids = [1]"), Catch::Contains("'fixd'"));
+}
+
 TEST_CASE("a run that goes on has the fixed bodies of its start, whatever lies in the region of a group now",
           "[scenario]") {
   const std::string text = with_group("name = 'g'\nfixed = true\nwhere.y = [0, 0.02]");
   std::vector<Body> bodies = plan_of(text).scene.bodies;
   for (Body& body : bodies) body.position[1] += 1;
   const std::vector<Body> again =
-      scenario::read_plan_again(text, "scene.toml", {}, bodies, host()).scene.bodies;
+      scenario::read_plan_again(text, "scene.toml", {}, {bodies, {}, {}}, host()).scene.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) CHECK(again[i].fixed == bodies[i].fixed);
 }

@@ -103,3 +103,30 @@ TEST_CASE("an interval of observation is refused for a probe that does not obser
       refusal(msd, {"probe.window=4e-5", "probe.observe_every=1e-9"}).find("is shorter than the time step") !=
       std::string::npos);
 }
+
+TEST_CASE("a probe counts the bodies of groups, or leaves them out", "[scenario]") {
+  const std::string groups =
+      "[[group]]\nname = 'low'\nwhere.y = [0, 0.04]\n[[group]]\nname = 'left'\nfixed = true\nwhere.x = [0, 0.02]\n"
+      "[[group]]\nname = 'idle'\nvelocity = [0, 0]\nwhere.ids = [1]\n";
+  const std::string momentum = with(discs, "'energy'", "'momentum'\ngroups = ['low']") + groups;
+  const auto left_out = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
+    std::vector<int> ids;
+    const scenario::Plan plan = plan_of(text, overrides);
+    for (std::size_t i = 0; i < plan.probes[0].left_out.size(); ++i)
+      if (plan.probes[0].left_out[i]) ids.push_back(int(plan.scene.bodies[i].id));
+    return ids;
+  };
+  CHECK(left_out(momentum) == std::vector{7, 8, 9});
+  CHECK(left_out(momentum, {"probe.leave_out=['left']"}) == std::vector{1, 4, 7, 8, 9});
+  CHECK(left_out(momentum, {"probe.groups=['low', 'left']"}) == std::vector{8, 9});
+  CHECK(left_out(discs).empty());
+
+  CHECK(refusal(momentum, {"probe.groups=['lows']"}).find("no group 'lows'; did you mean 'low'?") !=
+        std::string::npos);
+  CHECK(refusal(momentum, {"probe.groups=[]"}).find("no group is named") != std::string::npos);
+  CHECK(refusal(momentum, {"probe.leave_out=['low']"}).find("no body is left to count") != std::string::npos);
+  CHECK(refusal(momentum, {"probe.plugin='energy'"})
+            .find("the probe energy does not choose between bodies; remove") != std::string::npos);
+  CHECK(refusal(with(momentum, "groups = ['low']", ""))
+            .find("group 'low' is given nothing; add fixed = true") != std::string::npos);
+}

@@ -125,3 +125,38 @@ TEST_CASE("layer: what has no bodies or no walls is refused with a remedy", "[la
   CHECK_THAT(refusal(s, {{"at", {0.3}}, {"at_share", {0.3}}, {"half_width", {0.1}}}), Contains("at_share"));
   CHECK_THAT(refusal(s, {{"half_width", {0.1}}}), Contains("at"));
 }
+
+TEST_CASE("layer: has only bodies that a scenario chooses, also after an interruption", "[layer]") {
+  const Simulation s(lattice_in_box(3, 1));
+  const Values values = {{"at", {0.25}}, {"half_width", {0.11}}};
+  // Of the six bodies at 0.15, 0.25 and 0.35 m the first of each two, and not the first of all.
+  std::vector<std::uint8_t> left_out(s.particles().size(), 0);
+  for (std::size_t i = 1; i < left_out.size(); i += 2) left_out[i] = 1;
+  left_out[2] = 1;
+  Probe probe(parameters("layer", SCREE_PROBE, values), 3, left_out);
+  const Sampled layer = sampled(probe, s);
+  CHECK(layer["bodies"] == 2);
+  CHECK(layer["position"] == near(0.3, lattice_rounding));
+  CHECK(sampled(probe, s).row == layer.row);
+
+  State state;
+  probe.transfer(StateTransfer::saving_to(state).below("probe"));
+  Probe again = probe_of("layer", values, 3);
+  again.transfer(StateTransfer::restoring_from(state).below("probe"));
+  again.check_restored(SimulationView(s, 0).get());
+  CHECK(sampled(again, s).row == layer.row);
+  const Simulation smaller(carried(3));
+  CHECK_THAT(message_of([&] { again.check_restored(SimulationView(smaller, 0).get()); }),
+             Catch::Contains("leaves out some of 20 bodies"));
+}
+
+TEST_CASE("layer: a body that is left out is not offered as the nearest", "[layer]") {
+  const Simulation s(carried(2));
+  const auto refused_by = [&](std::vector<std::uint8_t> left_out) {
+    Probe probe(parameters("layer", SCREE_PROBE, {{"at", {0.6}}, {"half_width", {0.05}}}), 2,
+                std::move(left_out));
+    return message_of([&] { sampled(probe, s); });
+  };
+  CHECK_THAT(refused_by({0, 0, 0, 0, 0}), Catch::Contains("the nearest is body 4 at"));
+  CHECK_THAT(refused_by({0, 0, 0, 1, 0}), Catch::Contains("the nearest is body 5 at"));
+}

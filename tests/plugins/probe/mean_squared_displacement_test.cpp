@@ -94,3 +94,16 @@ TEST_CASE("mean_squared_displacement: a body given twice is refused", "[probe]")
   CHECK_THROWS_WITH(displacement({{"ids", {2, 2}}}, 3).check(SimulationView(s, 0).get()),
                     Catch::Contains("the id 2 is given twice"));
 }
+
+TEST_CASE("mean_squared_displacement: of bodies that a scenario chooses, all or of those with these ids",
+          "[probe]") {
+  Simulation s(drifting(2));
+  const auto with_left_out = [&](const Values& values, std::vector<std::uint8_t> left_out) {
+    return Probe(parameters("mean_squared_displacement", SCREE_PROBE, values), 2, std::move(left_out));
+  };
+  Probe second = with_left_out({}, {1, 0}), listed = with_left_out({{"ids", {2, 4}}}, {0, 1});
+  for (Probe* p : {&second, &listed}) p->sample(SimulationView(s, 0).get());
+  run(s, 400);
+  CHECK(second.sample(SimulationView(s, 0).get())[0] == Approx(2.25 * 2.25 * 0.16));
+  CHECK(listed.sample(SimulationView(s, 0).get())[0] == Approx(64 * 0.16));
+}

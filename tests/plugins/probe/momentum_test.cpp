@@ -77,3 +77,9 @@ TEST_CASE("momentum: a frictional collision conserves both", "[probe]") {
   for (std::size_t k = 0; k < 6; ++k)
     CHECK(after.row[k] == Approx(before.row[k]).epsilon(0).margin(rounding * largest * (k < 3 ? 1 : 0.01)));
 }
+
+TEST_CASE("momentum: of bodies that a scenario chooses", "[probe]") {
+  const Sampled m = sample(Simulation(pair_of_bodies(3)), "momentum", {}, {1, 0});
+  CHECK(m["momentum_y"] == 6);
+  CHECK(m["angular_momentum_x"] == Approx(-10 + 4));
+}

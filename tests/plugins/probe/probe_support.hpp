@@ -28,8 +28,9 @@ struct Sampled {
   }
 };
 
-inline Sampled sample(const Simulation& s, const std::string& plugin, const Values& values = {}) {
-  Probe probe(parameters(plugin, SCREE_PROBE, values), s.dimension());
+inline Sampled sample(const Simulation& s, const std::string& plugin, const Values& values = {},
+                      std::vector<std::uint8_t> left_out = {}) {
+  Probe probe(parameters(plugin, SCREE_PROBE, values), s.dimension(), std::move(left_out));
   return {probe.names(), probe.sample(SimulationView(s, probe.needs()).get())};
 }
 

@@ -64,6 +64,18 @@ TEST_CASE("contacts: bodies that are fixed do not count in means over bodies", "
   CHECK(contacts["coordination_without_rattlers"] == 2);
 }
 
+TEST_CASE("contacts: of bodies that a scenario chooses, with all their contacts", "[probe]") {
+  const Simulation s(row_in_box());
+  const Sampled last = sample(s, "contacts", {}, {1, 1, 0, 1});
+  CHECK(last["contacts"] == 2);  // with the second body and the wall
+  CHECK(last["coordination_number"] == 2);
+  CHECK(last["rattlers"] == 0);
+  CHECK(last["max_overlap"] == Approx(1e-4));
+  const Sampled floating = sample(s, "contacts", {}, {1, 1, 1, 0});
+  CHECK(floating["contacts"] == 0);
+  CHECK(floating["rattlers"] == 1);
+}
+
 TEST_CASE("box: strain is relative to the first sample", "[probe]") {
   Scene sc = scene(3, 1e-3, {body(1, 0.01, 1, {{0.5, 0.5, 0.5}})}, frictional_law);
   add_boundary(sc, "box",

@@ -53,3 +53,29 @@ TEST_CASE("unbalanced_force: without contacts there is no value", "[probe]") {
   const Simulation s(scene(2, 1e-4, {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2)}, stiff_law));
   CHECK(std::isnan(sample(s, "unbalanced_force")["mean"]));
 }
+
+TEST_CASE("unbalanced_force: along axes in which a disc is held there is no force to count", "[probe]") {
+  // Overlaps of 0.01 and 0.02, at right angles: the disc in the corner has net forces of 100 and 200 N.
+  Scene sc = scene(2, 1e-4,
+                   {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2), body(2, 1, 1, {{1.99, 0, 0}}, {}, {}, 2),
+                    body(3, 1, 1, {{0, 1.98, 0}}, {}, {}, 2)},
+                   stiff_law);
+  CHECK(sample(Simulation(sc), "unbalanced_force")["largest"] == Approx(std::hypot(100, 200) / 150));
+  sc.bodies[0].held = 1u << 1;
+  CHECK(sample(Simulation(sc), "unbalanced_force")["mean"] == Approx((100 + 100 + 200) / 3.0 / 150));
+  sc.bodies[0].held = 1u << 0;
+  CHECK(sample(Simulation(sc), "unbalanced_force")["mean"] == Approx((200 + 100 + 200) / 3.0 / 150));
+}
+
+TEST_CASE("unbalanced_force: of discs that a scenario chooses, and their contacts", "[probe]") {
+  // Overlaps of 0.01, 0.02 and 0.04 in a row: net forces of 100, 100, 200 and 400 N.
+  const Simulation s(
+      scene(2, 1e-4,
+            {body(1, 1, 1, {{0, 0, 0}}, {}, {}, 2), body(2, 1, 1, {{1.99, 0, 0}}, {}, {}, 2),
+             body(3, 1, 1, {{3.97, 0, 0}}, {}, {}, 2), body(4, 1, 1, {{5.93, 0, 0}}, {}, {}, 2)},
+            stiff_law));
+  const Sampled last_two = sample(s, "unbalanced_force", {}, {1, 1, 0, 0});
+  CHECK(last_two["mean_contact_force"] == Approx(300));
+  CHECK(last_two["mean"] == Approx(1));
+  CHECK(last_two["largest"] == Approx(400.0 / 300));
+}

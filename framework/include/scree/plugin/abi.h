@@ -24,7 +24,7 @@
 extern "C" {
 #endif
 
-#define SCREE_ABI_VERSION 12u
+#define SCREE_ABI_VERSION 13u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
 
 typedef enum scree_kind {

@@ -60,7 +60,7 @@ struct Layers {
                                   double* state) const {
     for (std::uint64_t n = 0; n < count; ++n) state[header * n + centre] = centre_of(n);
     for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      const std::uint64_t n = layer_of(i);
+      const std::uint64_t n = counts(view, i) ? layer_of(i) : count;
       if (n >= count) continue;
       state[header * count + i] = double(n + 1);
       state[header * n + above] += height(view, i, state[header * n + centre]);
@@ -115,10 +115,14 @@ struct Layers {
   enum : std::uint64_t { centre, above, path, header };
 
   std::string without_bodies(const scree_view& view, double at, double half_width) const {
-    if (view.body_count == 0) return "there are no bodies to follow; add some";
-    std::uint64_t nearest = 0;
-    for (std::uint64_t i = 1; i < view.body_count; ++i)
-      if (std::abs(height(view, i, at)) < std::abs(height(view, nearest, at))) nearest = i;
+    std::uint64_t nearest = view.body_count;
+    const auto is_nearer = [&](std::uint64_t i) {
+      return nearest == view.body_count ||
+             std::abs(height(view, i, at)) < std::abs(height(view, nearest, at));
+    };
+    for (std::uint64_t i = 0; i < view.body_count; ++i)
+      if (counts(view, i) && is_nearer(i)) nearest = i;
+    if (nearest == view.body_count) return "there are no bodies to follow; add some";
     const double off = height(view, nearest, at);
     char problem[240];
     std::snprintf(problem, sizeof(problem),

@@ -23,7 +23,8 @@
 //   void observe(const scree_view&, double* state) const;        optional: updates the state at every step
 //   void sample(const scree_view&, const double* state, double* row) const;   writes one row of values
 //
-// `describe` may set `observes` to 0 if the parameters make observation unnecessary.
+// `describe` may set `observes` to 0 if the parameters make observation unnecessary, and sets `leaves_out` to 1 in a probe
+// that asks counts() of each body, so that scenarios may choose the bodies.
 
 namespace scree {
 
@@ -49,6 +50,15 @@ inline Vec3 unwrapped_position(const scree_view& view, std::uint64_t i) {
   for (int k = 0; k < 3; ++k)
     if (view.image[k]) x[k] += view.image[k][i] * view.period[k];
   return x;
+}
+
+// Whether the scenario counts body i in this probe.
+inline bool counts(const scree_view& view, std::uint64_t i) { return !view.left_out || !view.left_out[i]; }
+
+// Whether it counts a body of contact c.
+inline bool counts_contact(const scree_view& view, std::uint64_t c) {
+  const std::uint32_t b = view.contact_b[c];
+  return counts(view, view.contact_a[c]) || (b < view.body_count && counts(view, b));
 }
 
 // The problem and a remedy if there is no wall of this number, counted from 1; otherwise "".

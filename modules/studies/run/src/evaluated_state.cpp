@@ -24,7 +24,7 @@ scenario::Plan plan_of(const State& state, const std::filesystem::path& file, Pl
   std::string text;
   run.value("scenario", "", text);
   scenario::Plan plan =
-      scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies_at_start(state), host);
+      scenario::read_plan_again(text, file.string() + " (scenario)", {}, recorded_bodies(state), host);
   plan.scene.pair_forces = true;
   return plan;
 }

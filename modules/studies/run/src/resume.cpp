@@ -118,13 +118,12 @@ scenario::Plan changed_plan(const ResumeChanges& changes, const State* state, co
   return read(overrides);
 }
 
-scenario::Plan plan_of(const Checkpoints::Latest& latest, const std::vector<Body>& bodies,
+scenario::Plan plan_of(const Checkpoints::Latest& latest, const RecordedBodies& bodies,
                        const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
   const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)",
                     restored = restored_scenario(options.out, text, options.on_warning);
   return changed_plan(changes, &latest.state, [&](const std::vector<std::string>& overrides) {
     scenario::Plan plan = scenario::read_plan_again(text, name, overrides, bodies, host);
-    plan.scene.groups = groups_of(latest.state);
     if (!overrides.empty() || !restored.empty())
       plan.text_for_any_folder = text_in(options.out, restored, overrides);
     return plan;
@@ -180,7 +179,7 @@ struct Start {
 std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const RunOptions& options,
                                       const ResumeChanges& changes, PluginHost& host, Start& start) {
   try {
-    start.plan = plan_of(latest, bodies_at_start(latest.state), options, changes, host);
+    start.plan = plan_of(latest, recorded_bodies(latest.state), options, changes, host);
   } catch (const StateError& error) {
     return error.what();
   }

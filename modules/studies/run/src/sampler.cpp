@@ -26,7 +26,7 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step) {
 Sampler::Sampler(const scenario::Plan& plan)
     : staged_(plan.stages.size() > 1), end_time_(duration_of(plan.stages)) {
   for (const scenario::ProbePlan& probe : plan.probes)
-    probes_.push_back({&probe, Probe(probe.parameters, plan.scene.dimension)});
+    probes_.push_back({&probe, scenario::configured(probe, plan.scene.dimension)});
   put_in_order();
 }
 

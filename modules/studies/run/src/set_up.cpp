@@ -58,11 +58,11 @@ Span span_of(const scenario::ProbePlan& probe, const std::vector<Stage>& stages)
 // Whether a probe starts in a scene as it is now, as if it were another time. Throws Error if not.
 void check_start(const scenario::ProbePlan& probe, const scenario::Plan& plan, const Simulation& simulation,
                  double time, double end_time) {
-  const Probe configured(probe.parameters, plan.scene.dimension);
-  const SimulationView view(simulation, configured.needs(), end_time);
+  const Probe candidate = scenario::configured(probe, plan.scene.dimension);
+  const SimulationView view(simulation, candidate.needs(), end_time);
   scree_view then = view.get();
   then.time = time;
-  configured.check(then);
+  candidate.check(then);
 }
 
 bool starts(const scenario::ProbePlan& probe, const scenario::Plan& plan, const Simulation& simulation) {

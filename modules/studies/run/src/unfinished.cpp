@@ -113,9 +113,8 @@ Unfinished unfinished_in(const fs::path& path, const ResultKind& kind, PluginHos
         "{}: is the state of another {} than that in {}; put back the one of this directory, or give --overwrite with the "
         "scenario to run it again",
         file.string(), kind.noun, kind.record));
-  const std::vector<Body> bodies = with_state_of(file.string(), [&] { return bodies_at_start(state); });
+  const RecordedBodies bodies = with_state_of(file.string(), [&] { return recorded_bodies(state); });
   scenario::Plan plan = scenario::read_plan_again(text, file.string() + " (scenario)", {}, bodies, host);
-  plan.scene.groups = with_state_of(file.string(), [&] { return groups_of(state); });
   plan.text_for_any_folder = restored_scenario(directory, text, on_warning);
   return {std::move(taken), std::move(state), file, std::move(plan)};
 }

@@ -14,7 +14,8 @@ Observer::Observer(const scenario::Plan& plan, std::vector<ObservedColumn> obser
   for (const ObservedColumn& column : observed_)
     if (std::none_of(probes_.begin(), probes_.end(),
                      [&](const Watched& w) { return w.number == column.probe; }))
-      probes_.push_back({column.probe, Probe(plan.probes[column.probe].parameters, plan.scene.dimension)});
+      probes_.push_back(
+          {column.probe, scenario::configured(plan.probes[column.probe], plan.scene.dimension)});
 }
 
 std::uint32_t Observer::needs() const {

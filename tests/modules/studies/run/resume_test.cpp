@@ -61,6 +61,23 @@ TEST_CASE("a run with fixed bodies goes on to the same bits", "[run]") {
   CHECK(now_in_region > 3);
 }
 
+// At the time of the state other discs lie in the region of the group: those that count at the start go on to count.
+TEST_CASE("a run that goes on counts the same bodies in its probes", "[run]") {
+  const std::string chosen =
+      with(discs, "random_velocity = 0.1\n", "random_velocity = 0.1\nvelocity = [-200, 0]\n") +
+      "[limits]\nspeed = 1e4\noverlap_ratio = 1e9\n"
+      "[[group]]\nname = 'left'\nwhere = { x = [0, 0.02] }\n"
+      "[[probe]]\nplugin = 'momentum'\ngroups = ['left']\nevery = 1e-5\n"
+      "[[probe]]\nname = 'others'\nplugin = 'layer'\nleave_out = ['left']\nat = 0.033\nhalf_width = 1\nevery = 1e-5\n";
+  const std::vector<std::string> unguarded = {"time.step_guard=false"};
+  const Bench whole(chosen, unguarded), halves(with(chosen, "duration = 1e-4", "duration = 5e-5"), unguarded);
+  whole.run();
+  halves.run();
+  resume(halves, {}, 1e-4);
+  for (const char* probe : {"momentum", "others"}) CHECK(series_of(halves, probe) == series_of(whole, probe));
+  CHECK(series_of(whole, "others").find("\n0,6,") != std::string::npos);
+}
+
 TEST_CASE("a run that cannot go on leaves its series as they are", "[run]") {
   // The last row is behind the state at the end, so that going on would drop it.
   const Bench bench(with(discs, "every = 2e-5", "every = 3e-5") +

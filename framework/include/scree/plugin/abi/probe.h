@@ -79,6 +79,11 @@ typedef struct scree_view {
   uint32_t input_count;        /* of the probe that is called, in observe and sample; else 0 */
   const double* inputs;        /* input_count: values of scree_setup.inputs at this time */
   const uint8_t* fixed; /* (optional) body_count: 1 for bodies that no force moves; NULL if there are none */
+  const uint8_t*
+      held; /* (optional) body_count: 1 << k for each component that no force moves, translations along x, y,
+                           z, then rotations, of bodies that are not fixed; NULL if there are none */
+  const uint8_t*
+      left_out; /* (optional) body_count: 1 for bodies that the probe is not to count; NULL if it counts all */
 } scree_view;
 
 typedef struct scree_probe_instance {
@@ -88,6 +93,8 @@ typedef struct scree_probe_instance {
   uint32_t column_count;
   uint32_t state_width; /* doubles of state, unless the probe has `state_size` */
   uint32_t observes;    /* nonzero: `observe` is called */
+  uint32_t
+      leaves_out; /* nonzero: it heeds view->left_out; the keys groups and leave_out are refused otherwise */
   double observe_every; /* (s) between observations if it is the probe that chooses it, else 0 */
 } scree_probe_instance;
 

@@ -11,9 +11,11 @@
 #include <scree/branching.hpp>
 #include <scree/document/document.hpp>
 #include <scree/plugin_host.hpp>
+#include <scree/probes.hpp>
 #include <scree/scenario/input_files.hpp>
 #include <scree/scenario/study_table.hpp>
 #include <scree/scene.hpp>
+#include <scree/scene_record.hpp>
 #include <scree/stage.hpp>
 
 namespace scree::scenario {
@@ -46,9 +48,13 @@ struct ProbePlan {
   std::optional<double> observe_every = {};  // (s) likewise, between observations; absent: every step
   std::vector<ProbeInput> inputs = {};       // in the order of Parameters::inputs()
   std::size_t depth = 0;                     // greater than the depth of each probe of its inputs
+  std::vector<std::uint8_t> left_out = {};   // 1 for bodies that it does not count; empty: it counts all
   std::vector<std::string> stages;           // stages in which it records; all if empty
   std::string place;                         // file:line:column, for messages
 };
+
+// The probe that a plan describes.
+Probe configured(const ProbePlan& probe, int dimension);
 
 // Intervals between files and images of the whole scene; absent: none are written.
 struct SnapshotPlan {
@@ -149,10 +155,10 @@ std::optional<std::string> quantity_problem(const std::string& name, const std::
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host,
                const StudyTables& studies = {});
 
-// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start,
-// so that no packing is read again. name: of the text in messages. Tables of studies are not checked again.
+// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start with their
+// groups, so that no packing is read again. name: of the text in messages. Tables of studies are not checked again.
 Plan read_plan_again(const std::string& text, const std::string& name,
-                     const std::vector<std::string>& overrides, std::vector<Body> bodies, PluginHost& host);
+                     const std::vector<std::string>& overrides, RecordedBodies recorded, PluginHost& host);
 
 // Refuses the keys of a scenario that nothing reads, while the state from which it begins does not exist yet:
 // `bodies` are used instead of the bodies of the state, and keys of [particles] are not checked. Other errors
